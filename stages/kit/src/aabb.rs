@@ -1,0 +1,79 @@
+//! Axis-aligned bounding boxes.
+
+use crate::Vec3;
+
+/// The points `p` with `min <= p <= max` on every axis, in world space. Faces count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// Corner with the smallest coordinates.
+    pub min: Vec3,
+    /// Corner with the largest coordinates.
+    pub max: Vec3,
+}
+
+impl Aabb {
+    /// The box that holds no point: `min` is +∞, `max` is -∞. Growing it by a point gives that point.
+    pub const EMPTY: Aabb = Aabb {
+        min: Vec3::INFINITY,
+        max: Vec3::NEG_INFINITY,
+    };
+
+    /// The smallest box that holds all of `points`; [`Aabb::EMPTY`] for none.
+    pub fn of(points: impl IntoIterator<Item = Vec3>) -> Aabb {
+        points.into_iter().fold(Aabb::EMPTY, Aabb::grown_by)
+    }
+
+    /// The smallest box that holds this one and `p`.
+    #[must_use]
+    #[inline]
+    pub fn grown_by(self, p: Vec3) -> Aabb {
+        Aabb {
+            min: self.min.min(p),
+            max: self.max.max(p),
+        }
+    }
+
+    /// The smallest box that holds this one and `other`.
+    #[must_use]
+    #[inline]
+    pub fn union(self, other: Aabb) -> Aabb {
+        Aabb {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+
+    /// Whether the box holds no point. A box with a NaN corner counts as empty.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        !(self.min.x <= self.max.x && self.min.y <= self.max.y && self.min.z <= self.max.z)
+    }
+
+    /// The middle. Halves before adding, so that coordinates near the largest float do not overflow.
+    #[inline]
+    pub fn centroid(&self) -> Vec3 {
+        0.5 * self.min + 0.5 * self.max
+    }
+
+    /// Edge lengths, `max - min`.
+    #[inline]
+    pub fn extent(&self) -> Vec3 {
+        self.max - self.min
+    }
+
+    /// Area of the six faces; 0 for an empty box.
+    #[inline]
+    pub fn surface_area(&self) -> f64 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let e = self.extent();
+        2.0 * (e.x * e.y + e.y * e.z + e.z * e.x)
+    }
+
+    /// Whether `other` lies inside this box (touching faces count). Every box holds an empty one.
+    #[inline]
+    pub fn contains(&self, other: &Aabb) -> bool {
+        other.is_empty() || (self.min.cmple(other.min).all() && self.max.cmpge(other.max).all())
+    }
+}

@@ -1,0 +1,61 @@
+//! The pinhole camera: where it stands and what it sees.
+
+use crate::{Mat3, Vec3};
+
+/// A pinhole camera. In camera space it sits at the origin, looks along -z and has +y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Position in world space.
+    pub pos: Vec3,
+    /// Camera space to world space: a rotation, its columns the camera's right, up and backward directions.
+    pub c2w: Mat3,
+    /// Horizontal field of view in degrees, in (0, 180).
+    pub h_fov: f64,
+    /// Vertical field of view in degrees, in (0, 180).
+    pub v_fov: f64,
+    /// Nearest `t` that is seen, measured along the unit ray.
+    pub n_clip: f64,
+    /// Farthest `t` that is seen, measured along the unit ray.
+    pub f_clip: f64,
+}
+
+/// Why a camera could not be placed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaceError {
+    /// The camera stands on its target, or a coordinate is not finite.
+    NoDirection,
+    /// The up direction is parallel to the viewing direction.
+    UpAlongView,
+}
+
+impl std::fmt::Display for PlaceError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            PlaceError::NoDirection => {
+                "the camera stands on its target, so it looks nowhere: move one of them"
+            }
+            PlaceError::UpAlongView => {
+                "the up direction is parallel to the viewing direction: choose another up"
+            }
+        })
+    }
+}
+
+impl std::error::Error for PlaceError {}
+
+impl Camera {
+    /// The rotation of a camera at `pos` that looks at `target` with `up` as close to +y as it can be.
+    pub fn look_at(pos: Vec3, target: Vec3, up: Vec3) -> Result<Mat3, PlaceError> {
+        let backward = (pos - target)
+            .try_normalize()
+            .ok_or(PlaceError::NoDirection)?;
+        let up = up.try_normalize().ok_or(PlaceError::UpAlongView)?;
+        let right = up.cross(backward);
+        // Under a millionth of a radian apart the cross product is mostly rounding error.
+        if right.length() < 1e-6 {
+            return Err(PlaceError::UpAlongView);
+        }
+        let right = right.normalize();
+        Ok(Mat3::from_cols(right, backward.cross(right), backward))
+    }
+}

@@ -1,0 +1,160 @@
+//! The film: pixels with their origin at the bottom left, filled tile by tile in parallel.
+
+use crate::{PixelSampler, Spectrum};
+use rayon::prelude::*;
+
+/// Width and height of a film in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FilmSize {
+    /// Pixels from left to right.
+    pub w: u32,
+    /// Pixels from bottom to top.
+    pub h: u32,
+}
+
+/// What sampling one pixel gave.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PixelEstimate {
+    /// Mean radiance over the pixel.
+    pub radiance: Spectrum,
+    /// How many camera samples went into it.
+    pub samples: u32,
+}
+
+/// A rectangle of pixels, `x0 <= x < x1` and `y0 <= y < y1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// First column.
+    pub x0: u32,
+    /// First row, counted from the bottom.
+    pub y0: u32,
+    /// One past the last column.
+    pub x1: u32,
+    /// One past the last row.
+    pub y1: u32,
+}
+
+/// A picture in the making: one estimate a pixel, row by row from the bottom left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    size: FilmSize,
+    pixels: Vec<PixelEstimate>,
+}
+
+/// Edge of a tile in pixels: small enough to keep all threads busy to the end.
+const TILE: u32 = 16;
+
+impl Film {
+    /// A black film.
+    pub fn new(size: FilmSize) -> Film {
+        Film {
+            size,
+            pixels: vec![PixelEstimate::default(); size.w as usize * size.h as usize],
+        }
+    }
+
+    /// Its width and height.
+    pub fn size(&self) -> FilmSize {
+        self.size
+    }
+
+    /// The pixel in column `x` and row `y`, counted from the bottom left.
+    pub fn get(&self, x: u32, y: u32) -> PixelEstimate {
+        self.pixels[self.index(x, y)]
+    }
+
+    /// Sets the pixel in column `x` and row `y`, counted from the bottom left.
+    pub fn set(&mut self, x: u32, y: u32, pixel: PixelEstimate) {
+        let i = self.index(x, y);
+        self.pixels[i] = pixel;
+    }
+
+    /// All pixels, row by row from the bottom left.
+    pub fn pixels(&self) -> &[PixelEstimate] {
+        &self.pixels
+    }
+
+    fn index(&self, x: u32, y: u32) -> usize {
+        assert!(
+            x < self.size.w && y < self.size.h,
+            "pixel ({x}, {y}) is not on a {:?}",
+            self.size
+        );
+        y as usize * self.size.w as usize + x as usize
+    }
+}
+
+impl FilmSize {
+    /// The whole film as one cell.
+    pub fn whole(self) -> Cell {
+        Cell {
+            x0: 0,
+            y0: 0,
+            x1: self.w,
+            y1: self.h,
+        }
+    }
+}
+
+impl Cell {
+    /// The tiles that cover the cell.
+    pub fn tiles(self) -> Vec<Cell> {
+        let starts = |a: u32, b: u32| (a..b).step_by(TILE as usize);
+        starts(self.y0, self.y1)
+            .flat_map(|y0| starts(self.x0, self.x1).map(move |x0| (x0, y0)))
+            .map(|(x0, y0)| Cell {
+                x0,
+                y0,
+                x1: self.x1.min(x0.saturating_add(TILE)),
+                y1: self.y1.min(y0.saturating_add(TILE)),
+            })
+            .collect()
+    }
+
+    /// Its pixels, row by row from the bottom left.
+    pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
+        (self.y0..self.y1).flat_map(move |y| (self.x0..self.x1).map(move |x| (x, y)))
+    }
+
+    /// How many pixels it has.
+    pub fn area(self) -> u64 {
+        u64::from(self.x1 - self.x0) * u64::from(self.y1 - self.y0)
+    }
+}
+
+/// Fills the pixels of `cell` in parallel on rayon's current thread pool.
+///
+/// Each worker thread makes itself a `state` (counters, say) with `new_state`; `pixel` gets it with the
+/// column, the row and that pixel's own sampler; `tile_done` hears of each finished tile. Pixels do not
+/// depend on threads or on the order of tiles. Returns the film and the states.
+pub fn render<S: Send>(
+    size: FilmSize,
+    cell: Cell,
+    seed: u64,
+    new_state: impl Fn() -> S + Sync,
+    pixel: impl Fn(&mut S, u32, u32, &mut PixelSampler) -> PixelEstimate + Sync,
+    tile_done: impl Fn(Cell, &[PixelEstimate]) + Sync,
+) -> (Film, Vec<S>) {
+    let tiles: Vec<(Cell, Vec<PixelEstimate>, S)> = cell
+        .tiles()
+        .into_par_iter()
+        .map(|tile| {
+            let mut state = new_state();
+            let pixels: Vec<PixelEstimate> = tile
+                .pixels()
+                .map(|(x, y)| pixel(&mut state, x, y, &mut PixelSampler::new(x, y, seed)))
+                .collect();
+            tile_done(tile, &pixels);
+            (tile, pixels, state)
+        })
+        .collect();
+    let mut film = Film::new(size);
+    let mut states = Vec::with_capacity(tiles.len());
+    for (tile, pixels, state) in tiles {
+        for ((x, y), estimate) in tile.pixels().zip(pixels) {
+            film.set(x, y, estimate);
+        }
+        states.push(state);
+    }
+    (film, states)
+}

@@ -1,0 +1,51 @@
+//! Vectors, matrices, angles.
+//!
+//! Everything is `f64`. Sines and the like come from `libm`, not from the platform, so that
+//! pictures and counts are the same on every machine.
+
+/// Two numbers: a point on the film, a pair of barycentric weights.
+pub type Vec2 = glam::DVec2;
+/// A point or a direction. World space is right-handed with +y up.
+pub type Vec3 = glam::DVec3;
+/// A 3x3 matrix, stored by columns; `m * v` applies it.
+pub type Mat3 = glam::DMat3;
+
+/// Sine of an angle in radians.
+pub fn sin(radians: f64) -> f64 {
+    libm::sin(radians)
+}
+
+/// Cosine of an angle in radians.
+pub fn cos(radians: f64) -> f64 {
+    libm::cos(radians)
+}
+
+/// Tangent of an angle in radians.
+pub fn tan(radians: f64) -> f64 {
+    libm::tan(radians)
+}
+
+/// Angle in radians, in [0, π], whose cosine is `cosine`.
+pub fn acos(cosine: f64) -> f64 {
+    libm::acos(cosine)
+}
+
+/// Angle in radians, in [-π, π], of the point `(x, y)` seen from the origin.
+pub fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
+/// `base` to the power `exponent`.
+pub fn pow(base: f64, exponent: f64) -> f64 {
+    libm::pow(base, exponent)
+}
+
+/// Natural exponential of `x`.
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// Natural logarithm of `x`.
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}

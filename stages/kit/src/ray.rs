@@ -1,0 +1,43 @@
+//! Rays.
+
+use crate::Vec3;
+
+/// The points `o + t·d` with `min_t <= t <= max_t`, in world space.
+///
+/// Both ends of the range count. `d` need not have unit length: `t` is measured in lengths
+/// of `d`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Origin.
+    pub o: Vec3,
+    /// Direction.
+    pub d: Vec3,
+    /// Nearest `t` that counts.
+    pub min_t: f64,
+    /// Farthest `t` that counts; a hit shortens it, so that what lies behind is skipped.
+    pub max_t: f64,
+}
+
+impl Ray {
+    /// The ray from `o` along `d` with `t` in [0, ∞].
+    pub fn new(o: Vec3, d: Vec3) -> Ray {
+        Ray {
+            o,
+            d,
+            min_t: 0.0,
+            max_t: f64::INFINITY,
+        }
+    }
+
+    /// The point `o + t·d`.
+    #[inline]
+    pub fn at(&self, t: f64) -> Vec3 {
+        self.o + t * self.d
+    }
+
+    /// Whether `t` lies in `min_t..=max_t`. False for NaN.
+    #[inline]
+    pub fn in_range(&self, t: f64) -> bool {
+        self.min_t <= t && t <= self.max_t
+    }
+}

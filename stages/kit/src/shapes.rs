@@ -1,0 +1,65 @@
+//! The two primitives: triangles and spheres.
+
+use crate::{Aabb, Vec3};
+
+/// A triangle in world space with a normal at each vertex.
+///
+/// The assignment calls the vertices `p1 p2 p3` and their normals `n1 n2 n3`; here they
+/// count from 0, as the barycentric weights do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// First vertex, with barycentric weight `1 - b1 - b2`.
+    pub p0: Vec3,
+    /// Second vertex, with barycentric weight `b1`.
+    pub p1: Vec3,
+    /// Third vertex, with barycentric weight `b2`.
+    pub p2: Vec3,
+    /// Unit normal at `p0`.
+    pub n0: Vec3,
+    /// Unit normal at `p1`.
+    pub n1: Vec3,
+    /// Unit normal at `p2`.
+    pub n2: Vec3,
+}
+
+impl Triangle {
+    /// The flat triangle `p0 p1 p2`: its normals are those of its plane (zero if it has no area).
+    pub fn flat(p0: Vec3, p1: Vec3, p2: Vec3) -> Triangle {
+        let n = (p1 - p0).cross(p2 - p0).normalize_or_zero();
+        Triangle {
+            p0,
+            p1,
+            p2,
+            n0: n,
+            n1: n,
+            n2: n,
+        }
+    }
+
+    /// The smallest box around the triangle; empty if a coordinate is NaN.
+    pub fn bounds(&self) -> Aabb {
+        if self.p0.is_nan() || self.p1.is_nan() || self.p2.is_nan() {
+            return Aabb::EMPTY;
+        }
+        Aabb::of([self.p0, self.p1, self.p2])
+    }
+}
+
+/// A sphere in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// Centre.
+    pub center: Vec3,
+    /// Radius, `>= 0`; a file with a negative one is refused.
+    pub radius: f64,
+}
+
+impl Sphere {
+    /// The smallest box around the sphere.
+    pub fn bounds(&self) -> Aabb {
+        Aabb {
+            min: self.center - self.radius,
+            max: self.center + self.radius,
+        }
+    }
+}

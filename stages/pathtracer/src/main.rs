@@ -1,0 +1,3 @@
+//! The `pathtracer` program.
+
+fn main() {}

@@ -1,18 +1,10 @@
-//! Part 2, tasks 1 and 3: building and walking the tree.
+//! Part 2, tasks 1 and 3: a tree of boxes, so that a ray meets few primitives instead of all.
+//!
+//! Read in this order: `kit::bvh` (what a tree is), [`construct`] (task 1, how it is built), `kit::world` (what
+//! a traversal may ask) and [`traverse`] (task 3, how a ray walks it).
 
-use kit::{Aabb, Bvh, Hit, Ray, World};
+pub mod construct;
+pub mod traverse;
 
-/// Task 1.
-pub fn construct_bvh(bounds: &[Aabb], max_leaf_size: usize) -> Bvh {
-    kit::hole!("part2.task1", bounds, max_leaf_size)
-}
-
-/// Task 3.
-pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Option<Hit> {
-    kit::hole!("part2.task3", bvh, ray, world)
-}
-
-/// Task 3.
-pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
-    kit::hole!("part2.task3", bvh, ray, world)
-}
+pub use construct::construct_bvh;
+pub use traverse::{intersect_bvh, occludes_bvh};

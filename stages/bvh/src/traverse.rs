@@ -1,0 +1,197 @@
+//! Task 3: walking the tree with a ray, for the closest hit and for any hit.
+
+// BEGIN SOLUTION(part2.task3)
+use kit::{BvhNode, NodeKind, PrimId};
+use std::ops::ControlFlow;
+// END SOLUTION(part2.task3)
+use kit::{Bvh, Hit, Ray, World};
+
+/// The closest hit of `ray` with the primitives of `bvh`, the same that asking every primitive would give.
+///
+/// Asks `world` for a node's box before it goes below, and goes on below the nearer of two boxes first, so that the
+/// farther one is often out of range by its turn. On a hit `ray.max_t` is the hit's `t`; a miss changes nothing.
+/// Both ends of the ray's range count. Of hits at equal `t` the one with the lowest id is given.
+pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Option<Hit> {
+    // BEGIN SOLUTION(part2.task3)
+    let mut closest: Option<Hit> = None;
+    visit_leaves(bvh, ray, world, |prims, ray, world| {
+        for &id in prims {
+            // What hits lies in the ray's range, so no farther than `closest`; at equal `t` the ids decide.
+            if let Some(hit) = world.hit_prim(id, ray)
+                && closest.is_none_or(|c| (hit.t, hit.prim) < (c.t, c.prim))
+            {
+                closest = Some(hit);
+            }
+        }
+        ControlFlow::Continue(())
+    });
+    closest
+    // STUB: // Works only because the given tree is a single leaf: asks every primitive, and no box.
+    // STUB: kit::untouched!("part2.task3");
+    // STUB: let mut closest = None;
+    // STUB: for &id in &bvh.order {
+    // STUB:     if let Some(hit) = world.hit_prim(id, ray) {
+    // STUB:         closest = Some(hit);
+    // STUB:     }
+    // STUB: }
+    // STUB: closest
+    // END SOLUTION(part2.task3)
+}
+
+/// Whether any primitive of `bvh` blocks `ray` in its range. Stops at the first that does.
+pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
+    // BEGIN SOLUTION(part2.task3)
+    let mut blocked = false;
+    visit_leaves(bvh, &mut { *ray }, world, |prims, ray, world| {
+        blocked = prims.iter().any(|&id| world.blocked(id, ray));
+        if blocked {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    blocked
+    // STUB: // Asks every primitive, and no box.
+    // STUB: kit::untouched!("part2.task3");
+    // STUB: bvh.order.iter().any(|&id| world.blocked(id, ray))
+    // END SOLUTION(part2.task3)
+}
+
+// BEGIN SOLUTION(part2.task3)
+/// By how much a ray's range is widened for boxes, relative to its ends.
+///
+/// A box's entry and a primitive's `t` are rounded in different ways, so a primitive may come out a little nearer
+/// than its own box. Boxes are asked with 64 units in the last place to spare; 16 are needed for triangles whose
+/// size is about their distance.
+const SLACK: f64 = 64.0 * f64::EPSILON;
+
+/// An end of the range, farther by [`SLACK`].
+#[inline]
+fn with_slack(max_t: f64) -> f64 {
+    max_t + SLACK * max_t.abs()
+}
+
+/// Calls `leaf` with the primitives of every leaf whose box `ray` meets, nearer boxes first, until `leaf` breaks off.
+/// `leaf` may shorten the ray; boxes beyond its new end are skipped.
+#[inline]
+fn visit_leaves<W: World>(
+    bvh: &Bvh,
+    ray: &mut Ray,
+    world: &mut W,
+    mut leaf: impl FnMut(&[PrimId], &mut Ray, &mut W) -> ControlFlow<()>,
+) {
+    let Some(mut node) = bvh.nodes.first() else {
+        return;
+    };
+    // Boxes get a ray of their own that nothing else can change: so the compiler divides by `d` once a ray.
+    let mut probe = Ray {
+        min_t: ray.min_t - SLACK * ray.min_t.abs(),
+        max_t: with_slack(ray.max_t),
+        ..*ray
+    };
+    if world.hit_box(&node.bounds, &probe).is_none() {
+        return;
+    }
+    let mut later = Stack::new(node);
+    loop {
+        let next = match node.kind {
+            NodeKind::Interior { left, right } => {
+                let left = &bvh.nodes[left as usize];
+                let right = &bvh.nodes[right as usize];
+                let in_left = world.hit_box(&left.bounds, &probe);
+                let in_right = world.hit_box(&right.bounds, &probe);
+                match (in_left, in_right) {
+                    (Some(l), Some(r)) if l.min <= r.min => {
+                        later.push(right, r.min);
+                        Some(left)
+                    }
+                    (Some(l), Some(_)) => {
+                        later.push(left, l.min);
+                        Some(right)
+                    }
+                    (Some(_), None) => Some(left),
+                    (None, Some(_)) => Some(right),
+                    (None, None) => None,
+                }
+            }
+            NodeKind::Leaf { first, count } => {
+                if leaf(bvh.leaf(first, count), ray, world).is_break() {
+                    return;
+                }
+                probe.max_t = with_slack(ray.max_t);
+                None
+            }
+        };
+        node = match next.or_else(|| later.pop_within(probe.max_t)) {
+            Some(next) => next,
+            None => return,
+        };
+    }
+}
+
+/// A node to visit later, and where the ray enters its box.
+#[derive(Clone, Copy)]
+struct Later<'a> {
+    node: &'a BvhNode,
+    entry: f64,
+}
+
+/// Nodes to visit later, last in first out. Only a tree deeper than any that [`construct_bvh`](crate::construct_bvh)
+/// builds from an ordinary mesh reaches beyond the array, and so to the heap.
+struct Stack<'a> {
+    first: [Later<'a>; Stack::NEAR],
+    len: usize,
+    beyond: Vec<Later<'a>>,
+}
+
+impl<'a> Stack<'a> {
+    /// Places that need no heap.
+    const NEAR: usize = 32;
+
+    /// An empty stack; `any` fills the places that nobody reads.
+    fn new(any: &'a BvhNode) -> Stack<'a> {
+        let unread = Later {
+            node: any,
+            entry: f64::INFINITY,
+        };
+        Stack {
+            first: [unread; Stack::NEAR],
+            len: 0,
+            beyond: Vec::new(),
+        }
+    }
+
+    #[inline]
+    fn push(&mut self, node: &'a BvhNode, entry: f64) {
+        match self.first.get_mut(self.len) {
+            Some(place) => {
+                *place = Later { node, entry };
+                self.len += 1;
+            }
+            None => self.beyond.push(Later { node, entry }),
+        }
+    }
+
+    #[inline]
+    fn pop(&mut self) -> Option<Later<'a>> {
+        if self.len == Stack::NEAR
+            && let Some(later) = self.beyond.pop()
+        {
+            return Some(later);
+        }
+        self.len = self.len.checked_sub(1)?;
+        Some(self.first[self.len])
+    }
+
+    /// Takes nodes off until one is entered at `max_t` or before.
+    #[inline]
+    fn pop_within(&mut self, max_t: f64) -> Option<&'a BvhNode> {
+        while let Some(later) = self.pop() {
+            if later.entry <= max_t {
+                return Some(later.node);
+            }
+        }
+        None
+    }
+}
+// END SOLUTION(part2.task3)

@@ -1,1 +1,19 @@
-//! Scores.
+//! Scores each stage of the course against exact truth, golden images and hit-record snapshots.
+//!
+//! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
+//! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
+//! there is to grade), [`compile`] and [`runner`] (building and running the worker), [`judge`] with [`truth`]
+//! (right and wrong), [`score`] (points), [`report`] (showing them).
+
+pub mod cases;
+pub mod cli;
+pub mod compile;
+pub mod course;
+pub mod error;
+pub mod grade;
+pub mod judge;
+pub mod report;
+pub mod runner;
+pub mod score;
+pub mod truth;
+pub mod workspace;

@@ -1,3 +1,5 @@
 //! The `grader` program.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    grader::cli::main()
+}

@@ -1,1 +1,14 @@
-//! Cases in, records out.
+//! What crosses between the grader and the worker: [`Case`]s in, [`Record`]s out.
+//!
+//! Plain data that knows nothing of the course's types. Numbers keep their bits: files are
+//! [postcard](https://docs.rs/postcard), so NaN, infinities and -0 arrive as they were sent.
+//!
+//! [`work`] says what the worker is asked to do, [`answer`] what it says of it, [`file`] how both
+//! stand in a file that is still readable after the worker was killed.
+
+pub mod answer;
+pub mod file;
+pub mod work;
+
+pub use answer::{Answer, Frame, Outcome, Record};
+pub use work::{Case, Work};

@@ -1,0 +1,48 @@
+//! The cases: for each task, what its code is checked with.
+//!
+//! `course.toml` says which cases count and what they are worth; here is what they do. Every case is the same
+//! on every machine; those that take a seed draw fresh rays from it.
+
+mod part1_task3;
+
+use wire::Work;
+
+/// One case of one task.
+#[derive(Clone, Debug)]
+pub struct Spec {
+    /// Key of the task.
+    pub task: &'static str,
+    /// Name, as in `course.toml`.
+    pub name: &'static str,
+    /// What is checked, and what a naive formula does there, in a sentence for students.
+    pub about: &'static str,
+    /// What the worker does.
+    pub work: Work,
+}
+
+/// Milliseconds after which a case has failed. Sound code needs a few.
+const LIMIT_MS: u64 = 5000;
+
+/// Milliseconds for cases that build trees over large meshes.
+const LARGE_LIMIT_MS: u64 = 120_000;
+
+impl Spec {
+    /// The case as the worker is given it.
+    pub fn case(&self) -> wire::Case {
+        let limit_ms = match self.work {
+            Work::SceneHits { .. } | Work::Timing(_) => LARGE_LIMIT_MS,
+            _ => LIMIT_MS,
+        };
+        wire::Case {
+            task: self.task.into(),
+            name: self.name.into(),
+            limit_ms,
+            work: self.work.clone(),
+        }
+    }
+}
+
+/// All cases of all tasks.
+pub fn all(_seed: u64) -> Vec<Spec> {
+    part1_task3::cases()
+}

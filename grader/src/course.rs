@@ -1,0 +1,176 @@
+//! The course as `stages/course.toml` lists it.
+
+use crate::error::GraderError;
+use crate::workspace::Workspace;
+use serde::Deserialize;
+use std::collections::BTreeSet;
+
+/// Parts, tasks, cases and points.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Course {
+    /// What holds everywhere, in sentences for students.
+    pub conventions: Vec<String>,
+    /// The parts in order.
+    #[serde(rename = "part")]
+    pub parts: Vec<Part>,
+}
+
+/// One hand-in.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// Counted from 1.
+    pub number: u32,
+    /// For people.
+    pub title: String,
+    /// The tasks in order.
+    #[serde(rename = "task")]
+    pub tasks: Vec<Task>,
+}
+
+/// One thing to write.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// The one name of the task everywhere, such as `part1.task3`.
+    pub key: String,
+    /// For people.
+    pub title: String,
+    /// The crate below `stages/` that it is written in.
+    pub stage: String,
+    /// The functions to write.
+    pub holes: Vec<String>,
+    /// What it is checked with.
+    pub cases: Vec<CaseEntry>,
+}
+
+/// One check and what it is worth.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CaseEntry {
+    /// Name, unique in its task.
+    pub name: String,
+    /// Whose points it gives.
+    pub tier: Tier,
+    /// How many.
+    pub points: f64,
+}
+
+/// The two purses of points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Tier {
+    /// What the textbook solution earns.
+    Core,
+    /// Numerical stability beyond the textbook: the extra mile.
+    Robust,
+}
+
+impl Course {
+    /// Reads the course of a workspace.
+    pub fn read(workspace: &Workspace) -> Result<Course, GraderError> {
+        let path = workspace.course_toml();
+        let text =
+            std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
+        Course::parse(&text).map_err(|e| GraderError::new(format!("{}: {e}", path.display())))
+    }
+
+    /// Reads a course from the text of a `course.toml` and refuses one that contradicts itself.
+    pub fn parse(text: &str) -> Result<Course, GraderError> {
+        let course: Course = toml::from_str(text).map_err(|e| GraderError::new(e.to_string()))?;
+        course.check()?;
+        Ok(course)
+    }
+
+    /// All tasks in order.
+    pub fn tasks(&self) -> impl Iterator<Item = &Task> {
+        self.parts.iter().flat_map(|part| &part.tasks)
+    }
+
+    /// The tasks that `what` names: `all`, a part such as `part2`, or a task such as `part2.task3`.
+    pub fn select(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
+        let chosen: Vec<&Task> = self
+            .tasks()
+            .filter(|task| what == "all" || task.key == what || task.part_key() == what)
+            .collect();
+        if chosen.is_empty() {
+            let parts: Vec<String> = self
+                .parts
+                .iter()
+                .map(|part| format!("part{}", part.number))
+                .collect();
+            return Err(GraderError::new(format!(
+                "the course has no `{what}`. Say `all`, a part ({}) or a task such as `{}`",
+                parts.join(", "),
+                self.tasks().next().map_or("part1.task1", |task| &task.key),
+            )));
+        }
+        Ok(chosen)
+    }
+
+    fn check(&self) -> Result<(), GraderError> {
+        let mut keys = BTreeSet::new();
+        for part in &self.parts {
+            for task in &part.tasks {
+                let own = format!("part{}.", part.number);
+                ensure(task.key.starts_with(&own), || {
+                    format!(
+                        "task `{}` stands in part {}: its key must begin with `{own}`",
+                        task.key, part.number
+                    )
+                })?;
+                ensure(keys.insert(&task.key), || {
+                    format!("two tasks have the key `{}`", task.key)
+                })?;
+                task.check()?;
+            }
+        }
+        ensure(!keys.is_empty(), || "the course has no task".to_string())
+    }
+}
+
+impl Task {
+    /// The part it belongs to, such as `part1`.
+    pub fn part_key(&self) -> &str {
+        self.key.split('.').next().unwrap_or_default()
+    }
+
+    /// The points of one purse.
+    pub fn points(&self, tier: Tier) -> f64 {
+        self.cases
+            .iter()
+            .filter(|case| case.tier == tier)
+            .map(|case| case.points)
+            .sum()
+    }
+
+    fn check(&self) -> Result<(), GraderError> {
+        let mut names = BTreeSet::new();
+        for case in &self.cases {
+            ensure(names.insert(&case.name), || {
+                format!("task `{}` lists the case `{}` twice", self.key, case.name)
+            })?;
+            ensure(case.points.is_finite() && case.points > 0.0, || {
+                format!(
+                    "case `{}` of `{}` is worth {} points: it must be more than 0",
+                    case.name, self.key, case.points
+                )
+            })?;
+        }
+        ensure(self.points(Tier::Core) > 0.0, || {
+            format!(
+                "task `{}` has no core points, so nobody could pass it",
+                self.key
+            )
+        })
+    }
+}
+
+fn ensure(holds: bool, sentence: impl FnOnce() -> String) -> Result<(), GraderError> {
+    if holds {
+        Ok(())
+    } else {
+        Err(GraderError::new(sentence()))
+    }
+}

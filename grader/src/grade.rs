@@ -1,0 +1,119 @@
+//! A whole run: build the worker, run the cases, judge, add up.
+
+use crate::cases::{self, Spec};
+use crate::compile::{self, Built};
+use crate::course::{Course, Task};
+use crate::error::GraderError;
+use crate::judge;
+use crate::runner::{self, Ending};
+use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
+use crate::workspace::Workspace;
+use std::path::Path;
+use wire::Outcome;
+
+/// What to grade.
+#[derive(Clone, Debug)]
+pub struct Order {
+    /// `all`, a part or a task.
+    pub what: String,
+    /// Seed of the fresh random probes.
+    pub seed: u64,
+}
+
+/// A report and what the student's code printed meanwhile.
+#[derive(Clone, Debug)]
+pub struct Graded {
+    /// The scores.
+    pub report: Report,
+    /// Printed by the student's code.
+    pub printed: String,
+}
+
+/// Grades the code in `workspace` in place.
+pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderError> {
+    let course = Course::read(workspace)?;
+    let tasks = course.select(&order.what)?;
+    let specs = cases::all(order.seed);
+    let mut results = Vec::new();
+    let mut printed = String::new();
+    let mut stages: Vec<&str> = tasks.iter().map(|task| task.stage.as_str()).collect();
+    stages.dedup();
+    for stage in stages {
+        let tasks: Vec<&Task> = tasks
+            .iter()
+            .copied()
+            .filter(|task| task.stage == stage)
+            .collect();
+        match compile::worker(workspace, &[stage])? {
+            Built::DoesNotCompile => {
+                results.extend(tasks.iter().map(|task| does_not_compile(task)))
+            }
+            Built::Worker(worker) => {
+                results.extend(grade_stage(&course, &tasks, &specs, &worker, &mut printed)?)
+            }
+        }
+    }
+    results.sort_by(|a, b| a.key.cmp(&b.key));
+    Ok(Graded {
+        report: Report::new(results),
+        printed,
+    })
+}
+
+fn grade_stage(
+    course: &Course,
+    tasks: &[&Task],
+    specs: &[Spec],
+    worker: &Path,
+    printed: &mut String,
+) -> Result<Vec<TaskResult>, GraderError> {
+    let mut chosen = Vec::new();
+    for task in tasks {
+        for entry in &task.cases {
+            let spec = specs
+                .iter()
+                .find(|spec| spec.task == task.key && spec.name == entry.name);
+            chosen.push(spec.ok_or_else(|| {
+                GraderError::new(format!(
+                    "course.toml lists the case `{}` of `{}`, which the grader does not have",
+                    entry.name, task.key
+                ))
+            })?);
+        }
+    }
+    let cases: Vec<wire::Case> = chosen.iter().map(|spec| spec.case()).collect();
+    let run = runner::run(worker, &cases)?;
+    printed.push_str(&run.printed);
+    let mut endings = chosen.iter().zip(&run.endings);
+    let mut results = Vec::new();
+    for task in tasks {
+        let mut case_results = Vec::new();
+        for entry in &task.cases {
+            let (spec, ending) = endings
+                .next()
+                .ok_or_else(|| GraderError::new("the worker lost a case"))?;
+            let (status, findings) = match status_without_answer(&task.key, ending, course)? {
+                Some(status) => (status, Vec::new()),
+                None => (Status::Passed, judged(spec, ending)),
+            };
+            case_results.push(CaseResult::new(entry, spec.about, status, findings));
+        }
+        results.push(TaskResult::new(task, case_results));
+    }
+    Ok(results)
+}
+
+fn judged(spec: &Spec, ending: &Ending) -> Vec<judge::tally::Finding> {
+    match ending.outcome() {
+        Some(Outcome::Answered(answer)) => judge::judge(spec, answer),
+        _ => Vec::new(),
+    }
+}
+
+fn does_not_compile(task: &Task) -> TaskResult {
+    let cases = task
+        .cases
+        .iter()
+        .map(|entry| CaseResult::new(entry, "", Status::DoesNotCompile, Vec::new()));
+    TaskResult::new(task, cases.collect())
+}

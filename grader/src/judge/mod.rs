@@ -1,0 +1,39 @@
+//! Judging: from what the student's code answered to what is right and wrong about it.
+//!
+//! [`judge`] picks the judge for the kind of work; [`tally`] counts aspect by aspect; [`expected`] is the
+//! form in which truth comes.
+
+pub mod expected;
+mod hits;
+mod shapes;
+pub mod tally;
+
+use crate::cases::Spec;
+use crate::truth;
+use tally::{Finding, Tally};
+use wire::{Answer, Work};
+
+/// What is right and wrong about `answer` to the case `spec`.
+pub fn judge(spec: &Spec, answer: &Answer) -> Vec<Finding> {
+    let mut tally = Tally::default();
+    match (&spec.work, answer) {
+        (Work::Triangles { triangles, probes }, Answer::Triangles(answers)) => {
+            shapes::triangles(
+                &mut tally,
+                probes,
+                |probe| truth::triangle(&triangles[probe.shape as usize], &probe.ray),
+                answers,
+            );
+        }
+        (Work::Spheres { spheres, probes }, Answer::Spheres(answers)) => {
+            shapes::spheres(
+                &mut tally,
+                probes,
+                |probe| truth::sphere(&spheres[probe.shape as usize], &probe.ray),
+                answers,
+            );
+        }
+        _ => unreachable!("the worker answers each kind of work with its own kind of answer"),
+    }
+    tally.into_findings()
+}

@@ -1,0 +1,187 @@
+//! Counting right and wrong answers, aspect by aspect.
+
+use serde::Serialize;
+
+/// One side of an answer that is scored by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Aspect {
+    /// How often the student's code called its neighbours.
+    Calls,
+    /// Where samples fall in the pixel.
+    Placement,
+    /// How samples spread over the pixel.
+    Spread,
+    /// What the samples are averaged to.
+    Radiance,
+    /// The origin of a camera ray.
+    Origin,
+    /// The direction of a camera ray.
+    Direction,
+    /// The length of a camera ray's direction.
+    UnitLength,
+    /// The range of a camera ray.
+    Range,
+    /// Hit or miss.
+    Decision,
+    /// Which primitive.
+    Primitive,
+    /// Distance along the ray.
+    T,
+    /// Barycentric weights.
+    Barycentrics,
+    /// The hit point.
+    Position,
+    /// The shading normal.
+    Normal,
+    /// The geometric normal.
+    GeometricNormal,
+    /// The ray after the call.
+    RayAfter,
+    /// The interval inside a box.
+    Interval,
+    /// Whether the tree is one, and holds every primitive once.
+    Structure,
+    /// Whether boxes hold what is below them.
+    Bounds,
+    /// Whether leaves are as small as asked.
+    LeafSize,
+    /// Whether the same input gives the same tree.
+    Repeatable,
+    /// Work done against work recorded for the reference.
+    Work,
+}
+
+impl Aspect {
+    /// For people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Aspect::Calls => "number of samples",
+            Aspect::Placement => "sample positions",
+            Aspect::Spread => "sample distribution",
+            Aspect::Radiance => "radiance",
+            Aspect::Origin => "ray origin",
+            Aspect::Direction => "ray direction",
+            Aspect::UnitLength => "unit length",
+            Aspect::Range => "min_t and max_t",
+            Aspect::Decision => "hit or miss",
+            Aspect::Primitive => "primitive",
+            Aspect::T => "t",
+            Aspect::Barycentrics => "barycentric weights",
+            Aspect::Position => "hit point",
+            Aspect::Normal => "normal",
+            Aspect::GeometricNormal => "geometric normal",
+            Aspect::RayAfter => "ray after the call",
+            Aspect::Interval => "interval",
+            Aspect::Structure => "tree structure",
+            Aspect::Bounds => "bounding boxes",
+            Aspect::LeafSize => "leaf size",
+            Aspect::Repeatable => "same tree again",
+            Aspect::Work => "work",
+        }
+    }
+}
+
+/// What was found about one aspect in one case.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// Which aspect.
+    pub aspect: Aspect,
+    /// On how many calls a right answer would have shown it.
+    pub expected: u32,
+    /// On how many calls the answer showed it.
+    pub judged: u32,
+    /// How many of those were wrong.
+    pub wrong: u32,
+    /// The worst of them.
+    pub worst: Option<Worst>,
+}
+
+/// The worst wrong answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Worst {
+    /// Which call of the case, counted from 0.
+    pub call: u32,
+    /// How bad, to rank by; larger is worse.
+    pub badness: f64,
+    /// What was asked, what came, what was right.
+    pub message: String,
+}
+
+impl Finding {
+    /// Whether the aspect earns its points: shown at all where it could be, and never wrong.
+    pub fn passed(&self) -> bool {
+        self.wrong == 0 && (self.judged > 0 || self.expected == 0)
+    }
+}
+
+/// Findings in the making.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    findings: Vec<Finding>,
+}
+
+impl Tally {
+    /// A right answer to this call shows `aspect`.
+    pub fn expect(&mut self, aspect: Aspect) {
+        self.entry(aspect).expected += 1;
+    }
+
+    /// The answer to call number `call` shows `aspect`, rightly or not; `badness` ranks the wrong ones.
+    pub fn judge(
+        &mut self,
+        aspect: Aspect,
+        call: usize,
+        right: bool,
+        badness: f64,
+        message: impl FnOnce() -> String,
+    ) {
+        let finding = self.entry(aspect);
+        finding.judged += 1;
+        if right {
+            return;
+        }
+        finding.wrong += 1;
+        // NaN is as bad as it gets.
+        let badness = if badness.is_nan() {
+            f64::INFINITY
+        } else {
+            badness
+        };
+        if finding
+            .worst
+            .as_ref()
+            .is_none_or(|worst| badness > worst.badness)
+        {
+            let call = u32::try_from(call).unwrap_or(u32::MAX);
+            finding.worst = Some(Worst {
+                call,
+                badness,
+                message: message(),
+            });
+        }
+    }
+
+    /// The findings in the order in which their aspects first came up.
+    pub fn into_findings(self) -> Vec<Finding> {
+        self.findings
+    }
+
+    fn entry(&mut self, aspect: Aspect) -> &mut Finding {
+        let at = self
+            .findings
+            .iter()
+            .position(|finding| finding.aspect == aspect)
+            .unwrap_or_else(|| {
+                self.findings.push(Finding {
+                    aspect,
+                    expected: 0,
+                    judged: 0,
+                    wrong: 0,
+                    worst: None,
+                });
+                self.findings.len() - 1
+            });
+        &mut self.findings[at]
+    }
+}

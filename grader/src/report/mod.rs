@@ -1,0 +1,27 @@
+//! Showing a report: [`table`] for people, JSON for programs.
+
+pub mod table;
+
+use crate::error::GraderError;
+use crate::score::Report;
+use std::io::Write;
+use std::path::Path;
+
+/// The report as one JSON object.
+pub fn json(report: &Report) -> Result<String, GraderError> {
+    serde_json::to_string_pretty(report)
+        .map_err(|e| GraderError::new(format!("cannot write the report as JSON: {e}")))
+}
+
+/// Writes `text` to `path` whole or not at all.
+pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let failed = |e: &dyn std::fmt::Display| GraderError::file("write", path, e);
+    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(|e| failed(&e))?;
+    file.write_all(text).map_err(|e| failed(&e))?;
+    file.persist(path).map_err(|e| failed(&e))?;
+    Ok(())
+}

@@ -1,0 +1,191 @@
+//! Running a worker over cases, and telling which case ended it.
+
+use crate::error::GraderError;
+use std::collections::HashMap;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, ExitStatus, Stdio};
+use wire::{Case, Frame, Outcome, Record, file};
+
+/// What became of one case, seen from outside the worker.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ending {
+    /// The worker wrote a record.
+    Recorded(Record),
+    /// The case ran longer than it may.
+    TimedOut {
+        /// Which of its calls was running, counted from 0.
+        call: u32,
+        /// What it was allowed.
+        limit_ms: u64,
+    },
+    /// The worker died: how, in words for the student.
+    Died(String),
+    /// Not run, because earlier cases of this task timed out.
+    Skipped,
+}
+
+/// The endings of all cases, and what the student's code printed.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// One for each case, in order.
+    pub endings: Vec<Ending>,
+    /// What it wrote to stdout and stderr, cut to its last lines.
+    pub printed: String,
+}
+
+/// After this many timeouts the rest of a task is skipped: an endless loop should not cost the student minutes.
+const TIMEOUTS_A_TASK: u32 = 2;
+
+/// Memory that a worker may take beyond its cases.
+const MEMORY_MB: u32 = 4096;
+
+/// How much of what a student prints is kept.
+const PRINTED_BYTES: usize = 4096;
+
+/// Runs `cases` in the program `worker`. A case that ends the worker costs only itself.
+pub fn run(worker: &Path, cases: &[Case]) -> Result<Run, GraderError> {
+    let folder = tempfile::tempdir()
+        .map_err(|e| GraderError::new(format!("cannot make a temporary folder: {e}")))?;
+    let records = folder.path().join("records");
+    let mut cases_to_run = cases.to_vec();
+    let mut endings: Vec<Option<Ending>> = vec![None; cases.len()];
+    let mut timeouts: HashMap<&str, u32> = HashMap::new();
+    let mut printed = String::new();
+    let mut first = 0;
+    while first < cases.len() {
+        let status = one_worker(worker, folder.path(), &cases_to_run, first, &mut printed)?;
+        let mut started = None;
+        for frame in
+            file::read_frames(&records).map_err(|e| GraderError::file("read", &records, e))?
+        {
+            match frame {
+                Frame::Started { case } => started = Some(case as usize),
+                Frame::Done(record) => {
+                    let case = record.case as usize;
+                    endings[case].get_or_insert(Ending::Recorded(record));
+                }
+                Frame::TimedOut { case, call } => {
+                    let case = case as usize;
+                    let limit_ms = cases[case].limit_ms;
+                    if endings[case]
+                        .replace(Ending::TimedOut { call, limit_ms })
+                        .is_none()
+                    {
+                        *timeouts.entry(&cases[case].task).or_default() += 1;
+                    }
+                }
+            }
+        }
+        let Some(started) = started.filter(|&case| case >= first) else {
+            return Err(GraderError::new(format!(
+                "the worker did not start ({status}): {}",
+                printed.trim()
+            )));
+        };
+        endings[started].get_or_insert_with(|| Ending::Died(death(status, &printed)));
+        first = started + 1;
+        while first < cases.len()
+            && timeouts
+                .get(cases[first].task.as_str())
+                .copied()
+                .unwrap_or(0)
+                >= TIMEOUTS_A_TASK
+        {
+            endings[first] = Some(Ending::Skipped);
+            first += 1;
+        }
+        // A worker reads all cases before it starts: later ones need not see the ones that are done.
+        cases_to_run[..first].iter_mut().for_each(|case| {
+            case.work = wire::Work::Boxes {
+                boxes: vec![],
+                probes: vec![],
+            }
+        });
+    }
+    Ok(Run {
+        endings: endings
+            .into_iter()
+            .map(|ending| ending.unwrap_or(Ending::Skipped))
+            .collect(),
+        printed,
+    })
+}
+
+/// Runs one worker to its end and adds what it printed to `printed`.
+fn one_worker(
+    worker: &Path,
+    folder: &Path,
+    cases: &[Case],
+    first: usize,
+    printed: &mut String,
+) -> Result<ExitStatus, GraderError> {
+    let (cases_file, records) = (folder.join("cases"), folder.join("records"));
+    file::write_cases(&cases_file, cases)
+        .map_err(|e| GraderError::file("write", &cases_file, e))?;
+    let mut child = Command::new(worker)
+        .arg(&cases_file)
+        .arg(&records)
+        .arg(first.to_string())
+        .arg(MEMORY_MB.to_string())
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(|e| GraderError::file("start", worker, e))?;
+    let stdout = child
+        .stdout
+        .take()
+        .map(|pipe| std::thread::spawn(move || tail(pipe)));
+    let stderr = child
+        .stderr
+        .take()
+        .map(|pipe| std::thread::spawn(move || tail(pipe)));
+    let status = child
+        .wait()
+        .map_err(|e| GraderError::file("wait for", worker, e))?;
+    for reader in [stdout, stderr].into_iter().flatten() {
+        printed.push_str(&reader.join().unwrap_or_default());
+    }
+    Ok(status)
+}
+
+/// The last bytes of what comes out of a pipe; reads on to its end, so that the writer never waits.
+fn tail(mut pipe: impl Read) -> String {
+    let mut kept: Vec<u8> = Vec::new();
+    let mut chunk = [0; 8192];
+    while let Ok(n @ 1..) = pipe.read(&mut chunk) {
+        kept.extend_from_slice(&chunk[..n]);
+        let surplus = kept.len().saturating_sub(PRINTED_BYTES);
+        kept.drain(..surplus);
+    }
+    String::from_utf8_lossy(&kept).into_owned()
+}
+
+/// How a worker died, in words for the student.
+fn death(status: ExitStatus, printed: &str) -> String {
+    if printed.contains("has overflowed its stack") {
+        return "overflowed the stack: a recursion that does not end?".into();
+    }
+    if printed.contains("memory allocation of") {
+        return format!("asked for more than {MEMORY_MB} MB of memory");
+    }
+    match status.code() {
+        Some(code) => {
+            format!("ended the whole program with exit code {code}: does it call `exit`?")
+        }
+        None => format!("ended the whole program ({status})"),
+    }
+}
+
+/// The outcome inside an ending, if the worker lived to record one.
+impl Ending {
+    /// What the worker recorded, if it did.
+    pub fn outcome(&self) -> Option<&Outcome> {
+        match self {
+            Ending::Recorded(record) => Some(&record.outcome),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Part 2, tasks 1 and 3: trees built from boxes, and walks through worlds whose answers are written down.
+
+use crate::{convert, isolate};
+use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};
+use std::collections::HashMap;
+use wire::answer::{BuildAnswer, TraverseAnswer};
+use wire::work::{ScriptedRay, ScriptedWorld, Tree, Xyz};
+
+pub(crate) fn build(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> BuildAnswer {
+    let bounds: Vec<Aabb> = bounds.iter().map(convert::aabb).collect();
+    let tree = bvh::construct_bvh(&bounds, max_leaf_size as usize);
+    isolate::call(1);
+    let again = bvh::construct_bvh(&bounds, max_leaf_size as usize);
+    // The debug form tells NaN from NaN-free trees apart, and finds a tree equal to itself.
+    let repeatable = tree == again || format!("{tree:?}") == format!("{again:?}");
+    BuildAnswer {
+        tree: wire_tree(&tree),
+        repeatable,
+    }
+}
+
+pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
+    let tree = kit_tree(&script.tree);
+    let node_of: HashMap<BoxKey, usize> = tree
+        .nodes
+        .iter()
+        .enumerate()
+        .map(|(i, node)| (box_key(&node.bounds), i))
+        .collect();
+    let each = script.rays.iter().enumerate();
+    each.map(|(i, scripted)| {
+        isolate::call(i);
+        let mut ray = convert::ray(&scripted.ray);
+        let mut world = Script {
+            scripted,
+            node_of: &node_of,
+            asked: vec![false; scripted.prims.len()],
+            counts: Counts::default(),
+        };
+        let hit = if script.any_hit {
+            bvh::occludes_bvh(&tree, &ray, &mut world).then_some((0.0, 0))
+        } else {
+            bvh::intersect_bvh(&tree, &mut ray, &mut world).map(|hit| (hit.t, hit.prim.0))
+        };
+        let Counts {
+            box_tests,
+            prim_tests,
+            repeated_prims,
+            unknown_boxes,
+        } = world.counts;
+        TraverseAnswer {
+            hit,
+            ray_after: convert::wire_ray(&ray),
+            box_tests,
+            prim_tests,
+            repeated_prims,
+            unknown_boxes,
+        }
+    })
+    .collect()
+}
+
+/// The corners of a box, bit for bit.
+type BoxKey = [u64; 6];
+
+fn box_key(b: &Aabb) -> BoxKey {
+    let [x0, y0, z0] = b.min.to_array().map(f64::to_bits);
+    let [x1, y1, z1] = b.max.to_array().map(f64::to_bits);
+    [x0, y0, z0, x1, y1, z1]
+}
+
+#[derive(Default)]
+struct Counts {
+    box_tests: u32,
+    prim_tests: u32,
+    repeated_prims: u32,
+    unknown_boxes: u32,
+}
+
+/// A world that looks its answers up. It only cuts them to the ray's range.
+struct Script<'a> {
+    scripted: &'a ScriptedRay,
+    node_of: &'a HashMap<BoxKey, usize>,
+    asked: Vec<bool>,
+    counts: Counts,
+}
+
+impl Script<'_> {
+    fn prim_t(&mut self, id: PrimId, ray: &Ray) -> Option<f64> {
+        let i = id.0 as usize;
+        self.counts.prim_tests += 1;
+        if std::mem::replace(&mut self.asked[i], true) {
+            self.counts.repeated_prims += 1;
+        }
+        self.scripted.prims[i].filter(|&t| ray.in_range(t))
+    }
+}
+
+impl World for Script<'_> {
+    fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        self.counts.box_tests += 1;
+        let Some(&node) = self.node_of.get(&box_key(b)) else {
+            self.counts.unknown_boxes += 1;
+            return None;
+        };
+        let [enters, leaves] = self.scripted.spans[node]?;
+        let (min, max) = (enters.max(ray.min_t), leaves.min(ray.max_t));
+        (min <= max).then_some(Interval { min, max })
+    }
+
+    fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+        let t = self.prim_t(id, ray)?;
+        ray.max_t = t;
+        Some(Hit {
+            t,
+            p: ray.at(t),
+            n: -ray.d,
+            ng: -ray.d,
+            uv: Vec2::ZERO,
+            prim: id,
+        })
+    }
+
+    fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
+        self.prim_t(id, ray).is_some()
+    }
+}
+
+fn wire_tree(tree: &Bvh) -> Tree {
+    let node = |node: &BvhNode| wire::work::Node {
+        bounds: convert::wire_aabb(&node.bounds),
+        kind: match node.kind {
+            NodeKind::Interior { left, right } => wire::work::NodeKind::Interior { left, right },
+            NodeKind::Leaf { first, count } => wire::work::NodeKind::Leaf { first, count },
+        },
+    };
+    Tree {
+        nodes: tree.nodes.iter().map(node).collect(),
+        order: tree.order.iter().map(|id| id.0).collect(),
+    }
+}
+
+fn kit_tree(tree: &Tree) -> Bvh {
+    let node = |node: &wire::work::Node| BvhNode {
+        bounds: convert::aabb(&node.bounds),
+        kind: match node.kind {
+            wire::work::NodeKind::Interior { left, right } => NodeKind::Interior { left, right },
+            wire::work::NodeKind::Leaf { first, count } => NodeKind::Leaf { first, count },
+        },
+    };
+    Bvh {
+        nodes: tree.nodes.iter().map(node).collect(),
+        order: tree.order.iter().copied().map(PrimId).collect(),
+    }
+}

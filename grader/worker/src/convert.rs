@@ -1,0 +1,70 @@
+//! Between the wire's plain numbers and the kit's types.
+
+use kit::Vec3;
+#[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
+use wire::work::Xyz;
+
+pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
+    kit::Ray {
+        o: Vec3::from(r.o),
+        d: Vec3::from(r.d),
+        min_t: r.min_t,
+        max_t: r.max_t,
+    }
+}
+
+#[cfg(any(feature = "raygen", feature = "intersect", feature = "bvh"))]
+pub(crate) fn wire_ray(r: &kit::Ray) -> wire::work::Ray {
+    wire::work::Ray {
+        o: r.o.into(),
+        d: r.d.into(),
+        min_t: r.min_t,
+        max_t: r.max_t,
+    }
+}
+
+#[cfg(feature = "intersect")]
+pub(crate) fn wire_hit(h: &kit::Hit) -> wire::answer::Hit {
+    wire::answer::Hit {
+        t: h.t,
+        p: h.p.into(),
+        n: h.n.into(),
+        ng: h.ng.into(),
+        uv: h.uv.into(),
+        prim: h.prim.0,
+    }
+}
+
+#[cfg(feature = "intersect")]
+pub(crate) fn triangle(v: &[Xyz; 6]) -> kit::Triangle {
+    let [p0, p1, p2, n0, n1, n2] = v.map(Vec3::from);
+    kit::Triangle {
+        p0,
+        p1,
+        p2,
+        n0,
+        n1,
+        n2,
+    }
+}
+
+#[cfg(feature = "intersect")]
+pub(crate) fn sphere(&(center, radius): &(Xyz, f64)) -> kit::Sphere {
+    kit::Sphere {
+        center: Vec3::from(center),
+        radius,
+    }
+}
+
+#[cfg(any(feature = "bbox", feature = "bvh"))]
+pub(crate) fn aabb([min, max]: &[Xyz; 2]) -> kit::Aabb {
+    kit::Aabb {
+        min: Vec3::from(*min),
+        max: Vec3::from(*max),
+    }
+}
+
+#[cfg(feature = "bvh")]
+pub(crate) fn wire_aabb(b: &kit::Aabb) -> [Xyz; 2] {
+    [b.min.into(), b.max.into()]
+}

@@ -1,0 +1,71 @@
+//! Part 1, tasks 3 and 4: probes against single shapes, rays against all of them.
+
+use crate::{convert, isolate};
+use kit::PrimId;
+use wire::answer::{HitsAnswer, SphereAnswer, TriangleAnswer};
+use wire::work::{Probe, Ray, Xyz};
+
+pub(crate) fn triangles(triangles: &[[Xyz; 6]], probes: &[Probe]) -> Vec<TriangleAnswer> {
+    let each = probes.iter().enumerate();
+    each.map(|(i, probe)| {
+        isolate::call(i);
+        let triangle = convert::triangle(&triangles[probe.shape as usize]);
+        let mut ray = convert::ray(&probe.ray);
+        let test = intersect::test_triangle(&triangle, &ray).map(|h| [h.t, h.b1, h.b2]);
+        let hit = intersect::intersect_triangle(&triangle, PrimId(probe.shape), &mut ray);
+        TriangleAnswer {
+            test,
+            hit: hit.as_ref().map(convert::wire_hit),
+            ray_after: convert::wire_ray(&ray),
+        }
+    })
+    .collect()
+}
+
+pub(crate) fn spheres(spheres: &[(Xyz, f64)], probes: &[Probe]) -> Vec<SphereAnswer> {
+    let each = probes.iter().enumerate();
+    each.map(|(i, probe)| {
+        isolate::call(i);
+        let sphere = convert::sphere(&spheres[probe.shape as usize]);
+        let mut ray = convert::ray(&probe.ray);
+        let test = intersect::test_sphere(&sphere, &ray);
+        let hit = intersect::intersect_sphere(&sphere, PrimId(probe.shape), &mut ray);
+        SphereAnswer {
+            test,
+            hit: hit.as_ref().map(convert::wire_hit),
+            ray_after: convert::wire_ray(&ray),
+        }
+    })
+    .collect()
+}
+
+pub(crate) fn brute_force(
+    triangles: &[[Xyz; 6]],
+    spheres: &[(Xyz, f64)],
+    rays: &[Ray],
+) -> HitsAnswer {
+    let triangles: Vec<_> = triangles.iter().map(convert::triangle).collect();
+    let spheres: Vec<_> = spheres.iter().map(convert::sphere).collect();
+    let mut answer = HitsAnswer {
+        hits: Vec::new(),
+        max_t: Vec::new(),
+        box_tests: 0,
+        prim_tests: 0,
+    };
+    for (i, ray) in rays.iter().enumerate() {
+        isolate::call(i);
+        let mut ray = convert::ray(ray);
+        let mut closest = None;
+        let mut ids = (0..).map(PrimId);
+        for (triangle, id) in triangles.iter().zip(ids.by_ref()) {
+            closest = intersect::intersect_triangle(triangle, id, &mut ray).or(closest);
+        }
+        for (sphere, id) in spheres.iter().zip((triangles.len() as u32..).map(PrimId)) {
+            closest = intersect::intersect_sphere(sphere, id, &mut ray).or(closest);
+        }
+        answer.hits.push(closest.as_ref().map(convert::wire_hit));
+        answer.max_t.push(ray.max_t);
+        answer.prim_tests += (triangles.len() + spheres.len()) as u64;
+    }
+    answer
+}

@@ -1,0 +1,110 @@
+//! Part 1, tasks 1 and 2: a camera and a world that write down what they are asked.
+
+use crate::{convert, isolate};
+use kit::{FilmSize, Mat3, PixelSampler, Spectrum, Vec2, Vec3};
+use wire::answer::PixelAnswer;
+use wire::work::{PixelWork, PixelWorld};
+
+pub(crate) fn pixels(work: &PixelWork) -> Vec<PixelAnswer> {
+    let each = work.pixels.iter().enumerate();
+    each.map(|(i, &[x, y])| {
+        isolate::call(i);
+        pixel(work, x, y)
+    })
+    .collect()
+}
+
+fn pixel(work: &PixelWork, x: u32, y: u32) -> PixelAnswer {
+    let film = FilmSize {
+        w: work.film[0],
+        h: work.film[1],
+    };
+    let mut points: Vec<Vec2> = Vec::new();
+    let mut traced_points: Vec<Option<Vec2>> = Vec::new();
+    let mut traced_radiance: Vec<Spectrum> = Vec::new();
+    let estimate = raygen::raytrace_pixel(
+        x,
+        y,
+        film,
+        work.ns_aa,
+        &mut PixelSampler::new(x, y, work.seed),
+        &mut |point| {
+            points.push(point);
+            camera_stub(point)
+        },
+        &mut |ray, _| {
+            let point = Vec2::new(ray.o.x, ray.o.y);
+            let from_camera = *ray == camera_stub(point);
+            let radiance = radiance(work.world, point, traced_radiance.len());
+            traced_points.push(from_camera.then_some(point));
+            traced_radiance.push(radiance);
+            radiance
+        },
+    );
+    let index = |point: &Vec2| {
+        points
+            .iter()
+            .position(|p| p == point)
+            .and_then(|i| u32::try_from(i).ok())
+    };
+    PixelAnswer {
+        traced: traced_points
+            .iter()
+            .map(|point| point.as_ref().and_then(index))
+            .collect(),
+        points: points.iter().map(|&p| p.into()).collect(),
+        traced_radiance: traced_radiance.iter().map(|s| s.to_array()).collect(),
+        radiance: estimate.radiance.to_array(),
+        samples: estimate.samples,
+    }
+}
+
+/// A ray that tells which point it was made for.
+fn camera_stub(point: Vec2) -> kit::Ray {
+    kit::Ray {
+        o: Vec3::new(point.x, point.y, 2.0),
+        d: Vec3::NEG_Z,
+        min_t: 0.25,
+        max_t: 64.0,
+    }
+}
+
+fn radiance(world: PixelWorld, point: Vec2, call: usize) -> Spectrum {
+    match world {
+        PixelWorld::Constant(radiance) => radiance.into(),
+        PixelWorld::Ramp => Spectrum::new(point.x, point.y, point.x * point.y),
+        PixelWorld::Flicker(radiance) if call.is_multiple_of(2) => radiance.into(),
+        PixelWorld::Flicker(_) => Spectrum::BLACK,
+    }
+}
+
+pub(crate) fn camera_rays(
+    cameras: &[wire::work::Camera],
+    sensor: &[[f64; 2]],
+) -> Vec<wire::work::Ray> {
+    let pairs = cameras
+        .iter()
+        .flat_map(|camera| sensor.iter().map(move |point| (camera, point)));
+    pairs
+        .enumerate()
+        .map(|(i, (camera, point))| {
+            isolate::call(i);
+            convert::wire_ray(&raygen::generate_ray(
+                &kit_camera(camera),
+                Vec2::from(*point),
+            ))
+        })
+        .collect()
+}
+
+fn kit_camera(c: &wire::work::Camera) -> kit::Camera {
+    let [right, up, backward] = c.c2w.map(Vec3::from);
+    kit::Camera {
+        pos: Vec3::from(c.pos),
+        c2w: Mat3::from_cols(right, up, backward),
+        h_fov: c.h_fov,
+        v_fov: c.v_fov,
+        n_clip: c.n_clip,
+        f_clip: c.f_clip,
+    }
+}

@@ -1,0 +1,86 @@
+//! From a case to its record.
+
+use crate::isolate;
+use wire::{Answer, Case, Record, Work};
+
+/// Runs case number `index` on the linked stages.
+pub fn run(index: u32, case: &Case) -> Record {
+    let _ = kit::hole::take_marks();
+    let outcome = isolate::outcome(|| dispatch(&case.work));
+    let untouched = kit::hole::take_marks()
+        .into_iter()
+        .map(str::to_string)
+        .collect();
+    Record {
+        case: index,
+        untouched,
+        outcome,
+    }
+}
+
+/// What this worker answers to work for a stage that it was built without.
+#[allow(dead_code, reason = "a worker with every stage never says this")]
+fn not_linked(stage: &str) -> Result<Answer, String> {
+    Err(format!("this worker was built without the stage `{stage}`"))
+}
+
+fn dispatch(work: &Work) -> Result<Answer, String> {
+    match work {
+        #[cfg(feature = "raygen")]
+        Work::Pixels(pixels) => Ok(Answer::Pixels(crate::raygen::pixels(pixels))),
+        #[cfg(feature = "raygen")]
+        Work::CameraRays { cameras, sensor } => Ok(Answer::CameraRays(crate::raygen::camera_rays(
+            cameras, sensor,
+        ))),
+        #[cfg(not(feature = "raygen"))]
+        Work::Pixels(_) | Work::CameraRays { .. } => not_linked("raygen"),
+
+        #[cfg(feature = "intersect")]
+        Work::Triangles { triangles, probes } => Ok(Answer::Triangles(
+            crate::intersect::triangles(triangles, probes),
+        )),
+        #[cfg(feature = "intersect")]
+        Work::Spheres { spheres, probes } => {
+            Ok(Answer::Spheres(crate::intersect::spheres(spheres, probes)))
+        }
+        #[cfg(feature = "intersect")]
+        Work::BruteForce {
+            triangles,
+            spheres,
+            rays,
+        } => Ok(Answer::Hits(crate::intersect::brute_force(
+            triangles, spheres, rays,
+        ))),
+        #[cfg(not(feature = "intersect"))]
+        Work::Triangles { .. } | Work::Spheres { .. } | Work::BruteForce { .. } => {
+            not_linked("intersect")
+        }
+
+        #[cfg(feature = "bbox")]
+        Work::Boxes { boxes, probes } => Ok(Answer::Boxes(crate::bbox::boxes(boxes, probes))),
+        #[cfg(not(feature = "bbox"))]
+        Work::Boxes { .. } => not_linked("bbox"),
+
+        #[cfg(feature = "bvh")]
+        Work::Build {
+            bounds,
+            max_leaf_size,
+        } => Ok(Answer::Build(crate::bvh::build(bounds, *max_leaf_size))),
+        #[cfg(feature = "bvh")]
+        Work::Traverse(world) => Ok(Answer::Traverse(crate::bvh::traverse(world))),
+        #[cfg(not(feature = "bvh"))]
+        Work::Build { .. } | Work::Traverse(_) => not_linked("bvh"),
+
+        #[cfg(feature = "meshes")]
+        Work::SceneHits {
+            scene,
+            max_leaf_size,
+            rays,
+            any_hit,
+        } => crate::meshes::scene_hits(scene, *max_leaf_size, rays, *any_hit).map(Answer::Hits),
+        #[cfg(feature = "meshes")]
+        Work::Timing(timing) => crate::meshes::time(timing).map(Answer::Timing),
+        #[cfg(not(feature = "meshes"))]
+        Work::SceneHits { .. } | Work::Timing(_) => not_linked("meshes"),
+    }
+}

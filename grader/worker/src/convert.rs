@@ -4,6 +4,7 @@ use kit::Vec3;
 #[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 use wire::work::Xyz;
 
+#[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
     kit::Ray {
         o: Vec3::from(r.o),

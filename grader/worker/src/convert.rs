@@ -1,14 +1,13 @@
 //! Between the wire's plain numbers and the kit's types.
 
-use kit::Vec3;
 #[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 use wire::work::Xyz;
 
 #[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
     kit::Ray {
-        o: Vec3::from(r.o),
-        d: Vec3::from(r.d),
+        o: kit::Vec3::from(r.o),
+        d: kit::Vec3::from(r.d),
         min_t: r.min_t,
         max_t: r.max_t,
     }
@@ -38,7 +37,7 @@ pub(crate) fn wire_hit(h: &kit::Hit) -> wire::answer::Hit {
 
 #[cfg(feature = "intersect")]
 pub(crate) fn triangle(v: &[Xyz; 6]) -> kit::Triangle {
-    let [p0, p1, p2, n0, n1, n2] = v.map(Vec3::from);
+    let [p0, p1, p2, n0, n1, n2] = v.map(kit::Vec3::from);
     kit::Triangle {
         p0,
         p1,
@@ -52,7 +51,7 @@ pub(crate) fn triangle(v: &[Xyz; 6]) -> kit::Triangle {
 #[cfg(feature = "intersect")]
 pub(crate) fn sphere(&(center, radius): &(Xyz, f64)) -> kit::Sphere {
     kit::Sphere {
-        center: Vec3::from(center),
+        center: kit::Vec3::from(center),
         radius,
     }
 }
@@ -60,8 +59,8 @@ pub(crate) fn sphere(&(center, radius): &(Xyz, f64)) -> kit::Sphere {
 #[cfg(any(feature = "bbox", feature = "bvh"))]
 pub(crate) fn aabb([min, max]: &[Xyz; 2]) -> kit::Aabb {
     kit::Aabb {
-        min: Vec3::from(*min),
-        max: Vec3::from(*max),
+        min: kit::Vec3::from(*min),
+        max: kit::Vec3::from(*max),
     }
 }
 

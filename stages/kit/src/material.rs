@@ -57,4 +57,13 @@ impl Material {
             _ => Spectrum::BLACK,
         }
     }
+
+    /// Whether light leaves in finitely many directions only, so that no direction chosen without the surface is
+    /// ever the right one: [`Scattering::f`](crate::Scattering::f) is black and only sampling finds them.
+    pub fn is_delta(&self) -> bool {
+        matches!(
+            self,
+            Material::Mirror { .. } | Material::Refraction { .. } | Material::Glass { .. }
+        )
+    }
 }

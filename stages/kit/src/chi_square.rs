@@ -1,0 +1,176 @@
+//! Pearson's χ² test: do directions fall where their density says?
+//!
+//! The sphere of directions is cut into cells, samples are counted in each, the density is integrated over each, and
+//! `χ² = Σ (counted - expected)² / expected` is compared with its distribution. A cosine forgotten or a pdf off by a
+//! factor is caught, which the eye does not see in a noisy picture.
+
+use crate::math;
+use crate::{Vec2, Vec3};
+use std::f64::consts::TAU;
+
+/// Rows of cells, equal in z.
+const ROWS: usize = 16;
+/// Columns of cells, equal in angle around z.
+const COLUMNS: usize = 32;
+/// Steps of the midpoint rule along each side of a cell.
+const STEPS: usize = 24;
+/// Cells with fewer expected samples are taken together: χ² is only then distributed as it should (Cochran 1952).
+const FEWEST_EXPECTED: f64 = 8.0;
+
+/// How often samples that do follow `pdf` would look at least as far off as these `samples`: a p-value.
+///
+/// `sample` maps points of the unit square to unit directions, or to `None` where it draws none; those count as
+/// lost, so a pdf that integrates to less than 1 must lose the rest. `pdf` is the density with respect to solid angle.
+/// The points are a fixed sequence: the same p-value on every platform.
+pub fn p_value(
+    samples: u32,
+    seed: u64,
+    mut sample: impl FnMut(Vec2, f64) -> Option<Vec3>,
+    pdf: impl Fn(Vec3) -> f64,
+) -> f64 {
+    let mut counted = vec![0.0; ROWS * COLUMNS + 1];
+    let mut numbers = crate::PixelSampler::new(0, 0, seed);
+    for _ in 0..samples {
+        let u = numbers.get_sample();
+        let choice = numbers.next_1d();
+        counted[sample(u, choice).map_or(ROWS * COLUMNS, cell_of)] += 1.0;
+    }
+    let mut expected: Vec<f64> = (0..ROWS * COLUMNS)
+        .map(|cell| integrate(cell, &pdf) * f64::from(samples))
+        .collect();
+    let lost = f64::from(samples) - expected.iter().sum::<f64>();
+    expected.push(lost.max(0.0));
+    test_counts(&counted, &expected)
+}
+
+/// The p-value of `counted` against `expected`, taking small expectations together.
+pub fn test_counts(counted: &[f64], expected: &[f64]) -> f64 {
+    let (mut chi2, mut cells) = (0.0, 0_u32);
+    let (mut rest_counted, mut rest_expected) = (0.0, 0.0);
+    for (&c, &e) in counted.iter().zip(expected) {
+        if e < FEWEST_EXPECTED {
+            rest_counted += c;
+            rest_expected += e;
+        } else {
+            chi2 += (c - e) * (c - e) / e;
+            cells += 1;
+        }
+    }
+    if rest_expected >= FEWEST_EXPECTED {
+        let d = rest_counted - rest_expected;
+        chi2 += d * d / rest_expected;
+        cells += 1;
+    } else if rest_counted > rest_expected + 8.0 * (rest_expected + FEWEST_EXPECTED).sqrt() {
+        // Samples where there should be next to none.
+        return 0.0;
+    }
+    if cells < 2 {
+        return 1.0;
+    }
+    chi_square_tail(chi2, f64::from(cells - 1))
+}
+
+fn cell_of(w: Vec3) -> usize {
+    let row = (0.5 * (w.z + 1.0) * ROWS as f64) as usize;
+    let turns = (math::atan2(w.y, w.x) / TAU).rem_euclid(1.0);
+    let column = (turns * COLUMNS as f64) as usize;
+    row.min(ROWS - 1) * COLUMNS + column.min(COLUMNS - 1)
+}
+
+/// Integral of `pdf` over a cell: z and angle are equal in area, so each step counts the same.
+fn integrate(cell: usize, pdf: &impl Fn(Vec3) -> f64) -> f64 {
+    let (row, column) = (cell / COLUMNS, cell % COLUMNS);
+    let mut sum = 0.0;
+    for i in 0..STEPS {
+        let z = -1.0 + 2.0 * (row as f64 + (i as f64 + 0.5) / STEPS as f64) / ROWS as f64;
+        for j in 0..STEPS {
+            let turns = (column as f64 + (j as f64 + 0.5) / STEPS as f64) / COLUMNS as f64;
+            sum += pdf(crate::warp::on_sphere(z, turns));
+        }
+    }
+    let cell_area = 2.0 * TAU / (ROWS * COLUMNS) as f64;
+    sum * cell_area / (STEPS * STEPS) as f64
+}
+
+/// The chance that a χ² variable with `degrees` degrees of freedom is at least `x`: the regularised incomplete gamma
+/// function `Q(degrees/2, x/2)`, by its series below the mean and its continued fraction above (Numerical Recipes, 6.2).
+pub fn chi_square_tail(x: f64, degrees: f64) -> f64 {
+    let (a, x) = (0.5 * degrees, 0.5 * x);
+    if x <= 0.0 {
+        return 1.0;
+    }
+    if !x.is_finite() {
+        return 0.0;
+    }
+    let front = math::exp(a * math::ln(x) - x - math::ln_gamma(a));
+    if x < a + 1.0 {
+        let (mut term, mut sum, mut n) = (1.0 / a, 1.0 / a, a);
+        while term > sum * f64::EPSILON {
+            n += 1.0;
+            term *= x / n;
+            sum += term;
+        }
+        return 1.0 - front * sum;
+    }
+    // Lentz's method; the fraction has no zero here.
+    let mut b = x + 1.0 - a;
+    let (mut c, mut d) = (f64::MAX, 1.0 / b);
+    let mut h = d;
+    for i in 1..10_000 {
+        let i = f64::from(i);
+        let an = -i * (i - a);
+        b += 2.0;
+        d = 1.0 / (an * d + b);
+        c = b + an / c;
+        h *= d * c;
+        if (d * c - 1.0).abs() < f64::EPSILON {
+            break;
+        }
+    }
+    front * h
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::warp;
+
+    /// Chance of a false alarm of one test here. The points are fixed, so it either always passes or never.
+    const ALARM: f64 = 1e-6;
+
+    #[test]
+    fn tails_of_the_chi_square_distribution() {
+        // With two degrees of freedom it is exp(-x/2).
+        for x in [0.1, 1.0, 5.0, 40.0] {
+            assert!((chi_square_tail(x, 2.0) / math::exp(-0.5 * x) - 1.0).abs() < 1e-12);
+        }
+        // Quantile tables.
+        assert!((chi_square_tail(124.342, 100.0) - 0.05).abs() < 1e-5);
+        assert!((chi_square_tail(77.929, 100.0) - 0.95).abs() < 1e-5);
+    }
+
+    #[test]
+    fn uniform_directions_are_uniform() {
+        let p = p_value(
+            100_000,
+            1,
+            |u, _| Some(warp::uniform_sphere(u)),
+            |_| 0.5 / TAU,
+        );
+        assert!(p > ALARM, "p = {p}");
+        let upper = |w: Vec3| if w.z > 0.0 { 1.0 / TAU } else { 0.0 };
+        let p = p_value(100_000, 2, |u, _| Some(warp::uniform_hemisphere(u)), upper);
+        assert!(p > ALARM, "p = {p}");
+    }
+
+    /// The test can fail: uniform directions are not distributed by the cosine, nor twice as dense.
+    #[test]
+    fn a_wrong_density_is_caught() {
+        let cosine = |w: Vec3| w.z.max(0.0) / std::f64::consts::PI;
+        let p = p_value(20_000, 3, |u, _| Some(warp::uniform_hemisphere(u)), cosine);
+        assert!(p < ALARM, "p = {p}");
+        let double = |w: Vec3| if w.z > 0.0 { 2.0 / TAU } else { 0.0 };
+        let p = p_value(20_000, 4, |u, _| Some(warp::uniform_hemisphere(u)), double);
+        assert!(p < ALARM, "p = {p}");
+    }
+}

@@ -1,0 +1,65 @@
+//! `<geometry>`: a mesh, or a sphere of the course's own.
+
+use super::document::{Document, Element, child, children, course_technique, describe, tag};
+use super::mesh::{self, MeshPart};
+use super::numbers::exactly;
+use super::polygon::Effort;
+use crate::diagnostic::SceneError;
+
+/// The shape that a geometry describes, in its own space.
+#[derive(Debug)]
+pub(super) enum Shape<'a> {
+    /// Triangles, by material.
+    Mesh(Vec<MeshPart<'a>>),
+    /// A sphere about the origin.
+    Sphere { radius: f64 },
+    /// Nothing that can be drawn; a warning was given.
+    Nothing,
+}
+
+/// Reads a geometry: `<extra>` with a `<sphere>` first, for that is what the course adds.
+pub(super) fn read<'a>(
+    doc: &Document<'a>,
+    geometry: Element<'a>,
+    effort: &mut Effort,
+) -> Result<Shape<'a>, SceneError> {
+    if let Some(technique) = course_technique(geometry) {
+        if let Some(sphere) = child(technique, "sphere") {
+            return read_sphere(doc, sphere);
+        }
+        if let Some(other) = children(technique).next() {
+            doc.warn(|| {
+                let title = format!("<{}> is not a shape", tag(other));
+                doc.on(other, title, "expected <sphere>; it is passed over")
+            });
+        }
+    }
+    if let Some(mesh) = child(geometry, "mesh") {
+        return Ok(Shape::Mesh(mesh::read(doc, mesh, effort)?));
+    }
+    doc.warn(|| {
+        let title = format!("{} has no shape", describe(geometry));
+        doc.on(
+            geometry,
+            title,
+            "expected <mesh>, or <sphere> in the profile CGL; it is passed over",
+        )
+    });
+    Ok(Shape::Nothing)
+}
+
+fn read_sphere<'a>(doc: &Document<'a>, sphere: Element<'a>) -> Result<Shape<'a>, SceneError> {
+    let element = doc.child(sphere, "radius")?;
+    let [radius] = exactly(doc, element, "the radius")?;
+    if radius < 0.0 {
+        return Err(doc
+            .on(
+                element,
+                format!("the radius is {radius}"),
+                "expected a radius >= 0",
+            )
+            .help("remove the minus sign")
+            .into());
+    }
+    Ok(Shape::Sphere { radius })
+}

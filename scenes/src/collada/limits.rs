@@ -1,0 +1,14 @@
+//! Bounds on what one file may ask for. A short file can name the same node twice, that node another twice,
+//! and so on: without bounds forty lines make a scene that no memory holds.
+
+/// Largest file that is read, in bytes.
+pub(super) const MAX_FILE_BYTES: u64 = 1 << 30;
+
+/// Nodes inside nodes.
+pub(super) const MAX_DEPTH: usize = 256;
+
+/// Placed nodes, meshes, spheres, lights and cameras together.
+pub(super) const MAX_INSTANCES: usize = 1 << 20;
+
+/// Triangles and spheres after all instances are placed: about 2.4 GB.
+pub(super) const MAX_PRIMITIVES: usize = 1 << 24;

@@ -1,0 +1,168 @@
+//! The COLLADA 1.4.1 reader.
+//!
+//! Read in this order: `document` (ids, references, errors with their place), `numbers` and `source`
+//! (lists of numbers), `primitives`, `polygon`, `normals` and `mesh` (index lists become triangles),
+//! `geometry`, `material`, `light` and `optics` (what nodes place), `transform`, `bake` and `nodes`
+//! (the tree, placed in the world).
+//!
+//! `<unit meter="...">` is passed over, as by the original course program: lengths are those of the file.
+
+mod bake;
+mod document;
+mod geometry;
+mod light;
+mod limits;
+mod material;
+mod mesh;
+mod nodes;
+mod normals;
+mod numbers;
+mod optics;
+mod polygon;
+mod primitives;
+mod source;
+mod transform;
+
+use crate::diagnostic::{Diagnostic, SceneError, Warning};
+use document::{Document, Element, child, children, tag};
+use kit::Scene;
+use std::io::Read;
+use std::path::Path;
+
+/// A scene and what was mended to get it.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The scene. Its camera is the file's own, with the frame the file asks for: see
+    /// [`crate::placement`] for how to look at the scene.
+    pub scene: Scene,
+    /// What was mended, in the order of the file's scene.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads a COLLADA file.
+pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
+    let path = path.as_ref();
+    let name = path.display().to_string();
+    parse(&name, &read_text(path, &name)?)
+}
+
+/// Reads a file of text; its errors say what to do.
+pub(crate) fn read_text(path: &Path, name: &str) -> Result<String, SceneError> {
+    let unreadable = |error: std::io::Error| {
+        let help = match error.kind() {
+            std::io::ErrorKind::NotFound => "check the path: it counts from the current folder",
+            std::io::ErrorKind::PermissionDenied => "allow yourself to read it",
+            _ => "give the path of a file",
+        };
+        Diagnostic::about_file(name, format!("the file cannot be read: {error}")).help(help)
+    };
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    file.take(limits::MAX_FILE_BYTES + 1)
+        .read_to_end(&mut bytes)
+        .map_err(unreadable)?;
+    if bytes.len() as u64 > limits::MAX_FILE_BYTES {
+        let title = format!("the file has more than {} bytes", limits::MAX_FILE_BYTES);
+        let finding =
+            Diagnostic::about_file(name, title).help("simplify the meshes before you export");
+        return Err(finding.into());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let title = format!("the file is not text in UTF-8: byte {at} is none of it");
+        Diagnostic::about_file(name, title)
+            .help("save it as UTF-8; a compressed .zae must be unpacked first")
+            .into()
+    })
+}
+
+/// Reads a COLLADA file from its text. `name` stands for the file in errors.
+pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
+    let xml = roxmltree::Document::parse(text).map_err(|error| malformed(name, text, &error))?;
+    let doc = Document::new(name, &xml);
+    let scene = build(&doc)?;
+    Ok(Loaded {
+        scene,
+        warnings: doc.into_warnings(),
+    })
+}
+
+fn build<'a>(doc: &Document<'a>) -> Result<Scene, SceneError> {
+    let root = doc.root();
+    if tag(root) != "COLLADA" {
+        return Err(doc
+            .on(
+                root,
+                format!("the file is not COLLADA but <{}>", tag(root)),
+                "expected <COLLADA>",
+            )
+            .help("export the scene as COLLADA (.dae)")
+            .into());
+    }
+    let to_world = transform::up_axis(doc, root)?;
+    let visual_scene = visual_scene(doc, root)?;
+    let scene = nodes::Builder::new(doc).build(visual_scene, &to_world)?;
+    if scene.is_empty() {
+        return Err(doc
+            .on(
+                visual_scene,
+                "the scene is empty",
+                "expected nodes with an <instance_geometry>",
+            )
+            .help("there is nothing to draw: place a mesh or a sphere")
+            .into());
+    }
+    Ok(scene)
+}
+
+/// The visual scene that `<scene>` names; without one, the only one there is, with a warning.
+fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>, SceneError> {
+    if let Some(instance) =
+        child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"))
+    {
+        return doc.target(instance, "url", "visual_scene");
+    }
+    let libraries = children(root).filter(|element| tag(*element) == "library_visual_scenes");
+    let mut scenes = libraries
+        .flat_map(children)
+        .filter(|element| tag(*element) == "visual_scene");
+    match (scenes.next(), scenes.next()) {
+        (Some(only), None) => {
+            doc.warn(|| {
+                let title = "no <scene> says what to show";
+                doc.on(only, title, "the only visual scene is taken")
+            });
+            Ok(only)
+        }
+        _ => Err(doc
+            .on(
+                root,
+                "no <scene> says what to show",
+                "expected <scene> with <instance_visual_scene url=\"#...\"/>",
+            )
+            .help("export the file again, with a scene")
+            .into()),
+    }
+}
+
+/// The XML itself is broken.
+fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
+    let pos = error.pos();
+    let line_start = text
+        .split_inclusive('\n')
+        .take(pos.row.saturating_sub(1) as usize)
+        .map(str::len)
+        .sum::<usize>();
+    let column = text[line_start..]
+        .chars()
+        .take(pos.col.saturating_sub(1) as usize);
+    let at = line_start + column.map(char::len_utf8).sum::<usize>();
+    let help = match error {
+        roxmltree::Error::DtdDetected => "remove the <!DOCTYPE ...>: COLLADA needs none",
+        _ => "mend the XML here, or export the file again; a cut-off download is a common cause",
+    };
+    Diagnostic::about_file(name, format!("the file is not well-formed XML: {error}"))
+        .at(text, at..at + 1, "here")
+        .help(help)
+        .into()
+}

@@ -1,0 +1,133 @@
+//! `<camera>`: the angles of view and the clip distances.
+//!
+//! The pair of angles that goes into [`kit::Camera`] is the frame that the file asks for:
+//! `xfov` and `yfov` as they stand if both are there; else the missing one by
+//! `tan(xfov/2) = aspect_ratio · tan(yfov/2)`, where an absent `aspect_ratio` is 4:3.
+//! How the frame fits a film of another shape is [`crate::placement::for_film`]'s business.
+
+use super::document::{Document, Element, child, children, descend, describe, tag};
+use super::numbers::exactly;
+use super::transform::Affine;
+use crate::diagnostic::SceneError;
+use crate::placement::{FAR_AWAY, other_fov};
+use kit::{Camera, Mat3, Vec3};
+
+/// Width over height where the file does not say: the assignment's pictures.
+const DEFAULT_ASPECT: f64 = 4.0 / 3.0;
+
+/// A camera in its own space: angles in degrees, clip distances in the file's unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Optics {
+    h_fov: f64,
+    v_fov: f64,
+    n_clip: f64,
+    f_clip: f64,
+}
+
+/// Reads a camera; `None`, with a warning, if it is not a perspective one.
+pub(super) fn read<'a>(
+    doc: &Document<'a>,
+    camera: Element<'a>,
+) -> Result<Option<Optics>, SceneError> {
+    let Some(perspective) = descend(camera, &["optics", "technique_common", "perspective"]) else {
+        doc.warn(|| {
+            let other = descend(camera, &["optics", "technique_common"])
+                .and_then(|common| children(common).next());
+            let what = other.map_or("no optics".to_owned(), |other| format!("<{}>", tag(other)));
+            let title = format!("{} has {what}", describe(camera));
+            doc.on(
+                camera,
+                title,
+                "expected <perspective>; the camera is passed over and the scene framed",
+            )
+        });
+        return Ok(None);
+    };
+    let degrees = |name: &str| {
+        optional(
+            doc,
+            perspective,
+            name,
+            "degrees more than 0 and less than 180",
+            |angle| angle > 0.0 && angle < 180.0,
+        )
+    };
+    // Beyond these the missing angle would round to 0 or 180 degrees.
+    let aspect = optional(
+        doc,
+        perspective,
+        "aspect_ratio",
+        "a number from 0.001 to 1000",
+        |aspect| (0.001..=1000.0).contains(&aspect),
+    )?
+    .unwrap_or(DEFAULT_ASPECT);
+    let (h_fov, v_fov) = match (degrees("xfov")?, degrees("yfov")?) {
+        (Some(x), Some(y)) => (x, y),
+        (Some(x), None) => (x, other_fov(x, 1.0 / aspect)),
+        (None, Some(y)) => (other_fov(y, aspect), y),
+        (None, None) => {
+            return Err(doc
+                .on(
+                    perspective,
+                    "<perspective> has no angle of view",
+                    "expected <xfov> or <yfov>",
+                )
+                .help("give the horizontal angle of view in degrees, such as <xfov>50</xfov>")
+                .into());
+        }
+    };
+    let near = optional(doc, perspective, "znear", "a number >= 0", |near| {
+        near >= 0.0
+    })?
+    .unwrap_or(0.0);
+    let beyond = format!("more than znear, {near}");
+    let far = optional(doc, perspective, "zfar", &beyond, |far| far > near)?.unwrap_or(FAR_AWAY);
+    Ok(Some(Optics {
+        h_fov,
+        v_fov,
+        n_clip: near,
+        f_clip: far,
+    }))
+}
+
+fn optional<'a>(
+    doc: &Document<'a>,
+    parent: Element<'a>,
+    name: &str,
+    expected: &str,
+    is_valid: impl Fn(f64) -> bool,
+) -> Result<Option<f64>, SceneError> {
+    let Some(element) = child(parent, name) else {
+        return Ok(None);
+    };
+    let [number] = exactly(doc, element, name)?;
+    if is_valid(number) {
+        return Ok(Some(number));
+    }
+    Err(doc
+        .on(
+            element,
+            format!("{name} is {number}"),
+            format!("expected {expected}"),
+        )
+        .help(format!("correct <{name}>"))
+        .into())
+}
+
+impl Optics {
+    /// The camera in world space, its axes made orthonormal again; `None` if the transform leaves it no
+    /// direction. Scale and mirroring in the transform do not count.
+    pub(super) fn place(&self, to_world: &Affine) -> Option<Camera> {
+        let backward = to_world.direction(Vec3::Z).try_normalize()?;
+        let up = to_world.direction(Vec3::Y).try_normalize()?;
+        let c2w: Mat3 = Camera::look_at(backward, Vec3::ZERO, up).ok()?;
+        Some(Camera {
+            pos: to_world.t,
+            c2w,
+            h_fov: self.h_fov,
+            v_fov: self.v_fov,
+            n_clip: self.n_clip,
+            f_clip: self.f_clip,
+        })
+    }
+}

@@ -1,0 +1,97 @@
+//! `<source>`: an array of numbers and the accessor that says how to read points out of it.
+
+use super::document::{Document, Element, child, children, describe, tag};
+use super::numbers::{check_count, floats, whole_attribute};
+use crate::diagnostic::SceneError;
+use kit::Vec3;
+
+/// Reads a source of points or directions: three numbers an entry.
+pub(super) fn vectors<'a>(
+    doc: &Document<'a>,
+    source: Element<'a>,
+) -> Result<Vec<Vec3>, SceneError> {
+    let technique = doc.child(source, "technique_common")?;
+    let accessor = doc.child(technique, "accessor")?;
+    let array = array_of(doc, source, accessor)?;
+    let numbers = floats(doc, array)?;
+    check_count(doc, array, numbers.len() as u64, "numbers")?;
+
+    let stride = whole_attribute(doc, accessor, "stride")?.unwrap_or(1);
+    let offset = whole_attribute(doc, accessor, "offset")?.unwrap_or(0);
+    let count = whole_attribute(doc, accessor, "count")?;
+    let [x, y, z] = coordinates(doc, accessor, stride)?;
+
+    let last = x.max(y).max(z) as u64;
+    let room = (numbers.len() as u64).saturating_sub(offset.saturating_add(last));
+    let fitting = room.div_ceil(stride);
+    let count = count.unwrap_or(fitting);
+    if count > fitting {
+        let title = format!(
+            "{} reads {count} entries, but {} holds {fitting}",
+            describe(accessor),
+            describe(array)
+        );
+        return Err(doc
+            .on_attribute(
+                accessor,
+                "count",
+                title,
+                format!("expected at most {fitting}"),
+            )
+            .help("part of the array is missing: export the file again, or correct the count")
+            .into());
+    }
+    // All of it fits the array, so the indices fit a usize.
+    let (stride, offset) = (stride as usize, offset as usize);
+    let entry = |i: usize| &numbers[offset + i * stride..];
+    Ok((0..count as usize)
+        .map(|i| Vec3::new(entry(i)[x], entry(i)[y], entry(i)[z]))
+        .collect())
+}
+
+/// The array that the accessor refers to: usually inside the same source.
+fn array_of<'a>(
+    doc: &Document<'a>,
+    source: Element<'a>,
+    accessor: Element<'a>,
+) -> Result<Element<'a>, SceneError> {
+    let reference = doc.attribute(accessor, "source")?.trim();
+    let own = child(source, "float_array")
+        .filter(|array| array.attribute("id") == reference.strip_prefix('#'));
+    match own {
+        Some(array) => Ok(array),
+        None => doc.target(accessor, "source", "float_array"),
+    }
+}
+
+/// Where in an entry x, y and z stand: the first three params with a name. An accessor without any
+/// params reads the first three numbers.
+fn coordinates<'a>(
+    doc: &Document<'a>,
+    accessor: Element<'a>,
+    stride: u64,
+) -> Result<[usize; 3], SceneError> {
+    let params: Vec<Element<'a>> = children(accessor).filter(|e| tag(*e) == "param").collect();
+    let named: Vec<usize> = if params.is_empty() {
+        (0..3).collect()
+    } else {
+        let named = params
+            .iter()
+            .enumerate()
+            .filter(|(_, p)| p.has_attribute("name"));
+        named.map(|(i, _)| i).take(3).collect()
+    };
+    match named[..] {
+        [x, y, z] if (z as u64) < stride => Ok([x, y, z]),
+        _ => {
+            let title = format!(
+                "{} does not read three numbers an entry",
+                describe(accessor)
+            );
+            Err(doc
+                .on(accessor, title, "expected params X, Y, Z and a stride of at least 3")
+                .help("positions and normals have three coordinates: set stride=\"3\" and name three params")
+                .into())
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Where to look from, and how a camera's frame fits a film.
+//!
+//! A camera carries the frame that its file asks for: the angles `h_fov` and `v_fov`. Films of another shape
+//! show at least that frame, the same in the middle and more at two sides ([`for_film`]).
+//!
+//! The original course program widens the frame in the same way, but always for its first window of 800x600
+//! pixels; then it keeps the length `screenDist` (focal length in pixels) when the window gets its size from
+//! `-r`. So its pictures of 480x360 show the middle 60 % of the frame: `xfov` 49.13 in the file is
+//! `hFov = 2 atan(480/800 · tan(49.13°/2)) = 30.68` in the camera files it wrote. Also it takes only the
+//! direction from the file's camera and always frames the scene ([`frame`]). Here a picture shows what the
+//! file's camera frames, at any size.
+
+use kit::{Camera, FilmSize, Mat3, Scene, Vec3, math};
+
+/// Farthest distance of a camera that clips nothing.
+pub const FAR_AWAY: f64 = 1e30;
+
+/// Angles of view of a camera that no file describes, in degrees: the original's.
+const DEFAULT_H_FOV: f64 = 50.0;
+/// See [`DEFAULT_H_FOV`].
+const DEFAULT_V_FOV: f64 = 35.0;
+
+/// Distance from which a scene is framed, in diagonals of its box.
+const FRAMING_DISTANCE: f64 = 1.5;
+
+/// How much the shape of a film may differ from the camera's, relatively, and still count as the same:
+/// angles in files are rounded.
+const SAME_SHAPE: f64 = 1e-9;
+
+/// A camera and the point it looks at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The camera, with angles that fit the film.
+    pub camera: Camera,
+    /// The point on the camera's axis that it turns about, in world space.
+    pub target: Vec3,
+}
+
+/// The default view of a scene on a film: the file's camera; without a usable one the scene is framed
+/// from +z.
+pub fn place(scene: &Scene, film: FilmSize) -> View {
+    match &scene.camera {
+        Some(camera) => View {
+            camera: for_film(camera, film),
+            target: target_of(camera, scene),
+        },
+        None => frame(scene, Vec3::Z, film),
+    }
+}
+
+/// Looks at the middle of the scene's box from `direction` (not zero; y is up) at 1.5 times the length of
+/// the box's diagonal. Angles and clip distances are the file camera's if there is one.
+pub fn frame(scene: &Scene, direction: Vec3, film: FilmSize) -> View {
+    let bounds = scene.bounds();
+    let (target, diagonal) = match bounds.is_empty() {
+        true => (Vec3::ZERO, 0.0),
+        false => (bounds.centroid(), bounds.extent().length()),
+    };
+    // A single point is looked at from a unit away.
+    let distance = if diagonal > 0.0 {
+        FRAMING_DISTANCE * diagonal
+    } else {
+        1.0
+    };
+    let backward = direction.normalize_or(Vec3::Z);
+    let c2w = Camera::look_at(backward, Vec3::ZERO, Vec3::Y)
+        // Straight from above or below: the film's up is -z.
+        .or_else(|_| Camera::look_at(backward, Vec3::ZERO, Vec3::NEG_Z))
+        .unwrap_or(Mat3::IDENTITY);
+    let optics = scene.camera.unwrap_or(Camera {
+        pos: Vec3::ZERO,
+        c2w,
+        h_fov: DEFAULT_H_FOV,
+        v_fov: DEFAULT_V_FOV,
+        n_clip: 0.0,
+        f_clip: FAR_AWAY,
+    });
+    let camera = Camera {
+        pos: target + distance * backward,
+        c2w,
+        ..optics
+    };
+    View {
+        camera: for_film(&camera, film),
+        target,
+    }
+}
+
+/// The camera with its smaller angle widened so that `tan(h_fov/2) / tan(v_fov/2) = w / h`. Everything
+/// in the camera's frame stays in the picture. A camera of the film's shape is given back as it is.
+pub fn for_film(camera: &Camera, film: FilmSize) -> Camera {
+    let aspect = f64::from(film.w) / f64::from(film.h);
+    let frame_aspect = half_tan(camera.h_fov) / half_tan(camera.v_fov);
+    let mut fitted = *camera;
+    if frame_aspect < aspect * (1.0 - SAME_SHAPE) {
+        fitted.h_fov = other_fov(camera.v_fov, aspect);
+    } else if frame_aspect > aspect * (1.0 + SAME_SHAPE) {
+        fitted.v_fov = other_fov(camera.h_fov, 1.0 / aspect);
+    }
+    fitted
+}
+
+/// The angle whose half has `ratio` times the tangent of half of `fov`. Degrees.
+pub(crate) fn other_fov(fov: f64, ratio: f64) -> f64 {
+    2.0 * math::atan2(half_tan(fov) * ratio, 1.0).to_degrees()
+}
+
+fn half_tan(fov: f64) -> f64 {
+    math::tan(0.5 * fov.to_radians())
+}
+
+/// The point on the camera's axis nearest to the middle of the scene; if that lies behind the camera, the
+/// point a diagonal ahead.
+fn target_of(camera: &Camera, scene: &Scene) -> Vec3 {
+    let bounds = scene.bounds();
+    let forward = -camera.c2w.z_axis;
+    let ahead = forward.dot(bounds.centroid() - camera.pos);
+    let diagonal = bounds.extent().length();
+    let distance = if ahead > 0.0 && ahead.is_finite() {
+        ahead
+    } else if diagonal > 0.0 && diagonal.is_finite() {
+        diagonal
+    } else {
+        1.0
+    };
+    camera.pos + distance * forward
+}

@@ -2,7 +2,7 @@
 
 use crate::cases::{self, Spec};
 use crate::compile::{self, Built};
-use crate::course::{Course, Task};
+use crate::course::{Course, Task, Tier};
 use crate::error::GraderError;
 use crate::judge;
 use crate::runner::{self, Ending};
@@ -94,7 +94,7 @@ fn grade_stage(
                 .ok_or_else(|| GraderError::new("the worker lost a case"))?;
             let (status, findings) = match status_without_answer(&task.key, ending, course)? {
                 Some(status) => (status, Vec::new()),
-                None => (Status::Passed, judged(spec, ending)),
+                None => (Status::Passed, judged(spec, entry.tier, ending)),
             };
             case_results.push(CaseResult::new(entry, spec.about, status, findings));
         }
@@ -103,9 +103,9 @@ fn grade_stage(
     Ok(results)
 }
 
-fn judged(spec: &Spec, ending: &Ending) -> Vec<judge::tally::Finding> {
+fn judged(spec: &Spec, tier: Tier, ending: &Ending) -> Vec<judge::tally::Finding> {
     match ending.outcome() {
-        Some(Outcome::Answered(answer)) => judge::judge(spec, answer),
+        Some(Outcome::Answered(answer)) => judge::judge(spec, tier, answer),
         _ => Vec::new(),
     }
 }

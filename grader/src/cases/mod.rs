@@ -18,6 +18,8 @@ pub struct Spec {
     pub about: &'static str,
     /// What the worker does.
     pub work: Work,
+    /// Width and height, if the answers are the pixels of a picture, row by row from the bottom left.
+    pub picture: Option<[u32; 2]>,
 }
 
 /// Milliseconds after which a case has failed. Sound code needs a few.
@@ -27,6 +29,22 @@ const LIMIT_MS: u64 = 5000;
 const LARGE_LIMIT_MS: u64 = 120_000;
 
 impl Spec {
+    /// The case `name` of `task`; `about` is for students. Its answers are not a picture.
+    pub(crate) fn new(
+        task: &'static str,
+        name: &'static str,
+        about: &'static str,
+        work: Work,
+    ) -> Spec {
+        Spec {
+            task,
+            name,
+            about,
+            work,
+            picture: None,
+        }
+    }
+
     /// The case as the worker is given it.
     pub fn case(&self) -> wire::Case {
         let limit_ms = match self.work {

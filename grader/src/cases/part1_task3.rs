@@ -22,12 +22,7 @@ pub(super) fn cases() -> Vec<Spec> {
 }
 
 fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
-    Spec {
-        task: "part1.task3",
-        name,
-        about,
-        work,
-    }
+    Spec::new("part1.task3", name, about, work)
 }
 
 fn from_side(side: f64) -> Work {

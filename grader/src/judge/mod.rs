@@ -9,19 +9,21 @@ mod shapes;
 pub mod tally;
 
 use crate::cases::Spec;
+use crate::course::Tier;
 use crate::truth;
 use tally::{Finding, Tally};
 use wire::{Answer, Work};
 
-/// What is right and wrong about `answer` to the case `spec`.
-pub fn judge(spec: &Spec, answer: &Answer) -> Vec<Finding> {
+/// What is right and wrong about `answer` to the case `spec`, which gives points of `tier`: core points ask
+/// of rounding errors what textbook code can give, robust points what stable code can.
+pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     let mut tally = Tally::default();
     match (&spec.work, answer) {
         (Work::Triangles { triangles, probes }, Answer::Triangles(answers)) => {
             shapes::triangles(
                 &mut tally,
                 probes,
-                |probe| truth::triangle(&triangles[probe.shape as usize], &probe.ray),
+                |probe| truth::triangle(tier, &triangles[probe.shape as usize], &probe.ray),
                 answers,
             );
         }
@@ -29,7 +31,7 @@ pub fn judge(spec: &Spec, answer: &Answer) -> Vec<Finding> {
             shapes::spheres(
                 &mut tally,
                 probes,
-                |probe| truth::sphere(&spheres[probe.shape as usize], &probe.ray),
+                |probe| truth::sphere(tier, &spheres[probe.shape as usize], &probe.ray),
                 answers,
             );
         }

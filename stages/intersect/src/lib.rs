@@ -1,23 +1,15 @@
 //! Part 1, tasks 3 and 4: what a ray hits.
+//!
+//! Read [`triangle`], then [`sphere`]. Each has a test, which says where on the ray the hit is, and a
+//! function that records the hit and shortens the ray. The conventions, for both: the ends of the
+//! ray's range count; both sides of a surface are hit; `d` need not have unit length; a miss changes nothing; a
+//! ray or a shape with a NaN or an infinite coordinate is not hit, nor is anything by a ray with `d = 0`.
 
-use kit::{Hit, PrimId, Ray, Sphere, Triangle, TriangleHit};
+// BEGIN SOLUTION(part1.task3)
+mod exact;
+// END SOLUTION(part1.task3)
+pub mod sphere;
+pub mod triangle;
 
-/// Task 3.
-pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
-    kit::hole!("part1.task3", tri, ray)
-}
-
-/// Task 3.
-pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<Hit> {
-    kit::hole!("part1.task3", tri, id, ray)
-}
-
-/// Task 4.
-pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
-    kit::hole!("part1.task4", s, ray)
-}
-
-/// Task 4.
-pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
-    kit::hole!("part1.task4", s, id, ray)
-}
+pub use sphere::{intersect_sphere, test_sphere};
+pub use triangle::{intersect_triangle, test_triangle};

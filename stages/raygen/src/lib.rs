@@ -1,30 +1,10 @@
 //! Part 1, tasks 1 and 2: where rays come from.
+//!
+//! Read [`pixel`] first (how many rays go through a pixel, and where), then [`camera_ray`] (which way
+//! a point on the sensor looks).
 
-use kit::{Camera, FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
+pub mod camera_ray;
+pub mod pixel;
 
-/// Task 1.
-pub fn raytrace_pixel(
-    x: u32,
-    y: u32,
-    film: FilmSize,
-    ns_aa: u32,
-    sampler: &mut PixelSampler,
-    camera_ray: &mut impl FnMut(Vec2) -> Ray,
-    trace_ray: &mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum,
-) -> PixelEstimate {
-    kit::hole!(
-        "part1.task1",
-        x,
-        y,
-        film,
-        ns_aa,
-        sampler,
-        camera_ray,
-        trace_ray
-    )
-}
-
-/// Task 2.
-pub fn generate_ray(camera: &Camera, sensor: Vec2) -> Ray {
-    kit::hole!("part1.task2", camera, sensor)
-}
+pub use camera_ray::generate_ray;
+pub use pixel::raytrace_pixel;

@@ -1,0 +1,55 @@
+//! Part 1, task 1: the sample loop.
+
+use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
+
+/// The mean radiance over the pixel in column `x` and row `y`, counted from the bottom left.
+///
+/// The integral of radiance over the pixel is estimated by the mean of `ns_aa` samples. A sample is a
+/// place on the film, in pixels `(x + s.x, y + s.y)`; `camera_ray` wants it in film units, where (0, 0) is
+/// the bottom left corner of the film and (1, 1) the top right one, so x is divided by `film.w` and y
+/// by `film.h`. `trace_ray` says how much light comes back along the ray; it draws its random numbers from
+/// the same sampler.
+///
+/// - `ns_aa == 1`: one ray through the centre of the pixel, `(x + 1/2, y + 1/2)`. Nothing is random: the
+///   sampler is not asked for a place.
+/// - `ns_aa > 1`: each sample's place is one [`PixelSampler::get_sample`], uniform in [0, 1)².
+/// - `ns_aa == 0`: no rays, so nothing is known. The estimate is black and says 0 samples; it is not 0/0.
+///
+/// A pixel outside the film is not refused: the camera sees beyond its film just as well.
+pub fn raytrace_pixel(
+    x: u32,
+    y: u32,
+    film: FilmSize,
+    ns_aa: u32,
+    sampler: &mut PixelSampler,
+    camera_ray: &mut impl FnMut(Vec2) -> Ray,
+    trace_ray: &mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum,
+) -> PixelEstimate {
+    // BEGIN SOLUTION(part1.task1)
+    if ns_aa == 0 {
+        return PixelEstimate::default();
+    }
+    let corner = Vec2::new(f64::from(x), f64::from(y));
+    let film_size = Vec2::new(f64::from(film.w), f64::from(film.h));
+    let mut sum = Spectrum::BLACK;
+    for _ in 0..ns_aa {
+        let place_in_pixel = if ns_aa == 1 {
+            PIXEL_CENTER
+        } else {
+            sampler.get_sample()
+        };
+        let ray = camera_ray((corner + place_in_pixel) / film_size);
+        sum += trace_ray(&ray, sampler);
+    }
+    PixelEstimate {
+        radiance: sum / f64::from(ns_aa),
+        samples: ns_aa,
+    }
+    // STUB: kit::hole!("part1.task1", x, y, film, ns_aa, sampler, camera_ray, trace_ray)
+    // END SOLUTION(part1.task1)
+}
+
+// BEGIN SOLUTION(part1.task1)
+/// Where a lone sample goes, seen from the pixel's bottom left corner.
+const PIXEL_CENTER: Vec2 = Vec2::new(0.5, 0.5);
+// END SOLUTION(part1.task1)

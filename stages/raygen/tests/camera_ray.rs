@@ -1,0 +1,46 @@
+//! Part 1, task 2: camera rays, in plain cases.
+// BEGIN SOLUTION(part1.task2)
+use kit::{Camera, Mat3, Vec2, Vec3};
+
+/// 90 degrees wide, 53.13 high: tangents 1 and 1/2.
+fn camera() -> Camera {
+    Camera {
+        pos: Vec3::new(1.0, 2.0, 3.0),
+        c2w: Mat3::IDENTITY,
+        h_fov: 90.0,
+        v_fov: 2.0 * 0.5_f64.atan().to_degrees(),
+        n_clip: 0.5,
+        f_clip: 100.0,
+    }
+}
+
+#[test]
+fn the_corners_of_the_film_are_the_corners_of_the_sensor() {
+    for (x, y) in [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)] {
+        let ray = raygen::generate_ray(&camera(), Vec2::new(x, y));
+        let expected = Vec3::new(2.0 * x - 1.0, y - 0.5, -1.0).normalize();
+        assert!((ray.d - expected).length() < 1e-15, "{} {expected}", ray.d);
+    }
+}
+
+#[test]
+fn the_ray_starts_at_the_camera_and_carries_its_clip_distances() {
+    let ray = raygen::generate_ray(&camera(), Vec2::new(0.3, 0.8));
+    assert_eq!(ray.o, Vec3::new(1.0, 2.0, 3.0));
+    assert_eq!((ray.min_t, ray.max_t), (0.5, 100.0));
+    assert!((ray.d.length() - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn the_direction_is_turned_into_world_space() {
+    // Looks along +x; its right is +z.
+    let camera = Camera {
+        c2w: Camera::look_at(Vec3::ZERO, Vec3::X, Vec3::Y).unwrap(),
+        ..camera()
+    };
+    let middle = raygen::generate_ray(&camera, Vec2::splat(0.5));
+    assert_eq!(middle.d, Vec3::X);
+    let right = raygen::generate_ray(&camera, Vec2::new(1.0, 0.5));
+    assert!((right.d - Vec3::new(1.0, 0.0, 1.0).normalize()).length() < 1e-15);
+}
+// END SOLUTION(part1.task2)

@@ -1,0 +1,89 @@
+//! Part 1, task 1: the sample loop, in plain cases.
+// BEGIN SOLUTION(part1.task1)
+use kit::{FilmSize, PixelSampler, Ray, Spectrum, Vec2, Vec3};
+
+const FILM: FilmSize = FilmSize { w: 8, h: 4 };
+
+/// The film points that `raytrace_pixel` asked the camera for, and its estimate, when every ray's radiance is its x.
+fn sample(x: u32, y: u32, ns_aa: u32) -> (Vec<Vec2>, kit::PixelEstimate) {
+    let mut asked = Vec::new();
+    let estimate = raygen::raytrace_pixel(
+        x,
+        y,
+        FILM,
+        ns_aa,
+        &mut PixelSampler::new(x, y, 0),
+        &mut |p| {
+            asked.push(p);
+            Ray::new(Vec3::new(p.x, p.y, 0.0), Vec3::NEG_Z)
+        },
+        &mut |ray, _| Spectrum::grey(ray.o.x),
+    );
+    (asked, estimate)
+}
+
+#[test]
+fn one_sample_goes_through_the_centre() {
+    let (asked, estimate) = sample(3, 1, 1);
+    assert_eq!(asked, [Vec2::new(3.5 / 8.0, 1.5 / 4.0)]);
+    assert_eq!(estimate.radiance, Spectrum::grey(3.5 / 8.0));
+    assert_eq!(estimate.samples, 1);
+}
+
+#[test]
+fn one_sample_draws_no_random_number() {
+    let mut sampler = PixelSampler::new(3, 1, 0);
+    let untouched = sampler.clone();
+    let camera_ray = &mut |_| Ray::new(Vec3::ZERO, Vec3::NEG_Z);
+    raygen::raytrace_pixel(3, 1, FILM, 1, &mut sampler, camera_ray, &mut |_, _| {
+        Spectrum::WHITE
+    });
+    assert_eq!(sampler, untouched);
+}
+
+#[test]
+fn many_samples_are_those_of_the_sampler_and_are_averaged() {
+    let (asked, estimate) = sample(3, 1, 16);
+    let mut sampler = PixelSampler::new(3, 1, 0);
+    let expected: Vec<Vec2> = (0..16)
+        .map(|_| (Vec2::new(3.0, 1.0) + sampler.get_sample()) / Vec2::new(8.0, 4.0))
+        .collect();
+    assert_eq!(asked, expected);
+    let mean = expected.iter().map(|p| p.x).sum::<f64>() / 16.0;
+    assert_eq!(estimate.radiance, Spectrum::grey(mean));
+    assert_eq!(estimate.samples, 16);
+}
+
+#[test]
+fn no_samples_give_black_and_not_nan() {
+    let (asked, estimate) = sample(3, 1, 0);
+    assert_eq!(asked, []);
+    assert_eq!(estimate, kit::PixelEstimate::default());
+}
+
+#[test]
+fn the_samples_of_a_ray_go_on_where_its_place_ended() {
+    let mut drawn = Vec::new();
+    let camera_ray = &mut |_| Ray::new(Vec3::ZERO, Vec3::NEG_Z);
+    raygen::raytrace_pixel(
+        0,
+        0,
+        FILM,
+        2,
+        &mut PixelSampler::new(0, 0, 9),
+        camera_ray,
+        &mut |_, s| {
+            drawn.push(s.next_1d());
+            Spectrum::BLACK
+        },
+    );
+    let mut sampler = PixelSampler::new(0, 0, 9);
+    let expected: Vec<f64> = (0..2)
+        .map(|_| {
+            sampler.get_sample();
+            sampler.next_1d()
+        })
+        .collect();
+    assert_eq!(drawn, expected);
+}
+// END SOLUTION(part1.task1)

@@ -5,7 +5,7 @@
 //! and where their colours go), [`bvh`] and [`world`] (the tree and what it hangs in),
 //! [`scene`], [`material`] and [`light`] (what a file describes), [`lit`], [`emitter`] and [`environment`]
 //! (where light comes from), [`surface`], [`frame`] and [`bsdf`] (where it is scattered), [`warp`]
-//! (uniform points), [`statistics`] and [`chi_square`] (how random answers are judged), and [`hole`]
+//! (uniform points), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
 //! (how a task that is not written yet says so).
 //!
 //! The kit knows vectors and threads and nothing else of the course: it holds no formula

@@ -1,0 +1,253 @@
+//! Direct light where mathematics knows the answer, estimated in both ways.
+//!
+//! A matte floor lies in the plane y = 0 and is looked at from above; the point of interest is the origin. Each test is
+//! a z-test: a right estimate fails it with a chance of at most [`FAMILY`] for all of them together, and a bias of
+//! [`WORST_SURE_BIAS`] is sure to be seen. What a mutant does to the estimate is tried as well, so that the tests
+//! are known to be able to fail.
+
+// BEGIN SOLUTION(part3.task3)
+mod floor;
+
+use floor::{Floor, RHO};
+use kit::scene::{NamedLight, NamedMaterial, Object};
+use kit::statistics::{sidak, smallest_sure_bias, two_sided};
+use kit::{Environment, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally, Vec3};
+use std::f64::consts::{FRAC_1_PI, PI};
+
+/// Chance that any of the tests of this file accuses a right estimate.
+const FAMILY: f64 = 1e-6;
+/// How many estimates this file compares.
+const TESTS: usize = 16;
+/// Samples for an estimate: enough for [`WORST_SURE_BIAS`] in the noisiest scene.
+const SAMPLES: u32 = 400_000;
+/// No estimate here is so noisy that a relative bias as large as this one could hide.
+const WORST_SURE_BIAS: f64 = 0.04;
+/// Rounding of an estimate that has no noise: a dozen operations.
+const ROUNDING: f64 = 1e-13;
+
+fn assert_estimates(what: &str, estimate: &Tally, truth: f64) {
+    let alarm = sidak(FAMILY, TESTS);
+    let p = two_sided(estimate.z_against(truth));
+    assert!(
+        p > alarm,
+        "{what}: estimated {} ± {}, should be {truth}: p = {p:e}",
+        estimate.mean(),
+        estimate.standard_error()
+    );
+    let sure = smallest_sure_bias(estimate.standard_error(), alarm) / truth;
+    assert!(
+        sure < WORST_SURE_BIAS,
+        "{what} is too noisy to tell: ±{sure}"
+    );
+}
+
+fn scene_with(light: Light) -> Scene {
+    Scene {
+        lights: vec![NamedLight {
+            name: "lamp".into(),
+            light,
+        }],
+        ..Scene::default()
+    }
+}
+
+/// A 2 x 1 lamp at height 0.75 above the origin, its centre straight above.
+fn area(direction: Vec3) -> Scene {
+    scene_with(Light::Area {
+        center: Vec3::new(0.0, 0.75, 0.0),
+        edge_x: Vec3::new(2.0, 0.0, 0.0),
+        edge_y: Vec3::new(0.0, 0.0, 1.0),
+        direction,
+        radiance: Spectrum::grey(3.0),
+    })
+}
+
+/// The share of the light of a hemisphere that comes from a parallel rectangle, a corner of which is straight above the point,
+/// `a` by `b` heights large (any catalogue of view factors: differential area to finite rectangle).
+fn corner_form_factor(a: f64, b: f64) -> f64 {
+    let (ra, rb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
+    (a / ra * (b / ra).atan() + b / rb * (a / rb).atan()) / (2.0 * PI)
+}
+
+#[test]
+fn a_rectangle_above_the_floor() {
+    let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
+    let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
+    assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
+    assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
+    // Four samples a light, a quarter of the estimates.
+    assert_estimates("lights, -l 4", &floor.lights(SAMPLES / 4, 4), truth);
+}
+
+/// Hard case 90.
+#[test]
+fn a_lamp_that_faces_away_gives_nothing() {
+    let floor = Floor::under(LitScene::new(area(Vec3::Y), None));
+    assert_eq!(floor.hemisphere(1000).mean(), 0.0);
+    assert_eq!(floor.lights(1000, 1).mean(), 0.0);
+}
+
+/// Hard case 90: every direction to the lamp lies in its plane.
+#[test]
+fn a_lamp_seen_edge_on_gives_nothing() {
+    let edge_on = scene_with(Light::Area {
+        center: Vec3::new(0.0, 2.0, 0.0),
+        edge_x: Vec3::Y,
+        edge_y: Vec3::Z,
+        direction: Vec3::X,
+        radiance: Spectrum::WHITE,
+    });
+    let floor = Floor::under(LitScene::new(edge_on, None));
+    assert_eq!(floor.lights(1000, 1).mean(), 0.0);
+}
+
+/// A sphere gives the irradiance π L (r/d)² cos θ as long as all of it is above the horizon.
+#[test]
+fn a_glowing_sphere() {
+    let center = Vec3::new(0.6, 1.2, -0.3);
+    let scene = Scene {
+        spheres: vec![Sphere {
+            center,
+            radius: 0.8,
+        }],
+        object_of: vec![0],
+        objects: vec![Object {
+            name: "lamp".into(),
+            material: 0,
+        }],
+        materials: vec![NamedMaterial {
+            name: "glow".into(),
+            material: Material::Emission {
+                radiance: Spectrum::grey(2.0),
+            },
+        }],
+        ..Scene::default()
+    };
+    let floor = Floor::under(LitScene::new(scene, None));
+    let cos = center.y / center.length();
+    let truth = RHO * 2.0 * 0.64 / center.length_squared() * cos;
+    assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
+    assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
+}
+
+/// Half of all directions are sky, so all light that a matte floor can get: it looks ρ L.
+#[test]
+fn a_sky() {
+    let sky = scene_with(Light::Hemisphere {
+        radiance: Spectrum::grey(1.5),
+    });
+    let floor = Floor::under(LitScene::new(sky, None));
+    assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), RHO * 1.5);
+    assert_estimates("lights", &floor.lights(SAMPLES, 1), RHO * 1.5);
+}
+
+#[test]
+fn an_environment_that_is_the_same_all_around() {
+    let all_around = Environment::uniform(Spectrum::grey(0.7));
+    let floor = Floor::under(LitScene::new(Scene::default(), Some(all_around)));
+    assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), RHO * 0.7);
+    assert_estimates("lights", &floor.lights(SAMPLES, 1), RHO * 0.7);
+}
+
+/// Four rows: the upper two are seen, and give `∫ L cos θ dw / π = Σ L (cos² θ_top - cos² θ_bottom)`.
+#[test]
+fn an_environment_of_bands() {
+    let bands = [4.0, 0.5, 9.0, 2.0];
+    let texels = bands.iter().flat_map(|&b| [Spectrum::grey(b); 3]).collect();
+    let environment = Environment::new(3, 4, texels).unwrap();
+    let floor = Floor::under(LitScene::new(Scene::default(), Some(environment)));
+    let truth = RHO * (4.0 * 0.5 + 0.5 * 0.5);
+    assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
+    assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
+}
+
+#[test]
+fn lights_without_extent_have_no_noise() {
+    let position = Vec3::new(1.0, 2.0, 2.0);
+    let cases = [
+        (
+            Light::Point {
+                position,
+                intensity: Spectrum::grey(9.0),
+            },
+            9.0 / 9.0 * (2.0 / 3.0),
+        ),
+        (
+            Light::Spot {
+                position,
+                direction: (-position + Vec3::X).normalize(),
+                intensity: Spectrum::grey(9.0),
+                falloff_angle: 90.0,
+                falloff_exponent: 2.0,
+            },
+            // The cosine to the axis is 8/√(9·8), its square 8/9.
+            2.0 / 3.0 * (8.0 / 9.0),
+        ),
+        (
+            Light::Directional {
+                direction: Vec3::new(0.6, -0.8, 0.0),
+                irradiance: Spectrum::grey(5.0),
+            },
+            5.0 * 0.8,
+        ),
+    ];
+    for (light, irradiance) in cases {
+        let floor = Floor::under(LitScene::new(scene_with(light), None));
+        let estimate = floor.lights(10, 4);
+        let truth = RHO * FRAC_1_PI * irradiance;
+        assert!(
+            (estimate.mean() / truth - 1.0).abs() < ROUNDING,
+            "{light:?}: {} should be {truth}",
+            estimate.mean()
+        );
+        assert_eq!(floor.rays_of_last_estimate(), 10, "one shadow ray each");
+        // Hemisphere sampling never finds them.
+        assert_eq!(floor.hemisphere(100).mean(), 0.0);
+    }
+}
+
+#[test]
+fn outside_the_cone_of_a_spot_it_is_dark() {
+    let spot = scene_with(Light::Spot {
+        position: Vec3::Y,
+        direction: Vec3::X,
+        intensity: Spectrum::WHITE,
+        falloff_angle: 90.0,
+        falloff_exponent: 0.0,
+    });
+    let floor = Floor::under(LitScene::new(spot, None));
+    assert_eq!(floor.lights(10, 1).mean(), 0.0);
+    assert_eq!(floor.rays_of_last_estimate(), 0);
+}
+
+/// Hard case 80: irradiance grows without end, but stays a number.
+#[test]
+fn a_light_close_by_is_finite() {
+    for height in [1e-3, 1e-100, 1e-160, 0.0] {
+        let light = Light::Point {
+            position: Vec3::new(0.0, height, 0.0),
+            intensity: Spectrum::WHITE,
+        };
+        let floor = Floor::under(LitScene::new(scene_with(light), None));
+        assert!(floor.lights(4, 1).mean().is_finite(), "at height {height}");
+    }
+    let mut low = area(-Vec3::Y);
+    if let Light::Area { center, .. } = &mut low.lights[0].light {
+        center.y = 1e-12;
+    }
+    let floor = Floor::under(LitScene::new(low, None));
+    assert!(floor.lights(1000, 1).mean().is_finite());
+}
+
+/// What typical mistakes do to an estimate is far beyond what the tests above let pass.
+#[test]
+fn mistakes_would_be_seen() {
+    let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
+    let estimate = floor.lights(SAMPLES, 1);
+    let sure = smallest_sure_bias(estimate.standard_error(), sidak(FAMILY, TESTS));
+    let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
+    let without_cosine = floor.lights_without_cosine(SAMPLES).mean();
+    assert!((without_cosine - truth).abs() > sure, "cosine forgotten");
+    assert!(estimate.mean() > sure, "pdf off by 2");
+}
+// END SOLUTION(part3.task3)

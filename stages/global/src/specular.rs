@@ -81,7 +81,7 @@ pub fn refraction_sample(transmittance: Spectrum, ior: f64, wo: Vec3) -> Option<
     // END SOLUTION(part4.task1)
 }
 
-/// Smooth glass: the share F of [`fresnel_dielectric`](crate::fresnel_dielectric) is reflected, tinted by `reflectance`,
+/// Smooth glass: the share F of [`crate::fresnel_dielectric`] is reflected, tinted by `reflectance`,
 /// the rest refracted, tinted by `transmittance` and scaled by η² as in [`refraction_sample`].
 ///
 /// `choice`, uniform in [0, 1), picks one of the two: reflection if `choice < F`, which is then the `pdf`; else refraction

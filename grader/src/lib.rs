@@ -15,5 +15,6 @@ pub mod judge;
 pub mod report;
 pub mod runner;
 pub mod score;
+pub mod snapshot;
 pub mod truth;
 pub mod workspace;

@@ -1,0 +1,135 @@
+//! Reading a snapshot.
+
+use super::line::{Line, MISS, Value};
+use std::fmt;
+
+/// A snapshot that was read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Snapshot {
+    /// Figures of the whole case, from the line that begins with `#`.
+    pub totals: Line,
+    /// One a call.
+    pub lines: Vec<Line>,
+}
+
+/// A line that is not one of a snapshot's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// Counted from 1.
+    pub line: usize,
+    /// What was expected there.
+    pub expected: &'static str,
+}
+
+impl fmt::Display for ParseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: expected {}", self.line, self.expected)
+    }
+}
+
+impl std::error::Error for ParseError {}
+
+/// Reads the text of a `.snap` file, insta's header (between two lines `---`) and all.
+pub fn parse(text: &str) -> Result<Snapshot, ParseError> {
+    let mut snapshot = Snapshot::default();
+    let mut in_header = text.starts_with("---\n");
+    for (i, text) in text.lines().enumerate() {
+        if text == "---" {
+            in_header &= i == 0;
+            continue;
+        }
+        if in_header || text.is_empty() {
+            continue;
+        }
+        let error = |expected| ParseError {
+            line: i + 1,
+            expected,
+        };
+        if let Some(totals) = text.strip_prefix('#') {
+            snapshot.totals.answer = fields(totals).ok_or(error("`# name=value ...`"))?;
+            continue;
+        }
+        let line = line(text).ok_or(error("`call: name=value ... -> name=value ...`"))?;
+        if line.call as usize != snapshot.lines.len() {
+            return Err(error("the next call in order"));
+        }
+        snapshot.lines.push(line);
+    }
+    Ok(snapshot)
+}
+
+fn line(text: &str) -> Option<Line> {
+    let (call, rest) = text.split_once(':')?;
+    let (question, answer) = rest.split_once("->")?;
+    let answer = if answer.trim() == MISS {
+        Vec::new()
+    } else {
+        fields(answer)?
+    };
+    Some(Line {
+        call: call.parse().ok()?,
+        question: fields(question)?,
+        answer,
+    })
+}
+
+fn fields(text: &str) -> Option<Vec<(String, Value)>> {
+    let pairs = text.split_whitespace().map(|field| field.split_once('='));
+    pairs
+        .map(|pair| pair.and_then(|(name, text)| Some((name.to_string(), value(text)?))))
+        .collect()
+}
+
+fn value(text: &str) -> Option<Value> {
+    let numbers = |inside: &str| {
+        inside
+            .split(',')
+            .map(|number| number.parse().ok())
+            .collect::<Option<Vec<f64>>>()
+    };
+    if let Some(inside) = text
+        .strip_prefix('(')
+        .and_then(|rest| rest.strip_suffix(')'))
+    {
+        return Some(Value::Vector(numbers(inside)?));
+    }
+    if let Some(inside) = text
+        .strip_prefix('[')
+        .and_then(|rest| rest.strip_suffix(']'))
+    {
+        let [min, max] = numbers(inside)?.try_into().ok()?;
+        return Some(Value::Range(min, max));
+    }
+    text.parse().ok().map(Value::Number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_come_back_bit_for_bit() {
+        for number in [0.1, -0.0, 5e-324, f64::MAX, f64::INFINITY, 1.0 / 3.0] {
+            let text = format!("0: -> t={}\n", Value::Number(number));
+            let read = parse(&text).unwrap().lines[0].number("t").unwrap();
+            assert_eq!(read.to_bits(), number.to_bits(), "{text}");
+        }
+    }
+
+    #[test]
+    fn instas_header_is_skipped() {
+        let snapshot = parse("---\nsource: golden/tests/goldens.rs\n---\n0: -> miss\n").unwrap();
+        assert!(snapshot.lines[0].is_miss());
+    }
+
+    #[test]
+    fn a_missing_line_is_an_error_with_its_place() {
+        let error = parse("0: -> miss\n2: -> miss\n").unwrap_err();
+        assert_eq!(error.to_string(), "line 2: expected the next call in order");
+    }
+
+    #[test]
+    fn a_line_without_an_answer_is_an_error() {
+        assert_eq!(parse("0: t=1\n").unwrap_err().line, 1);
+    }
+}

@@ -45,6 +45,11 @@ impl Spec {
         }
     }
 
+    /// Whether this is the case `name` of `task`.
+    pub fn is(&self, task: &str, name: &str) -> bool {
+        self.task == task && self.name == name
+    }
+
     /// The case as the worker is given it.
     pub fn case(&self) -> wire::Case {
         let limit_ms = match self.work {

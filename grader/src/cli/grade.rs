@@ -1,0 +1,51 @@
+//! `grader part1`: grading the code in the workspace.
+
+use super::{Format, Verdict};
+use crate::error::GraderError;
+use crate::grade::{self, Order};
+use crate::report;
+use crate::workspace::Workspace;
+use clap::Args;
+use std::path::Path;
+
+/// What to grade and how to show it.
+#[derive(Args)]
+pub(super) struct Grade {
+    /// What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`.
+    what: String,
+    /// How to print the report.
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+    /// Seed of the fresh random probes.
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+}
+
+impl Grade {
+    pub(super) fn run(&self) -> Result<Verdict, GraderError> {
+        let workspace = Workspace::above(Path::new("."))?;
+        let graded = grade::in_place(
+            &workspace,
+            &Order {
+                what: self.what.clone(),
+                seed: self.seed,
+            },
+        )?;
+        let json = report::json(&graded.report)?;
+        report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+        match self.format {
+            Format::Json => println!("{json}"),
+            Format::Table => {
+                if !graded.printed.is_empty() {
+                    println!("your code printed:\n{}\n", graded.printed.trim_end());
+                }
+                print!("{}", report::table::show(&graded.report));
+            }
+        }
+        Ok(if graded.report.is_full() {
+            Verdict::Full
+        } else {
+            Verdict::Short
+        })
+    }
+}

@@ -1,0 +1,70 @@
+//! The command line: `grader part1`, and beside it subcommands, a file each.
+//!
+//! Each subcommand is a struct of arguments with a `run` that answers how the program ends.
+
+mod course;
+mod grade;
+
+use crate::error::GraderError;
+use clap::{Parser, Subcommand, ValueEnum};
+use std::process::ExitCode;
+
+/// Scores your ray tracer, stage by stage.
+#[derive(Parser)]
+#[command(
+    name = "grader",
+    version,
+    args_conflicts_with_subcommands = true,
+    subcommand_negates_reqs = true,
+    after_help = "Exit code: 0 every core point, 1 points lost, 2 the grader or its input is at fault."
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    grade: Option<grade::Grade>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// For instructors: looks after the course itself.
+    #[command(subcommand)]
+    Course(course::Course),
+}
+
+/// How to print a report.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    Table,
+    Json,
+}
+
+/// How a run that came to its end ends the program.
+enum Verdict {
+    /// Every core point, or nothing to complain of.
+    Full,
+    /// Points were lost, or a check found something.
+    Short,
+}
+
+/// Runs the program.
+pub fn main() -> ExitCode {
+    match run(Cli::parse()) {
+        Ok(Verdict::Full) => ExitCode::SUCCESS,
+        Ok(Verdict::Short) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(cli: Cli) -> Result<Verdict, GraderError> {
+    match (cli.command, cli.grade) {
+        (Some(Command::Course(course)), _) => course.run(),
+        (None, Some(grade)) => grade.run(),
+        (None, None) => Err(GraderError::new(
+            "say what to grade: `grader part1`, or `grader --help` for all there is",
+        )),
+    }
+}

@@ -5,7 +5,7 @@
 
 use crate::math;
 use crate::warp;
-use crate::{Environment, Frame, PrimId, Spectrum, Sphere, Vec2, Vec3};
+use crate::{EmittingMesh, Environment, Frame, PrimId, Spectrum, Sphere, Vec2, Vec3};
 use std::f64::consts::TAU;
 
 /// A direction drawn towards a light, seen from a point.
@@ -70,70 +70,6 @@ pub enum Emitter {
     },
     /// A picture all around.
     Environment(Environment),
-}
-
-/// Triangles that emit, and their areas summed up.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EmittingMesh {
-    triangles: Vec<EmittingTriangle>,
-    /// Area of the triangles up to and with this one.
-    area_up_to: Vec<f64>,
-    /// Emitted radiance.
-    pub radiance: Spectrum,
-}
-
-/// One of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EmittingTriangle {
-    /// First vertex.
-    pub p0: Vec3,
-    /// Edge to the second vertex.
-    pub e1: Vec3,
-    /// Edge to the third vertex.
-    pub e2: Vec3,
-    /// Unit normal of the side that shines.
-    pub front: Vec3,
-}
-
-impl EmittingMesh {
-    /// A light made of `triangles`; those without area are left out. `None` if no area is left.
-    pub fn new(triangles: Vec<EmittingTriangle>, radiance: Spectrum) -> Option<EmittingMesh> {
-        let area = |t: &EmittingTriangle| 0.5 * t.e1.cross(t.e2).length();
-        let triangles: Vec<EmittingTriangle> =
-            triangles.into_iter().filter(|t| area(t) > 0.0).collect();
-        let mut sum = 0.0;
-        let area_up_to: Vec<f64> = triangles
-            .iter()
-            .map(|t| {
-                sum += area(t);
-                sum
-            })
-            .collect();
-        (sum > 0.0 && sum.is_finite()).then_some(EmittingMesh {
-            triangles,
-            area_up_to,
-            radiance,
-        })
-    }
-
-    /// Area of all triangles.
-    pub fn area(&self) -> f64 {
-        *self.area_up_to.last().expect("a light has a triangle")
-    }
-
-    /// A point uniform over the area and the normal there, from `u` in [0, 1)².
-    fn sample(&self, u: Vec2) -> (Vec3, Vec3) {
-        let target = u.x * self.area();
-        let i = self
-            .area_up_to
-            .partition_point(|&a| a <= target)
-            .min(self.triangles.len() - 1);
-        let before = if i == 0 { 0.0 } else { self.area_up_to[i - 1] };
-        let within = (target - before) / (self.area_up_to[i] - before);
-        let b = warp::uniform_triangle(Vec2::new(within.min(1.0), u.y));
-        let t = &self.triangles[i];
-        (t.p0 + b.x * t.e1 + b.y * t.e2, t.front)
-    }
 }
 
 impl Emitter {
@@ -208,6 +144,34 @@ impl Emitter {
             Emitter::Environment(environment) => environment.sample(u),
         }
     }
+
+    /// The density with which [`Emitter::sample`] draws `wi` from `p`, given that the ray along `wi` meets this
+    /// emitter at `distance` on a surface with the unit normal `normal` (its front side). For skies and
+    /// environments distance and normal say nothing. 0 for lights without extent.
+    pub fn pdf(&self, p: Vec3, wi: Vec3, distance: f64, normal: Vec3) -> f64 {
+        match self {
+            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => 0.0,
+            Emitter::Mesh(mesh) => {
+                let cos = -wi.dot(normal);
+                if cos > 0.0 {
+                    distance * distance / (cos * mesh.area())
+                } else {
+                    0.0
+                }
+            }
+            Emitter::Sphere { sphere, .. } => {
+                let sin2 = sphere.radius * sphere.radius / p.distance_squared(sphere.center);
+                if sin2 < 1.0 {
+                    1.0 / (TAU * cone_height(sin2))
+                } else {
+                    0.0
+                }
+            }
+            Emitter::Sky { .. } if wi.y >= 0.0 => warp::UNIFORM_HEMISPHERE_PDF,
+            Emitter::Sky { .. } => 0.0,
+            Emitter::Environment(environment) => environment.pdf(wi),
+        }
+    }
 }
 
 /// Unit direction and distance from `p` to `q`; `None` if they are the same point.
@@ -261,34 +225,123 @@ fn cone_height(sin2: f64) -> f64 {
     sin2 / (1.0 + (1.0 - sin2).max(0.0).sqrt())
 }
 
-// --- What the same directions would cost if another strategy drew them: for multiple importance sampling.
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::emitting_mesh::EmittingTriangle;
+    use crate::{PixelSampler, chi_square};
 
-impl Emitter {
-    /// The density with which [`Emitter::sample`] draws `wi` from `p`, given that the ray along `wi` meets this
-    /// emitter at `distance` on a surface with the unit normal `normal` (its front side). For skies and
-    /// environments distance and normal say nothing. 0 for lights without extent.
-    pub fn pdf(&self, p: Vec3, wi: Vec3, distance: f64, normal: Vec3) -> f64 {
-        match self {
-            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => 0.0,
-            Emitter::Mesh(mesh) => {
-                let cos = -wi.dot(normal);
-                if cos > 0.0 {
-                    distance * distance / (cos * mesh.area())
-                } else {
-                    0.0
-                }
-            }
-            Emitter::Sphere { sphere, .. } => {
-                let sin2 = sphere.radius * sphere.radius / p.distance_squared(sphere.center);
-                if sin2 < 1.0 {
-                    1.0 / (TAU * cone_height(sin2))
-                } else {
-                    0.0
-                }
-            }
-            Emitter::Sky { .. } if wi.y >= 0.0 => warp::UNIFORM_HEMISPHERE_PDF,
-            Emitter::Sky { .. } => 0.0,
-            Emitter::Environment(environment) => environment.pdf(wi),
+    /// Chance of a false alarm of one χ² test here. The points are fixed, so it either always passes or never.
+    const ALARM: f64 = 1e-6;
+    const P: Vec3 = Vec3::new(0.1, -0.2, 0.3);
+
+    fn lamp() -> EmittingMesh {
+        let up = |x: f64, y: f64| Vec3::new(x, y, 1.1);
+        let triangle = |p0: Vec3, p1: Vec3, p2: Vec3| EmittingTriangle {
+            p0,
+            e1: p1 - p0,
+            e2: p2 - p0,
+            front: -Vec3::Z,
+        };
+        let triangles = vec![
+            triangle(up(-1.0, -1.0), up(2.0, -1.0), up(-1.0, 0.5)),
+            triangle(up(0.0, 0.0), up(0.0, 0.0), up(1.0, 1.0)),
+            triangle(up(0.5, 0.5), up(1.5, 0.5), up(1.5, 1.5)),
+        ];
+        EmittingMesh::new(triangles, Spectrum::WHITE).unwrap()
+    }
+
+    /// Distance and normal of what the ray from `P` meets on the lamp.
+    fn meet(w: Vec3) -> Option<(f64, Vec3)> {
+        let t = (1.1 - P.z) / w.z;
+        let q = P + t * w;
+        let first = q.x >= -1.0 && q.y >= -1.0 && (q.x + 1.0) / 3.0 + (q.y + 1.0) / 1.5 <= 1.0;
+        let second = q.x <= 1.5 && q.y >= 0.5 && q.x - 0.5 >= q.y - 0.5;
+        (t > 0.0 && (first || second)).then_some((t, -Vec3::Z))
+    }
+
+    fn assert_follows_pdf(emitter: &Emitter, pdf: impl Fn(Vec3) -> f64) {
+        let sample = |u, _| emitter.sample(P, u).map(|s| s.wi);
+        let p = chi_square::p_value(20_000, 5, sample, pdf);
+        assert!(p > ALARM, "{emitter:?}: p = {p}");
+        let mut numbers = PixelSampler::new(0, 0, 1);
+        for _ in 0..1000 {
+            let Some(s) = emitter.sample(P, numbers.get_sample()) else {
+                continue;
+            };
+            let normal = meet(s.wi).map_or(Vec3::ZERO, |(_, n)| n);
+            let pdf = emitter.pdf(P, s.wi, s.distance, normal);
+            assert!((s.pdf / pdf - 1.0).abs() < 1e-9, "{} {pdf}", s.pdf);
+            assert!((s.wi.length() - 1.0).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn a_mesh_is_sampled_by_its_pdf() {
+        assert!((lamp().area() - 2.75).abs() < 1e-12);
+        let emitter = Emitter::Mesh(lamp());
+        let pdf = |w: Vec3| meet(w).map_or(0.0, |(t, n)| emitter.pdf(P, w, t, n));
+        assert_follows_pdf(&emitter, pdf);
+    }
+
+    #[test]
+    fn a_sphere_is_sampled_by_its_pdf() {
+        let center = P + Vec3::new(0.4, 0.5, 0.9);
+        let emitter = Emitter::Sphere {
+            sphere: Sphere {
+                center,
+                radius: 0.7,
+            },
+            radiance: Spectrum::WHITE,
+            prim: PrimId(0),
+        };
+        let pdf = |w: Vec3| {
+            let along = (center - P).dot(w);
+            let beside2 = (center - P).length_squared() - along * along;
+            if along > 0.0 && beside2 < 0.49 {
+                emitter.pdf(P, w, 0.0, Vec3::ZERO)
+            } else {
+                0.0
+            }
+        };
+        assert_follows_pdf(&emitter, pdf);
+        // The sampled point is on the sphere, on the near side.
+        let s = emitter.sample(P, Vec2::new(0.3, 0.6)).unwrap();
+        let q = P + s.distance * s.wi;
+        assert!((q.distance(center) - 0.7).abs() < 1e-12);
+        assert!((q - center).dot(s.wi) < 0.0);
+        // From inside and from the surface it shows nothing.
+        assert_eq!(emitter.sample(center, Vec2::ZERO), None);
+        assert_eq!(emitter.sample(center + 0.7 * Vec3::Y, Vec2::ZERO), None);
+        assert_eq!(emitter.pdf(center, Vec3::X, 0.7, Vec3::X), 0.0);
+    }
+
+    #[test]
+    fn a_sky_and_an_environment_are_sampled_by_their_pdf() {
+        let sky = Emitter::Sky {
+            radiance: Spectrum::WHITE,
+        };
+        // The upper half is +y; the cells of the test are around z.
+        assert_follows_pdf(&sky, |w| sky.pdf(P, w, 0.0, Vec3::ZERO));
+        let texels = [1.0, 0.0, 5.0, 2.0, 0.5, 0.5, 0.0, 0.0, 0.0, 9.0, 1.0, 3.0];
+        let environment =
+            Environment::new(4, 3, texels.map(Spectrum::grey).to_vec()).expect("12 texels");
+        let environment = Emitter::Environment(environment);
+        assert_follows_pdf(&environment, |w| environment.pdf(P, w, 0.0, Vec3::ZERO));
+    }
+
+    #[test]
+    fn a_small_far_sphere_keeps_its_digits() {
+        let emitter = Emitter::Sphere {
+            sphere: Sphere {
+                center: P + 1e9 * Vec3::Z,
+                radius: 1.0,
+            },
+            radiance: Spectrum::WHITE,
+            prim: PrimId(0),
+        };
+        // A disk of area π at distance 1e9.
+        let s = emitter.sample(P, Vec2::new(0.5, 0.5)).unwrap();
+        assert!((s.pdf * std::f64::consts::PI * 1e-18 - 1.0).abs() < 1e-9);
     }
 }

@@ -190,3 +190,65 @@ fn pick(up_to: &[f64], u: f64) -> Option<(usize, f64)> {
     // The division may round up to 1, which is the next entry's.
     Some((i, within.min(1.0 - f64::EPSILON)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbered() -> Environment {
+        let texels = (0..8).map(|i| Spectrum::grey(f64::from(i))).collect();
+        Environment::new(4, 2, texels).unwrap()
+    }
+
+    /// The middle of the picture is along -z; right of it is +x.
+    #[test]
+    fn texels_are_where_the_doc_says() {
+        let map = numbered();
+        let d = |x: f64, y: f64, z: f64| Vec3::new(x, y, z).normalize();
+        assert_eq!(map.radiance(d(-0.1, 0.1, -1.0)).g, 1.0);
+        assert_eq!(map.radiance(d(0.1, 0.1, -1.0)).g, 2.0);
+        assert_eq!(map.radiance(d(-0.1, 0.1, 1.0)).g, 0.0);
+        assert_eq!(map.radiance(d(0.1, -0.1, 1.0)).g, 7.0);
+    }
+
+    #[test]
+    fn every_sample_falls_into_the_texel_it_was_drawn_from() {
+        let map = numbered();
+        for i in 0..64 {
+            for j in 0..64 {
+                let u = Vec2::new(f64::from(i), f64::from(j)) / 64.0 + 1.0 / 128.0;
+                let s = map.sample(u).unwrap();
+                assert_eq!(s.radiance, map.radiance(s.wi));
+                assert_eq!(s.pdf, map.pdf(s.wi));
+                assert!(s.pdf > 0.0);
+            }
+        }
+        let last = map.sample(Vec2::splat(1.0 - f64::EPSILON / 2.0)).unwrap();
+        assert_eq!(last.radiance.g, 7.0);
+    }
+
+    #[test]
+    fn a_black_picture_is_never_sampled() {
+        let black = Environment::uniform(Spectrum::BLACK);
+        assert_eq!(black.sample(Vec2::splat(0.5)), None);
+        assert_eq!(black.pdf(Vec3::Y), 0.0);
+    }
+
+    #[test]
+    fn bad_pictures_are_refused() {
+        assert_eq!(
+            Environment::new(2, 2, vec![Spectrum::WHITE; 3]),
+            Err(EnvironmentError::WrongSize)
+        );
+        assert_eq!(
+            Environment::new(0, 0, vec![]),
+            Err(EnvironmentError::WrongSize)
+        );
+        let mut texels = vec![Spectrum::WHITE; 6];
+        texels[4].g = f64::NAN;
+        assert_eq!(
+            Environment::new(3, 2, texels),
+            Err(EnvironmentError::BadTexel { x: 1, y: 1 })
+        );
+    }
+}

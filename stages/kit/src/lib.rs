@@ -3,7 +3,7 @@
 //! Read in this order: [`ray`] and [`hit`] (what goes in and what comes out), [`shapes`]
 //! and [`aabb`] (what is hit), [`camera`], [`sampler`] and [`film`] (where rays come from
 //! and where their colours go), [`bvh`] and [`world`] (the tree and what it hangs in),
-//! [`scene`], [`material`] and [`light`] (what a file describes), [`lit`], [`emitter`] and [`environment`]
+//! [`scene`], [`material`] and [`light`] (what a file describes), [`lit`], [`emitter`], [`emitting_mesh`] and [`environment`]
 //! (where light comes from), [`surface`], [`frame`] and [`bsdf`] (where it is scattered), [`warp`]
 //! (uniform points), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
 //! (how a task that is not written yet says so).
@@ -17,6 +17,7 @@ pub mod bvh;
 pub mod camera;
 pub mod chi_square;
 pub mod emitter;
+pub mod emitting_mesh;
 pub mod environment;
 pub mod film;
 pub mod frame;
@@ -41,6 +42,7 @@ pub use bsdf::{BsdfSample, Scattering};
 pub use bvh::{Bvh, BvhNode, NodeKind};
 pub use camera::Camera;
 pub use emitter::{Emitter, LightSample};
+pub use emitting_mesh::EmittingMesh;
 pub use environment::Environment;
 pub use film::{Film, FilmSize, PixelEstimate};
 pub use frame::Frame;

@@ -1,6 +1,6 @@
 //! A scene with its light.
 
-use crate::emitter::{EmittingMesh, EmittingTriangle};
+use crate::emitting_mesh::{EmittingMesh, EmittingTriangle};
 use crate::math;
 use crate::scene::{NamedMaterial, Object};
 use crate::{
@@ -246,4 +246,160 @@ fn distance_to(t: &Triangle, p: Vec3) -> f64 {
     to_edge(t.p0, t.p1)
         .min(to_edge(t.p1, t.p2))
         .min(to_edge(t.p2, t.p0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::NamedLight;
+    use crate::{Sphere, Vec2};
+
+    fn area_light(center: Vec3) -> NamedLight {
+        NamedLight {
+            name: "Area".into(),
+            light: Light::Area {
+                center,
+                edge_x: 0.6 * Vec3::X,
+                edge_y: 0.8 * Vec3::Z,
+                direction: -Vec3::Y,
+                radiance: Spectrum::grey(10.0),
+            },
+        }
+    }
+
+    /// A ball, and a lamp of two triangles at height 1.49 like the course's, shining down.
+    fn room(lights: Vec<NamedLight>) -> Scene {
+        let corner = |x: f64, z: f64| Vec3::new(x, 1.49, z);
+        let named = |name: &str, material| NamedMaterial {
+            name: name.into(),
+            material,
+        };
+        Scene {
+            triangles: vec![
+                Triangle::flat(corner(0.4, -0.3), corner(0.4, 0.3), corner(-0.4, 0.3)),
+                Triangle::flat(corner(0.4, -0.3), corner(-0.4, 0.3), corner(-0.4, -0.3)),
+            ],
+            spheres: vec![Sphere {
+                center: Vec3::ZERO,
+                radius: 0.3,
+            }],
+            object_of: vec![0, 0, 1],
+            objects: vec![
+                Object {
+                    name: "light".into(),
+                    material: 0,
+                },
+                Object {
+                    name: "ball".into(),
+                    material: 1,
+                },
+            ],
+            materials: vec![
+                named(
+                    "light",
+                    Material::Emission {
+                        radiance: Spectrum::grey(10.0),
+                    },
+                ),
+                named(
+                    "grey",
+                    Material::Diffuse {
+                        reflectance: Spectrum::grey(0.6),
+                    },
+                ),
+            ],
+            lights,
+            camera: None,
+            ..Scene::default()
+        }
+    }
+
+    fn areas(lit: &LitScene) -> Vec<f64> {
+        let area = |emitter: &Emitter| match emitter {
+            Emitter::Mesh(mesh) => mesh.area(),
+            other => panic!("not a mesh: {other:?}"),
+        };
+        lit.emitters.iter().map(area).collect()
+    }
+
+    /// The course's lamp is described twice: as a mesh, and as an area light turned by a right angle.
+    #[test]
+    fn a_lamp_described_twice_is_one_lamp() {
+        let scene = room(vec![area_light(Vec3::new(0.0, 1.49 + 1e-8, 0.004))]);
+        let lit = LitScene::new(scene.clone(), None);
+        assert_eq!(lit.scene, scene);
+        let areas = areas(&lit);
+        assert!(areas.len() == 1 && (areas[0] - 0.48).abs() < 1e-12);
+        assert!(lit.emitter_of(PrimId(1)).is_some());
+        assert!(lit.emitter_of(PrimId(2)).is_none());
+    }
+
+    #[test]
+    fn an_area_light_alone_becomes_a_surface() {
+        let lit = LitScene::new(room(vec![area_light(Vec3::new(0.0, 1.2, 0.0))]), None);
+        assert_eq!(lit.scene.triangles.len(), 4);
+        let sphere = lit.scene.material_of(PrimId(4));
+        assert_eq!(
+            sphere,
+            &Scene::material_of(&room(vec![]), PrimId(2)).clone()
+        );
+        let areas = areas(&lit);
+        assert!(areas.len() == 2 && (areas[1] - 0.48).abs() < 1e-12);
+        // It shines down.
+        let ng = |t: &Triangle| (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
+        for triangle in &lit.scene.triangles[2..] {
+            assert!((ng(triangle) + Vec3::Y).length() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn no_light_is_no_emitter() {
+        let mut dark = room(vec![]);
+        dark.materials[0].material = Material::Emission {
+            radiance: Spectrum::BLACK,
+        };
+        assert!(!LitScene::new(dark, None).has_light());
+        assert!(LitScene::new(room(vec![]), None).has_light());
+    }
+
+    #[test]
+    fn the_background_is_the_sky_above_and_the_environment_all_around() {
+        let sky = NamedLight {
+            name: "sky".into(),
+            light: Light::Hemisphere {
+                radiance: Spectrum::grey(2.0),
+            },
+        };
+        let all_around = Environment::uniform(Spectrum::grey(0.5));
+        let lit = LitScene::new(room(vec![sky]), Some(all_around));
+        assert_eq!(lit.background(Vec3::Y), Spectrum::grey(2.5));
+        assert_eq!(lit.background(-Vec3::Y), Spectrum::grey(0.5));
+    }
+
+    /// The front of a surface is the side of its vertex normals, however it is wound.
+    #[test]
+    fn a_lamp_wound_the_wrong_way_shines_where_its_normals_point() {
+        let mut scene = room(vec![]);
+        for t in &mut scene.triangles {
+            std::mem::swap(&mut t.p1, &mut t.p2);
+        }
+        let lit = LitScene::new(scene, None);
+        let hit = Hit {
+            t: 1.0,
+            p: Vec3::new(0.0, 1.49, 0.0),
+            n: -Vec3::Y,
+            ng: Vec3::Y,
+            uv: Vec2::ZERO,
+            prim: PrimId(0),
+        };
+        let surface = lit.surface(&hit);
+        assert_eq!(surface.emitted(-Vec3::Y), Spectrum::grey(10.0));
+        assert!(surface.emitted(Vec3::Y).is_black());
+        assert!(surface.emitted(Vec3::X).is_black());
+        assert!(
+            lit.emitters[0]
+                .sample(Vec3::ZERO, Vec2::splat(0.5))
+                .is_some()
+        );
+    }
 }

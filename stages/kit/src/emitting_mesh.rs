@@ -1,0 +1,68 @@
+//! Surfaces that emit, as one light: triangles chosen by their area.
+
+use crate::warp;
+use crate::{Spectrum, Vec2, Vec3};
+
+/// Triangles that emit, and their areas summed up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EmittingMesh {
+    triangles: Vec<EmittingTriangle>,
+    /// Area of the triangles up to and with this one.
+    area_up_to: Vec<f64>,
+    /// Emitted radiance.
+    pub radiance: Spectrum,
+}
+
+/// One of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EmittingTriangle {
+    /// First vertex.
+    pub p0: Vec3,
+    /// Edge to the second vertex.
+    pub e1: Vec3,
+    /// Edge to the third vertex.
+    pub e2: Vec3,
+    /// Unit normal of the side that shines.
+    pub front: Vec3,
+}
+
+impl EmittingMesh {
+    /// A light made of `triangles`; those without area are left out. `None` if no area is left.
+    pub fn new(triangles: Vec<EmittingTriangle>, radiance: Spectrum) -> Option<EmittingMesh> {
+        let area = |t: &EmittingTriangle| 0.5 * t.e1.cross(t.e2).length();
+        let triangles: Vec<EmittingTriangle> =
+            triangles.into_iter().filter(|t| area(t) > 0.0).collect();
+        let mut sum = 0.0;
+        let area_up_to: Vec<f64> = triangles
+            .iter()
+            .map(|t| {
+                sum += area(t);
+                sum
+            })
+            .collect();
+        (sum > 0.0 && sum.is_finite()).then_some(EmittingMesh {
+            triangles,
+            area_up_to,
+            radiance,
+        })
+    }
+
+    /// Area of all triangles.
+    pub fn area(&self) -> f64 {
+        *self.area_up_to.last().expect("a light has a triangle")
+    }
+
+    /// A point uniform over the area and the normal there, from `u` in [0, 1)².
+    pub(crate) fn sample(&self, u: Vec2) -> (Vec3, Vec3) {
+        let target = u.x * self.area();
+        let i = self
+            .area_up_to
+            .partition_point(|&a| a <= target)
+            .min(self.triangles.len() - 1);
+        let before = if i == 0 { 0.0 } else { self.area_up_to[i - 1] };
+        let within = (target - before) / (self.area_up_to[i] - before);
+        let b = warp::uniform_triangle(Vec2::new(within.min(1.0), u.y));
+        let t = &self.triangles[i];
+        (t.p0 + b.x * t.e1 + b.y * t.e2, t.front)
+    }
+}

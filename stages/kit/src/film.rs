@@ -1,5 +1,6 @@
 //! The film: pixels with their origin at the bottom left, filled tile by tile in parallel.
 
+use crate::sampler::Sampling;
 use crate::{PixelSampler, Spectrum};
 use rayon::prelude::*;
 
@@ -130,11 +131,12 @@ impl Cell {
 pub fn render<S: Send>(
     size: FilmSize,
     cell: Cell,
-    seed: u64,
+    sampling: impl Into<Sampling>,
     new_state: impl Fn() -> S + Sync,
     pixel: impl Fn(&mut S, u32, u32, &mut PixelSampler) -> PixelEstimate + Sync,
     tile_done: impl Fn(Cell, &[PixelEstimate]) + Sync,
 ) -> (Film, Vec<S>) {
+    let sampling = sampling.into();
     let tiles: Vec<(Cell, Vec<PixelEstimate>, S)> = cell
         .tiles()
         .into_par_iter()
@@ -142,7 +144,7 @@ pub fn render<S: Send>(
             let mut state = new_state();
             let pixels: Vec<PixelEstimate> = tile
                 .pixels()
-                .map(|(x, y)| pixel(&mut state, x, y, &mut PixelSampler::new(x, y, seed)))
+                .map(|(x, y)| pixel(&mut state, x, y, &mut PixelSampler::new(x, y, sampling)))
                 .collect();
             tile_done(tile, &pixels);
             (tile, pixels, state)

@@ -31,6 +31,7 @@ pub mod ray;
 pub mod sampler;
 pub mod scene;
 pub mod shapes;
+mod sobol;
 pub mod spectrum;
 pub mod statistics;
 pub mod surface;

@@ -5,20 +5,54 @@
 //! of tiles.
 
 use crate::Vec2;
+use crate::sobol;
+
+/// How the samples of a pixel lie to each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pattern {
+    /// None knows of another.
+    #[default]
+    Independent,
+    /// Scrambled Sobol points: in every pair of dimensions the samples of a pixel keep apart, which leaves less noise.
+    /// Best with a power of two of them.
+    Sobol,
+}
+
+/// Where the random numbers of a picture come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sampling {
+    /// How the samples of a pixel lie to each other.
+    pub pattern: Pattern,
+    /// Different seeds give independent pictures.
+    pub seed: u64,
+}
+
+impl From<u64> for Sampling {
+    /// Independent samples.
+    fn from(seed: u64) -> Sampling {
+        Sampling {
+            pattern: Pattern::Independent,
+            seed,
+        }
+    }
+}
 
 /// The random numbers of one pixel, sample after sample, dimension after dimension.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PixelSampler {
+    pattern: Pattern,
     key: u64,
     samples_started: u32,
     dimension: u32,
 }
 
 impl PixelSampler {
-    /// The sampler of the pixel in column `x` and row `y`. Different seeds give independent pictures.
-    pub fn new(x: u32, y: u32, seed: u64) -> PixelSampler {
+    /// The sampler of the pixel in column `x` and row `y`. `sampling` may be a seed alone.
+    pub fn new(x: u32, y: u32, sampling: impl Into<Sampling>) -> PixelSampler {
+        let Sampling { pattern, seed } = sampling.into();
         let pixel = u64::from(y) << 32 | u64::from(x);
         PixelSampler {
+            pattern,
             key: mix(pixel ^ mix(seed)),
             samples_started: 0,
             dimension: 0,
@@ -36,17 +70,40 @@ impl PixelSampler {
     /// The next number of the current sample: uniform in [0, 1).
     #[inline]
     pub fn next_1d(&mut self) -> f64 {
+        match self.pattern {
+            Pattern::Independent => self.independent(),
+            Pattern::Sobol => self.sobol().x,
+        }
+    }
+
+    /// The next two numbers of the current sample: uniform in [0, 1)².
+    #[inline]
+    pub fn next_2d(&mut self) -> Vec2 {
+        match self.pattern {
+            Pattern::Independent => {
+                let x = self.independent();
+                Vec2::new(x, self.independent())
+            }
+            Pattern::Sobol => self.sobol(),
+        }
+    }
+
+    #[inline]
+    fn independent(&mut self) -> f64 {
         let counter = u64::from(self.samples_started) << 32 | u64::from(self.dimension);
         self.dimension += 1;
         // 53 bits: every result is a float below 1, exactly.
         (mix(self.key ^ mix(counter)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// The next two numbers of the current sample: uniform in [0, 1)².
+    /// A point of this dimension's own sequence; its number is that of the sample.
     #[inline]
-    pub fn next_2d(&mut self) -> Vec2 {
-        let x = self.next_1d();
-        Vec2::new(x, self.next_1d())
+    fn sobol(&mut self) -> Vec2 {
+        let key = mix(self.key ^ mix(u64::from(self.dimension)));
+        self.dimension += 1;
+        // The first sample is number 1 here; before it, the numbers of a sample 0 are as good as any.
+        let [x, y] = sobol::point(self.samples_started.wrapping_sub(1), key);
+        Vec2::new(f64::from(x), f64::from(y)) / (1_u64 << 32) as f64
     }
 }
 
@@ -57,4 +114,103 @@ fn mix(x: u64) -> u64 {
     let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     x ^ (x >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Tally;
+
+    fn both() -> [Sampling; 2] {
+        [Pattern::Independent, Pattern::Sobol].map(|pattern| Sampling { pattern, seed: 3 })
+    }
+
+    #[test]
+    fn numbers_are_uniform_and_below_one() {
+        for sampling in both() {
+            let mut sampler = PixelSampler::new(4, 2, sampling);
+            let mut numbers = Tally::default();
+            for _ in 0..4096 {
+                let p = sampler.get_sample();
+                for x in [p.x, p.y, sampler.next_1d()] {
+                    assert!((0.0..1.0).contains(&x));
+                    numbers.push(x);
+                }
+            }
+            // Standard error 0.0026 at most.
+            assert!((numbers.mean() - 0.5).abs() < 0.013);
+            assert!((numbers.variance() - 1.0 / 12.0).abs() < 0.005);
+        }
+    }
+
+    /// A number depends on where it is used, not on what was drawn before in other samples.
+    #[test]
+    fn samples_do_not_know_how_many_numbers_the_others_took() {
+        for sampling in both() {
+            let (mut a, mut b) = (
+                PixelSampler::new(1, 2, sampling),
+                PixelSampler::new(1, 2, sampling),
+            );
+            a.get_sample();
+            b.get_sample();
+            a.next_2d();
+            assert_eq!(a.get_sample(), b.get_sample());
+            assert_eq!(a.next_1d(), b.next_1d());
+        }
+    }
+
+    #[test]
+    fn pixels_and_seeds_differ() {
+        for sampling in both() {
+            let first = |x, y, sampling: Sampling| PixelSampler::new(x, y, sampling).get_sample();
+            let other = Sampling {
+                seed: 4,
+                ..sampling
+            };
+            assert_ne!(first(1, 2, sampling), first(2, 1, sampling));
+            assert_ne!(first(1, 2, sampling), first(1, 2, other));
+        }
+    }
+
+    /// What Sobol points are for: the mean of a smooth function over 256 samples, in a later dimension. Independent samples
+    /// have a standard error of 0.018 here.
+    #[test]
+    fn sobol_points_leave_less_noise() {
+        let error = |sampling| {
+            let means: Tally = (0..64)
+                .map(|x| {
+                    let mut sampler = PixelSampler::new(x, 0, sampling);
+                    let values = (0..256).map(|_| {
+                        sampler.get_sample();
+                        sampler.next_1d();
+                        let p = sampler.next_2d();
+                        p.x + p.y * p.y
+                    });
+                    values.collect::<Tally>().mean()
+                })
+                .collect();
+            means.variance().sqrt()
+        };
+        let [independent, sobol] = both().map(error);
+        assert!(sobol < 0.02 * independent, "{sobol} {independent}");
+    }
+
+    /// Two dimensions of Sobol points know nothing of each other.
+    #[test]
+    fn dimensions_are_not_correlated() {
+        for sampling in both() {
+            let mut sampler = PixelSampler::new(0, 0, sampling);
+            let products: Tally = (0..4096)
+                .map(|_| {
+                    let p = sampler.get_sample();
+                    (p.x - 0.5) * (sampler.next_1d() - 0.5)
+                })
+                .collect();
+            assert!(
+                products.mean().abs() < 5.0 / 12.0 / 64.0,
+                "{}",
+                products.mean()
+            );
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use crate::error::GraderError;
 use crate::workspace::Workspace;
 use std::io::Read;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// How building a worker ended.
@@ -15,55 +15,83 @@ pub enum Built {
     DoesNotCompile,
 }
 
-/// Builds the worker of `workspace` with the given cargo features, in release. Cargo's progress and errors
-/// go to stderr as they come.
+/// A build of the worker, in release.
+#[derive(Clone, Copy, Debug)]
+pub struct Build<'a> {
+    /// The workspace's top folder.
+    pub root: &'a Path,
+    /// Cargo features: the stages to link.
+    pub features: &'a [&'a str],
+    /// Where cargo keeps what it builds, if not in the workspace.
+    pub target: Option<&'a Path>,
+}
+
+/// Builds the worker of `workspace` with the given cargo features. Cargo's progress and errors go to stderr as
+/// they come.
 pub fn worker(workspace: &Workspace, features: &[&str]) -> Result<Built, GraderError> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut child = Command::new(&cargo)
-        .current_dir(workspace.root())
-        .args([
-            "build",
-            "--release",
-            "--package",
-            "worker",
-            "--bin",
-            "worker",
-            "--no-default-features",
-        ])
-        .args([
-            "--features",
-            &features.join(","),
-            "--message-format",
-            "json-render-diagnostics",
-        ])
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(|e| {
-            GraderError::new(format!(
-                "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
-                cargo.display()
-            ))
-        })?;
-    let mut messages = String::new();
-    let mut stdout = child
-        .stdout
-        .take()
-        .ok_or_else(|| GraderError::new("cargo has no output"))?;
-    stdout
-        .read_to_string(&mut messages)
-        .map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
-    let status = child
-        .wait()
-        .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
-    if !status.success() {
-        return Ok(Built::DoesNotCompile);
+    Build {
+        root: workspace.root(),
+        features,
+        target: None,
     }
-    let program = messages.lines().filter_map(executable_of).next_back();
-    let program = program.ok_or_else(|| {
-        GraderError::new("cargo built no worker. Is `grader/worker` in the workspace?")
-    })?;
-    keep_apart(program, features)
+    .run()
+}
+
+impl Build<'_> {
+    /// Runs cargo. Its progress and errors go to stderr as they come.
+    pub fn run(&self) -> Result<Built, GraderError> {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let mut command = Command::new(&cargo);
+        command
+            .current_dir(self.root)
+            .args([
+                "build",
+                "--release",
+                "--package",
+                "worker",
+                "--bin",
+                "worker",
+                "--no-default-features",
+            ])
+            .args([
+                "--features",
+                &self.features.join(","),
+                "--message-format",
+                "json-render-diagnostics",
+            ]);
+        if let Some(target) = self.target {
+            command.arg("--target-dir").arg(target);
+        }
+        let mut child = command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(|e| {
+                GraderError::new(format!(
+                    "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
+                    cargo.display()
+                ))
+            })?;
+        let mut messages = String::new();
+        let mut stdout = child
+            .stdout
+            .take()
+            .ok_or_else(|| GraderError::new("cargo has no output"))?;
+        stdout
+            .read_to_string(&mut messages)
+            .map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
+        let status = child
+            .wait()
+            .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
+        if !status.success() {
+            return Ok(Built::DoesNotCompile);
+        }
+        let program = messages.lines().filter_map(executable_of).next_back();
+        let program = program.ok_or_else(|| {
+            GraderError::new("cargo built no worker. Is `grader/worker` in the workspace?")
+        })?;
+        keep_apart(program, self.features)
+    }
 }
 
 /// The program that one of cargo's JSON messages speaks of.

@@ -5,10 +5,9 @@ use crate::compile::{self, Built};
 use crate::course::{Course, Task, Tier};
 use crate::error::GraderError;
 use crate::judge;
-use crate::runner::{self, Ending};
+use crate::runner::{self, Ending, Worker};
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::workspace::Workspace;
-use std::path::Path;
 use wire::Outcome;
 
 /// What to grade.
@@ -48,9 +47,13 @@ pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderEr
             Built::DoesNotCompile => {
                 results.extend(tasks.iter().map(|task| does_not_compile(task)))
             }
-            Built::Worker(worker) => {
-                results.extend(grade_stage(&course, &tasks, &specs, &worker, &mut printed)?)
-            }
+            Built::Worker(program) => results.extend(grade_tasks(
+                &course,
+                &tasks,
+                &specs,
+                &program.into(),
+                &mut printed,
+            )?),
         }
     }
     results.sort_by(|a, b| a.key.cmp(&b.key));
@@ -60,11 +63,12 @@ pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderEr
     })
 }
 
-fn grade_stage(
+/// Runs the cases of `tasks` in `worker` and scores them.
+pub fn grade_tasks(
     course: &Course,
     tasks: &[&Task],
     specs: &[Spec],
-    worker: &Path,
+    worker: &Worker,
     printed: &mut String,
 ) -> Result<Vec<TaskResult>, GraderError> {
     let mut chosen = Vec::new();

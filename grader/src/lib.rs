@@ -12,6 +12,7 @@ pub mod course;
 pub mod error;
 pub mod grade;
 pub mod judge;
+pub mod mutants;
 pub mod picture;
 pub mod report;
 pub mod runner;

@@ -3,7 +3,7 @@
 use crate::error::GraderError;
 use std::collections::HashMap;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
 use wire::{Case, Frame, Outcome, Record, file};
 
@@ -43,8 +43,26 @@ const MEMORY_MB: u32 = 4096;
 /// How much of what a student prints is kept.
 const PRINTED_BYTES: usize = 4096;
 
+/// A worker to run.
+#[derive(Clone, Debug)]
+pub struct Worker {
+    /// The program.
+    pub program: PathBuf,
+    /// Environment variables that it is given.
+    pub environment: Vec<(&'static str, String)>,
+}
+
+impl From<PathBuf> for Worker {
+    fn from(program: PathBuf) -> Worker {
+        Worker {
+            program,
+            environment: Vec::new(),
+        }
+    }
+}
+
 /// Runs `cases` in the program `worker`. A case that ends the worker costs only itself.
-pub fn run(worker: &Path, cases: &[Case]) -> Result<Run, GraderError> {
+pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let folder = tempfile::tempdir()
         .map_err(|e| GraderError::new(format!("cannot make a temporary folder: {e}")))?;
     let records = folder.path().join("records");
@@ -114,7 +132,7 @@ pub fn run(worker: &Path, cases: &[Case]) -> Result<Run, GraderError> {
 
 /// Runs one worker to its end and adds what it printed to `printed`.
 fn one_worker(
-    worker: &Path,
+    worker: &Worker,
     folder: &Path,
     cases: &[Case],
     first: usize,
@@ -123,7 +141,8 @@ fn one_worker(
     let (cases_file, records) = (folder.join("cases"), folder.join("records"));
     file::write_cases(&cases_file, cases)
         .map_err(|e| GraderError::file("write", &cases_file, e))?;
-    let mut child = Command::new(worker)
+    let mut child = Command::new(&worker.program)
+        .envs(worker.environment.iter().map(|(name, value)| (name, value)))
         .arg(&cases_file)
         .arg(&records)
         .arg(first.to_string())
@@ -133,7 +152,7 @@ fn one_worker(
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
-        .map_err(|e| GraderError::file("start", worker, e))?;
+        .map_err(|e| GraderError::file("start", &worker.program, e))?;
     let stdout = child
         .stdout
         .take()
@@ -144,7 +163,7 @@ fn one_worker(
         .map(|pipe| std::thread::spawn(move || tail(pipe)));
     let status = child
         .wait()
-        .map_err(|e| GraderError::file("wait for", worker, e))?;
+        .map_err(|e| GraderError::file("wait for", &worker.program, e))?;
     for reader in [stdout, stderr].into_iter().flatten() {
         printed.push_str(&reader.join().unwrap_or_default());
     }

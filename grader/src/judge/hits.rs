@@ -1,7 +1,7 @@
 //! Judging a hit record against what is right.
 
 use super::expected::{Decision, Expected, ExpectedHit};
-use super::tally::{Aspect, Tally};
+use super::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use wire::answer::Hit;
 use wire::work::Ray;
@@ -23,7 +23,12 @@ pub(super) fn decision(
         Decision::Hit => answered.is_some(),
         Decision::Miss => answered.is_none(),
     };
-    tally.judge(Aspect::Decision, call, right, 1.0, || match answered {
+    let class = match answered {
+        _ if right => None,
+        Some(_) => Some(Class::FalseHit),
+        None => Some(Class::FalseMiss),
+    };
+    tally.judge_class(Aspect::Decision, call, class, 1.0, || match answered {
         None => {
             let t = expected.hit.map_or(f64::NAN, |hit| hit.t);
             format!(
@@ -67,7 +72,8 @@ pub(super) fn t(
     ray: &Ray,
 ) {
     let off = (answered - hit.t).abs();
-    tally.judge(Aspect::T, call, off <= hit.t_bound, off / hit.t_bound, || {
+    let class = wrong_unless(off <= hit.t_bound, || Class::of_number(answered, hit.t));
+    tally.judge_class(Aspect::T, call, class, off / hit.t_bound, || {
         format!(
             "{function} gives t = {answered}, right is {} (off by {off:.3e}, allowed {:.3e}). {}",
             hit.t,
@@ -75,6 +81,10 @@ pub(super) fn t(
             show_ray(ray)
         )
     });
+}
+
+fn wrong_unless(right: bool, class: impl FnOnce() -> Class) -> Option<Class> {
+    if right { None } else { Some(class()) }
 }
 
 /// Barycentric weights of `p1` and `p2`.
@@ -186,33 +196,30 @@ fn normal(
     let off = right.map_or(0.0, |n| (given - n).abs().max_element());
     let off = if given.is_nan() { f64::NAN } else { off };
     let name = if aspect == Aspect::Normal { "n" } else { "ng" };
-    tally.judge(
-        aspect,
-        call,
-        off <= bound && is_unit,
-        off.max(length_off),
-        || match right {
-            _ if !is_unit => {
-                format!(
-                    "{function} gives {name} = {} of length {}, not 1. {}",
-                    show(given),
-                    given.length(),
-                    show_ray(ray)
-                )
-            }
-            Some(n) => format!(
-                "{function} gives {name} = {}, right is {}. {}",
+    let class = wrong_unless(off <= bound && is_unit, || {
+        right.map_or(Class::Wrong, |right| Class::of_direction(given, right))
+    });
+    tally.judge_class(aspect, call, class, off.max(length_off), || match right {
+        _ if !is_unit => {
+            format!(
+                "{function} gives {name} = {} of length {}, not 1. {}",
                 show(given),
-                show(n),
+                given.length(),
                 show_ray(ray)
-            ),
-            None => format!(
-                "{function} gives {name} = {}. {}",
-                show(given),
-                show_ray(ray)
-            ),
-        },
-    );
+            )
+        }
+        Some(n) => format!(
+            "{function} gives {name} = {}, right is {}. {}",
+            show(given),
+            show(n),
+            show_ray(ray)
+        ),
+        None => format!(
+            "{function} gives {name} = {}. {}",
+            show(given),
+            show_ray(ray)
+        ),
+    });
 }
 
 /// The ray after the call: shortened to a hit, untouched by a miss.

@@ -1,5 +1,6 @@
 //! Counting right and wrong answers, aspect by aspect.
 
+use kit::Vec3;
 use serde::Serialize;
 
 /// One side of an answer that is scored by itself.
@@ -82,6 +83,61 @@ impl Aspect {
     }
 }
 
+/// The class of a wrong answer: what the same mistake shows whatever formula it is made in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Class {
+    /// Nothing more is known than that it is wrong.
+    Wrong,
+    /// A hit where there is none.
+    FalseHit,
+    /// No hit where there is one.
+    FalseMiss,
+    /// A number that is not one.
+    NotANumber,
+    /// The right number or direction with its sign turned.
+    Negated,
+    /// The right direction with another length.
+    WrongLength,
+    /// A number whose ratio to the right one is about 2 to this power.
+    Ratio(i8),
+    /// An infinite number.
+    Infinite,
+}
+
+impl Class {
+    /// The class of a wrong number.
+    pub fn of_number(answered: f64, right: f64) -> Class {
+        let ratio = answered / right;
+        if answered.is_nan() {
+            Class::NotANumber
+        } else if answered.is_infinite() {
+            Class::Infinite
+        } else if (ratio + 1.0).abs() < SAME {
+            Class::Negated
+        } else if ratio.is_finite() && ratio > 0.0 {
+            Class::Ratio(ratio.log2().round().clamp(-99.0, 99.0) as i8)
+        } else {
+            Class::Wrong
+        }
+    }
+
+    /// The class of a wrong unit vector.
+    pub fn of_direction(answered: Vec3, right: Vec3) -> Class {
+        if answered.is_nan() {
+            Class::NotANumber
+        } else if (answered + right).length() < SAME {
+            Class::Negated
+        } else if (answered.normalize_or_zero() - right).length() < SAME {
+            Class::WrongLength
+        } else {
+            Class::Wrong
+        }
+    }
+}
+
+/// Wrong answers this close to the right one, but for sign or length, are of that class.
+const SAME: f64 = 1e-6;
+
 /// What was found about one aspect in one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
@@ -95,6 +151,9 @@ pub struct Finding {
     pub wrong: u32,
     /// The worst of them.
     pub worst: Option<Worst>,
+    /// Each of them: its call and its class.
+    #[serde(skip)]
+    pub faults: Vec<(u32, Class)>,
 }
 
 /// The worst wrong answer.
@@ -136,12 +195,25 @@ impl Tally {
         badness: f64,
         message: impl FnOnce() -> String,
     ) {
+        let class = (!right).then_some(Class::Wrong);
+        self.judge_class(aspect, call, class, badness, message);
+    }
+
+    /// The same for an answer that is wrong in a way that has a class; `None` if it is right.
+    pub fn judge_class(
+        &mut self,
+        aspect: Aspect,
+        call: usize,
+        class: Option<Class>,
+        badness: f64,
+        message: impl FnOnce() -> String,
+    ) {
         let finding = self.entry(aspect);
         finding.judged += 1;
-        if right {
-            return;
-        }
+        let Some(class) = class else { return };
         finding.wrong += 1;
+        let call = u32::try_from(call).unwrap_or(u32::MAX);
+        finding.faults.push((call, class));
         // NaN is as bad as it gets.
         let badness = if badness.is_nan() {
             f64::INFINITY
@@ -153,7 +225,6 @@ impl Tally {
             .as_ref()
             .is_none_or(|worst| badness > worst.badness)
         {
-            let call = u32::try_from(call).unwrap_or(u32::MAX);
             finding.worst = Some(Worst {
                 call,
                 badness,
@@ -179,6 +250,7 @@ impl Tally {
                     judged: 0,
                     wrong: 0,
                     worst: None,
+                    faults: Vec::new(),
                 });
                 self.findings.len() - 1
             });

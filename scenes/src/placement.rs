@@ -105,7 +105,8 @@ pub(crate) fn other_fov(fov: f64, ratio: f64) -> f64 {
     2.0 * math::atan2(half_tan(fov) * ratio, 1.0).to_degrees()
 }
 
-fn half_tan(fov: f64) -> f64 {
+/// Tangent of half an angle given in degrees.
+pub(crate) fn half_tan(fov: f64) -> f64 {
     math::tan(0.5 * fov.to_radians())
 }
 

@@ -1,5 +1,7 @@
 //! The scenes of the original course, where they are at hand: set `FIRSTLIGHT_SCENES` to their folder.
 
+use kit::FilmSize;
+use scenes::{CameraFile, placement};
 use std::path::PathBuf;
 
 fn folder() -> Option<PathBuf> {
@@ -44,5 +46,108 @@ fn every_course_file_loads() {
         assert_eq!(found, expected, "{name}\n{warnings}");
         assert_eq!(scene.object_of.len(), scene.len(), "{name}");
         assert!(scene.camera.is_some(), "{name}");
+    }
+}
+
+/// The direction in which the original program frames a scene: the point one unit ahead of the file's
+/// camera, taken as a direction from the origin.
+fn original_direction(camera: &kit::Camera, matrix_scale: f64) -> kit::Vec3 {
+    camera.pos - matrix_scale * camera.c2w.z_axis
+}
+
+/// The original reads numbers as `float` and sums boxes in them: its cameras agree with ours to about 7 digits.
+const FLOAT_SLACK: f64 = 3e-7;
+
+#[test]
+fn framing_gives_the_cameras_that_the_original_wrote() {
+    let Some(folder) = folder() else { return };
+    let Some(reference) = folder.parent().map(|parent| parent.join("reference")) else {
+        return;
+    };
+    let mut compared = 0;
+    for (name, _) in EXPECTED {
+        let path = reference.join(format!("{name}.cam.txt"));
+        if !path.exists() {
+            continue;
+        }
+        let file = CameraFile::load(path).unwrap_or_else(|e| panic!("{e}"));
+        let scene = scenes::load(folder.join(name).with_extension("dae"))
+            .unwrap()
+            .scene;
+        let camera = scene.camera.unwrap();
+        // The camera's matrix in these files is scaled by 0.38.
+        let scale = if ["cow", "maxplanck", "teapot"].contains(&name) {
+            0.3801742
+        } else {
+            1.0
+        };
+
+        // The frame is fitted to the original's first window, then cut to -r at the same focal length.
+        let direction = original_direction(&camera, scale);
+        let view = placement::frame(&scene, direction, FilmSize { w: 800, h: 600 });
+        let cut = |fov: f64, share: f64| {
+            2.0 * libm::atan(share * libm::tan(fov.to_radians() / 2.0)).to_degrees()
+        };
+        let expected = &file.view.camera;
+        let near = |a: f64, b: f64, what: &str| {
+            assert!(
+                (a - b).abs() <= FLOAT_SLACK * b.abs().max(1.0),
+                "{name}: {what} {a} {b}"
+            )
+        };
+        near(
+            cut(view.camera.h_fov, 480.0 / 800.0),
+            expected.h_fov,
+            "hFov",
+        );
+        near(
+            cut(view.camera.v_fov, 360.0 / 600.0),
+            expected.v_fov,
+            "vFov",
+        );
+        near(view.camera.n_clip, expected.n_clip, "nClip");
+        near(view.camera.f_clip, expected.f_clip, "fClip");
+        near(view.target.distance(file.view.target), 0.0, "target");
+        near(view.camera.pos.distance(expected.pos), 0.0, "pos");
+        for i in 0..3 {
+            near(
+                view.camera.c2w.col(i).distance(expected.c2w.col(i)),
+                0.0,
+                "c2w",
+            );
+        }
+        compared += 1;
+    }
+    println!("compared {compared} cameras");
+}
+
+#[test]
+fn camera_files_of_the_original_are_written_as_they_were_read() {
+    let Some(folder) = folder() else { return };
+    let Some(reference) = folder.parent().map(|parent| parent.join("reference")) else {
+        return;
+    };
+    let Ok(files) = std::fs::read_dir(reference) else {
+        return;
+    };
+    for path in files.map(|entry| entry.unwrap().path()) {
+        if path.extension().is_none_or(|ending| ending != "txt") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).unwrap();
+        let written = CameraFile::parse("original", &text).unwrap().to_string();
+        let numbers = |text: &str| -> Vec<f64> {
+            text.split_whitespace()
+                .map(|w| w.parse().unwrap())
+                .collect()
+        };
+        for (was, is) in numbers(&text).into_iter().zip(numbers(&written)) {
+            // Numbers that follow from others are computed anew: they differ in the last digits.
+            assert!(
+                (was - is).abs() <= 1e-12 * was.abs().max(1.0),
+                "{}: {was} {is}",
+                path.display()
+            );
+        }
     }
 }

@@ -1,0 +1,410 @@
+//! Camera files, as `-c` reads them and the key `D` of the original program writes them.
+//!
+//! Twenty-eight numbers with white space between them:
+//!
+//! ```text
+//! hFov vFov aspect nClip fClip                   angles of view in degrees
+//! pos.x pos.y pos.z target.x target.y target.z   world space
+//! phi theta r minR maxR                          the same position about the target, in radians
+//! c2w, row by row                                columns: right, up, backward
+//! screenW screenH screenDist                     in pixels
+//! ```
+//!
+//! Numbers are written with 17 digits, so what is read back is the same to the last bit. `aspect`, `phi`,
+//! `theta`, `r` and `screenDist` follow from the rest: they are written, and passed over when read.
+
+use crate::collada::read_text;
+use crate::diagnostic::{Diagnostic, SceneError};
+use crate::placement::{View, half_tan};
+use kit::{Camera, FilmSize, Mat3, Vec3, math};
+use std::fmt;
+use std::ops::Range;
+use std::path::Path;
+
+/// The content of a camera file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CameraFile {
+    /// The camera and its target.
+    pub view: View,
+    /// The film that the camera was set up for.
+    pub film: FilmSize,
+    /// How near to the target an interactive camera may come.
+    pub min_r: f64,
+    /// How far from the target an interactive camera may go.
+    pub max_r: f64,
+}
+
+/// What the numbers are called, in their order.
+const NAMES: [&str; 28] = [
+    "hFov",
+    "vFov",
+    "aspect",
+    "nClip",
+    "fClip", // line 1
+    "pos.x",
+    "pos.y",
+    "pos.z",
+    "target.x",
+    "target.y",
+    "target.z", // line 2
+    "phi",
+    "theta",
+    "r",
+    "minR",
+    "maxR", // line 3
+    "c2w[0][0]",
+    "c2w[0][1]",
+    "c2w[0][2]", // line 4
+    "c2w[1][0]",
+    "c2w[1][1]",
+    "c2w[1][2]", //
+    "c2w[2][0]",
+    "c2w[2][1]",
+    "c2w[2][2]", //
+    "screenW",
+    "screenH",
+    "screenDist", // line 5
+];
+
+/// How far `c2w` may be from a rotation: what rounding leaves, and files with 7 digits.
+const ROTATION_SLACK: f64 = 1e-5;
+
+/// An interactive camera comes as near to its target as this share of its distance, and ...
+const MIN_R_SHARE: f64 = 0.05;
+/// ... goes as far as this multiple: the original's numbers.
+const MAX_R_SHARE: f64 = 10.0;
+
+/// Largest width or height that is read.
+const MAX_SCREEN: f64 = 1_000_000.0;
+
+impl CameraFile {
+    /// The file for a view on a film.
+    pub fn new(view: View, film: FilmSize) -> CameraFile {
+        let r = (view.camera.pos - view.target).length();
+        CameraFile {
+            view,
+            film,
+            min_r: MIN_R_SHARE * r,
+            max_r: MAX_R_SHARE * r,
+        }
+    }
+
+    /// Reads a camera file.
+    pub fn load(path: impl AsRef<Path>) -> Result<CameraFile, SceneError> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        CameraFile::parse(&name, &read_text(path, &name)?)
+    }
+
+    /// Reads a camera file from its text. `name` stands for the file in errors.
+    pub fn parse(name: &str, text: &str) -> Result<CameraFile, SceneError> {
+        let numbers = Numbers::read(name, text)?;
+        let n = &numbers.values;
+        numbers.check(&[0, 1], "more than 0 and less than 180", |angle| {
+            angle > 0.0 && angle < 180.0
+        })?;
+        numbers.check(&[3], "a number >= 0", |near| near >= 0.0)?;
+        numbers.check(&[4], "more than nClip", |far| far > n[3])?;
+        numbers.check(&[25, 26], "a whole number from 1", |size| {
+            (1.0..=MAX_SCREEN).contains(&size) && size.fract() == 0.0
+        })?;
+        let row = |i: usize| Vec3::new(n[i], n[i + 1], n[i + 2]);
+        let c2w = Mat3::from_cols(row(16), row(19), row(22)).transpose();
+        if !is_rotation(&c2w) {
+            let finding =
+                numbers.finding(16, "c2w is not a rotation", "the nine numbers from here");
+            let help = "its columns must be unit vectors at right angles: right, up, backward";
+            return Err(finding.help(help).into());
+        }
+        let camera = Camera {
+            pos: row(5),
+            c2w,
+            h_fov: n[0],
+            v_fov: n[1],
+            n_clip: n[3],
+            f_clip: n[4],
+        };
+        Ok(CameraFile {
+            view: View {
+                camera,
+                target: row(8),
+            },
+            film: FilmSize {
+                w: n[25] as u32,
+                h: n[26] as u32,
+            },
+            min_r: n[14],
+            max_r: n[15],
+        })
+    }
+}
+
+fn is_rotation(m: &Mat3) -> bool {
+    let square = m.transpose() * *m;
+    let off = (0..3)
+        .any(|i| (square.col(i) - Mat3::IDENTITY.col(i)).abs().max_element() > ROTATION_SLACK);
+    !off && m.determinant() > 0.0
+}
+
+/// The numbers of a file and where they stand.
+struct Numbers<'a> {
+    name: &'a str,
+    text: &'a str,
+    values: Vec<f64>,
+    places: Vec<Range<usize>>,
+}
+
+impl<'a> Numbers<'a> {
+    fn read(name: &'a str, text: &'a str) -> Result<Numbers<'a>, SceneError> {
+        let mut numbers = Numbers {
+            name,
+            text,
+            values: Vec::new(),
+            places: Vec::new(),
+        };
+        for word in text.split_ascii_whitespace() {
+            let start = word.as_ptr() as usize - text.as_ptr() as usize;
+            let place = start..start + word.len();
+            let index = numbers.values.len();
+            numbers.places.push(place);
+            let Some(what) = NAMES.get(index) else {
+                let title = format!("the file has more than {} numbers", NAMES.len());
+                let help = "is it a camera file? The key D in the viewer writes one";
+                return Err(numbers
+                    .finding(index, title, "expected the end of the file")
+                    .help(help)
+                    .into());
+            };
+            match word.parse::<f64>() {
+                Ok(value) if value.is_finite() => numbers.values.push(value),
+                _ => {
+                    let title = format!("{what} is not a finite number");
+                    let help = "write numbers like -1.5 or 2e-3, with spaces between them";
+                    return Err(numbers
+                        .finding(index, title, "expected a number")
+                        .help(help)
+                        .into());
+                }
+            }
+        }
+        if let Some(next) = NAMES.get(numbers.values.len()) {
+            let title = format!(
+                "the file has {} numbers, {next} is missing",
+                numbers.values.len()
+            );
+            let finding = Diagnostic::about_file(name, title);
+            let help = format!(
+                "a camera file has {}: angles, position, c2w and screen",
+                NAMES.len()
+            );
+            return Err(finding
+                .at(text, text.len()..text.len(), format!("expected {next}"))
+                .help(help)
+                .into());
+        }
+        Ok(numbers)
+    }
+
+    fn finding(&self, index: usize, title: impl Into<String>, expected: &str) -> Diagnostic {
+        Diagnostic::about_file(self.name, title).at(self.text, self.places[index].clone(), expected)
+    }
+
+    fn check(
+        &self,
+        indices: &[usize],
+        expected: &str,
+        valid: impl Fn(f64) -> bool,
+    ) -> Result<(), SceneError> {
+        match indices.iter().find(|i| !valid(self.values[**i])) {
+            None => Ok(()),
+            Some(i) => {
+                let title = format!("{} is {}", NAMES[*i], self.values[*i]);
+                let help = format!("correct {}", NAMES[*i]);
+                Err(self
+                    .finding(*i, title, &format!("expected {expected}"))
+                    .help(help)
+                    .into())
+            }
+        }
+    }
+}
+
+/// The text of the file.
+impl fmt::Display for CameraFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Camera {
+            pos,
+            c2w,
+            h_fov,
+            v_fov,
+            n_clip,
+            f_clip,
+        } = self.view.camera;
+        let target = self.view.target;
+        let backward = pos - target;
+        let r = backward.length();
+        let phi = math::acos((backward.y / r).clamp(-1.0, 1.0));
+        let theta = math::atan2(backward.x, backward.z);
+        let aspect = half_tan(h_fov) / half_tan(v_fov);
+        let (w, h) = (f64::from(self.film.w), f64::from(self.film.h));
+        let screen_dist = h / (2.0 * half_tan(v_fov));
+        let rows = c2w.transpose();
+        let lines: [&[f64]; 5] = [
+            &[h_fov, v_fov, aspect, n_clip, f_clip],
+            &[pos.x, pos.y, pos.z, target.x, target.y, target.z],
+            &[
+                if phi.is_nan() { 0.0 } else { phi },
+                theta,
+                r,
+                self.min_r,
+                self.max_r,
+            ],
+            &[rows.x_axis, rows.y_axis, rows.z_axis]
+                .map(|row| row.to_array())
+                .concat(),
+            &[w, h, screen_dist],
+        ];
+        for line in lines {
+            let words: Vec<String> = line.iter().map(|number| digits(*number)).collect();
+            writeln!(f, "{}", words.join(" "))?;
+        }
+        Ok(())
+    }
+}
+
+/// A number with 17 significant digits, as C's `%.17g` writes it: enough to read back the same float.
+fn digits(number: f64) -> String {
+    let scientific = format!("{number:.16e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let trim = |text: &str| match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
+    };
+    if (-4..17).contains(&exponent) {
+        trim(&format!("{number:.*}", (16 - exponent) as usize))
+    } else {
+        let sign = if exponent < 0 { '-' } else { '+' };
+        format!("{}e{sign}{:02}", trim(mantissa), exponent.abs())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const EXAMPLE: &str = "50 38.5 1.3333333333333333 0.1 100\n1 2 3 1 2 -1\n1.57 0 4 0.2 40\n\
+                           1 0 0 0 1 0 0 0 1\n480 360 515.3\n";
+
+    fn refused(text: &str) -> SceneError {
+        CameraFile::parse("a.cam", text).expect_err("the file is wrong")
+    }
+
+    #[test]
+    fn reads_what_the_lines_say() {
+        let file = CameraFile::parse("a.cam", EXAMPLE).unwrap();
+        assert_eq!(file.view.camera.pos, Vec3::new(1.0, 2.0, 3.0));
+        assert_eq!(file.view.target, Vec3::new(1.0, 2.0, -1.0));
+        assert_eq!(
+            (file.view.camera.h_fov, file.view.camera.v_fov),
+            (50.0, 38.5)
+        );
+        assert_eq!(
+            (file.view.camera.n_clip, file.view.camera.f_clip),
+            (0.1, 100.0)
+        );
+        assert_eq!(file.film, FilmSize { w: 480, h: 360 });
+        assert_eq!((file.min_r, file.max_r), (0.2, 40.0));
+    }
+
+    #[test]
+    fn c2w_is_read_row_by_row() {
+        let turned = EXAMPLE.replace("1 0 0 0 1 0 0 0 1", "0 0 1 0 1 0 -1 0 0");
+        let camera = CameraFile::parse("a.cam", &turned).unwrap().view.camera;
+        assert_eq!(camera.c2w * Vec3::X, Vec3::NEG_Z);
+    }
+
+    #[test]
+    fn errors_name_the_number_and_its_line() {
+        let cut = refused("50 38.5 1.33");
+        assert_eq!(cut.0.title(), "the file has 3 numbers, nClip is missing");
+        let wide = refused(&EXAMPLE.replace("38.5", "180"));
+        assert_eq!(wide.0.title(), "vFov is 180");
+        assert_eq!(wide.0.line_and_column(), Some((1, 4)));
+        let text = refused(&EXAMPLE.replace("2 3 1", "2 three 1"));
+        assert_eq!(text.0.title(), "pos.z is not a finite number");
+        assert_eq!(text.0.line_and_column(), Some((2, 5)));
+        assert_eq!(
+            refused(&EXAMPLE.replace("0.1 100", "nan 100")).0.title(),
+            "nClip is not a finite number"
+        );
+        assert_eq!(
+            refused(&EXAMPLE.replace("0.1 100", "0.1 0.1")).0.title(),
+            "fClip is 0.1"
+        );
+        assert_eq!(
+            refused(&EXAMPLE.replace("480", "480.5")).0.title(),
+            "screenW is 480.5"
+        );
+        assert_eq!(
+            refused(&EXAMPLE.replace("1 0 0 0 1", "1 0 0 0 2"))
+                .0
+                .title(),
+            "c2w is not a rotation"
+        );
+        assert_eq!(
+            refused(&EXAMPLE.replace("1 0 0 0 1", "-1 0 0 0 1"))
+                .0
+                .title(),
+            "c2w is not a rotation"
+        );
+        assert_eq!(
+            refused(&format!("{EXAMPLE} 7")).0.title(),
+            "the file has more than 28 numbers"
+        );
+        assert_eq!(
+            refused("").0.title(),
+            "the file has 0 numbers, hFov is missing"
+        );
+    }
+
+    #[test]
+    fn digits_are_written_as_the_original_does() {
+        assert_eq!(digits(30.676389405523651), "30.676389405523651");
+        assert_eq!(digits(0.10000000149011612), "0.10000000149011612");
+        assert_eq!(digits(-7.498798913309288e-33), "-7.498798913309288e-33");
+        assert_eq!(digits(100.0), "100");
+        assert_eq!(digits(-0.0), "-0");
+        assert_eq!(digits(1e30), "1e+30");
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_written_is_read_back_to_the_last_bit(
+            fov in (1e-3..179.9_f64, 1e-3..179.9_f64),
+            pos in prop::array::uniform3(-1e6..1e6_f64),
+            turn in (-3.1..3.1_f64, -1.5..1.5_f64),
+            distance in 1e-3..1e3_f64,
+            size in (1..9999_u32, 1..9999_u32),
+        ) {
+            let backward = Vec3::new(
+                math::sin(turn.0) * math::cos(turn.1),
+                math::sin(turn.1),
+                math::cos(turn.0) * math::cos(turn.1),
+            );
+            let pos = Vec3::from(pos);
+            let camera = Camera {
+                pos,
+                c2w: Camera::look_at(backward, Vec3::ZERO, Vec3::Y).unwrap(),
+                h_fov: fov.0,
+                v_fov: fov.1,
+                n_clip: 0.1 * distance,
+                f_clip: 1e30,
+            };
+            let view = View { camera, target: pos - distance * backward };
+            let file = CameraFile::new(view, FilmSize { w: size.0, h: size.1 });
+            prop_assert_eq!(CameraFile::parse("a.cam", &file.to_string()).unwrap(), file);
+        }
+    }
+}

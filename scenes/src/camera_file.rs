@@ -371,8 +371,8 @@ mod tests {
 
     #[test]
     fn digits_are_written_as_the_original_does() {
-        assert_eq!(digits(30.676389405523651), "30.676389405523651");
-        assert_eq!(digits(0.10000000149011612), "0.10000000149011612");
+        assert_eq!(digits(2.0_f64.sqrt()), "1.4142135623730951");
+        assert_eq!(digits(f64::from(0.1_f32)), "0.10000000149011612");
         assert_eq!(digits(-7.498798913309288e-33), "-7.498798913309288e-33");
         assert_eq!(digits(100.0), "100");
         assert_eq!(digits(-0.0), "-0");

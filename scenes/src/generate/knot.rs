@@ -1,0 +1,99 @@
+//! A rope tied into a trefoil: strands of long thin triangles that cross each other everywhere.
+
+use super::indexed_mesh::IndexedMesh;
+use kit::{Vec3, math};
+use std::f64::consts::TAU;
+
+/// Radius of the rope in units of the knot's own torus, whose tube has radius 1 about a circle of radius 2.
+const ROPE: f64 = 0.42;
+/// From those units to the cube.
+const SCALE: f64 = 0.275;
+/// Full turns of the strands about the rope: a whole number, so that each strand closes.
+const TWISTS: f64 = 2.0;
+/// Angle between one strand and the next: the golden angle spreads them evenly over the rope's section
+/// (H. Vogel, "A better way to construct the sunflower head", 1979).
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+/// Sides of a strand.
+const SIDES: usize = 3;
+
+/// The largest such mesh of at most `triangles` triangles: 6 for each segment of each strand. Segments grow in number
+/// slowly, strands quickly, so that triangles get thinner as they get more.
+pub(super) fn mesh(triangles: usize) -> IndexedMesh {
+    let wanted = triangles.max(1) as f64;
+    let segments = (60.0 * math::pow(wanted / 1e5, 0.2)).round().max(12.0) as usize;
+    let strands = (wanted / (2 * SIDES * segments) as f64).floor().max(1.0) as usize;
+    let mut mesh = IndexedMesh::default();
+    mesh.positions.reserve(strands * segments * SIDES);
+    mesh.faces.reserve(2 * strands * segments * SIDES);
+    let section: Vec<Section> = (0..segments)
+        .map(|i| Section::at(TAU * i as f64 / segments as f64))
+        .collect();
+    for strand in 0..strands {
+        add_strand(&mut mesh, &section, strand, strands);
+    }
+    mesh
+}
+
+/// A cross-section of the rope.
+struct Section {
+    center: Vec3,
+    /// Two directions at right angles to the rope, turned by the twist.
+    across: [Vec3; 2],
+}
+
+impl Section {
+    /// At parameter `t` of the trefoil, which goes twice round the torus and three times round its tube.
+    fn at(t: f64) -> Section {
+        let (sin2, cos2) = (math::sin(2.0 * t), math::cos(2.0 * t));
+        let (sin3, cos3) = (math::sin(3.0 * t), math::cos(3.0 * t));
+        let center = Vec3::new((2.0 + cos3) * cos2, (2.0 + cos3) * sin2, sin3);
+        let along = Vec3::new(
+            -3.0 * sin3 * cos2 - 2.0 * (2.0 + cos3) * sin2,
+            -3.0 * sin3 * sin2 + 2.0 * (2.0 + cos3) * cos2,
+            3.0 * cos3,
+        );
+        // The torus's normal is at right angles to every curve on it.
+        let out = Vec3::new(cos3 * cos2, cos3 * sin2, sin3);
+        let side = along.normalize().cross(out);
+        let (sin, cos) = (math::sin(TWISTS * t), math::cos(TWISTS * t));
+        Section {
+            center,
+            across: [cos * out + sin * side, cos * side - sin * out],
+        }
+    }
+}
+
+fn add_strand(mesh: &mut IndexedMesh, sections: &[Section], strand: usize, strands: usize) {
+    let share = (strand as f64 + 0.5) / strands as f64;
+    let from_axis = if strands == 1 {
+        0.0
+    } else {
+        ROPE * share.sqrt()
+    };
+    let angle = GOLDEN_ANGLE * strand as f64;
+    // Strands that fill the section touch at this radius.
+    let radius = 0.8 * ROPE / (strands as f64).sqrt();
+    let first = mesh.positions.len();
+    for Section {
+        center,
+        across: [u, v],
+    } in sections
+    {
+        let middle = *center + from_axis * (math::cos(angle) * *u + math::sin(angle) * *v);
+        for side in 0..SIDES {
+            let around = TAU * side as f64 / SIDES as f64;
+            let offset = radius * (math::cos(around) * *u + math::sin(around) * *v);
+            mesh.positions.push(SCALE * (middle + offset));
+        }
+    }
+    let vertex = |segment: usize, side: usize| {
+        (first + segment % sections.len() * SIDES + side % SIDES) as u32
+    };
+    for segment in 0..sections.len() {
+        for side in 0..SIDES {
+            let (a, b) = (vertex(segment, side), vertex(segment, side + 1));
+            let (c, d) = (vertex(segment + 1, side + 1), vertex(segment + 1, side));
+            mesh.faces.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+}

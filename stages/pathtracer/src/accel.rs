@@ -1,0 +1,61 @@
+//! How the closest hit is found: by asking every primitive, or through a tree.
+
+use crate::SceneWorld;
+use bvh::{construct_bvh, intersect_bvh};
+use kit::{Bvh, Hit, PrimId, Ray, Scene, World};
+
+/// Primitives in a leaf at most: the assignment's choice.
+pub const MAX_LEAF_SIZE: usize = 4;
+
+/// The ways to find a hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AccelKind {
+    /// Every ray asks every primitive.
+    Brute,
+    /// The tree of stage `bvh`.
+    Bvh,
+}
+
+/// A way to find a hit, ready for one scene.
+#[derive(Clone, Debug)]
+pub enum Accel {
+    /// Every ray asks every primitive.
+    Brute {
+        /// How many there are.
+        primitives: u32,
+    },
+    /// The tree of stage `bvh`.
+    Bvh(Bvh),
+}
+
+impl Accel {
+    /// Gets ready for `scene`: builds the tree, if it takes one.
+    pub fn build(kind: AccelKind, scene: &Scene) -> Accel {
+        match kind {
+            AccelKind::Brute => Accel::Brute {
+                primitives: u32::try_from(scene.len()).expect("fewer than 2^32 primitives"),
+            },
+            AccelKind::Bvh => Accel::Bvh(construct_bvh(&scene.primitive_bounds(), MAX_LEAF_SIZE)),
+        }
+    }
+
+    /// The closest hit of `ray` in `world`, the one with the lowest id at equal `t`; shortens the ray to it.
+    #[inline]
+    pub fn closest(&self, ray: &mut Ray, world: &mut SceneWorld<'_>) -> Option<Hit> {
+        match self {
+            Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
+            Accel::Brute { primitives } => {
+                let mut closest: Option<Hit> = None;
+                for id in (0..*primitives).map(PrimId) {
+                    // Equal `t` is in range once more: the first one, with the lowest id, stays.
+                    if let Some(hit) = world.hit_prim(id, ray)
+                        && closest.is_none_or(|c| hit.t < c.t)
+                    {
+                        closest = Some(hit);
+                    }
+                }
+                closest
+            }
+        }
+    }
+}

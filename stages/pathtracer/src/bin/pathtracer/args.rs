@@ -1,0 +1,220 @@
+//! The command line: the assignment's flags under its names, with long names beside them.
+
+use clap::{Parser, ValueEnum};
+use kit::FilmSize;
+use kit::film::Cell;
+use pathtracer::AccelKind;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Renders a scene file.
+#[derive(Debug, Parser)]
+#[command(
+    name = "pathtracer",
+    version,
+    about,
+    max_term_width = 100,
+    allow_negative_numbers = true
+)]
+pub(crate) struct Args {
+    /// The scene: a COLLADA file
+    #[arg(value_name = "SCENE.dae")]
+    pub(crate) scene: PathBuf,
+
+    /// Camera rays per pixel (should be a power of 2)
+    #[arg(short = 's', long, value_name = "INT", default_value_t = 1, value_parser = samples)]
+    pub(crate) samples: u32,
+
+    /// Samples per area light [default: 1]
+    #[arg(short = 'l', long, value_name = "INT", value_parser = samples)]
+    pub(crate) light_samples: Option<u32>,
+
+    /// Render threads
+    #[arg(short = 't', long, value_name = "INT", default_value_t = 1, value_parser = threads)]
+    pub(crate) threads: usize,
+
+    /// Maximum ray depth: 0 is emission only, 1 is direct light [default: 1]
+    #[arg(short = 'm', long, value_name = "INT", value_parser = depth)]
+    pub(crate) max_depth: Option<u32>,
+
+    /// The picture to write: .png as a screen shows it, .exr with linear radiance
+    #[arg(short = 'f', long = "file", value_name = "FILENAME")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// Width and height of the picture in pixels [default: the camera file's, else 480 360]
+    #[arg(short = 'r', long, num_args = 2, value_names = ["W", "H"], value_parser = edge)]
+    pub(crate) resolution: Option<Vec<u32>>,
+
+    /// Render a cell only: its bottom left pixel, counted from the picture's bottom left, and its size, which is
+    /// also the written picture's
+    #[arg(short = 'p', long = "cell", num_args = 4, value_names = ["X", "Y", "DX", "DY"], value_parser = pixels)]
+    pub(crate) cell: Option<Vec<u32>>,
+
+    /// Camera file [default: the scene's camera, else one that sees all of the scene]
+    #[arg(short = 'c', long, value_name = "FILENAME")]
+    pub(crate) camera: Option<PathBuf>,
+
+    /// Samples per batch and tolerance for adaptive sampling
+    #[arg(short = 'a', long, num_args = 2, value_names = ["INT", "FLOAT"])]
+    pub(crate) adaptive: Option<Vec<String>>,
+
+    /// Sample the hemisphere for direct lighting
+    #[arg(short = 'H', long)]
+    pub(crate) hemisphere: bool,
+
+    /// Environment map (.exr or .hdr) that lights the scene
+    #[arg(short = 'e', long, value_name = "FILENAME")]
+    pub(crate) environment: Option<PathBuf>,
+
+    /// What a surface shows
+    #[arg(long, value_enum, default_value_t = Shade::Normals)]
+    pub(crate) shade: Shade,
+
+    /// How hits are found
+    #[arg(long, value_enum, default_value_t = AccelName::Bvh)]
+    pub(crate) accel: AccelName,
+
+    /// Which random numbers to take: another seed gives another noise
+    #[arg(long, value_name = "INT", default_value_t = 0)]
+    pub(crate) seed: u64,
+}
+
+/// What a surface shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Shade {
+    /// Which way it faces
+    Normals,
+}
+
+/// How hits are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AccelName {
+    /// Every ray asks every primitive
+    Brute,
+    /// Through a bounding volume hierarchy
+    Bvh,
+}
+
+impl From<AccelName> for AccelKind {
+    fn from(name: AccelName) -> AccelKind {
+        match name {
+            AccelName::Brute => AccelKind::Brute,
+            AccelName::Bvh => AccelKind::Bvh,
+        }
+    }
+}
+
+/// The picture's size without `-r` and without a camera file.
+const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
+
+/// Pixels of a picture at most, so that a slip of the finger does not take all memory: 32 bytes each, twice.
+const MAX_PIXELS: u64 = 100_000_000;
+
+impl Args {
+    /// The picture's size, given that of the camera file if there is one.
+    pub(crate) fn film(&self, of_camera_file: Option<FilmSize>) -> Result<FilmSize, String> {
+        let size = match self.resolution.as_deref() {
+            Some(&[w, h]) => FilmSize { w, h },
+            _ => of_camera_file.unwrap_or(DEFAULT_SIZE),
+        };
+        if size.whole().area() > MAX_PIXELS {
+            return Err(format!(
+                "a picture of {} x {} pixels is too large: at most {} million pixels are allowed, choose a smaller -r",
+                size.w,
+                size.h,
+                MAX_PIXELS / 1_000_000
+            ));
+        }
+        Ok(size)
+    }
+
+    /// The part of the picture to render.
+    pub(crate) fn cell_of(&self, film: FilmSize) -> Result<Cell, String> {
+        let Some(&[x, y, dx, dy]) = self.cell.as_deref() else {
+            return Ok(film.whole());
+        };
+        let (x1, y1) = (x.saturating_add(dx), y.saturating_add(dy));
+        if dx == 0 || dy == 0 || x1 > film.w || y1 > film.h {
+            return Err(format!(
+                "the cell -p {x} {y} {dx} {dy} does not lie in the picture: it needs at least one pixel, x + dx at most {} and y + dy at most {}",
+                film.w, film.h
+            ));
+        }
+        Ok(Cell {
+            x0: x,
+            y0: y,
+            x1,
+            y1,
+        })
+    }
+
+    /// Checks the two values of `-a`.
+    pub(crate) fn check_adaptive(&self) -> Result<(), String> {
+        let Some([batch, tolerance]) = self.adaptive.as_deref() else {
+            return Ok(());
+        };
+        samples(batch)
+            .map_err(|why| format!("-a {batch} {tolerance}: samples per batch: {why}"))?;
+        match tolerance.parse::<f64>() {
+            Ok(t) if t.is_finite() && t >= 0.0 => Ok(()),
+            _ => Err(format!(
+                "-a {batch} {tolerance}: the tolerance is a number that is not negative, such as 0.05"
+            )),
+        }
+    }
+
+    /// Checks that the file of `-e` is there.
+    pub(crate) fn check_environment(&self) -> Result<(), String> {
+        match &self.environment {
+            Some(path) if !path.is_file() => Err(format!(
+                "{}: there is no such file: give -e an .exr or .hdr picture",
+                path.display()
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// The given flags that do nothing with normal shading.
+    pub(crate) fn without_effect(&self) -> Vec<&'static str> {
+        let flags = [
+            (self.light_samples.is_some(), "-l"),
+            (self.max_depth.is_some(), "-m"),
+            (self.adaptive.is_some(), "-a"),
+            (self.hemisphere, "-H"),
+            (self.environment.is_some(), "-e"),
+        ];
+        let given = flags.into_iter().filter(|(given, _)| *given);
+        given.map(|(_, flag)| flag).collect()
+    }
+}
+
+fn within<T: FromStr + PartialOrd + std::fmt::Display>(
+    value: &str,
+    least: T,
+    most: T,
+) -> Result<T, String> {
+    match value.parse::<T>() {
+        Ok(v) if least <= v && v <= most => Ok(v),
+        _ => Err(format!("give a whole number from {least} to {most}")),
+    }
+}
+
+fn samples(value: &str) -> Result<u32, String> {
+    within(value, 1, 1_048_576)
+}
+
+fn threads(value: &str) -> Result<usize, String> {
+    within(value, 1, 1024)
+}
+
+fn depth(value: &str) -> Result<u32, String> {
+    within(value, 0, 10_000)
+}
+
+fn edge(value: &str) -> Result<u32, String> {
+    within(value, 1, 100_000)
+}
+
+fn pixels(value: &str) -> Result<u32, String> {
+    within(value, 0, 100_000)
+}

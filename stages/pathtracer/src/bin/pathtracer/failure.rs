@@ -1,0 +1,69 @@
+//! Why there is no picture, as it is told.
+
+use kit::hole::Hole;
+use pathtracer::OutputError;
+use scenes::SceneError;
+use std::any::Any;
+use std::io::{IsTerminal, stderr};
+use std::process::ExitCode;
+
+/// Exit code when a stage is not written yet, or broke off.
+const STAGE_FAILED: u8 = 1;
+/// Exit code for input that cannot be used; `clap` has the same for flags.
+const BAD_INPUT: u8 = 2;
+
+/// What ends the program before there is a picture.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// A flag or a picture file cannot be used.
+    Input(String),
+    /// A scene or camera file cannot be read.
+    Scene(SceneError),
+    /// A stage is not written yet.
+    Hole(Hole),
+    /// A stage broke off, and its panic has been told.
+    Panic,
+}
+
+impl Failure {
+    /// From what a panic carries.
+    pub(crate) fn of_panic(payload: Box<dyn Any + Send>) -> Failure {
+        match payload.downcast::<Hole>() {
+            Ok(hole) => Failure::Hole(*hole),
+            Err(_) => Failure::Panic,
+        }
+    }
+
+    /// Tells what happened; returns the program's exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        match self {
+            Failure::Input(why) => eprintln!("error: {why}"),
+            Failure::Scene(why) if stderr().is_terminal() => eprintln!("{}", why.styled()),
+            Failure::Scene(why) => eprintln!("{why}"),
+            Failure::Hole(hole) => eprintln!("{hole}: this picture needs it"),
+            Failure::Panic => eprintln!("no picture: a stage panicked, see above"),
+        }
+        ExitCode::from(match self {
+            Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,
+            Failure::Hole(_) | Failure::Panic => STAGE_FAILED,
+        })
+    }
+}
+
+impl From<String> for Failure {
+    fn from(why: String) -> Failure {
+        Failure::Input(why)
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(why: SceneError) -> Failure {
+        Failure::Scene(why)
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(why: OutputError) -> Failure {
+        Failure::Input(why.to_string())
+    }
+}

@@ -1,0 +1,32 @@
+//! The scene, and from where it is seen.
+
+use crate::args::Args;
+use crate::failure::Failure;
+use kit::{Camera, FilmSize, Scene};
+use scenes::{CameraFile, placement};
+use std::io::{IsTerminal, stderr};
+use std::path::Path;
+
+/// Reads the scene and tells what was mended in it.
+pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
+    let loaded = scenes::load(path)?;
+    for warning in &loaded.warnings {
+        if stderr().is_terminal() {
+            eprintln!("{}", warning.styled());
+        } else {
+            eprintln!("{warning}");
+        }
+    }
+    Ok(loaded.scene)
+}
+
+/// The camera of `-c` with its angles as they are, else the scene's; and the picture's size.
+pub(crate) fn camera_and_film(args: &Args, scene: &Scene) -> Result<(Camera, FilmSize), Failure> {
+    let Some(path) = &args.camera else {
+        let film = args.film(None)?;
+        return Ok((placement::place(scene, film).camera, film));
+    };
+    let file = CameraFile::load(path)?;
+    let film = args.film(Some(file.film))?;
+    Ok((file.view.camera, film))
+}

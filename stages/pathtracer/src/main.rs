@@ -1,3 +1,0 @@
-//! The `pathtracer` program.
-
-fn main() {}

@@ -1,0 +1,140 @@
+//! Picture files: PNG as a screen shows it, EXR with linear radiance.
+
+use crate::tone;
+use image::codecs::openexr::OpenExrEncoder;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+use kit::Film;
+use kit::film::Cell;
+use std::fmt;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// The kinds of picture file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Png,
+    Exr,
+}
+
+/// A picture file to be. It is written beside its place and moved there when it is whole, so that whoever reads it
+/// never sees half a picture, and an old one stays until then.
+#[derive(Debug)]
+pub struct Output {
+    path: PathBuf,
+    format: Format,
+    temporary: PathBuf,
+    file: File,
+}
+
+/// Why a picture cannot be written.
+#[derive(Debug)]
+pub enum OutputError {
+    /// The file name ends in none of the known ways.
+    UnknownFormat(PathBuf),
+    /// There is a folder of that name.
+    IsFolder(PathBuf),
+    /// The file cannot be made.
+    NotWritable(PathBuf, io::Error),
+    /// Writing failed half-way.
+    Failed(PathBuf, ImageError),
+}
+
+impl fmt::Display for OutputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            OutputError::UnknownFormat(path) => write!(
+                f,
+                "{}: the name of a picture ends in .png or .exr: choose one of them",
+                path.display()
+            ),
+            OutputError::IsFolder(path) => write!(
+                f,
+                "{} is a folder: add the picture's name, as in {}",
+                path.display(),
+                path.join("picture.png").display()
+            ),
+            OutputError::NotWritable(path, why) => write!(
+                f,
+                "cannot write {}: {why}: choose a place that exists and that you may write to",
+                path.display()
+            ),
+            OutputError::Failed(path, why) => {
+                write!(f, "writing {} failed: {why}", path.display())
+            }
+        }
+    }
+}
+
+impl std::error::Error for OutputError {}
+
+impl Output {
+    /// Makes sure, before any rendering, that a picture can be written to `path`. Its ending says which kind:
+    /// `.png` or `.exr`.
+    pub fn create(path: &Path) -> Result<Output, OutputError> {
+        if path.is_dir() {
+            return Err(OutputError::IsFolder(path.to_owned()));
+        }
+        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        let format = match ending.to_ascii_lowercase().as_str() {
+            "png" => Format::Png,
+            "exr" => Format::Exr,
+            _ => return Err(OutputError::UnknownFormat(path.to_owned())),
+        };
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let temporary = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
+        let file = File::create(&temporary)
+            .map_err(|why| OutputError::NotWritable(path.to_owned(), why))?;
+        Ok(Output {
+            path: path.to_owned(),
+            format,
+            temporary,
+            file,
+        })
+    }
+
+    /// Writes the pixels of `cell`. The file is complete and in its place when this returns without an error.
+    pub fn write(self, film: &Film, cell: Cell) -> Result<(), OutputError> {
+        self.encode(film, cell)
+            .and_then(|()| Ok(self.file.sync_all()?))
+            .and_then(|()| Ok(fs::rename(&self.temporary, &self.path)?))
+            .map_err(|why| OutputError::Failed(self.path.clone(), why))
+    }
+
+    fn encode(&self, film: &Film, cell: Cell) -> Result<(), ImageError> {
+        let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
+        // Files start at the top, films at the bottom.
+        let radiance = (cell.y0..cell.y1)
+            .rev()
+            .flat_map(|y| (cell.x0..cell.x1).map(move |x| film.get(x, y).radiance));
+        let mut file = BufWriter::new(&self.file);
+        match self.format {
+            Format::Png => {
+                let bytes: Vec<u8> = radiance.flat_map(tone::to_bytes).collect();
+                PngEncoder::new(&mut file).write_image(&bytes, w, h, ExtendedColorType::Rgb8)?;
+            }
+            Format::Exr => {
+                let bytes: Vec<u8> = radiance
+                    .flat_map(|c| c.to_array())
+                    .flat_map(|c| (c as f32).to_ne_bytes())
+                    .collect();
+                OpenExrEncoder::new(&mut file).write_image(
+                    &bytes,
+                    w,
+                    h,
+                    ExtendedColorType::Rgb32F,
+                )?;
+            }
+        }
+        Ok(file.flush()?)
+    }
+}
+
+impl Drop for Output {
+    /// Takes the unfinished file away; after [`Output::write`] there is none.
+    fn drop(&mut self) {
+        // It may be gone already, and there is nobody to tell.
+        let _ = fs::remove_file(&self.temporary);
+    }
+}

@@ -1,0 +1,77 @@
+//! A scene as a ray meets it: every test is counted.
+
+use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, World};
+use std::iter::Sum;
+use std::ops::Add;
+
+/// How often what was done. Each thread counts for itself and the counts are added up: they are exact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Rays traced.
+    pub rays: u64,
+    /// Ray/box tests.
+    pub box_tests: u64,
+    /// Ray/primitive tests.
+    pub prim_tests: u64,
+}
+
+impl Add for Counters {
+    type Output = Counters;
+    fn add(self, other: Counters) -> Counters {
+        Counters {
+            rays: self.rays + other.rays,
+            box_tests: self.box_tests + other.box_tests,
+            prim_tests: self.prim_tests + other.prim_tests,
+        }
+    }
+}
+
+impl Sum for Counters {
+    fn sum<I: Iterator<Item = Counters>>(counters: I) -> Counters {
+        counters.fold(Counters::default(), Add::add)
+    }
+}
+
+/// The boxes and primitives of a scene, asked through the stages `bbox` and `intersect`.
+#[derive(Clone, Debug)]
+pub struct SceneWorld<'a> {
+    scene: &'a Scene,
+    /// What was asked so far.
+    pub counters: Counters,
+}
+
+impl<'a> SceneWorld<'a> {
+    /// A world that has not been asked anything yet.
+    pub fn new(scene: &'a Scene) -> SceneWorld<'a> {
+        SceneWorld {
+            scene,
+            counters: Counters::default(),
+        }
+    }
+}
+
+impl World for SceneWorld<'_> {
+    #[inline]
+    fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        self.counters.box_tests += 1;
+        bbox::intersect_bbox(b, ray)
+    }
+
+    #[inline]
+    fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+        self.counters.prim_tests += 1;
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
+            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
+        }
+    }
+
+    #[inline]
+    fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
+        self.counters.prim_tests += 1;
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray).is_some(),
+            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).is_some(),
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! The `pathtracer` program as a person meets it.
+
+use snapbox::cmd::{Command, cargo_bin};
+use std::fs;
+use std::path::Path;
+
+/// A room of two triangles, seen from in front.
+const SCENE: &str = r##"<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><up_axis>Y_UP</up_axis></asset>
+  <library_effects><effect id="grey"><profile_COMMON><technique sid="common"><lambert>
+    <diffuse><color>0.5 0.5 0.5 1</color></diffuse>
+  </lambert></technique></profile_COMMON></effect></library_effects>
+  <library_materials><material id="paint"><instance_effect url="#grey"/></material></library_materials>
+  <library_geometries><geometry id="square"><mesh>
+    <source id="corners">
+      <float_array id="numbers" count="12">-1 -1 0  1 -1 0  1 1 0  -1 1 0</float_array>
+      <technique_common><accessor source="#numbers" count="4" stride="3">
+        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+      </accessor></technique_common>
+    </source>
+    <vertices id="vertices"><input semantic="POSITION" source="#corners"/></vertices>
+    <triangles count="2" material="wall"><input semantic="VERTEX" source="#vertices" offset="0"/><p>0 1 2 0 2 3</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="room">
+    <node id="wall"><instance_geometry url="#square"><bind_material><technique_common>
+      <instance_material symbol="wall" target="#paint"/>
+    </technique_common></bind_material></instance_geometry></node>
+  </visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#room"/></scene>
+</COLLADA>
+"##;
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("square.dae"), SCENE).expect("a scene file");
+    folder
+}
+
+fn pathtracer(folder: &Path, args: &str) -> snapbox::cmd::OutputAssert {
+    Command::new(cargo_bin!("pathtracer"))
+        .current_dir(folder)
+        .args(args.split(' '))
+        .assert()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let name = |e: std::io::Result<fs::DirEntry>| e.expect("an entry").file_name();
+    let mut names: Vec<String> = entries
+        .map(|e| name(e).to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+/// Runs with values that cannot be used: exit code 2, the sentence on stderr, no file made.
+fn refused(args: &str, sentence: &str) {
+    let folder = folder();
+    let run = pathtracer(folder.path(), args).code(2);
+    let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(told.contains(sentence), "`{args}` says:\n{told}");
+    assert_eq!(names(folder.path()), ["square.dae"], "after `{args}`");
+}
+
+#[test]
+fn bad_values_say_what_is_allowed() {
+    refused("square.dae", "pathtracer -f picture.png square.dae");
+    refused("-f a.png -s 0 square.dae", "whole number from 1 to");
+    refused("-f a.png -s many square.dae", "whole number from 1 to");
+    refused("-f a.png -t 0 square.dae", "whole number from 1 to 1024");
+    refused("-f a.png -l 0 square.dae", "whole number from 1 to");
+    refused("-f a.png -m -1 square.dae", "whole number from 0 to");
+    refused("-f a.png -r 0 10 square.dae", "whole number from 1 to");
+    refused(
+        "-f a.png -r 100000 100000 square.dae",
+        "at most 100 million pixels",
+    );
+    refused("-f a.png -r 4 4 -p 2 2 3 1 square.dae", "x + dx at most 4");
+    refused(
+        "-f a.png -r 4 4 -p 2 2 0 1 square.dae",
+        "at least one pixel",
+    );
+    refused("-f a.png -a 0 0.1 square.dae", "samples per batch");
+    refused("-f a.png -a 8 nan square.dae", "such as 0.05");
+    refused("-f a.png -a 8 -0.1 square.dae", "such as 0.05");
+    refused("-f a.png -e sky.exr square.dae", "sky.exr");
+    refused("-f a.png --shade light square.dae", "normals");
+    refused("-f a.png --accel fast square.dae", "brute, bvh");
+    refused("-f a.gif square.dae", "ends in .png or .exr");
+    refused("-f . square.dae", "is a folder");
+    refused("-f nowhere/a.png square.dae", "cannot write nowhere/a.png");
+    refused("-f a.png missing.dae", "missing.dae");
+    refused("-f a.png -c missing.txt square.dae", "missing.txt");
+}
+
+#[test]
+fn a_picture_is_written_and_told() {
+    let folder = folder();
+    let run = pathtracer(folder.path(), "-f a.png -r 40 30 -s 4 square.dae").success();
+    let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    assert!(
+        told.contains("2 primitives (2 triangles, 0 spheres)"),
+        "{told}"
+    );
+    assert!(told.contains("4800"), "40 x 30 x 4 rays in:\n{told}");
+    let stderr = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert_eq!(stderr, "", "no progress bar in a pipe");
+    assert_eq!(names(folder.path()), ["a.png", "square.dae"]);
+    let picture = image::open(folder.path().join("a.png"))
+        .expect("a picture")
+        .to_rgb8();
+    assert_eq!(picture.dimensions(), (40, 30));
+    // +z: (1/2, 1/2, 1) after the tone curve; beside it nothing.
+    assert_eq!(picture.get_pixel(20, 15).0, [217, 217, 255]);
+    assert_eq!(picture.get_pixel(0, 15).0, [0, 0, 0]);
+}
+
+#[test]
+fn a_cell_is_the_same_pixels_from_the_bottom_left() {
+    let folder = folder();
+    pathtracer(folder.path(), "-f all.png -r 40 30 -s 4 square.dae").success();
+    pathtracer(
+        folder.path(),
+        "-f cell.png -r 40 30 -s 4 -p 5 2 20 11 square.dae",
+    )
+    .success();
+    let open = |name| {
+        image::open(folder.path().join(name))
+            .expect("a picture")
+            .to_rgb8()
+    };
+    let (all, cell) = (open("all.png"), open("cell.png"));
+    assert_eq!(cell.dimensions(), (20, 11));
+    for (x, y, pixel) in cell.enumerate_pixels() {
+        // Rows count from the top here: the cell's top row is 30 - (2 + 11) from the picture's.
+        assert_eq!(pixel, all.get_pixel(x + 5, y + 17));
+    }
+}
+
+#[test]
+fn exr_holds_linear_values() {
+    let folder = folder();
+    pathtracer(folder.path(), "-f a.exr -r 41 31 square.dae").success();
+    let picture = image::open(folder.path().join("a.exr"))
+        .expect("a picture")
+        .to_rgb32f();
+    assert_eq!(picture.dimensions(), (41, 31));
+    assert_eq!(picture.get_pixel(20, 15).0, [0.5, 0.5, 1.0]);
+}
+
+#[test]
+fn flags_of_later_parts_are_accepted_with_a_note() {
+    let folder = folder();
+    let args = "-f a.png -r 4 3 -l 4 -m 5 -a 8 0.05 -H square.dae";
+    let run = pathtracer(folder.path(), args).success();
+    let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(told.contains("-l -m -a -H"), "{told}");
+    assert_eq!(told.lines().count(), 1, "{told}");
+}
+
+#[test]
+fn pictures_do_not_depend_on_threads_or_on_the_tree() {
+    let folder = folder();
+    let bytes = |flags: &str| {
+        pathtracer(
+            folder.path(),
+            &format!("-f a.png -r 50 40 -s 3 {flags} square.dae"),
+        )
+        .success();
+        fs::read(folder.path().join("a.png")).expect("a picture")
+    };
+    let one = bytes("-t 1");
+    assert_eq!(bytes("-t 2"), one);
+    assert_eq!(bytes("-t 8"), one);
+    assert_eq!(bytes("-t 1 --accel brute"), one);
+    assert_ne!(
+        bytes("-t 1 --seed 1"),
+        one,
+        "the edge pixels are another mixture"
+    );
+}

@@ -13,6 +13,7 @@ pub mod error;
 pub mod grade;
 pub mod judge;
 pub mod mutants;
+pub mod oracle;
 pub mod picture;
 pub mod report;
 pub mod runner;

@@ -1,0 +1,344 @@
+//! Rays and boxes.
+
+use std::cmp::Ordering;
+
+use kit::{Aabb, Interval, Ray};
+
+use super::dyadic::Dyadic;
+use super::real::Real;
+use super::roundoff::U;
+use super::triangle::range_misses;
+use super::verdict::{Kernel, Miss, PerKernel};
+
+/// How far, relative to `t`, a box test may err on the side of a hit, and how close to a corner the
+/// plain slab test may err on the other side.
+///
+/// A slab's `t = (plane - o) · (1/d)` has three roundings, on either end of the interval; a
+/// conservative test (Ize, *Robust BVH Ray Traversal*, JCGT 2013) widens the far end by 2 ulp, which is 4
+/// more at most: 10 in all, rounded up.
+const SLACK: f64 = 16.0 * U;
+
+/// How far an end of the interval may be off, relative to it: 7 roundings and widenings, doubled.
+const END_ERROR: f64 = 16.0 * U;
+
+/// All there is to say about one ray and one box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxVerdict {
+    /// Where the ray is inside the box, exactly; or why nowhere.
+    pub inside: Result<RealInterval, Miss>,
+    /// Whether the interval is a single point: the ray touches an edge, a corner, a flat box,
+    /// or the box from outside with an end of its range.
+    pub touches: bool,
+    /// By how much the ray misses: the far end is this much less than the near end, relative to the larger of
+    /// the two. Negative where it hits; 0 where it touches.
+    pub gap: f64,
+    /// Whether "no hit" scores.
+    pub miss_scores: PerKernel<bool>,
+    /// Whether "hit" scores: a test for a tree may see a hit where there is none, by a few ulp, but never the
+    /// other way round.
+    pub hit_scores: bool,
+    /// Ends of the interval as the slabs give them, near and far, also where the far one is less.
+    pub ends: Option<(End, End)>,
+}
+
+/// A closed interval of exact ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RealInterval {
+    /// Where it starts.
+    pub min: End,
+    /// Where it ends.
+    pub max: End,
+}
+
+/// An end of an interval.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum End {
+    /// The far end of a ray to the left, or of a box that has none there.
+    MinusInfinity,
+    /// A `t`.
+    At(Real),
+    /// The far end of a ray, or of a box that has none there.
+    PlusInfinity,
+}
+
+impl End {
+    /// The nearest `f64`.
+    pub fn to_f64(&self) -> f64 {
+        match self {
+            End::MinusInfinity => f64::NEG_INFINITY,
+            End::At(t) => t.to_f64(),
+            End::PlusInfinity => f64::INFINITY,
+        }
+    }
+}
+
+/// What a box test's answer is worth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BoxJudgement {
+    /// Hit or miss is right, and so are the ends.
+    Right,
+    /// Hit and miss both score here.
+    Either,
+    /// There is no hit, not even nearly.
+    FalseHit,
+    /// There is a hit; a tree would lose what is in the box.
+    FalseMiss,
+    /// There is a hit, but it starts elsewhere. The true `t`.
+    WrongStart(f64),
+    /// There is a hit, but it ends elsewhere. The true `t`.
+    WrongEnd(f64),
+}
+
+impl BoxJudgement {
+    /// Whether the answer scores.
+    pub fn scores(&self) -> bool {
+        matches!(self, BoxJudgement::Right | BoxJudgement::Either)
+    }
+}
+
+impl BoxVerdict {
+    fn miss(why: Miss) -> BoxVerdict {
+        let free = why == Miss::NotFinite;
+        BoxVerdict {
+            inside: Err(why),
+            touches: false,
+            gap: f64::INFINITY,
+            miss_scores: PerKernel::each(|_| true),
+            hit_scores: free,
+            ends: None,
+        }
+    }
+
+    /// Whether the ray truly meets the box, faces and both ends of the range included.
+    pub fn hits(&self) -> bool {
+        self.inside.is_ok()
+    }
+
+    /// Whether correct code of this kind may answer either way.
+    pub fn undecidable(&self, kernel: Kernel) -> bool {
+        self.hit_scores && *self.miss_scores.get(kernel)
+    }
+
+    /// Judges an answer: the interval, or `None` for a miss.
+    pub fn judge(&self, kernel: Kernel, answer: Option<Interval>) -> BoxJudgement {
+        let right = match self.undecidable(kernel) {
+            true => BoxJudgement::Either,
+            false => BoxJudgement::Right,
+        };
+        let Some(answer) = answer else {
+            return match self.miss_scores.get(kernel) {
+                true => right,
+                false => BoxJudgement::FalseMiss,
+            };
+        };
+        if !self.hit_scores {
+            return BoxJudgement::FalseHit;
+        }
+        let Some((near, far)) = self.ends else {
+            return right;
+        };
+        if !is_end(answer.min, near) {
+            return BoxJudgement::WrongStart(near.to_f64());
+        }
+        if !is_end(answer.max, far) {
+            return BoxJudgement::WrongEnd(far.to_f64());
+        }
+        right
+    }
+}
+
+/// Whether an answer's end is where it should be, up to [`END_ERROR`].
+fn is_end(answer: f64, truth: End) -> bool {
+    let truth = truth.to_f64();
+    answer == truth || (answer - truth).abs() <= (END_ERROR * truth.abs()).max(f64::MIN_POSITIVE)
+}
+
+/// Decides where `ray` is inside `b`, exactly, and which answers in `f64` score.
+///
+/// Faces, edges, corners and both ends of the range count. Where a component of `d` is 0, of
+/// either sign, the ray stays between that pair of planes if its origin is between them or on
+/// one. An empty box and NaN anywhere are misses.
+pub fn bbox(b: &Aabb, ray: &Ray) -> BoxVerdict {
+    if let Some(why) = by_convention(b, ray) {
+        return BoxVerdict::miss(why);
+    }
+    let mut bounds = Bounds::of_range(ray);
+    for axis in 0..3 {
+        let (o, d) = (ray.o[axis], ray.d[axis]);
+        let (min, max) = (b.min[axis], b.max[axis]);
+        if d == 0.0 {
+            if !(min <= o && o <= max) {
+                return BoxVerdict::miss(Miss::Beside);
+            }
+            continue;
+        }
+        let (near, far) = if d > 0.0 { (min, max) } else { (max, min) };
+        bounds.near.push(Bound::slab(axis, near, o, d));
+        bounds.far.push(Bound::slab(axis, far, o, d));
+    }
+    bounds.verdict()
+}
+
+/// The misses that need no arithmetic.
+fn by_convention(b: &Aabb, ray: &Ray) -> Option<Miss> {
+    if b.min.is_nan() || b.max.is_nan() || ray.o.is_nan() || ray.d.is_nan() {
+        return Some(Miss::NotANumber);
+    }
+    if b.is_empty() {
+        return Some(Miss::Degenerate);
+    }
+    if !ray.o.is_finite() || !ray.d.is_finite() {
+        return Some(Miss::NotFinite);
+    }
+    range_misses(ray)
+}
+
+/// One end that the interval is cut at.
+struct Bound {
+    /// `None` for an end of the ray's own range.
+    axis: Option<usize>,
+    end: End,
+    /// Where the end is finite, the quotient that it is, with a positive divisor: two ends that
+    /// agree in 126 bits are still told apart.
+    quotient: Option<(Dyadic, Dyadic)>,
+    /// Whether a plain slab test finds this end without a rounding.
+    is_exact: bool,
+}
+
+impl Bound {
+    fn range(end: f64) -> Bound {
+        let (end, quotient) = match end {
+            f64::INFINITY => (End::PlusInfinity, None),
+            f64::NEG_INFINITY => (End::MinusInfinity, None),
+            t => {
+                let quotient = (Dyadic::new(t), Dyadic::new(1.0));
+                (End::At(Real::new(t)), Some(quotient))
+            }
+        };
+        Bound {
+            axis: None,
+            end,
+            quotient,
+            is_exact: true,
+        }
+    }
+
+    /// Where the ray crosses a plane: `t = (plane - o) / d`.
+    fn slab(axis: usize, plane: f64, o: f64, d: f64) -> Bound {
+        if plane.is_infinite() {
+            let end = match (plane > 0.0) == (d > 0.0) {
+                true => End::PlusInfinity,
+                false => End::MinusInfinity,
+            };
+            return Bound {
+                axis: Some(axis),
+                end,
+                quotient: None,
+                is_exact: true,
+            };
+        }
+        let distance = &Dyadic::new(plane) - &Dyadic::new(o);
+        let d = Dyadic::new(d);
+        let t = Real::ratio(&distance, &d);
+        let subtracts_exactly = Real::from(&distance).ulps(plane - o) == 0.0;
+        let is_exact = d.is_power_of_two() && subtracts_exactly && t.ulps(t.to_f64()) == 0.0;
+        let quotient = match d.sign() < 0 {
+            true => (-&distance, -&d),
+            false => (distance, d),
+        };
+        Bound {
+            axis: Some(axis),
+            end: End::At(t),
+            quotient: Some(quotient),
+            is_exact,
+        }
+    }
+
+    fn compare(&self, other: &Bound) -> Ordering {
+        let exactly = || match (&self.quotient, &other.quotient) {
+            (Some((a, b)), Some((c, d))) => (a * d).compare(&(c * b)),
+            _ => Ordering::Equal,
+        };
+        self.end.cmp(&other.end).then_with(exactly)
+    }
+}
+
+/// The ends that the interval is cut at: it starts at the largest near one and stops at the smallest far one.
+struct Bounds {
+    near: Vec<Bound>,
+    far: Vec<Bound>,
+}
+
+impl Bounds {
+    fn of_range(ray: &Ray) -> Bounds {
+        Bounds {
+            near: vec![Bound::range(ray.min_t)],
+            far: vec![Bound::range(ray.max_t)],
+        }
+    }
+
+    fn verdict(&self) -> BoxVerdict {
+        let near = self.near.iter().max_by(|a, b| a.compare(b));
+        let far = self.far.iter().min_by(|a, b| a.compare(b));
+        let (Some(near), Some(far)) = (near, far) else {
+            unreachable!("the range itself gives an end on either side")
+        };
+        let order = near.compare(far);
+        let gap = relative_gap(near, far);
+        let (near, far) = (near.end, far.end);
+        let hits = order.is_le();
+        let beyond_f64 = |end: End| matches!(end, End::At(t) if t.to_f64().is_infinite());
+        // Past the largest float there is no telling one t from another.
+        let lost = beyond_f64(near) || beyond_f64(far);
+        BoxVerdict {
+            inside: if hits {
+                Ok(RealInterval {
+                    min: near,
+                    max: far,
+                })
+            } else {
+                Err(Miss::Beside)
+            },
+            touches: order.is_eq(),
+            gap,
+            miss_scores: PerKernel {
+                textbook: !hits || lost || self.corner_may_round(),
+                robust: !hits || lost,
+            },
+            hit_scores: hits || lost || gap <= SLACK,
+            ends: Some((near, far)),
+        }
+    }
+
+    /// Whether a plain slab test may round a near end past a far end of another axis. Ends of the
+    /// same axis round alike, so a flat box is never in doubt.
+    fn corner_may_round(&self) -> bool {
+        self.near.iter().any(|near| {
+            self.far.iter().any(|far| {
+                let alike = near.axis == far.axis || (near.is_exact && far.is_exact);
+                !alike && relative_gap(near, far) >= -SLACK
+            })
+        })
+    }
+}
+
+/// `near - far`, relative to the larger of the two in size; positive where the interval is empty.
+fn relative_gap(near: &Bound, far: &Bound) -> f64 {
+    let order = near.compare(far);
+    let (a, b) = (near.end.to_f64(), far.end.to_f64());
+    if a.is_infinite() || b.is_infinite() {
+        return match order {
+            Ordering::Less => f64::NEG_INFINITY,
+            Ordering::Equal => 0.0,
+            Ordering::Greater => f64::INFINITY,
+        };
+    }
+    // Halved, so that no difference overflows; rounded, but never across 0.
+    let (half_a, half_b) = (a / 2.0, b / 2.0);
+    let gap = (half_a - half_b) / half_a.abs().max(half_b.abs());
+    match order {
+        Ordering::Equal => 0.0,
+        Ordering::Less => gap.min(-f64::MIN_POSITIVE),
+        Ordering::Greater => gap.max(f64::MIN_POSITIVE),
+    }
+}

@@ -1,0 +1,282 @@
+//! Numbers good to 126 bits, for truths that are quotients and roots.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use dashu_int::UBig;
+use dashu_int::ops::{BitTest, DivRem, SquareRootRem};
+
+use super::dyadic::Dyadic;
+
+/// The number `m · 2^e` with `2^126 <= |m| < 2^127`, or zero: a relative error of 2^-126, about
+/// 1e-38, over a range of exponents that no quotient of `f64` arithmetic leaves.
+///
+/// The last bit of `m` is set when bits were cut off behind it, so that rounding to `f64`
+/// ([`Real::to_f64`]) never mistakes "a little over half" for "half".
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Real {
+    m: i128,
+    e: i64,
+}
+
+/// Bits of a mantissa.
+const BITS: i64 = 127;
+/// Bits of the square root that [`Real::root_parts`] keeps: more than [`BITS`], because sums with it follow.
+const ROOT_BITS: i64 = 192;
+
+impl Real {
+    /// Zero.
+    pub const ZERO: Real = Real { m: 0, e: 0 };
+
+    /// The value of a finite `x`.
+    pub fn new(x: f64) -> Real {
+        Real::from(&Dyadic::new(x))
+    }
+
+    /// `num / den`; `den` must not be zero.
+    pub(super) fn ratio(num: &Dyadic, den: &Dyadic) -> Real {
+        assert!(den.sign() != 0, "a quotient by zero has no value");
+        if num.sign() == 0 {
+            return Real::ZERO;
+        }
+        let (n, d) = (num.magnitude(), den.magnitude());
+        // One bit more than needed: the quotient of the leading bits may be just under 1.
+        let shift = BITS + 1 + d.bit_len() as i64 - n.bit_len() as i64;
+        let (n, d) = match usize::try_from(shift) {
+            Ok(left) => (n << left, d),
+            Err(_) => (n, d << shift.unsigned_abs() as usize),
+        };
+        let (quotient, rest) = n.div_rem(d);
+        let negative = num.sign() != den.sign();
+        Real::round(&quotient, num.e - den.e - shift, !rest.is_zero(), negative)
+    }
+
+    /// The square root of `x >= 0` to [`ROOT_BITS`] bits, as a dyadic number, and whether it is exact.
+    pub(super) fn root_parts(x: &Dyadic) -> (Dyadic, bool) {
+        assert!(x.sign() >= 0, "a negative number has no real root");
+        if x.sign() == 0 {
+            return (x.clone(), true);
+        }
+        let m = x.magnitude();
+        let mut shift = (2 * ROOT_BITS - m.bit_len() as i64).max(0);
+        if (x.e - shift) % 2 != 0 {
+            shift += 1;
+        }
+        let (root, rest) = (m << shift as usize).sqrt_rem();
+        let root = Dyadic {
+            m: root.into(),
+            e: (x.e - shift) / 2,
+        };
+        (root, rest.is_zero())
+    }
+
+    /// `magnitude · 2^e`, cut to [`BITS`] bits; `sticky` says that something nonzero was already cut off.
+    fn round(magnitude: &UBig, e: i64, sticky: bool, negative: bool) -> Real {
+        let excess = magnitude.bit_len() as i64 - BITS;
+        let (bits, sticky) = match usize::try_from(excess) {
+            Ok(cut) => {
+                let lost = magnitude.trailing_zeros().is_some_and(|zeros| zeros < cut);
+                (magnitude >> cut, sticky || lost)
+            }
+            Err(_) => (magnitude << excess.unsigned_abs() as usize, sticky),
+        };
+        let m = i128::try_from(&bits).expect("127 bits fit") | i128::from(sticky);
+        Real {
+            m: if negative { -m } else { m },
+            e: e + excess,
+        }
+    }
+
+    /// -1, 0 or 1.
+    pub fn sign(&self) -> i32 {
+        self.m.signum() as i32
+    }
+
+    /// `(m, e)` of `m · 2^e`.
+    pub fn parts(&self) -> (i128, i64) {
+        (self.m, self.e)
+    }
+
+    /// The nearest `f64`, ties to even; infinite or denormal where the value is out of range.
+    pub fn to_f64(&self) -> f64 {
+        if self.m == 0 {
+            return 0.0;
+        }
+        let magnitude = self.m.unsigned_abs();
+        let exponent = self.exponent();
+        if exponent > 1023 {
+            return f64::INFINITY.copysign(self.m as f64);
+        }
+        // A normal number keeps 53 bits; a denormal one fewer.
+        let cut = BITS - 53 + (-1022 - exponent).max(0);
+        let kept = if cut > BITS {
+            0
+        } else {
+            let (kept, rest) = (magnitude >> cut, magnitude & ((1 << cut) - 1));
+            let half = 1 << (cut - 1);
+            let up = rest > half || (rest == half && kept & 1 == 1);
+            (kept + u128::from(up)) as u64
+        };
+        // The hidden bit of `kept` carries into the exponent field, and so does rounding up.
+        let field = (exponent.max(-1022) + 1022) as u64;
+        f64::from_bits((field << 52) + kept).copysign(self.m as f64)
+    }
+
+    /// `k` in `2^k <= |x| < 2^(k+1)`; of zero, meaningless.
+    fn exponent(&self) -> i64 {
+        self.e + BITS - 1
+    }
+
+    /// `|answer - self|` in units in the last place of this number's `f64`; see [`ulps`].
+    pub fn ulps(&self, answer: f64) -> f64 {
+        if !answer.is_finite() {
+            return f64::INFINITY;
+        }
+        if self.m == 0 {
+            return if answer == 0.0 { 0.0 } else { f64::INFINITY };
+        }
+        let ulp = (self.exponent() - 52).max(-1074);
+        let answer = scale(answer, -ulp);
+        // The truth in ulps, in two parts: an integer of at most 53 bits and a fraction.
+        let cut = ulp - self.e;
+        if cut >= BITS {
+            return (answer - scale(self.m as f64, -cut)).abs();
+        }
+        let whole = self.m >> cut;
+        let fraction = scale((self.m - (whole << cut)) as f64, -cut);
+        ((answer - whole as f64) - fraction).abs()
+    }
+
+    /// The size of one unit in the last place of this number's `f64`; of zero, the smallest number.
+    pub fn ulp(&self) -> f64 {
+        if self.m == 0 {
+            return f64::from_bits(1);
+        }
+        scale(1.0, (self.exponent() - 52).max(-1074))
+    }
+}
+
+/// How far `answer` is from `truth`, in units in the last place of `truth`: half a unit or less
+/// is the best an `f64` can do. Infinite for NaN and infinities, and for any answer but 0 where
+/// the truth is 0.
+pub fn ulps(answer: f64, truth: &Real) -> f64 {
+    truth.ulps(answer)
+}
+
+impl From<&Dyadic> for Real {
+    fn from(x: &Dyadic) -> Real {
+        if x.sign() == 0 {
+            return Real::ZERO;
+        }
+        Real::round(&x.magnitude(), x.e, false, x.sign() < 0)
+    }
+}
+
+impl Ord for Real {
+    fn cmp(&self, other: &Real) -> Ordering {
+        let by_size = || (self.e, self.m.unsigned_abs()).cmp(&(other.e, other.m.unsigned_abs()));
+        match self.sign().cmp(&other.sign()) {
+            Ordering::Equal if self.sign() < 0 => by_size().reverse(),
+            Ordering::Equal => by_size(),
+            unequal => unequal,
+        }
+    }
+}
+
+impl PartialOrd for Real {
+    fn partial_cmp(&self, other: &Real) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl fmt::Debug for Real {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:e}", self.to_f64())
+    }
+}
+
+/// `x · 2^k`, rounded once at most; infinite or zero where it leaves the range.
+pub(super) fn scale(x: f64, k: i64) -> f64 {
+    let power = |k: i64| f64::from_bits(((k + 1023) as u64) << 52);
+    // Two steps of at most 2^1000 reach every f64 from every other; only the last may round.
+    let k = k.clamp(-3000, 3000);
+    let mut rest = k;
+    let mut x = x;
+    while rest > 1000 {
+        x *= power(1000);
+        rest -= 1000;
+    }
+    while rest < -1000 {
+        x *= power(-1000);
+        rest += 1000;
+    }
+    x * power(rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_f64_comes_back() {
+        for x in [
+            0.0,
+            1.0,
+            -0.1,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+            -f64::from_bits(1),
+            f64::from_bits(12345),
+        ] {
+            assert_eq!(Real::new(x).to_f64(), x);
+            assert_eq!(Real::new(x).ulps(x), 0.0);
+        }
+    }
+
+    #[test]
+    fn quotients_round_to_the_nearest() {
+        let third = Real::ratio(&Dyadic::new(1.0), &Dyadic::new(-3.0));
+        assert_eq!(third.to_f64(), -1.0 / 3.0);
+        let distance = third.ulps(-1.0 / 3.0);
+        assert!((distance - 1.0 / 3.0).abs() < 1e-12, "{distance}");
+        // Just over half way between two floats, by one part in 2^200: must round up.
+        let half_way = &Dyadic::new(1.0) + &Dyadic::new(f64::EPSILON / 2.0);
+        assert_eq!(Real::from(&half_way).to_f64(), 1.0);
+        let over = &half_way
+            + &Dyadic {
+                m: 1.into(),
+                e: -200,
+            };
+        assert_eq!(Real::from(&over).to_f64(), 1.0 + f64::EPSILON);
+    }
+
+    #[test]
+    fn denormal_and_overflowing_quotients_have_an_f64() {
+        let tiny = Dyadic::new(f64::from_bits(3));
+        let halves = Real::ratio(&tiny, &Dyadic::new(2.0));
+        assert_eq!(halves.to_f64(), f64::from_bits(2));
+        assert_eq!(halves.ulps(f64::from_bits(1)), 0.5);
+        let huge = Real::ratio(&Dyadic::new(f64::MAX), &tiny);
+        assert_eq!(huge.to_f64(), f64::INFINITY);
+        let none = Real::ratio(&tiny, &Dyadic::new(f64::MAX));
+        assert_eq!(none.to_f64(), 0.0);
+        assert!(none < halves && halves < huge);
+    }
+
+    #[test]
+    fn roots_of_squares_are_exact() {
+        let (root, exact) = Real::root_parts(&Dyadic::new(2.25));
+        assert!(exact);
+        assert_eq!(Real::from(&root).to_f64(), 1.5);
+        let (root, exact) = Real::root_parts(&Dyadic::new(2.0));
+        assert!(!exact);
+        assert_eq!(Real::from(&root).to_f64(), std::f64::consts::SQRT_2);
+    }
+
+    #[test]
+    fn scaling_reaches_across_the_whole_range() {
+        assert_eq!(scale(f64::from_bits(1), 1074), 1.0);
+        assert_eq!(scale(1.0, -1074), f64::from_bits(1));
+        assert_eq!(scale(f64::MAX, -3000), 0.0);
+    }
+}

@@ -1,7 +1,8 @@
 //! Part 3: light that reaches a surface straight from its source.
 //!
 //! Read in this order: [`lambert`] (task 1, how matte surfaces scatter), [`hemisphere`] (task 2, what emits by itself,
-//! and direct light by looking around at random), [`importance`] (task 3, direct light by looking at the lights).
+//! and direct light by looking around at random), [`importance`] (task 3, direct light by looking at the lights), and
+//! beyond the course [`mis`] (both at once).
 //!
 //! Tasks 2 and 3 estimate the same integral, over the unit directions `wi` above a surface with the normal `n`:
 //!
@@ -18,7 +19,9 @@
 pub mod hemisphere;
 pub mod importance;
 pub mod lambert;
+pub mod mis;
 
 pub use hemisphere::{estimate_direct_lighting_hemisphere, zero_bounce_radiance};
 pub use importance::estimate_direct_lighting_importance;
 pub use lambert::{lambert_f, lambert_pdf, lambert_sample};
+pub use mis::estimate_direct_lighting_mis;

@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 /// Chance that any of the tests of this file accuses a right estimate.
 const FAMILY: f64 = 1e-6;
 /// How many estimates this file compares.
-const TESTS: usize = 16;
+const TESTS: usize = 21;
 /// Samples for an estimate: enough for [`WORST_SURE_BIAS`] in the noisiest scene.
 const SAMPLES: u32 = 400_000;
 /// No estimate here is so noisy that a relative bias as large as this one could hide.
@@ -75,6 +75,7 @@ fn a_rectangle_above_the_floor() {
     let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
+    assert_estimates("both", &floor.mis(SAMPLES), truth);
     // Four samples a light, a quarter of the estimates.
     assert_estimates("lights, -l 4", &floor.lights(SAMPLES / 4, 4), truth);
 }
@@ -128,6 +129,7 @@ fn a_glowing_sphere() {
     let truth = RHO * 2.0 * 0.64 / center.length_squared() * cos;
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
+    assert_estimates("both", &floor.mis(SAMPLES), truth);
 }
 
 /// Half of all directions are sky, so all light that a matte floor can get: it looks ρ L.
@@ -139,6 +141,7 @@ fn a_sky() {
     let floor = Floor::under(LitScene::new(sky, None));
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), RHO * 1.5);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), RHO * 1.5);
+    assert_estimates("both", &floor.mis(SAMPLES), RHO * 1.5);
 }
 
 #[test]
@@ -147,6 +150,7 @@ fn an_environment_that_is_the_same_all_around() {
     let floor = Floor::under(LitScene::new(Scene::default(), Some(all_around)));
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), RHO * 0.7);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), RHO * 0.7);
+    assert_estimates("both", &floor.mis(SAMPLES), RHO * 0.7);
 }
 
 /// Four rows: the upper two are seen, and give `∫ L cos θ dw / π = Σ L (cos² θ_top - cos² θ_bottom)`.
@@ -159,6 +163,7 @@ fn an_environment_of_bands() {
     let truth = RHO * (4.0 * 0.5 + 0.5 * 0.5);
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
+    assert_estimates("both", &floor.mis(SAMPLES), truth);
 }
 
 #[test]

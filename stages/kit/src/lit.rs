@@ -309,7 +309,6 @@ mod tests {
                 ),
             ],
             lights,
-            camera: None,
             ..Scene::default()
         }
     }

@@ -3,8 +3,8 @@
 // BEGIN SOLUTION(part3.task3)
 
 use direct::{
-    estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance, lambert_f,
-    lambert_pdf, lambert_sample,
+    estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
+    estimate_direct_lighting_mis, lambert_f, lambert_pdf, lambert_sample,
 };
 use kit::{
     BsdfSample, Frame, Hit, LitScene, Material, PixelSampler, PrimId, Primitive, Ray, Scattering,
@@ -102,6 +102,23 @@ impl Floor {
 
     pub(crate) fn lights_without_cosine(&self, estimates: u32) -> Tally {
         self.by_lights(estimates, 1, &WithoutCosine)
+    }
+
+    /// Estimates of the same, each from one sample a light and one of the surface, weighed.
+    pub(crate) fn mis(&self, estimates: u32) -> Tally {
+        self.estimate(estimates, |surface, wo, sampler, rays| {
+            *rays += 2;
+            estimate_direct_lighting_mis(
+                &self.lit,
+                surface,
+                wo,
+                1,
+                sampler,
+                &Matte,
+                &mut |ray| self.closest(ray),
+                &mut |ray| self.closest(ray).is_some(),
+            )
+        })
     }
 
     fn by_lights(&self, estimates: u32, ns: u32, scattering: &impl Scattering) -> Tally {

@@ -4,6 +4,7 @@
 
 mod course;
 mod grade;
+mod mutants;
 
 use crate::error::GraderError;
 use clap::{Parser, Subcommand, ValueEnum};
@@ -30,6 +31,8 @@ enum Command {
     /// For instructors: looks after the course itself.
     #[command(subcommand)]
     Course(course::Course),
+    /// For instructors: grades typical mistakes, which must lose points, and correct variants, which must not.
+    Mutants(mutants::Mutants),
 }
 
 /// How to print a report.
@@ -62,6 +65,7 @@ pub fn main() -> ExitCode {
 fn run(cli: Cli) -> Result<Verdict, GraderError> {
     match (cli.command, cli.grade) {
         (Some(Command::Course(course)), _) => course.run(),
+        (Some(Command::Mutants(mutants)), _) => mutants.run(),
         (None, Some(grade)) => grade.run(),
         (None, None) => Err(GraderError::new(
             "say what to grade: `grader part1`, or `grader --help` for all there is",

@@ -1,0 +1,124 @@
+//! `grader mutants`: does the grader catch every typical mistake, and accuse no correct code?
+
+use super::Verdict;
+use crate::course::Course;
+use crate::diagnosis;
+use crate::error::GraderError;
+use crate::mutants::corpus::Corpus;
+use crate::mutants::run;
+use crate::mutants::table::Table;
+use crate::report::write_whole;
+use crate::workspace::Workspace;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Which mutants to grade.
+#[derive(Args)]
+pub(super) struct Mutants {
+    /// What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`.
+    #[arg(default_value = "all")]
+    what: String,
+    /// Grade with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
+    #[arg(long, default_value_t = 1)]
+    seeds: u64,
+    /// Store the tables and the signatures that the diagnosis uses.
+    #[arg(long)]
+    bless: bool,
+}
+
+impl Mutants {
+    pub(super) fn run(&self) -> Result<Verdict, GraderError> {
+        let workspace = Workspace::above(Path::new("."))?;
+        let course = Course::read(&workspace)?;
+        let seeds: Vec<u64> = (0..self.seeds).collect();
+        let mut verdict = Verdict::Full;
+        for task in course.select(&self.what)? {
+            let corpus = Corpus::read(&workspace, task)?;
+            let graded = run::task(&workspace, &course, task, &seeds)?;
+            let known = run::known(&corpus, &graded);
+            let table = Table::of(&graded, &known);
+            let accused: Vec<&run::Graded> = graded
+                .iter()
+                .filter(|g| matches!(g.kind, run::Kind::Correct) && !g.is_as_it_should_be())
+                .collect();
+            show(&task.key, &table, &accused);
+            if !accused.is_empty() || !table.survivors().is_empty() {
+                verdict = Verdict::Short;
+            }
+            if self.bless {
+                store(&diagnosis::file(&workspace, &task.key), &known)?;
+                store(&table_file(&workspace, &task.key), &table)?;
+            }
+        }
+        Ok(verdict)
+    }
+}
+
+/// Where the table of a task is stored.
+fn table_file(workspace: &Workspace, task: &str) -> PathBuf {
+    workspace
+        .root()
+        .join("golden/mutants")
+        .join(format!("{task}.json"))
+}
+
+fn store(path: &Path, value: &impl serde::Serialize) -> Result<(), GraderError> {
+    let text =
+        serde_json::to_string_pretty(value).map_err(|e| GraderError::file("write", path, e))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
+    write_whole(path, (text + "\n").as_bytes())
+}
+
+fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
+    println!(
+        "{task}: {} mutants, {} correct versions",
+        table.mutants.len(),
+        table.correct.len()
+    );
+    for (name, failed) in &table.mutants {
+        let named = table
+            .diagnosed
+            .get(name)
+            .map(|named| named.join(", "))
+            .unwrap_or_default();
+        let named = if named.is_empty() {
+            "no mistake".to_string()
+        } else {
+            named
+        };
+        println!(
+            "  {name}: lost points in {} cases, named as {named}",
+            failed.len()
+        );
+    }
+    for name in table.survivors() {
+        println!("  SURVIVES: {name} loses no points");
+    }
+    for (name, named) in table.misnamed() {
+        println!("  MISNAMED: {name} is taken for {named:?}");
+    }
+    for graded in accused {
+        println!(
+            "  ACCUSED: {} lost {} core points",
+            graded.name,
+            graded.result.max_score - graded.result.score
+        );
+        for case in graded
+            .result
+            .cases
+            .iter()
+            .filter(|case| case.score < case.max_score)
+        {
+            let why = case
+                .worst()
+                .map(|(_, worst)| worst.message.as_str())
+                .unwrap_or_default();
+            println!("    {}: {why}", case.name);
+        }
+    }
+    let (recognised, held_out) = table.recognised;
+    if held_out > 0 {
+        println!("  recognised in other clothes: {recognised} of {held_out}");
+    }
+}

@@ -3,10 +3,12 @@
 use crate::cases::{self, Spec};
 use crate::compile::{self, Built};
 use crate::course::{Course, Task, Tier};
+use crate::diagnosis;
 use crate::error::GraderError;
 use crate::judge;
 use crate::runner::{self, Ending, Worker};
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
+use crate::signature::Signature;
 use crate::workspace::Workspace;
 use wire::Outcome;
 
@@ -57,6 +59,10 @@ pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderEr
         }
     }
     results.sort_by(|a, b| a.key.cmp(&b.key));
+    for result in &mut results {
+        let known = diagnosis::known(workspace, &result.key)?;
+        result.diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
+    }
     Ok(Graded {
         report: Report::new(results),
         printed,

@@ -1,6 +1,7 @@
 //! From findings to points.
 
 use crate::course::{CaseEntry, Course, Task, Tier};
+use crate::diagnosis::Diagnosis;
 use crate::error::GraderError;
 use crate::judge::tally::{Finding, Worst};
 use crate::runner::Ending;
@@ -65,6 +66,12 @@ pub struct TaskResult {
     /// How it stands.
     #[serde(flatten)]
     pub status: Status,
+    /// The crate below `stages/` that it is written in.
+    pub stage: String,
+    /// What its wrong answers look like, if they look like a known mistake.
+    pub diagnosis: Option<Diagnosis>,
+    /// The worst wrong answer as a Rust test.
+    pub worst_as_test: Option<String>,
     /// Its cases.
     pub cases: Vec<CaseResult>,
 }
@@ -155,6 +162,9 @@ impl TaskResult {
             robust_score: sum(Tier::Robust),
             robust_max_score: task.points(Tier::Robust),
             status,
+            stage: task.stage.clone(),
+            diagnosis: None,
+            worst_as_test: None,
             cases,
         }
     }

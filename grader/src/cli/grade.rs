@@ -4,6 +4,7 @@ use super::{Format, Verdict};
 use crate::error::GraderError;
 use crate::grade::{self, Order};
 use crate::report;
+use crate::report::table::Hint;
 use crate::workspace::Workspace;
 use clap::Args;
 use std::path::Path;
@@ -19,6 +20,9 @@ pub(super) struct Grade {
     /// Seed of the fresh random probes.
     #[arg(long, default_value_t = 0)]
     seed: u64,
+    /// How much to give away: 1 which kinds of rays fail, 2 also what is wrong, 3 also the worst ray, 4 also the mistake.
+    #[arg(long, value_enum, default_value_t = Hint::Mistake)]
+    hint: Hint,
 }
 
 impl Grade {
@@ -39,7 +43,7 @@ impl Grade {
                 if !graded.printed.is_empty() {
                     println!("your code printed:\n{}\n", graded.printed.trim_end());
                 }
-                print!("{}", report::table::show(&graded.report));
+                print!("{}", report::table::show(&graded.report, self.hint));
             }
         }
         Ok(if graded.report.is_full() {

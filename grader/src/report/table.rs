@@ -1,41 +1,58 @@
-//! The report as a table, then what failed.
+//! The report as a table, then what failed: as much of it as the hint level says.
 
 use crate::course::Tier;
+use crate::judge::tally::Finding;
 use crate::score::{CaseResult, Report, Status, TaskResult};
-use comfy_table::{Cell, CellAlignment, Table, presets};
+use clap::ValueEnum;
+use comfy_table::{Cell, CellAlignment, Color, Table, presets};
 use std::fmt::Write;
 
+/// How much the report gives away, from the least to the most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Hint {
+    /// Which kinds of rays fail.
+    #[value(name = "1")]
+    Class,
+    /// Also what is wrong about the answers.
+    #[value(name = "2")]
+    Field,
+    /// Also the worst ray, and a test to paste.
+    #[value(name = "3")]
+    Ray,
+    /// Also the mistake, if it is a known one.
+    #[value(name = "4")]
+    Mistake,
+}
+
+/// Of a task with many failing cases this many are shown in full; the rest by name.
+const CASES_IN_FULL: usize = 5;
+
 /// The report for people.
-pub fn show(report: &Report) -> String {
+pub fn show(report: &Report, hint: Hint) -> String {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_HORIZONTAL_ONLY)
-        .set_header(["task", "", "core", "robust", ""]);
+        .set_header(["task", "", "core", "extra", ""]);
     for task in &report.tasks {
         table.add_row([
             Cell::new(&task.key),
             Cell::new(&task.title),
             points(task.score, task.max_score),
             points(task.robust_score, task.robust_max_score),
-            Cell::new(summary(task)),
+            Cell::new(summary(task)).fg(colour(task)),
         ]);
     }
     let mut text = format!("{table}\n");
     for task in &report.tasks {
-        details(&mut text, task);
+        details(&mut text, task, hint);
     }
-    let _ = writeln!(
-        text,
-        "\nscore {} of {}",
-        number(report.score),
-        number(report.max_score)
-    );
+    let (score, max_score) = (number(report.score), number(report.max_score));
+    let _ = writeln!(text, "\nscore {score} of {max_score}");
     if report.robust_max_score > 0.0 {
+        let (score, max_score) = (number(report.robust_score), number(report.robust_max_score));
         let _ = writeln!(
             text,
-            "extra credit {} of {}",
-            number(report.robust_score),
-            number(report.robust_max_score)
+            "extra credit {score} of {max_score}, for answers that stay right where textbook formulas do not"
         );
     }
     text
@@ -56,16 +73,28 @@ fn number(points: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
+fn colour(task: &TaskResult) -> Color {
+    match task.status {
+        Status::NotAttempted | Status::Needs(_) => Color::Grey,
+        _ if task.score >= task.max_score => Color::Green,
+        _ => Color::Red,
+    }
+}
+
 fn summary(task: &TaskResult) -> String {
+    let lost = |tier: Tier| {
+        let failed = |case: &&CaseResult| case.tier == tier && case.status != Status::Passed;
+        task.cases.iter().filter(failed).count()
+    };
     match &task.status {
-        Status::Failed => {
-            let failed = task
-                .cases
-                .iter()
-                .filter(|case| case.status != Status::Passed)
-                .count();
-            format!("{failed} of {} cases lost points", task.cases.len())
+        Status::Failed if lost(Tier::Core) > 0 => {
+            format!(
+                "{} of {} cases failed",
+                lost(Tier::Core) + lost(Tier::Robust),
+                task.cases.len()
+            )
         }
+        Status::Failed => format!("passed; {} cases of extra credit open", lost(Tier::Robust)),
         status => describe(status),
     }
 }
@@ -73,7 +102,7 @@ fn summary(task: &TaskResult) -> String {
 fn describe(status: &Status) -> String {
     match status {
         Status::Passed => "passed".into(),
-        Status::Failed => "lost points".into(),
+        Status::Failed => "failed".into(),
         Status::NotAttempted => "not attempted".into(),
         Status::Needs(task) => format!("needs {task}"),
         Status::Crashed(how) => how.clone(),
@@ -82,50 +111,99 @@ fn describe(status: &Status) -> String {
     }
 }
 
-fn details(text: &mut String, task: &TaskResult) {
-    if matches!(
-        task.status,
-        Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
-    ) {
-        return;
-    }
-    let _ = writeln!(text, "\n{} {}", task.key, task.title);
-    for case in task
+fn details(text: &mut String, task: &TaskResult, hint: Hint) {
+    let failed: Vec<&CaseResult> = task
         .cases
         .iter()
-        .filter(|case| case.status != Status::Passed)
+        .filter(|case| {
+            !matches!(
+                case.status,
+                Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
+            )
+        })
+        .collect();
+    if failed.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "\n{}  {}", task.key, task.title);
+    if hint >= Hint::Mistake {
+        diagnosis(text, task);
+    }
+    // What earns core points comes first.
+    let (core, robust): (Vec<_>, Vec<_>) =
+        failed.into_iter().partition(|case| case.tier == Tier::Core);
+    for (cases, heading) in [(core, ""), (robust, "  extra credit:\n")] {
+        if !cases.is_empty() {
+            text.push_str(heading);
+        }
+        let (full, rest) = cases.split_at(cases.len().min(CASES_IN_FULL));
+        full.iter().for_each(|case| one_case(text, case, hint));
+        if !rest.is_empty() {
+            let names: Vec<&str> = rest.iter().map(|case| case.name.as_str()).collect();
+            let _ = writeln!(text, "  and {}", names.join(", "));
+        }
+    }
+    if hint >= Hint::Ray
+        && let Some(test) = &task.worst_as_test
     {
-        one_case(text, case);
+        let _ = writeln!(
+            text,
+            "\n  The worst of it as a test, for stages/{}/tests/worst.rs:\n",
+            task.stage
+        );
+        test.lines().for_each(|line| {
+            let _ = writeln!(text, "    {line}");
+        });
     }
 }
 
-fn one_case(text: &mut String, case: &CaseResult) {
-    let tier = if case.tier == Tier::Robust {
-        " (robust)"
-    } else {
-        ""
-    };
-    let _ = writeln!(
-        text,
-        "  {}{tier}  {}/{}  {}",
-        case.name,
-        number(case.score),
-        number(case.max_score),
-        case.about
-    );
+fn diagnosis(text: &mut String, task: &TaskResult) {
+    match &task.diagnosis {
+        Some(diagnosis) => {
+            let _ = writeln!(
+                text,
+                "  Likely: {}.\n  Hint: {}",
+                diagnosis.says, diagnosis.hint
+            );
+        }
+        None => {
+            let _ = writeln!(
+                text,
+                "  This looks like none of the mistakes that the grader knows. What fails:"
+            );
+        }
+    }
+}
+
+fn one_case(text: &mut String, case: &CaseResult, hint: Hint) {
+    let (score, max_score) = (number(case.score), number(case.max_score));
+    let _ = writeln!(text, "  {}  {score}/{max_score}  {}", case.name, case.about);
     if case.status != Status::Failed {
         let _ = writeln!(text, "      {}", describe(&case.status));
     }
-    for finding in case.findings.iter().filter(|finding| !finding.passed()) {
+    if hint >= Hint::Field {
+        let failed = case.findings.iter().filter(|finding| !finding.passed());
+        failed.for_each(|finding| one_finding(text, finding, hint));
+    }
+}
+
+fn one_finding(text: &mut String, finding: &Finding, hint: Hint) {
+    let label = finding.aspect.label();
+    if finding.wrong == 0 {
         let _ = writeln!(
             text,
-            "      {}: wrong on {} of {}",
-            finding.aspect.label(),
-            finding.wrong,
-            finding.judged
+            "      {label}: never shown, because no answer got that far"
         );
-        if let Some(worst) = &finding.worst {
-            let _ = writeln!(text, "        {}", worst.message);
-        }
+        return;
+    }
+    let _ = writeln!(
+        text,
+        "      {label}: wrong on {} of {}",
+        finding.wrong, finding.judged
+    );
+    if hint >= Hint::Ray
+        && let Some(worst) = &finding.worst
+    {
+        let _ = writeln!(text, "          {}", worst.message);
     }
 }

@@ -67,3 +67,29 @@ impl From<OutputError> for Failure {
         Failure::Input(why.to_string())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+
+    /// As a stage runs: on another thread, below rayon.
+    fn failure_of(stage: impl Fn() + Send + Sync) -> Failure {
+        let threads = rayon::ThreadPoolBuilder::new().build().expect("threads");
+        let run = catch_unwind(AssertUnwindSafe(|| threads.install(stage)));
+        Failure::of_panic(run.expect_err("the stage does not return"))
+    }
+
+    #[test]
+    fn a_hole_is_told_by_its_key() {
+        let Failure::Hole(hole) = failure_of(|| kit::hole!("part1.task3")) else {
+            panic!("a hole is known as one");
+        };
+        assert_eq!(hole.to_string(), "part1.task3 is not written yet");
+    }
+
+    #[test]
+    fn another_panic_is_a_panic() {
+        assert!(matches!(failure_of(|| panic!("no")), Failure::Panic));
+    }
+}

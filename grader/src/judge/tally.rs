@@ -154,6 +154,8 @@ pub struct Finding {
     /// Each of them: its call and its class.
     #[serde(skip)]
     pub faults: Vec<(u32, Class)>,
+    #[serde(skip)]
+    last_judged: Option<u32>,
 }
 
 /// The worst wrong answer.
@@ -208,11 +210,13 @@ impl Tally {
         badness: f64,
         message: impl FnOnce() -> String,
     ) {
-        let finding = self.entry(aspect);
-        finding.judged += 1;
-        let Some(class) = class else { return };
-        finding.wrong += 1;
         let call = u32::try_from(call).unwrap_or(u32::MAX);
+        let finding = self.entry(aspect);
+        // Two functions may show the same aspect in one call: it still counts once.
+        finding.judged += u32::from(finding.last_judged.replace(call) != Some(call));
+        let Some(class) = class else { return };
+        let again = finding.faults.last().is_some_and(|(last, _)| *last == call);
+        finding.wrong += u32::from(!again);
         finding.faults.push((call, class));
         // NaN is as bad as it gets.
         let badness = if badness.is_nan() {
@@ -251,6 +255,7 @@ impl Tally {
                     wrong: 0,
                     worst: None,
                     faults: Vec::new(),
+                    last_judged: None,
                 });
                 self.findings.len() - 1
             });

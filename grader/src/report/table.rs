@@ -183,19 +183,26 @@ fn one_case(text: &mut String, case: &CaseResult, hint: Hint) {
     }
     if hint >= Hint::Field {
         let failed = case.findings.iter().filter(|finding| !finding.passed());
-        failed.for_each(|finding| one_finding(text, finding, hint));
+        let (wrong, unseen): (Vec<_>, Vec<_>) = failed.partition(|finding| finding.wrong > 0);
+        wrong
+            .iter()
+            .for_each(|finding| one_finding(text, finding, hint));
+        if !unseen.is_empty() {
+            let labels: Vec<&str> = unseen
+                .iter()
+                .map(|finding| finding.aspect.label())
+                .collect();
+            let _ = writeln!(
+                text,
+                "      not seen, because no answer got that far: {}",
+                labels.join(", ")
+            );
+        }
     }
 }
 
 fn one_finding(text: &mut String, finding: &Finding, hint: Hint) {
     let label = finding.aspect.label();
-    if finding.wrong == 0 {
-        let _ = writeln!(
-            text,
-            "      {label}: never shown, because no answer got that far"
-        );
-        return;
-    }
     let _ = writeln!(
         text,
         "      {label}: wrong on {} of {}",

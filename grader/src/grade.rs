@@ -38,6 +38,7 @@ pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderEr
     let mut results = Vec::new();
     let mut printed = String::new();
     let mut stages: Vec<&str> = tasks.iter().map(|task| task.stage.as_str()).collect();
+    stages.sort_unstable();
     stages.dedup();
     for stage in stages {
         let tasks: Vec<&Task> = tasks

@@ -3,7 +3,11 @@
 //! `course.toml` says which cases count and what they are worth; here is what they do. Every case is the same
 //! on every machine; those that take a seed draw fresh rays from it.
 
+mod crosses;
 mod part1_task3;
+mod part2_task1;
+pub(crate) mod part2_task3;
+pub(crate) mod recorded;
 
 use wire::Work;
 
@@ -67,5 +71,8 @@ impl Spec {
 
 /// All cases of all tasks.
 pub fn all(_seed: u64) -> Vec<Spec> {
-    part1_task3::cases()
+    let mut cases = part1_task3::cases();
+    cases.extend(part2_task1::cases());
+    cases.extend(part2_task3::cases());
+    cases
 }

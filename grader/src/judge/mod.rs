@@ -7,8 +7,10 @@ pub mod expected;
 mod hits;
 mod shapes;
 pub mod tally;
+mod traverse;
+mod tree;
 
-use crate::cases::Spec;
+use crate::cases::{self, Spec};
 use crate::course::Tier;
 use crate::truth;
 use tally::{Finding, Tally};
@@ -34,6 +36,20 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
                 |probe| truth::sphere(tier, &spheres[probe.shape as usize], &probe.ray),
                 answers,
             );
+        }
+        (
+            Work::Build {
+                bounds,
+                max_leaf_size,
+            },
+            Answer::Build(answer),
+        ) => {
+            let recorded = cases::recorded::tree(spec.name);
+            tree::build(&mut tally, bounds, *max_leaf_size, answer, recorded);
+        }
+        (Work::Traverse(world), Answer::Traverse(answers)) => {
+            let counts_work = cases::part2_task3::counts_work(spec.name);
+            traverse::traverse(&mut tally, world, answers, counts_work);
         }
         _ => unreachable!("the worker answers each kind of work with its own kind of answer"),
     }

@@ -1,0 +1,196 @@
+//! Worlds for traversals, in which every hit is plain to see.
+//!
+//! A primitive is a box with three plates inside, one across each axis. Rays run along an axis, so a ray that passes
+//! through the box meets the plate across its axis: nothing rounds, and no intersection code is needed.
+
+use kit::{Aabb, Ray, Vec3};
+use wire::Work;
+use wire::work::{self, Node, NodeKind, ScriptedRay, ScriptedWorld, Tree};
+
+/// A box, and the point in which its three plates meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cross {
+    /// The box.
+    pub(super) bounds: Aabb,
+    /// Inside it.
+    pub(super) at: Vec3,
+}
+
+/// A tree as it is drawn on paper.
+pub(super) enum Plan {
+    /// A leaf with these primitives.
+    Leaf(Vec<u32>),
+    /// Two children, left and right.
+    Split(Box<Plan>, Box<Plan>),
+}
+
+/// Crosses in a tree.
+pub(super) struct World {
+    crosses: Vec<Cross>,
+    tree: Tree,
+}
+
+impl Cross {
+    /// With the corners `min` and `max`, and the plates in the middle.
+    pub(super) fn new(min: Vec3, max: Vec3) -> Cross {
+        Cross {
+            bounds: Aabb { min, max },
+            at: 0.5 * (min + max),
+        }
+    }
+
+    /// The same box with the plates through `at`.
+    pub(super) fn with_plates(self, at: Vec3) -> Cross {
+        Cross { at, ..self }
+    }
+
+    /// The same box with nothing in it.
+    pub(super) fn without_plates(self) -> Cross {
+        self.with_plates(Vec3::NAN)
+    }
+
+    fn meets(&self, ray: &Ray) -> Option<f64> {
+        let axis = axis_of(ray);
+        let t = (self.at[axis] - ray.o[axis]) / ray.d[axis];
+        span(&self.bounds, ray).map(|_| t).filter(|t| !t.is_nan())
+    }
+}
+
+impl Plan {
+    pub(super) fn split(left: Plan, right: Plan) -> Plan {
+        Plan::Split(Box::new(left), Box::new(right))
+    }
+
+    /// Leaves of one primitive each, and each half of `ids` below a child of its own.
+    pub(super) fn halves(ids: &[u32]) -> Plan {
+        match ids {
+            [_] | [] => Plan::Leaf(ids.to_vec()),
+            _ => {
+                let (low, high) = ids.split_at(ids.len() / 2);
+                Plan::split(Plan::halves(low), Plan::halves(high))
+            }
+        }
+    }
+}
+
+impl World {
+    pub(super) fn new(crosses: Vec<Cross>, plan: &Plan) -> World {
+        let mut tree = Tree::default();
+        tree.nodes.push(unfinished());
+        grow(&mut tree, 0, plan, &crosses);
+        World { crosses, tree }
+    }
+
+    /// Nothing, in a tree without nodes.
+    pub(super) fn empty() -> World {
+        World {
+            crosses: Vec::new(),
+            tree: Tree::default(),
+        }
+    }
+
+    /// The closest hits of `rays`.
+    pub(super) fn closest(&self, rays: &[Ray]) -> Work {
+        Work::Traverse(self.script(rays, false))
+    }
+
+    /// Whether `rays` are blocked.
+    pub(super) fn any(&self, rays: &[Ray]) -> Work {
+        Work::Traverse(self.script(rays, true))
+    }
+
+    /// Everything that a traversal may ask about `rays`, answered.
+    pub(super) fn script(&self, rays: &[Ray], any_hit: bool) -> ScriptedWorld {
+        let rays = rays.iter().map(|ray| ScriptedRay {
+            ray: wire_ray(ray),
+            spans: self
+                .tree
+                .nodes
+                .iter()
+                .map(|node| span(&corners(&node.bounds), ray))
+                .collect(),
+            prims: self.crosses.iter().map(|cross| cross.meets(ray)).collect(),
+        });
+        ScriptedWorld {
+            tree: self.tree.clone(),
+            any_hit,
+            rays: rays.collect(),
+        }
+    }
+}
+
+/// The ray from `o` along `axis` (0 for x), with steps of length `step`, forwards or backwards.
+pub(super) fn along(axis: usize, step: f64, o: Vec3) -> Ray {
+    Ray::new(o, step * Vec3::AXES[axis])
+}
+
+fn axis_of(ray: &Ray) -> usize {
+    ray.d.abs().max_position()
+}
+
+/// Where the line of a ray along an axis is inside a box.
+fn span(b: &Aabb, ray: &Ray) -> Option<[f64; 2]> {
+    let axis = axis_of(ray);
+    let beside = |i: usize| i != axis && !(b.min[i] <= ray.o[i] && ray.o[i] <= b.max[i]);
+    if (0..3).any(beside) {
+        return None;
+    }
+    let [a, b] = [b.min, b.max].map(|corner| (corner[axis] - ray.o[axis]) / ray.d[axis]);
+    Some([a.min(b), a.max(b)])
+}
+
+fn corners(&[min, max]: &[work::Xyz; 2]) -> Aabb {
+    Aabb {
+        min: min.into(),
+        max: max.into(),
+    }
+}
+
+fn wire_ray(ray: &Ray) -> work::Ray {
+    work::Ray {
+        o: ray.o.into(),
+        d: ray.d.into(),
+        min_t: ray.min_t,
+        max_t: ray.max_t,
+    }
+}
+
+/// Holds a node's place until what is below it is known.
+fn unfinished() -> Node {
+    Node {
+        bounds: [[0.0; 3]; 2],
+        kind: NodeKind::Leaf { first: 0, count: 0 },
+    }
+}
+
+/// Writes `plan` into place `at` of the tree; gives its box.
+fn grow(tree: &mut Tree, at: usize, plan: &Plan, crosses: &[Cross]) -> Aabb {
+    let (bounds, kind) = match plan {
+        Plan::Leaf(ids) => {
+            let first = tree.order.len() as u32;
+            tree.order.extend(ids);
+            let boxes = ids.iter().map(|&id| crosses[id as usize].bounds);
+            let kind = NodeKind::Leaf {
+                first,
+                count: ids.len() as u32,
+            };
+            (boxes.fold(Aabb::EMPTY, Aabb::union), kind)
+        }
+        Plan::Split(left, right) => {
+            let children = tree.nodes.len();
+            tree.nodes.extend([unfinished(), unfinished()]);
+            let bounds =
+                grow(tree, children, left, crosses).union(grow(tree, children + 1, right, crosses));
+            let kind = NodeKind::Interior {
+                left: children as u32,
+                right: children as u32 + 1,
+            };
+            (bounds, kind)
+        }
+    };
+    tree.nodes[at] = Node {
+        bounds: [bounds.min.into(), bounds.max.into()],
+        kind,
+    };
+    bounds
+}

@@ -1,0 +1,316 @@
+//! Judging a walk through a tree in a world whose answers are written down.
+
+use super::hits;
+use super::tally::{Aspect, Tally};
+use std::collections::BTreeMap;
+use wire::answer::TraverseAnswer;
+use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
+
+/// A traversal may make this many times the tests of one that takes children as they come, from left to right or
+/// from right to left, on rays of which half run one way and half the other. Going farther-first or everywhere
+/// makes twice as many.
+const WORK_FACTOR: f64 = 1.5;
+
+/// Judges the answers of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of tests.
+pub(super) fn traverse(
+    tally: &mut Tally,
+    world: &ScriptedWorld,
+    answers: &[TraverseAnswer],
+    counts_work: bool,
+) {
+    for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
+        if world.any_hit {
+            any(tally, call, scripted, answer);
+        } else {
+            closest(tally, call, scripted, answer);
+        }
+    }
+    if counts_work {
+        work(tally, world, answers);
+    }
+}
+
+/// The hits in the ray's range: primitive and `t`.
+fn in_range(scripted: &ScriptedRay) -> impl Iterator<Item = (u32, f64)> {
+    let Ray { min_t, max_t, .. } = scripted.ray;
+    let met = (0..).zip(&scripted.prims);
+    met.filter_map(|(id, &t)| Some((id, t?)))
+        .filter(move |&(_, t)| min_t <= t && t <= max_t)
+}
+
+fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
+    let right = in_range(scripted).min_by(|a, b| a.1.total_cmp(&b.1));
+    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::RayAfter);
+    if right.is_some() {
+        tally.expect(Aspect::T);
+        tally.expect(Aspect::Primitive);
+    }
+    let decided = right.is_some() == answer.hit.is_some();
+    tally.judge(Aspect::Decision, call, decided, 1.0, || {
+        let said = match right {
+            Some((id, t)) => format!("intersect_bvh says miss; primitive {id} is hit at t = {t}"),
+            None => "intersect_bvh says hit; nothing is hit".into(),
+        };
+        format!("{said}.{} {}", asked(answer), hits::show_ray(&scripted.ray))
+    });
+    if let (Some((id, t)), Some((given_t, given))) = (right, answer.hit) {
+        let off = (given_t - t).abs();
+        tally.judge(Aspect::T, call, given_t == t, off, || {
+            format!(
+                "intersect_bvh gives primitive {given} at t = {given_t}; the closest is primitive {id} at t = {t}.{} {}",
+                asked(answer),
+                hits::show_ray(&scripted.ray)
+            )
+        });
+        let is_there = in_range(scripted).any(|(id, at)| id == given && at == t);
+        tally.judge(Aspect::Primitive, call, is_there, 1.0, || {
+            format!(
+                "intersect_bvh gives primitive {given}; at t = {t} is primitive {id}. {}",
+                hits::show_ray(&scripted.ray)
+            )
+        });
+    }
+    let hit_t = answer.hit.map(|(t, _)| t);
+    hits::ray_after(
+        tally,
+        call,
+        "intersect_bvh",
+        &scripted.ray,
+        hit_t,
+        &answer.ray_after,
+    );
+}
+
+fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
+    let blocker = in_range(scripted).next();
+    tally.expect(Aspect::Decision);
+    let decided = blocker.is_some() == answer.hit.is_some();
+    tally.judge(Aspect::Decision, call, decided, 1.0, || {
+        let said = match blocker {
+            Some((id, t)) => {
+                format!("occludes_bvh says no; primitive {id} is in the way at t = {t}")
+            }
+            None => "occludes_bvh says yes; nothing is in the way".into(),
+        };
+        format!("{said}.{} {}", asked(answer), hits::show_ray(&scripted.ray))
+    });
+}
+
+/// What is odd about the questions, if anything.
+fn asked(answer: &TraverseAnswer) -> String {
+    if answer.unknown_boxes > 0 {
+        return format!(
+            " It asked for {} boxes that are no node's: ask with the node's own bounds.",
+            answer.unknown_boxes
+        );
+    }
+    if answer.repeated_prims > 0 {
+        return format!(
+            " It asked {} primitives more than once.",
+            answer.repeated_prims
+        );
+    }
+    String::new()
+}
+
+/// Tests of many rays.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tests {
+    boxes: u32,
+    prims: u32,
+}
+
+/// Judges the number of tests, for the rays along each axis apart.
+fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+    let function = if world.any_hit {
+        "occludes_bvh"
+    } else {
+        "intersect_bvh"
+    };
+    let orders = [
+        left_to_right(&world.tree, false),
+        left_to_right(&world.tree, true),
+    ];
+    let mut made: BTreeMap<usize, (usize, Tests, Tests)> = BTreeMap::new();
+    for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
+        let axis = kit::Vec3::from(scripted.ray.d).abs().max_position();
+        let (_, made, twice_plain) =
+            made.entry(axis)
+                .or_insert((call, Tests::default(), Tests::default()));
+        made.boxes += answer.box_tests;
+        made.prims += answer.prim_tests;
+        for order in &orders {
+            let tests = plain_tests(world, order, scripted);
+            twice_plain.boxes += tests.boxes;
+            twice_plain.prims += tests.prims;
+        }
+    }
+    tally.expect(Aspect::Work);
+    for (call, made, twice_plain) in made.into_values() {
+        let mut count = |what: &str, made: u32, twice_plain: u32| {
+            let plain = f64::from(twice_plain) / 2.0;
+            let right = f64::from(made) <= WORK_FACTOR * plain;
+            tally.judge(Aspect::Work, call, right, f64::from(made) / plain, || {
+                format!(
+                    "{function} makes {made} {what} tests where taking children as they come makes {plain:.0} (up to {WORK_FACTOR} times that is fine). {}",
+                    hits::show_ray(&world.rays[call].ray)
+                )
+            });
+        };
+        count("box", made.boxes, twice_plain.boxes);
+        count("primitive", made.prims, twice_plain.prims);
+        tally.judge(Aspect::Work, call, made.boxes > 0, f64::INFINITY, || {
+            format!(
+                "{function} never asks about a box: ask world.hit_box before going below a node"
+            )
+        });
+    }
+}
+
+/// All nodes, each before what is below it, left before right or `mirrored`.
+fn left_to_right(tree: &Tree, mirrored: bool) -> Vec<usize> {
+    let mut order = Vec::new();
+    let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
+    while let Some(at) = next.pop() {
+        order.push(at);
+        if let NodeKind::Interior { left, right } = tree.nodes[at].kind {
+            let (first, second) = if mirrored {
+                (right, left)
+            } else {
+                (left, right)
+            };
+            next.extend([second as usize, first as usize]);
+        }
+    }
+    order
+}
+
+/// The tests that a traversal makes which takes the nodes in this `order` and skips what is out of range: no walk
+/// is needed to count them. A node is entered exactly if its box is met before the closest hit among all primitives
+/// that come earlier in the order; for any hit, if none of those is a hit.
+fn plain_tests(world: &ScriptedWorld, order: &[usize], scripted: &ScriptedRay) -> Tests {
+    let tree = &world.tree;
+    let mut tests = Tests { boxes: 1, prims: 0 };
+    let mut max_t = scripted.ray.max_t;
+    for &at in order {
+        let entered = scripted.spans[at]
+            .is_some_and(|[enters, leaves]| enters <= max_t && leaves >= scripted.ray.min_t);
+        let NodeKind::Leaf { first, count } = tree.nodes[at].kind else {
+            tests.boxes += if entered { 2 } else { 0 };
+            continue;
+        };
+        let prims = &tree.order[first as usize..first as usize + count as usize];
+        tests.prims += if entered { count } else { 0 };
+        let met = prims.iter().filter_map(|&id| scripted.prims[id as usize]);
+        let hit = met
+            .filter(|&t| scripted.ray.min_t <= t)
+            .fold(f64::INFINITY, f64::min);
+        if hit <= max_t && world.any_hit {
+            return tests;
+        }
+        max_t = max_t.min(hit);
+    }
+    tests
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases;
+    use crate::judge::tally::Finding;
+    use wire::Work;
+
+    fn script(name: &str) -> ScriptedWorld {
+        let spec = cases::all(0)
+            .into_iter()
+            .find(|spec| spec.is("part2.task3", name));
+        match spec.map(|spec| spec.work) {
+            Some(Work::Traverse(world)) => world,
+            other => panic!("{name} is {other:?}"),
+        }
+    }
+
+    /// What code answers that asks all primitives: right, with `box_tests` and `prim_tests` each ray.
+    fn right(world: &ScriptedWorld, box_tests: u32, prim_tests: u32) -> Vec<TraverseAnswer> {
+        let each = world.rays.iter();
+        each.map(|scripted| {
+            let closest = in_range(scripted).min_by(|a, b| a.1.total_cmp(&b.1));
+            let max_t = closest.map_or(scripted.ray.max_t, |(_, t)| t);
+            TraverseAnswer {
+                hit: closest.map(|(id, t)| (t, id)),
+                ray_after: Ray {
+                    max_t,
+                    ..scripted.ray
+                },
+                box_tests,
+                prim_tests,
+                repeated_prims: 0,
+                unknown_boxes: 0,
+            }
+        })
+        .collect()
+    }
+
+    fn failed(world: &ScriptedWorld, answers: &[TraverseAnswer], counts_work: bool) -> Vec<Aspect> {
+        let mut tally = Tally::default();
+        traverse(&mut tally, world, answers, counts_work);
+        let findings = tally.into_findings();
+        let failed = findings.iter().filter(|finding| !finding.passed());
+        failed.map(|finding: &Finding| finding.aspect).collect()
+    }
+
+    #[test]
+    fn right_answers_pass() {
+        for name in [
+            "both_children",
+            "box_in_box",
+            "ties",
+            "rounded_boxes",
+            "deep_tree",
+        ] {
+            let world = script(name);
+            assert_eq!(failed(&world, &right(&world, 9, 9), false), [], "{name}");
+        }
+    }
+
+    #[test]
+    fn the_farther_hit_loses_t() {
+        let world = script("box_in_box");
+        let mut answers = right(&world, 9, 9);
+        let (scripted, answer) = (&world.rays[0], &mut answers[0]);
+        let farthest = in_range(scripted).max_by(|a, b| a.1.total_cmp(&b.1));
+        answer.hit = farthest.map(|(id, t)| (t, id));
+        answer.ray_after.max_t = farthest.map_or(0.0, |(_, t)| t);
+        assert_eq!(
+            failed(&world, &answers, false),
+            [Aspect::T, Aspect::Primitive]
+        );
+    }
+
+    #[test]
+    fn a_ray_that_keeps_its_range_loses_only_that() {
+        let world = script("both_children");
+        let mut answers = right(&world, 9, 9);
+        for (scripted, answer) in world.rays.iter().zip(&mut answers) {
+            answer.ray_after = scripted.ray;
+        }
+        assert_eq!(failed(&world, &answers, false), [Aspect::RayAfter]);
+    }
+
+    /// 256 layers have 511 nodes; half of the rays should see few of them.
+    #[test]
+    fn going_everywhere_or_nowhere_loses_work() {
+        let world = script("nearer_first");
+        assert_eq!(failed(&world, &right(&world, 270, 130), true), []);
+        assert_eq!(
+            failed(&world, &right(&world, 511, 130), true),
+            [Aspect::Work]
+        );
+        assert_eq!(failed(&world, &right(&world, 0, 130), true), [Aspect::Work]);
+        assert_eq!(
+            failed(&world, &right(&world, 270, 256), true),
+            [Aspect::Work]
+        );
+    }
+}

@@ -8,6 +8,9 @@ use wire::{Answer, Work};
 /// How many lines of a case have the question and the whole record.
 pub const FULL_LINES: usize = 48;
 
+/// How many nodes of a tree are written: a change of the recipe shows in the first ones, and in their number.
+const TREE_LINES: usize = 512;
+
 /// The text of the snapshot of `answer` to `work`; `None` for what is different every time (times).
 pub fn write(work: &Work, answer: &Answer) -> Option<String> {
     let (totals, lines) = content(work, answer)?;
@@ -112,8 +115,8 @@ fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
             .collect()
         }
         (Work::Build { .. }, Answer::Build(answer)) => {
-            let nodes = answer.tree.nodes.iter();
-            nodes
+            let nodes = answer.tree.nodes.iter().take(TREE_LINES);
+            let lines = nodes
                 .map(|node| {
                     let below = match node.kind {
                         wire::work::NodeKind::Interior { left, right } => {
@@ -131,7 +134,9 @@ fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
                     ];
                     forms(Vec::new(), vec![below], full)
                 })
-                .collect()
+                .collect();
+            let totals = vec![number("nodes", answer.tree.nodes.len() as f64)];
+            return Some((totals, lines));
         }
         (Work::Traverse(world), Answer::Traverse(answers)) => {
             let each = world.rays.iter().zip(answers);

@@ -5,6 +5,7 @@
 //! there is to grade), [`compile`] and [`runner`] (building and running the worker), [`judge`] with [`truth`]
 //! (right and wrong), [`score`] (points), [`report`] (showing them).
 
+pub mod bless;
 pub mod cases;
 pub mod cli;
 pub mod compile;

@@ -1,0 +1,198 @@
+//! Blessing: taking over what the reference answers now as golden, after showing what that means.
+//!
+//! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with the same
+//! writer that checks them; blessing compares the pairs, and renames.
+
+use crate::error::GraderError;
+use crate::picture::read_png;
+use crate::report::write_whole;
+use crate::snapshot::{Snapshot, changes, parse};
+use crate::workspace::Workspace;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A golden that would change.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// The golden.
+    pub golden: PathBuf,
+    /// The file beside it that would take its place.
+    pub new: PathBuf,
+    /// What would change, in words.
+    pub meaning: String,
+}
+
+/// Runs the goldens' test for `key` (`all`, a part, a task) and lists what would change.
+pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderError> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let output = Command::new(cargo)
+        .current_dir(workspace.root())
+        .args(["test", "--release", "--quiet", "--package", "golden"])
+        .env("INSTA_UPDATE", "new")
+        .env("INSTA_OUTPUT", "none")
+        .env("INSTA_FORCE_PASS", "1")
+        .env("FIRSTLIGHT_BLESS", key)
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+    if !output.status.success() {
+        return Err(GraderError::new(format!(
+            "nothing is blessed, because the goldens' test failed:\n{}",
+            String::from_utf8_lossy(&output.stdout).trim()
+        )));
+    }
+    let mut found = Vec::new();
+    new_files(&workspace.root().join("golden"), &mut found)?;
+    found.sort();
+    found
+        .into_iter()
+        .map(|(golden, new)| {
+            Ok(Change {
+                meaning: meaning(&golden, &new)?,
+                golden,
+                new,
+            })
+        })
+        .collect()
+}
+
+/// Takes the changes over and writes down where they come from.
+pub fn accept(workspace: &Workspace, proposed: &[Change]) -> Result<(), GraderError> {
+    for change in proposed {
+        if change
+            .golden
+            .extension()
+            .is_some_and(|extension| extension == "snap")
+        {
+            let text = read(&change.new)?;
+            // The line of the assertion is noise in a review.
+            let kept: Vec<&str> = text
+                .lines()
+                .filter(|line| !line.starts_with("assertion_line:"))
+                .collect();
+            write_whole(&change.golden, (kept.join("\n") + "\n").as_bytes())?;
+            remove(&change.new)?;
+        } else {
+            std::fs::rename(&change.new, &change.golden)
+                .map_err(|e| GraderError::file("write", &change.golden, e))?;
+        }
+    }
+    write_whole(
+        &workspace.root().join("golden/provenance.toml"),
+        provenance(workspace)?.as_bytes(),
+    )
+}
+
+/// Forgets the changes.
+pub fn reject(proposed: &[Change]) -> Result<(), GraderError> {
+    proposed.iter().try_for_each(|change| remove(&change.new))
+}
+
+fn remove(path: &Path) -> Result<(), GraderError> {
+    std::fs::remove_file(path).map_err(|e| GraderError::file("remove", path, e))
+}
+
+fn read(path: &Path) -> Result<String, GraderError> {
+    std::fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))
+}
+
+/// Pairs of a golden and the new file beside it.
+fn new_files(folder: &Path, found: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), GraderError> {
+    for entry in std::fs::read_dir(folder).map_err(|e| GraderError::file("read", folder, e))? {
+        let path = entry
+            .map_err(|e| GraderError::file("read", folder, e))?
+            .path();
+        let name = path.display().to_string();
+        if path.is_dir() {
+            new_files(&path, found)?;
+        } else if let Some(golden) = name.strip_suffix(".new") {
+            found.push((PathBuf::from(golden), path));
+        } else if let Some(stem) = name.strip_suffix(".new.png") {
+            found.push((PathBuf::from(format!("{stem}.png")), path));
+        }
+    }
+    Ok(())
+}
+
+fn meaning(golden: &Path, new: &Path) -> Result<String, GraderError> {
+    if !golden.exists() {
+        return Ok("is new".into());
+    }
+    if golden
+        .extension()
+        .is_some_and(|extension| extension == "png")
+    {
+        return pixels(golden, new);
+    }
+    Ok(changes(&snapshot(golden)?, &snapshot(new)?).to_string())
+}
+
+fn snapshot(path: &Path) -> Result<Snapshot, GraderError> {
+    parse(&read(path)?).map_err(|e| GraderError::file("understand", path, e))
+}
+
+fn pixels(golden: &Path, new: &Path) -> Result<String, GraderError> {
+    let (old, new) = (read_png(golden)?, read_png(new)?);
+    if old.dimensions() != new.dimensions() {
+        return Ok(format!(
+            "size {:?} became {:?}",
+            old.dimensions(),
+            new.dimensions()
+        ));
+    }
+    let differing = old
+        .pixels()
+        .zip(new.pixels())
+        .filter(|(a, b)| a != b)
+        .count();
+    Ok(format!("{differing} of {} pixels", old.pixels().len()))
+}
+
+/// Where the goldens come from.
+fn provenance(workspace: &Workspace) -> Result<String, GraderError> {
+    let rustc = Command::new("rustc").arg("--version").output();
+    let rustc = rustc
+        .map(|output| String::from_utf8_lossy(&output.stdout).trim().to_string())
+        .unwrap_or_default();
+    let mut text = String::from("# Written by `grader bless`: what the goldens were made with.\n");
+    let _ = writeln!(text, "toolchain = {rustc:?}");
+    let _ = writeln!(
+        text,
+        "target = \"{}-{}\"",
+        std::env::consts::ARCH,
+        std::env::consts::OS
+    );
+    let _ = writeln!(
+        text,
+        "flags = {:?}",
+        std::env::var("RUSTFLAGS").unwrap_or_default()
+    );
+    let _ = writeln!(
+        text,
+        "seed = 0\noracle = \"every golden passes the judge at the robust bounds\"\n\n[scenes]"
+    );
+    let folder = workspace.root().join("scenes/dae");
+    let mut scenes = Vec::new();
+    for entry in std::fs::read_dir(&folder).map_err(|e| GraderError::file("read", &folder, e))? {
+        scenes.push(
+            entry
+                .map_err(|e| GraderError::file("read", &folder, e))?
+                .path(),
+        );
+    }
+    scenes.sort();
+    for path in scenes {
+        let name = path.file_name().unwrap_or_default().display().to_string();
+        let _ = writeln!(text, "{name:?} = \"{:016x}\"", fnv(read(&path)?.as_bytes()));
+    }
+    Ok(text)
+}
+
+/// FNV-1a: tells whether a scene file is the one that was used, no more.
+fn fnv(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
+    })
+}

@@ -24,28 +24,28 @@ use kit::{Aabb, Interval, Ray};
 #[inline]
 pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     // BEGIN SOLUTION(part2.task2)
-    let (o, d) = (ray.o, ray.d);
-    let inv_d = 1.0 / d;
-    let to_min = b.min - o;
-    let to_max = b.max - o;
-    let (near_x, far_x) = slab(to_min.x, to_max.x, inv_d.x);
-    let (near_y, far_y) = slab(to_min.y, to_max.y, inv_d.y);
-    let (near_z, far_z) = slab(to_min.z, to_max.z, inv_d.z);
-    let entry = later(near_x, later(near_y, later(near_z, ray.min_t)));
-    let exit = earlier(far_x, earlier(far_y, earlier(far_z, f64::INFINITY)));
-    let exit = earlier(widened(exit), ray.max_t);
-    // An entry at infinity is a slab that a parallel ray never enters.
-    if entry <= exit && entry < f64::INFINITY {
-        // Here, and not on the way, because most tests end in a miss: NaN got through the comparisons above.
-        let is_box = (to_min.x <= to_max.x) & (to_min.y <= to_max.y) & (to_min.z <= to_max.z);
-        if is_box && !d.is_nan() {
-            return Some(Interval {
-                min: entry,
-                max: exit,
-            });
-        }
-    } else if entry == f64::INFINITY && has_denormal(d) {
+    let inv_d = 1.0 / ray.d;
+    if !has_inverse(inv_d) {
         return intersect_by_division(b, ray);
+    }
+    let to_min = b.min - ray.o;
+    let to_max = b.max - ray.o;
+    let (t_min, t_max) = (to_min * inv_d, to_max * inv_d);
+    // On each axis the smaller one is the entry.
+    let entry = later(earlier(t_min.x, t_max.x), ray.min_t);
+    let entry = later(earlier(t_min.y, t_max.y), entry);
+    let entry = later(earlier(t_min.z, t_max.z), entry);
+    let exit = later(t_min.x, t_max.x);
+    let exit = earlier(later(t_min.y, t_max.y), exit);
+    let exit = earlier(later(t_min.z, t_max.z), exit);
+    let exit = earlier(widened(exit), ray.max_t);
+    if entry <= exit {
+        // Asked last, because most tests end in a miss. No for an empty box, and for one or an origin with a NaN.
+        let is_box = (to_min.x <= to_max.x) & (to_min.y <= to_max.y) & (to_min.z <= to_max.z);
+        return is_box.then_some(Interval {
+            min: entry,
+            max: exit,
+        });
     }
     None
     // STUB: kit::hole!("part2.task2", b, ray)
@@ -60,15 +60,10 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
 /// Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.2.
 const EXIT_WIDENING: f64 = 3.5 * f64::EPSILON;
 
-/// Where the ray enters and leaves a slab. Which plane comes first is read off the direction's sign, not
-/// found by comparing: NaN, from 0·∞ for an origin on a plane and a ray along it, stays on its own side.
+/// The exit, later by [`EXIT_WIDENING`] whatever its sign; an infinite one stays as it is.
 #[inline]
-fn slab(to_min: f64, to_max: f64, inv_d: f64) -> (f64, f64) {
-    if inv_d < 0.0 {
-        (to_max * inv_d, to_min * inv_d)
-    } else {
-        (to_min * inv_d, to_max * inv_d)
-    }
+fn widened(exit: f64) -> f64 {
+    later(exit * (1.0 + EXIT_WIDENING), exit * (1.0 - EXIT_WIDENING))
 }
 
 /// The larger of two; `so_far` if `t` is NaN. One machine instruction, which `f64::max` is not.
@@ -83,29 +78,26 @@ fn earlier(t: f64, so_far: f64) -> f64 {
     if t < so_far { t } else { so_far }
 }
 
-/// The exit, later by [`EXIT_WIDENING`] whatever its sign; an infinite one stays as it is.
+/// Whether every component of the direction has a finite inverse: none is 0, denormal or NaN.
 #[inline]
-fn widened(exit: f64) -> f64 {
-    later(exit * (1.0 + EXIT_WIDENING), exit * (1.0 - EXIT_WIDENING))
+fn has_inverse(inv_d: Vec3) -> bool {
+    inv_d.x.abs() + inv_d.y.abs() + inv_d.z.abs() < f64::INFINITY
 }
 
-/// Whether a component of `d` is so small that its inverse is infinite although it is not 0.
-#[inline]
-fn has_denormal(d: Vec3) -> bool {
-    d.to_array()
-        .into_iter()
-        .any(|d| d != 0.0 && (1.0 / d).is_infinite())
-}
-
-/// The same test by division, for directions that have no inverse.
+/// The same test, slower, for rays along a slab or nearly so. Which plane comes first is read off the
+/// direction's sign, not found by comparing: so NaN, from 0/0 for an origin on a plane and a ray along
+/// it, stays on its own side and can be ignored there.
 #[cold]
 #[inline(never)]
 fn intersect_by_division(b: &Aabb, ray: &Ray) -> Option<Interval> {
+    if b.is_empty() || ray.o.is_nan() || ray.d.is_nan() {
+        return None;
+    }
     let mut entry = ray.min_t;
     let mut exit = f64::INFINITY;
     for axis in 0..3 {
         let (o, d) = (ray.o[axis], ray.d[axis]);
-        let (first, last) = if d < 0.0 {
+        let (first, last) = if d.is_sign_negative() {
             (b.max[axis], b.min[axis])
         } else {
             (b.min[axis], b.max[axis])
@@ -114,8 +106,8 @@ fn intersect_by_division(b: &Aabb, ray: &Ray) -> Option<Interval> {
         exit = earlier((last - o) / d, exit);
     }
     let exit = earlier(widened(exit), ray.max_t);
-    let is_box = !b.is_empty() && !ray.o.is_nan() && !ray.d.is_nan();
-    (is_box && entry <= exit && entry < f64::INFINITY).then_some(Interval {
+    // An entry at infinity is a slab that a ray along it never enters.
+    (entry <= exit && entry < f64::INFINITY).then_some(Interval {
         min: entry,
         max: exit,
     })

@@ -18,28 +18,30 @@ use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 #[inline]
 pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     // BEGIN SOLUTION(part1.task3)
-    // Seen from the origin of the ray, along its longest axis, called z from here on.
-    let [d, a, b, c] = longest_last(
-        ray.d,
-        [ray.d, tri.p0 - ray.o, tri.p1 - ray.o, tri.p2 - ray.o],
-    );
+    // Seen from the origin of the ray, with axes named so that it goes mostly along z.
+    let axes = Axes::of(ray.d);
+    let (o, d) = (axes.of_vec(&ray.o), axes.of_vec(&ray.d));
+    let [a, b, c] = [&tri.p0, &tri.p1, &tri.p2].map(|p| axes.of_vec(p) - o);
     let (a_xy, b_xy, c_xy) = (sheared(a, d), sheared(b, d), sheared(c, d));
+    let (cb, ac, ba) = (c_xy.x * b_xy.y, a_xy.x * c_xy.y, b_xy.x * a_xy.y);
     let weights = Weights {
-        u: c_xy.x * b_xy.y - c_xy.y * b_xy.x,
-        v: a_xy.x * c_xy.y - a_xy.y * c_xy.x,
-        w: b_xy.x * a_xy.y - b_xy.y * a_xy.x,
+        u: cb - c_xy.y * b_xy.x,
+        v: ac - a_xy.y * c_xy.x,
+        w: ba - b_xy.y * a_xy.x,
     };
     // Rounding is monotonic: a difference of two rounded products has the right sign, or it is 0. So
     // when two signs differ, the ray misses for certain.
-    if weights.differ_in_sign() {
+    let agreement = weights.agreement();
+    if agreement < 0.0 {
         return None;
     }
     let det = weights.sum();
-    let reach = a_xy.abs().max(b_xy.abs()).max(c_xy.abs());
-    let det_is_sound = det.abs() > CANCELLATION * reach.x * reach.y
-        && SMALLEST < (det * d.z).abs()
-        && (det * d.z).abs() < LARGEST;
-    if !det_is_sound || weights.has_zero() {
+    let scale = (det * d.z).abs();
+    let is_sound = (agreement > 0.0)
+        & (det.abs() > CANCELLATION * (cb.abs() + ac.abs() + ba.abs()))
+        & (SMALLEST < scale)
+        & (scale < LARGEST);
+    if !is_sound {
         return test_carefully(tri, ray);
     }
     let t = weights.of(a.z, b.z, c.z) / (det * d.z);
@@ -98,15 +100,15 @@ struct Weights {
 }
 
 impl Weights {
+    /// Negative if two of them differ in sign, positive if all have the same sign; 0 if one is 0 and the others do not
+    /// differ, or if they are too small to tell.
     #[inline]
-    fn differ_in_sign(&self) -> bool {
-        (self.u < 0.0 || self.v < 0.0 || self.w < 0.0)
-            && (self.u > 0.0 || self.v > 0.0 || self.w > 0.0)
-    }
-
-    #[inline]
-    fn has_zero(&self) -> bool {
-        self.u == 0.0 || self.v == 0.0 || self.w == 0.0
+    fn agreement(&self) -> f64 {
+        // A product, not a chain of comparisons: which of the three is negative is anyone's guess, and a branch
+        // predictor's wrong guesses would cost more than all the rest.
+        let smaller = |a: f64, b: f64| if a < b { a } else { b };
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        smaller(self.u, smaller(self.v, self.w)) * larger(self.u, larger(self.v, self.w))
     }
 
     #[inline]
@@ -121,16 +123,31 @@ impl Weights {
     }
 }
 
-/// The vectors with their axes renamed in a circle, so that z is the one along which `d` is longest.
-#[inline]
-fn longest_last(d: Vec3, vectors: [Vec3; 4]) -> [Vec3; 4] {
-    let size = d.abs();
-    if size.z >= size.x && size.z >= size.y {
-        vectors
-    } else if size.y >= size.x {
-        vectors.map(|v| Vec3::new(v.z, v.x, v.y))
-    } else {
-        vectors.map(|v| Vec3::new(v.y, v.z, v.x))
+/// Axes renamed in a circle, so that z is the one along which a direction is longest.
+#[derive(Clone, Copy)]
+struct Axes {
+    x: usize,
+    y: usize,
+    z: usize,
+}
+
+impl Axes {
+    #[inline]
+    fn of(d: Vec3) -> Axes {
+        let size = d.abs();
+        let z_is_longest = (size.z >= size.x) & (size.z >= size.y);
+        let y_or_x = usize::from(size.y >= size.x);
+        let z = if z_is_longest { 2 } else { y_or_x };
+        let after = |axis| if axis == 2 { 0 } else { axis + 1 };
+        let x = after(z);
+        Axes { x, y: after(x), z }
+    }
+
+    /// `v` with its axes renamed.
+    #[inline]
+    fn of_vec(self, v: &Vec3) -> Vec3 {
+        let v: &[f64; 3] = v.as_ref();
+        Vec3::new(v[self.x], v[self.y], v[self.z])
     }
 }
 
@@ -160,7 +177,8 @@ fn test_carefully(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     if accurate_cross(p1 - p0, p2 - p0) == Vec3::ZERO {
         return None;
     }
-    let [d, a, b, c] = longest_last(ray.d, [speed.shrink(ray.d), p0 - o, p1 - o, p2 - o]);
+    let axes = Axes::of(ray.d);
+    let [d, a, b, c] = [speed.shrink(ray.d), p0 - o, p1 - o, p2 - o].map(|v| axes.of_vec(&v));
     let (a_xy, b_xy, c_xy) = (sheared(a, d), sheared(b, d), sheared(c, d));
     let weights = Weights {
         u: difference_of_products(c_xy.x, b_xy.y, c_xy.y, b_xy.x),
@@ -168,7 +186,7 @@ fn test_carefully(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
         w: difference_of_products(b_xy.x, a_xy.y, b_xy.y, a_xy.x),
     };
     let det = weights.sum();
-    if weights.differ_in_sign() || det == 0.0 {
+    if weights.agreement() < 0.0 || det == 0.0 {
         return None;
     }
     let t = space.restore(weights.of(a.z, b.z, c.z) / det / d.z, speed);

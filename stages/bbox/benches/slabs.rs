@@ -1,0 +1,55 @@
+//! What one box test costs: rays that hit, rays that miss, and both in turns; and one ray at many boxes,
+//! where its inverse direction need be found only once.
+//!
+//! `cargo bench -p bbox`. Times are for 1024 tests.
+
+use criterion::{Criterion, Throughput};
+use kit::{Aabb, PixelSampler, Ray, Vec3};
+use std::hint::black_box;
+
+const PAIRS: u32 = 1024;
+
+/// A point in the cube from -1 to 1.
+fn point(random: &mut PixelSampler) -> Vec3 {
+    let mut coordinate = || 2.0 * random.next_1d() - 1.0;
+    Vec3::new(coordinate(), coordinate(), coordinate())
+}
+
+fn main() {
+    let mut c = Criterion::default().configure_from_args();
+    let mut random = PixelSampler::new(0, 0, 1);
+    let (mut hits, mut misses, mut mixed) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..PAIRS {
+        let (p, q) = (point(&mut random), point(&mut random));
+        let bounds = Aabb::of([p, q]);
+        let origin = 5.0 * point(&mut random).normalize();
+        let towards = |target: Vec3| Ray::new(origin, (target - origin).normalize());
+        let (through, beside) = (towards(0.6 * p + 0.4 * q), towards(2.5 * p - 1.5 * q));
+        hits.push((bounds, through));
+        misses.push((bounds, beside));
+        let coin = random.next_1d() < 0.5;
+        mixed.push((bounds, if coin { through } else { beside }));
+    }
+
+    let mut group = c.benchmark_group("box");
+    group.throughput(Throughput::Elements(u64::from(PAIRS)));
+    for (name, pairs) in [("hit", hits), ("miss", misses), ("mixed", mixed.clone())] {
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                for (bounds, ray) in &pairs {
+                    black_box(bbox::intersect_bbox(bounds, ray));
+                }
+            });
+        });
+    }
+    let one_ray = mixed[0].1;
+    group.bench_function("one ray, many boxes", |b| {
+        b.iter(|| {
+            for (bounds, _) in &mixed {
+                black_box(bbox::intersect_bbox(bounds, &one_ray));
+            }
+        });
+    });
+    group.finish();
+    c.final_summary();
+}

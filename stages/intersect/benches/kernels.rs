@@ -1,0 +1,114 @@
+//! What one test of a triangle or a sphere costs: rays that hit, rays that miss, and both in turns.
+//!
+//! `cargo bench -p intersect`. Each ray has a shape of its own, so nothing can be worked out once for
+//! many tests; times are for 1024 of them.
+
+use criterion::{BenchmarkId, Criterion, Throughput};
+use kit::{PixelSampler, Ray, Sphere, Triangle, Vec3};
+use std::hint::black_box;
+
+const PAIRS: u32 = 1024;
+
+/// One shape and one ray, many times.
+type Pairs<S> = Vec<(S, Ray)>;
+
+/// A point in the cube from -1 to 1.
+fn point(random: &mut PixelSampler) -> Vec3 {
+    let mut coordinate = || 2.0 * random.next_1d() - 1.0;
+    Vec3::new(coordinate(), coordinate(), coordinate())
+}
+
+/// Named lists of pairs: shapes from `shape`, which also says where to aim for a hit and for a miss.
+fn workloads<S: Clone>(
+    shape: impl Fn(&mut PixelSampler) -> (S, Vec3, Vec3),
+) -> [(&'static str, Pairs<S>); 3] {
+    let mut random = PixelSampler::new(0, 0, 1);
+    let (mut hits, mut misses, mut mixed) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..PAIRS {
+        let (shape, on_it, beside_it) = shape(&mut random);
+        let origin = 5.0 * point(&mut random).normalize();
+        let towards = |target: Vec3| Ray::new(origin, (target - origin).normalize());
+        hits.push((shape.clone(), towards(on_it)));
+        misses.push((shape.clone(), towards(beside_it)));
+        let coin = random.next_1d() < 0.5;
+        mixed.push((shape, towards(if coin { on_it } else { beside_it })));
+    }
+    [("hit", hits), ("miss", misses), ("mixed", mixed)]
+}
+
+fn triangles(random: &mut PixelSampler) -> (Triangle, Vec3, Vec3) {
+    let (p0, p1, p2) = (point(random), point(random), point(random));
+    let on_it = 0.4 * p0 + 0.3 * p1 + 0.3 * p2;
+    let beside_it = -0.6 * p0 + 0.8 * p1 + 0.8 * p2;
+    (Triangle::flat(p0, p1, p2), on_it, beside_it)
+}
+
+fn spheres(random: &mut PixelSampler) -> (Sphere, Vec3, Vec3) {
+    let (center, radius) = (point(random), 0.1 + random.next_1d());
+    let off_center = point(random).normalize();
+    let on_it = center + 0.3 * radius * off_center;
+    let beside_it = center + 2.0 * radius * off_center;
+    (Sphere { center, radius }, on_it, beside_it)
+}
+
+fn bench<S: Clone, H>(
+    c: &mut Criterion,
+    kernel: &str,
+    shape: impl Fn(&mut PixelSampler) -> (S, Vec3, Vec3),
+    test: impl Fn(&S, &Ray) -> Option<H>,
+) {
+    let mut group = c.benchmark_group(kernel);
+    group.throughput(Throughput::Elements(u64::from(PAIRS)));
+    for (name, pairs) in workloads(shape) {
+        group.bench_function(BenchmarkId::from_parameter(name), |b| {
+            b.iter(|| {
+                for (shape, ray) in &pairs {
+                    black_box(test(shape, ray));
+                }
+            });
+        });
+    }
+    group.finish();
+}
+
+// BEGIN SOLUTION(part1.task3)
+/// The textbook test, for comparison: Möller, Trumbore, "Fast, minimum storage ray-triangle
+/// intersection", 1997.
+#[inline]
+fn moller_trumbore(tri: &Triangle, ray: &Ray) -> Option<kit::TriangleHit> {
+    let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
+    let p = ray.d.cross(e2);
+    let det = e1.dot(p);
+    if det == 0.0 {
+        return None;
+    }
+    let inv_det = 1.0 / det;
+    let s = ray.o - tri.p0;
+    let b1 = s.dot(p) * inv_det;
+    if !(0.0..=1.0).contains(&b1) {
+        return None;
+    }
+    let q = s.cross(e1);
+    let b2 = ray.d.dot(q) * inv_det;
+    if b2 < 0.0 || b1 + b2 > 1.0 {
+        return None;
+    }
+    let t = e2.dot(q) * inv_det;
+    ray.in_range(t).then_some(kit::TriangleHit { t, b1, b2 })
+}
+// END SOLUTION(part1.task3)
+
+fn main() {
+    let mut c = Criterion::default().configure_from_args();
+    bench(&mut c, "triangle", triangles, intersect::test_triangle);
+    // BEGIN SOLUTION(part1.task3)
+    bench(
+        &mut c,
+        "triangle_moller_trumbore",
+        triangles,
+        moller_trumbore,
+    );
+    // END SOLUTION(part1.task3)
+    bench(&mut c, "sphere", spheres, intersect::test_sphere);
+    c.final_summary();
+}

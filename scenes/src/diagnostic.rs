@@ -7,7 +7,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use std::ops::Range;
 
 /// Longest piece of a line that is shown: lines of a mesh can be a megabyte long.
-const EXCERPT_BYTES: usize = 100;
+const EXCERPT_BYTES: usize = 160;
 
 /// A finding about a file. [`SceneError`] and [`Warning`] wrap one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,6 +24,7 @@ struct Place {
     line: usize,
     column: usize,
     excerpt: String,
+    is_whole_line: bool,
     mark: Range<usize>,
     label: String,
 }
@@ -94,21 +95,24 @@ impl Diagnostic {
     }
 
     fn render(&self, level: Level<'static>, renderer: &Renderer) -> String {
-        let title = level.primary_title(&self.title);
-        let mut group = Group::with_title(title);
+        let mut group = Group::with_title(level.primary_title(&self.title));
         match &self.place {
             Some(place) => {
-                let origin = Origin::path(&self.file)
-                    .line(place.line)
-                    .char_column(place.column);
                 let mark = AnnotationKind::Primary
                     .span(place.mark.clone())
                     .label(&place.label);
-                group = group.element(origin).element(
-                    Snippet::source(&place.excerpt)
-                        .line_start(place.line)
-                        .annotation(mark),
-                );
+                let snippet = Snippet::source(&place.excerpt)
+                    .line_start(place.line)
+                    .annotation(mark);
+                group = if place.is_whole_line {
+                    group.element(snippet.path(&self.file))
+                } else {
+                    // The snippet would count its columns from the start of the excerpt.
+                    let at = format!("{}:{}:{}", self.file, place.line, place.column);
+                    group
+                        .element(snippet)
+                        .element(Level::NOTE.message(format!("this is at {at}")))
+                };
             }
             None => group = group.element(Origin::path(&self.file)),
         }
@@ -150,6 +154,7 @@ impl Place {
             line: source[..start].matches('\n').count() + 1,
             column: source[line_start..start].chars().count() + 1,
             mark: shift(start)..shift(end),
+            is_whole_line: before.is_empty() && after.is_empty(),
             excerpt,
             label,
         }

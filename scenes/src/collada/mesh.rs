@@ -267,7 +267,8 @@ impl<'a> PartReader<'_, 'a> {
         let p = self.polygons.lists[list].element;
         let place = place_of(self.doc, p, first * self.polygons.stride);
         let expected = "the polygon that starts here; its triangles may overlap";
-        self.doc.at(place, "a polygon crosses itself", expected)
+        self.doc
+            .at(place, "a polygon crosses itself or has no area", expected)
     }
 
     /// The normals of three corners, from an input of their own or from `<vertices>`.

@@ -2,14 +2,16 @@
 //!
 //! Read in this order: `document` (ids, references, errors with their place), `numbers` and `source`
 //! (lists of numbers), `primitives`, `polygon`, `normals` and `mesh` (index lists become triangles),
-//! `geometry`, `material`, `light` and `optics` (what nodes place), `transform`, `bake` and `nodes`
-//! (the tree, placed in the world).
+//! `geometry`, `material`, `light` and `optics` (what nodes place), `transform`, `binding` and `library` (what a
+//! node holds), `bake` and `nodes` (the tree, placed in the world).
 //!
 //! `<unit meter="...">` is passed over, as by the original course program: lengths are those of the file.
 
 mod bake;
+mod binding;
 mod document;
 mod geometry;
+mod library;
 mod light;
 mod limits;
 mod material;

@@ -1,64 +1,32 @@
 //! `<node>`: the tree of the scene, walked from the root, every instance placed in the world.
 
 use super::bake::{self, Placer, SphereError};
-use super::document::{Document, Element, child, children, describe, name_of, tag};
-use super::geometry::{self, Shape};
-use super::light::{self, LocalLight};
+use super::document::{Document, Element, children, describe, tag};
+use super::geometry::Shape;
+use super::library::{Content, Library, ShapeHere};
+use super::light::LocalLight;
 use super::limits::{MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
-use super::material;
-use super::optics::{self, Optics};
-use super::polygon::Effort;
-use super::transform::{self, Affine};
+use super::optics::Optics;
+use super::transform::Affine;
 use crate::diagnostic::SceneError;
 use kit::Scene;
-use kit::scene::{NamedLight, NamedMaterial, Object};
+use kit::scene::{NamedLight, Object};
 use roxmltree::NodeId;
-use std::collections::HashMap;
 use std::rc::Rc;
-
-/// A node as it stands in the file, read once however often it is placed.
-struct Node<'a> {
-    name: String,
-    transform: Affine,
-    contents: Vec<Content<'a>>,
-}
-
-/// What a node holds.
-enum Content<'a> {
-    /// A child, or an instance of a node: which, and where that is said.
-    Node {
-        node: Element<'a>,
-        said_by: Element<'a>,
-    },
-    /// A shape and, for each of its parts, the material's index in the scene.
-    Shape {
-        shape: Rc<Shape<'a>>,
-        materials: Vec<u32>,
-        said_by: Element<'a>,
-    },
-    Light {
-        light: LocalLight,
-        said_by: Element<'a>,
-    },
-    Camera {
-        optics: Optics,
-        said_by: Element<'a>,
-    },
-}
 
 /// Builds the scene.
 pub(super) struct Builder<'r, 'a> {
     doc: &'r Document<'a>,
+    library: Library<'r, 'a>,
     scene: Scene,
-    nodes: HashMap<NodeId, Rc<Node<'a>>>,
-    shapes: HashMap<NodeId, Rc<Shape<'a>>>,
-    /// Index in the scene's materials, by the id of the `<material>`; the default grey is under `None`.
-    materials: HashMap<Option<NodeId>, u32>,
-    lights: HashMap<NodeId, Option<LocalLight>>,
     /// Nodes from the root to the one being placed, to find cycles.
     path: Vec<NodeId>,
     instances: usize,
-    effort: Effort,
+    /// Triangles and spheres of all shapes to be placed.
+    primitives: usize,
+    /// Shapes and where they go. They are placed when all are known and counted: a file that asks for too
+    /// many is refused before it takes up memory.
+    shapes: Vec<(Rc<ShapeHere<'a>>, Affine)>,
     sphere_objects: Vec<u32>,
 }
 
@@ -66,14 +34,12 @@ impl<'r, 'a> Builder<'r, 'a> {
     pub(super) fn new(doc: &'r Document<'a>) -> Builder<'r, 'a> {
         Builder {
             doc,
+            library: Library::new(doc),
             scene: Scene::default(),
-            nodes: HashMap::new(),
-            shapes: HashMap::new(),
-            materials: HashMap::new(),
-            lights: HashMap::new(),
             path: Vec::new(),
             instances: 0,
-            effort: Effort::default(),
+            primitives: 0,
+            shapes: Vec::new(),
             sphere_objects: Vec::new(),
         }
     }
@@ -87,8 +53,12 @@ impl<'r, 'a> Builder<'r, 'a> {
         for node in children(visual_scene).filter(|element| tag(*element) == "node") {
             self.place_node(node, node, to_world)?;
         }
+        for (shape, to_world) in std::mem::take(&mut self.shapes) {
+            self.place_shape(&shape, &to_world)?;
+        }
         // Triangles are numbered first, then spheres.
         self.scene.object_of.append(&mut self.sphere_objects);
+        self.scene.materials = self.library.into_materials();
         Ok(self.scene)
     }
 
@@ -115,7 +85,7 @@ impl<'r, 'a> Builder<'r, 'a> {
                 .into());
         }
         self.count(1, said_by)?;
-        let node = self.node(element)?;
+        let node = self.library.node(element)?;
         let to_world = to_world.after(&node.transform);
         if !to_world.is_finite() {
             return Err(self.too_large(element));
@@ -124,12 +94,10 @@ impl<'r, 'a> Builder<'r, 'a> {
         for content in &node.contents {
             match content {
                 Content::Node { node, said_by } => self.place_node(*node, *said_by, &to_world)?,
-                Content::Shape {
-                    shape,
-                    materials,
-                    said_by,
-                } => {
-                    self.place_shape(&node.name, shape, materials, *said_by, &to_world)?;
+                Content::Shape(shape) => {
+                    self.count(1 + shape.materials.len(), shape.said_by)?;
+                    self.count_primitives(&shape.shape, shape.said_by)?;
+                    self.shapes.push((Rc::clone(shape), to_world));
                 }
                 Content::Light { light, said_by } => {
                     self.place_light(&node.name, light, *said_by, &to_world)?
@@ -143,224 +111,37 @@ impl<'r, 'a> Builder<'r, 'a> {
         Ok(())
     }
 
-    fn node(&mut self, element: Element<'a>) -> Result<Rc<Node<'a>>, SceneError> {
-        if let Some(node) = self.nodes.get(&element.id()) {
-            return Ok(Rc::clone(node));
-        }
-        let doc = self.doc;
-        let mut transform = Affine::IDENTITY;
-        let mut contents = Vec::new();
-        for part in children(element) {
-            if let Some(next) = transform::read(doc, part)? {
-                transform = transform.after(&next);
-                continue;
-            }
-            match tag(part) {
-                "node" => contents.push(Content::Node {
-                    node: part,
-                    said_by: part,
-                }),
-                "instance_node" => {
-                    let node = doc.target(part, "url", "node")?;
-                    contents.push(Content::Node {
-                        node,
-                        said_by: part,
-                    });
-                }
-                "instance_geometry" => {
-                    let geometry = doc.target(part, "url", "geometry")?;
-                    let shape = self.shape(geometry)?;
-                    let materials = self.bind_materials(part, &shape)?;
-                    contents.push(Content::Shape {
-                        shape,
-                        materials,
-                        said_by: part,
-                    });
-                }
-                "instance_light" => {
-                    let light = doc.target(part, "url", "light")?;
-                    if let Some(light) = self.light(light)? {
-                        contents.push(Content::Light {
-                            light,
-                            said_by: part,
-                        });
-                    }
-                }
-                "instance_camera" => {
-                    let camera = doc.target(part, "url", "camera")?;
-                    if let Some(optics) = optics::read(doc, camera)? {
-                        contents.push(Content::Camera {
-                            optics,
-                            said_by: part,
-                        });
-                    }
-                }
-                "asset" | "extra" => {}
-                other => doc.warn(|| {
-                    let expected = "only nodes, geometries, lights and cameras are placed";
-                    doc.on(part, format!("<{other}> is passed over"), expected)
-                }),
-            }
-        }
-        let node = Rc::new(Node {
-            name: name_of(element),
-            transform,
-            contents,
-        });
-        self.nodes.insert(element.id(), Rc::clone(&node));
-        Ok(node)
-    }
-
-    fn shape(&mut self, geometry: Element<'a>) -> Result<Rc<Shape<'a>>, SceneError> {
-        if let Some(shape) = self.shapes.get(&geometry.id()) {
-            return Ok(Rc::clone(shape));
-        }
-        let shape = Rc::new(geometry::read(self.doc, geometry, &mut self.effort)?);
-        self.shapes.insert(geometry.id(), Rc::clone(&shape));
-        Ok(shape)
-    }
-
-    fn light(&mut self, light: Element<'a>) -> Result<Option<LocalLight>, SceneError> {
-        if let Some(light) = self.lights.get(&light.id()) {
-            return Ok(*light);
-        }
-        let read = light::read(self.doc, light)?;
-        self.lights.insert(light.id(), read);
-        Ok(read)
-    }
-
-    /// The materials of a shape's parts: by the symbol that `<instance_material>` binds; a part without a
-    /// symbol, and a sphere, takes the only or first one.
-    fn bind_materials(
+    fn count_primitives(
         &mut self,
-        instance: Element<'a>,
         shape: &Shape<'a>,
-    ) -> Result<Vec<u32>, SceneError> {
-        let bind =
-            child(instance, "bind_material").and_then(|bind| child(bind, "technique_common"));
-        let bound: Vec<Element<'a>> = bind
-            .into_iter()
-            .flat_map(children)
-            .filter(|element| tag(*element) == "instance_material")
-            .collect();
-        let mut by_symbol: HashMap<&str, Element<'a>> = HashMap::new();
-        for element in &bound {
-            if let Some(symbol) = element.attribute("symbol") {
-                by_symbol.entry(symbol).or_insert(*element);
-            }
-        }
-        let symbols: Vec<Option<&str>> = match shape {
-            Shape::Mesh(parts) => parts.iter().map(|part| part.symbol).collect(),
-            Shape::Sphere { .. } => vec![None],
-            Shape::Nothing => Vec::new(),
-        };
-        let mut materials = Vec::with_capacity(symbols.len());
-        for symbol in symbols {
-            let binding = symbol
-                .and_then(|symbol| by_symbol.get(symbol))
-                .or(bound.first());
-            if let (Some(symbol), Some(binding)) = (symbol, binding)
-                && !by_symbol.contains_key(symbol)
-            {
-                self.doc.warn(|| {
-                    let title = format!(
-                        "no material is bound to `{}`",
-                        super::document::short(symbol)
-                    );
-                    let expected =
-                        "expected an <instance_material> with this symbol; this one is taken";
-                    self.doc.on(*binding, title, expected)
-                });
-            }
-            materials.push(match binding {
-                Some(binding) => self.bound_material(*binding)?,
-                None => {
-                    self.doc.warn(|| {
-                        let title = format!("{} has no material", describe(instance));
-                        let expected = "expected <bind_material>; taken as grey, 0.5 0.5 0.5";
-                        self.doc.on(instance, title, expected)
-                    });
-                    self.default_material()
-                }
-            });
-        }
-        Ok(materials)
-    }
-
-    fn bound_material(&mut self, binding: Element<'a>) -> Result<u32, SceneError> {
-        let doc = self.doc;
-        let reference = doc.attribute(binding, "target")?;
-        let Some(element) = doc.find(reference, "material") else {
-            doc.warn(|| {
-                let label = "the surface is taken as grey, 0.5 0.5 0.5";
-                doc.dangling(binding, "target", "material").relabel(label)
-            });
-            return Ok(self.default_material());
-        };
-        if let Some(index) = self.materials.get(&Some(element.id())) {
-            return Ok(*index);
-        }
-        let material = material::read(doc, element)?;
-        Ok(self.add_material(
-            Some(element.id()),
-            NamedMaterial {
-                name: name_of(element),
-                material,
-            },
-        ))
-    }
-
-    fn default_material(&mut self) -> u32 {
-        match self.materials.get(&None) {
-            Some(index) => *index,
-            None => self.add_material(
-                None,
-                NamedMaterial {
-                    name: "grey".to_owned(),
-                    material: material::DEFAULT,
-                },
-            ),
-        }
-    }
-
-    fn add_material(&mut self, key: Option<NodeId>, material: NamedMaterial) -> u32 {
-        let index = self.scene.materials.len() as u32;
-        self.scene.materials.push(material);
-        self.materials.insert(key, index);
-        index
-    }
-
-    fn place_shape(
-        &mut self,
-        name: &str,
-        shape: &Shape<'a>,
-        materials: &[u32],
         said_by: Element<'a>,
-        to_world: &Affine,
     ) -> Result<(), SceneError> {
-        self.count(1 + materials.len(), said_by)?;
-        let new = match shape {
+        self.primitives += match shape {
             Shape::Mesh(parts) => parts.iter().map(|part| part.triangles.len()).sum(),
             Shape::Sphere { .. } => 1,
             Shape::Nothing => 0,
         };
-        if self.scene.len() + new > MAX_PRIMITIVES {
-            let title = format!("the scene has more than {MAX_PRIMITIVES} triangles and spheres");
-            return Err(self
-                .doc
-                .on(said_by, title, "this instance is one too many")
-                .help("place fewer instances, or simplify the mesh")
-                .into());
+        if self.primitives <= MAX_PRIMITIVES {
+            return Ok(());
         }
-        match shape {
+        let title = format!("the scene has more than {MAX_PRIMITIVES} triangles and spheres");
+        Err(self
+            .doc
+            .on(said_by, title, "this instance is one too many")
+            .help("place fewer instances, or simplify the mesh")
+            .into())
+    }
+
+    fn place_shape(&mut self, here: &ShapeHere<'a>, to_world: &Affine) -> Result<(), SceneError> {
+        match &*here.shape {
             Shape::Mesh(parts) => {
                 let placer = Placer::new(*to_world);
-                for (part, material) in parts.iter().zip(materials) {
-                    let object = self.add_object(name, *material);
+                for (part, material) in parts.iter().zip(&here.materials) {
+                    let object = self.add_object(&here.name, *material);
                     for local in &part.triangles {
                         let placed = placer
                             .triangle(local)
-                            .ok_or_else(|| self.too_large(said_by))?;
+                            .ok_or_else(|| self.too_large(here.said_by))?;
                         self.scene.triangles.push(placed);
                     }
                     self.scene
@@ -370,8 +151,8 @@ impl<'r, 'a> Builder<'r, 'a> {
             }
             Shape::Sphere { radius } => {
                 let sphere = bake::sphere(*radius, to_world)
-                    .map_err(|why| self.sphere_error(why, said_by))?;
-                let object = self.add_object(name, materials[0]);
+                    .map_err(|why| self.sphere_error(why, here.said_by))?;
+                let object = self.add_object(&here.name, here.materials[0]);
                 self.scene.spheres.push(sphere);
                 self.sphere_objects.push(object);
             }

@@ -1,6 +1,6 @@
 //! Lists of numbers in the text of an element, with the place of each.
 
-use super::document::{Document, Element, describe, short};
+use super::document::{Document, Element, children, describe, short};
 use crate::diagnostic::SceneError;
 use std::ops::Range;
 
@@ -44,6 +44,7 @@ pub(super) fn place_of<'a>(doc: &Document<'a>, element: Element<'a>, index: usiz
 
 /// All numbers of an element's text. NaN and infinite ones are errors.
 pub(super) fn floats<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Vec<f64>, SceneError> {
+    only_text(doc, element)?;
     words(doc, element)
         .map(|(word, place)| {
             let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
@@ -57,6 +58,7 @@ pub(super) fn indices<'a>(
     doc: &Document<'a>,
     element: Element<'a>,
 ) -> Result<Vec<u32>, SceneError> {
+    only_text(doc, element)?;
     words(doc, element)
         .map(|(word, place)| {
             word.parse::<u32>().map_err(|_| {
@@ -67,6 +69,20 @@ pub(super) fn indices<'a>(
             })
         })
         .collect()
+}
+
+/// Numbers stand alone in their element.
+fn only_text<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<(), SceneError> {
+    match children(element).next() {
+        None => Ok(()),
+        Some(other) => {
+            let title = format!("{} stands in {}", describe(other), describe(element));
+            Err(doc
+                .on(other, title, "expected nothing but numbers")
+                .help("the file is damaged: export it again")
+                .into())
+        }
+    }
 }
 
 fn not_a_number<'a>(

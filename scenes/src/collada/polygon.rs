@@ -22,7 +22,7 @@ pub(super) struct TooComplex;
 pub(super) struct Cut {
     /// Three corners each, by their number in the polygon, in the polygon's own winding.
     pub(super) triangles: Vec<[usize; 3]>,
-    /// False if the polygon crosses or touches itself, so that the triangles may overlap.
+    /// False if the polygon crosses itself or has no area, so that the triangles may overlap.
     pub(super) simple: bool,
 }
 
@@ -38,7 +38,7 @@ pub(super) fn triangulate(corners: &[Vec3], effort: &mut Effort) -> Result<Cut, 
         return Ok(fan(true));
     }
     let Some(flat) = project(corners) else {
-        return Ok(fan(true));
+        return Ok(fan(false));
     };
     if is_convex(&flat) {
         return Ok(fan(true));

@@ -156,7 +156,7 @@ fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneE
     if found < 16 {
         doc.warn(|| {
             finding(format!("<matrix> has {found} numbers"))
-                .help("taken as if the rest of the last row, 0 0 0 1, were there")
+                .relabel("taken as if the rest of the last row, 0 0 0 1, were there")
         });
     }
     let row = |i: usize| Vec3::new(numbers[4 * i], numbers[4 * i + 1], numbers[4 * i + 2]);

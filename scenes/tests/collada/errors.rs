@@ -1,0 +1,583 @@
+//! Broken files: each gives one error that says where, what was expected and what to do.
+
+use crate::small::{self, SMALL, load_edited};
+use scenes::SceneError;
+
+/// The error of the small file with `from` replaced by `to`.
+fn error(from: &str, to: &str) -> SceneError {
+    match load_edited(from, to) {
+        Ok(_) => panic!("`{to}` in place of `{from}` is no error"),
+        Err(error) => error,
+    }
+}
+
+/// Checks head line, line of the file and that the error says what was expected and what to do.
+fn assert_error(error: &SceneError, title: &str, line: usize) {
+    assert_eq!(error.0.title(), title, "\n{error}");
+    assert_eq!(error.0.line_and_column().unwrap().0, line, "\n{error}");
+    assert!(
+        error
+            .0
+            .expected()
+            .is_some_and(|expected| !expected.is_empty()),
+        "\n{error}"
+    );
+    assert!(
+        error.0.what_to_do().is_some_and(|help| !help.is_empty()),
+        "\n{error}"
+    );
+    assert_eq!(error.0.file(), "small.dae");
+}
+
+#[test]
+fn the_small_file_itself_is_right() {
+    let loaded = scenes::parse("small.dae", SMALL).unwrap_or_else(|e| panic!("{e}"));
+    assert!(loaded.warnings.is_empty(), "{}", loaded.warnings[0]);
+    assert_eq!(
+        (loaded.scene.triangles.len(), loaded.scene.spheres.len()),
+        (2, 1)
+    );
+}
+
+#[test]
+fn a_report_shows_the_line_and_marks_the_place() {
+    let report = error("0 1 2 0 2 3", "0 1 2 0 2 7").to_string();
+    let expected = "\
+error: index 7 is out of range: <source id=\"points\"> has 4 entries
+  --> small.dae:36:24
+   |
+36 |           <p>0 1 2 0 2 7</p>
+   |                        ^ expected 0 to 3
+   |
+   = help: the source or the index list is damaged: export the file again";
+    assert_eq!(report, expected);
+}
+
+#[test]
+fn a_report_for_a_terminal_has_colours_and_a_plain_one_has_none() {
+    let error = error("0 1 2 0 2 3", "0 1 2 0 2 7");
+    assert!(error.styled().contains('\u{1b}'));
+    assert!(!error.to_string().contains('\u{1b}'));
+}
+
+#[test]
+fn lines_of_a_megabyte_are_shown_in_part() {
+    let many = "0 1 2 ".repeat(100_000);
+    let text = small::edited("0 1 2 0 2 3", &format!("{many} 0 1 9 {many}"))
+        .replace("count=\"2\"", "count=\"200001\"");
+    let report = scenes::parse("small.dae", &text).unwrap_err().to_string();
+    assert!(report.contains("small.dae:36:600019"), "{report}");
+    assert!(report.len() < 1000, "{} bytes", report.len());
+}
+
+/// What is broken, by what, the head line of the error and its line in the file.
+const BROKEN: &[(&str, &str, &str, usize)] = &[
+    // Missing parts.
+    (
+        "<vertices id=\"square-vertices\"><input semantic=\"POSITION\" source=\"#points\"/></vertices>",
+        "",
+        "<mesh> has no <vertices>",
+        24,
+    ),
+    (
+        "semantic=\"POSITION\"",
+        "semantic=\"COLOR\"",
+        "<vertices id=\"square-vertices\"> has no positions",
+        33,
+    ),
+    (
+        "<input semantic=\"VERTEX\" source=\"#square-vertices\" offset=\"0\"/>",
+        "",
+        "<triangles> has no vertices",
+        34,
+    ),
+    (
+        " semantic=\"VERTEX\"",
+        "",
+        "<input> has no attribute `semantic`",
+        35,
+    ),
+    (" offset=\"0\"", "", "<input> has no attribute `offset`", 35),
+    (
+        " url=\"#lamp\"",
+        "",
+        "<instance_light> has no attribute `url`",
+        58,
+    ),
+    ("<radius>0.5</radius>", "", "<sphere> has no <radius>", 41),
+    ("<color>1 2 3</color>", "", "<point> has no <color>", 12),
+    (
+        "<instance_effect url=\"#red-effect\"/>",
+        "",
+        "<material id=\"red\"> has no <instance_effect>",
+        20,
+    ),
+    (
+        "<xfov>50</xfov>",
+        "",
+        "<perspective> has no angle of view",
+        6,
+    ),
+    // References that name nothing, or the wrong thing.
+    (
+        "url=\"#square\"",
+        "url=\"#sqare\"",
+        "there is no <geometry> with the id `sqare`",
+        48,
+    ),
+    (
+        "url=\"#square\"",
+        "url=\"#points\"",
+        "`#points` names a <source>",
+        48,
+    ),
+    (
+        "url=\"#square\"",
+        "url=\"square\"",
+        "`square` is not a reference",
+        48,
+    ),
+    (
+        "url=\"#square\"",
+        "url=\"other.dae#square\"",
+        "`other.dae#square` is in another file",
+        48,
+    ),
+    ("url=\"#square\"", "url=\"\"", "`` is not a reference", 48),
+    (
+        "id=\"points-array\"",
+        "id=\"points-list\"",
+        "there is no <float_array> with the id `points-array`",
+        28,
+    ),
+    (
+        "id=\"points\"",
+        "id=\"dots\"",
+        "there is no <source> with the id `points`",
+        33,
+    ),
+    (
+        "url=\"#red-effect\"",
+        "url=\"#green\"",
+        "there is no <effect> with the id `green`",
+        20,
+    ),
+    (
+        "url=\"#scene\"",
+        "url=\"#stage\"",
+        "there is no <visual_scene> with the id `stage`",
+        62,
+    ),
+    (
+        "url=\"#lamp\"",
+        "url=\"#lamb\"",
+        "there is no <light> with the id `lamb`",
+        58,
+    ),
+    (
+        "url=\"#cam\"",
+        "url=\"#can\"",
+        "there is no <camera> with the id `can`",
+        59,
+    ),
+    // Counts.
+    (
+        "count=\"12\"",
+        "count=\"13\"",
+        "<float_array id=\"points-array\"> says count=\"13\" but holds 12 numbers",
+        26,
+    ),
+    (
+        "count=\"12\"",
+        "count=\"4000000000\"",
+        "<float_array id=\"points-array\"> says count=\"4000000000\" but holds 12 numbers",
+        26,
+    ),
+    (
+        "count=\"12\"",
+        "count=\"-1\"",
+        "count=\"-1\" of <float_array id=\"points-array\"> is not a count",
+        26,
+    ),
+    (
+        "count=\"4\"",
+        "count=\"4000000000\"",
+        "<accessor> reads 4000000000 entries, but <float_array id=\"points-array\"> holds 4",
+        28,
+    ),
+    (
+        "stride=\"3\"",
+        "stride=\"2\"",
+        "<accessor> does not read three numbers an entry",
+        28,
+    ),
+    (
+        "stride=\"3\"",
+        "stride=\"0\"",
+        "<accessor> does not read three numbers an entry",
+        28,
+    ),
+    (
+        "stride=\"3\"",
+        "stride=\"4000000000000000000\"",
+        "<accessor> reads 4 entries, but <float_array id=\"points-array\"> holds 1",
+        28,
+    ),
+    (
+        "stride=\"3\"",
+        "stride=\"3\" offset=\"18446744073709551615\"",
+        "<accessor> reads 4 entries, but <float_array id=\"points-array\"> holds 0",
+        28,
+    ),
+    (
+        "<param name=\"Y\"/>",
+        "",
+        "<accessor> does not read three numbers an entry",
+        28,
+    ),
+    (
+        "count=\"2\"",
+        "count=\"3\"",
+        "<triangles> says count=\"3\" but holds 2 triangles",
+        34,
+    ),
+    (
+        "0 1 2 0 2 3",
+        "0 1 2 0 2",
+        "<p> has 5 corners, not a multiple of 3",
+        36,
+    ),
+    (
+        "offset=\"0\"",
+        "offset=\"3\"",
+        "<p> has 6 indices, not a multiple of 4",
+        36,
+    ),
+    (
+        "offset=\"0\"",
+        "offset=\"4000000000\"",
+        "offset=\"4000000000\" is too large",
+        35,
+    ),
+    ("0.8 0.1 0.1 1", "0.8 0.1", "<color> has 2 numbers", 16),
+    ("3 0 0", "3 0", "<translate> has 2 numbers", 53),
+    (
+        "<radius>0.5",
+        "<radius>0.5 0.5",
+        "<radius> has 2 numbers",
+        41,
+    ),
+    ("<radius>0.5", "<radius>", "<radius> has 0 numbers", 41),
+    ("  0 0 1 0  0 0 0 1<", "<", "<matrix> has 8 numbers", 47),
+    (
+        "0 0 0 1</matrix>",
+        "0 0 1 1</matrix>",
+        "the last row of <matrix> is not 0 0 0 1",
+        47,
+    ),
+    // Indices and numbers.
+    (
+        "0 1 2 0 2 3",
+        "0 1 2 0 2 4",
+        "index 4 is out of range: <source id=\"points\"> has 4 entries",
+        36,
+    ),
+    (
+        "0 1 2 0 2 3",
+        "0 1 2 0 2 -3",
+        "`-3` in <p> is not an index",
+        36,
+    ),
+    (
+        "0 1 2 0 2 3",
+        "0 1 2 0 2 4294967296",
+        "`4294967296` in <p> is not an index",
+        36,
+    ),
+    (
+        "0 1 2 0 2 3",
+        "0 1 2 0 2 1.5",
+        "`1.5` in <p> is not an index",
+        36,
+    ),
+    (
+        "1 1 0",
+        "1 nan 0",
+        "a number in <float_array id=\"points-array\"> is NaN",
+        26,
+    ),
+    (
+        "1 1 0",
+        "1 -inf 0",
+        "`-inf` in <float_array id=\"points-array\"> is infinite",
+        26,
+    ),
+    (
+        "1 1 0",
+        "1 1e999 0",
+        "`1e999` in <float_array id=\"points-array\"> is infinite",
+        26,
+    ),
+    (
+        "1 1 0",
+        "1 1,5 0",
+        "`1,5` in <float_array id=\"points-array\"> is not a number",
+        26,
+    ),
+    (
+        "1 1 0",
+        "1 <b/> 0",
+        "<b> stands in <float_array id=\"points-array\">",
+        26,
+    ),
+    ("<radius>0.5", "<radius>-0.5", "the radius is -0.5", 41),
+    (
+        "1 2 3",
+        "1 -2 3",
+        "<color> has a negative channel: 1 -2 3",
+        12,
+    ),
+    ("<xfov>50", "<xfov>180", "xfov is 180", 7),
+    (
+        "<aspect_ratio>1.5",
+        "<aspect_ratio>0",
+        "aspect_ratio is 0",
+        7,
+    ),
+    ("<znear>0.1", "<znear>-1", "znear is -1", 7),
+    ("<zfar>100", "<zfar>0.1", "zfar is 0.1", 7),
+    (
+        "<translate>3 0 0</translate>",
+        "<rotate>0 0 0 90</rotate>",
+        "<rotate> turns about an axis without length",
+        53,
+    ),
+    (
+        "<translate>3 0 0</translate>",
+        "<lookat>1 1 1 1 1 1 0 1 0</lookat>",
+        "<lookat> does not say where to look: the camera stands on its target, so it looks nowhere: move one of them",
+        53,
+    ),
+    (
+        "<translate>3 0 0</translate>",
+        "<skew>30 1 0 0 0 1 0</skew>",
+        "<skew> is not supported",
+        53,
+    ),
+    (
+        "<translate>3 0 0</translate>",
+        "<scale>1 2 3</scale>",
+        "the transform makes the sphere an ellipsoid: 0.500 by 1.000 by 1.500",
+        54,
+    ),
+    (
+        "<translate>3 0 0</translate>",
+        "<scale>1e308 1e308 1e308</scale><scale>10 10 10</scale>",
+        "<node id=\"ball-node\"> is placed outside of the range of numbers",
+        52,
+    ),
+    ("Y_UP", "UP", "`UP` is not an axis", 3),
+    // The scene.
+    (
+        "<translate>0 5 0</translate>",
+        "<instance_node url=\"#lamp-node\"/>",
+        "<node id=\"lamp-node\"> contains itself",
+        58,
+    ),
+    (
+        "id=\"square-vertices\"",
+        "id=\"x\"",
+        "there is no <vertices> with the id `square-vertices`",
+        35,
+    ),
+];
+
+#[test]
+fn every_broken_file_says_where_and_what() {
+    for (from, to, title, line) in BROKEN {
+        assert_error(&error(from, to), title, *line);
+    }
+}
+
+#[test]
+fn malformed_xml_is_shown_where_it_breaks() {
+    let cut = scenes::parse("small.dae", &SMALL[..SMALL.len() / 2]).unwrap_err();
+    assert!(
+        cut.0.title().starts_with("the file is not well-formed XML"),
+        "{cut}"
+    );
+    assert!(cut.0.line_and_column().is_some());
+    assert_error(
+        &error("</mesh>", "</mash>"),
+        "the file is not well-formed XML: expected 'mesh' tag, not 'mash' at 38:7",
+        38,
+    );
+    for text in [
+        "",
+        " ",
+        "<",
+        "\u{feff}",
+        "solid cube",
+        "<?xml version=\"1.0\"?>",
+        "\0\0\0",
+        "<a/><b/>",
+    ] {
+        let error = scenes::parse("small.dae", text).unwrap_err();
+        assert!(error.0.title().contains("not"), "{error}");
+    }
+}
+
+#[test]
+fn doctypes_are_refused_so_entities_cannot_blow_up() {
+    let bomb = "<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><COLLADA>&b;</COLLADA>";
+    let error = scenes::parse("small.dae", bomb).unwrap_err();
+    assert!(error.0.what_to_do().unwrap().contains("DOCTYPE"), "{error}");
+}
+
+#[test]
+fn other_xml_is_not_taken_for_a_scene() {
+    let error = scenes::parse("small.dae", "<svg/>").unwrap_err();
+    assert_error(&error, "the file is not COLLADA but <svg>", 1);
+}
+
+#[test]
+fn empty_scenes_are_errors_not_empty_pictures() {
+    let error = scenes::parse("small.dae", "<COLLADA/>").unwrap_err();
+    assert_error(&error, "no <scene> says what to show", 1);
+    let nothing = error_of_scene("<visual_scene id=\"scene\"/>");
+    assert_error(&nothing, "the scene is empty", 2);
+    let light_only = error_of_scene("<visual_scene id=\"scene\"><node id=\"a\"/></visual_scene>");
+    assert_error(&light_only, "the scene is empty", 2);
+}
+
+/// The error of a file that has nothing but a visual scene.
+fn error_of_scene(visual_scene: &str) -> SceneError {
+    let text = format!(
+        "<COLLADA><library_visual_scenes>\n{visual_scene}\n</library_visual_scenes>\
+         <scene><instance_visual_scene url=\"#scene\"/></scene></COLLADA>"
+    );
+    scenes::parse("small.dae", &text).unwrap_err()
+}
+
+#[test]
+fn deep_nesting_is_an_error_not_a_stack_overflow() {
+    let deep = 200_000;
+    let nested = "<node>".repeat(deep) + &"</node>".repeat(deep);
+    let error = error_of_scene(&format!(
+        "<visual_scene id=\"scene\">{nested}</visual_scene>"
+    ));
+    assert_error(&error, "nodes are nested more than 256 deep", 2);
+}
+
+#[test]
+fn long_chains_of_instances_are_an_error_not_a_stack_overflow() {
+    let chain: String = (0..50_000)
+        .map(|i| {
+            format!(
+                "<node id=\"n{i}\"><instance_node url=\"#n{}\"/></node>",
+                i + 1
+            )
+        })
+        .collect();
+    let error = error_of_scene(&format!(
+        "<visual_scene id=\"scene\">{chain}<node id=\"n50000\"/></visual_scene>"
+    ));
+    assert_error(&error, "nodes are nested more than 256 deep", 2);
+}
+
+#[test]
+fn instances_that_multiply_are_stopped() {
+    // Sixty nodes, each holding the next one twice: 2^60 instances.
+    let nodes: String = (0..60)
+        .map(|i| format!("<node id=\"n{i}\"><instance_node url=\"#n{0}\"/><instance_node url=\"#n{0}\"/></node>", i + 1))
+        .collect();
+    let error = error_of_scene(&format!(
+        "<visual_scene id=\"scene\"><node id=\"root\"><instance_node url=\"#n0\"/></node>{nodes}<node id=\"n60\"/></visual_scene>"
+    ));
+    assert_error(
+        &error,
+        "the scene places more than 1048576 nodes, shapes and lights",
+        2,
+    );
+}
+
+#[test]
+fn meshes_that_multiply_are_stopped_before_memory_is() {
+    let triangles = "0 1 2 ".repeat(20_000);
+    let instances = "<instance_geometry url=\"#square\"/>".repeat(1000);
+    let text = small::edited("0 1 2 0 2 3", &triangles)
+        .replace("count=\"2\"", "count=\"20000\"")
+        .replace(
+            "<node id=\"lamp-node\">",
+            &format!("<node id=\"lamp-node\">{instances}"),
+        );
+    let error = scenes::parse("small.dae", &text).unwrap_err();
+    assert_error(
+        &error,
+        "the scene has more than 16777216 triangles and spheres",
+        58,
+    );
+}
+
+#[test]
+fn cycles_over_several_nodes_are_found() {
+    let error = error_of_scene(
+        "<visual_scene id=\"scene\"><node id=\"a\"><instance_node url=\"#b\"/></node>\
+         <node id=\"b\"><node id=\"c\"><instance_node url=\"#a\"/></node></node></visual_scene>",
+    );
+    assert_error(&error, "<node id=\"a\"> contains itself", 2);
+}
+
+#[test]
+fn files_that_cannot_be_read_say_so() {
+    let missing = scenes::load("no/such/file.dae").unwrap_err();
+    assert!(
+        missing.0.title().starts_with("the file cannot be read"),
+        "{missing}"
+    );
+    assert_eq!(missing.0.file(), "no/such/file.dae");
+    let folder = tempfile::tempdir().unwrap();
+    let error = scenes::load(folder.path()).unwrap_err();
+    assert!(
+        error.0.title().starts_with("the file cannot be read"),
+        "{error}"
+    );
+    let path = folder.path().join("utf16.dae");
+    std::fs::write(&path, b"\xff\xfe<\0C\0").unwrap();
+    let error = scenes::load(&path).unwrap_err();
+    assert_eq!(
+        error.0.title(),
+        "the file is not text in UTF-8: byte 0 is none of it"
+    );
+    std::fs::write(&path, b"").unwrap();
+    assert!(scenes::load(&path).is_err());
+}
+
+#[test]
+fn winding_polygons_beyond_all_measure_are_an_error_not_a_hang() {
+    // A comb of 20,000 teeth: the deeper corners make clipping ears slow.
+    let teeth = 20_000;
+    let points: String = (0..teeth)
+        .map(|i| format!("{i} 1 0 {i}.5 {} 0 ", if i % 2 == 0 { -3 } else { 0 }))
+        .collect();
+    let corners = 2 * teeth;
+    let order: String = (0..corners).map(|i| format!("{i} ")).collect();
+    let text = SMALL
+        .replace(
+            "count=\"12\">0 0 0  1 0 0  1 1 0  0 1 0",
+            &format!("count=\"{}\">{points}", 3 * corners),
+        )
+        .replace("count=\"4\"", &format!("count=\"{corners}\""))
+        .replace(
+            "<triangles material=\"paint\" count=\"2\">",
+            "<polygons material=\"paint\" count=\"1\">",
+        )
+        .replace("</triangles>", "</polygons>")
+        .replace("0 1 2 0 2 3", &order);
+    let error = scenes::parse("small.dae", &text).unwrap_err();
+    assert_error(
+        &error,
+        "the polygons of <polygons> are too winding to be cut into triangles",
+        34,
+    );
+}

@@ -146,7 +146,7 @@ fn corners(&[min, max]: &[work::Xyz; 2]) -> Aabb {
     }
 }
 
-fn wire_ray(ray: &Ray) -> work::Ray {
+pub(super) fn wire_ray(ray: &Ray) -> work::Ray {
     work::Ray {
         o: ray.o.into(),
         d: ray.d.into(),

@@ -6,6 +6,7 @@
 mod crosses;
 mod part1_task3;
 mod part2_task1;
+mod part2_task2;
 pub(crate) mod part2_task3;
 pub(crate) mod recorded;
 
@@ -70,9 +71,10 @@ impl Spec {
 }
 
 /// All cases of all tasks.
-pub fn all(_seed: u64) -> Vec<Spec> {
+pub fn all(seed: u64) -> Vec<Spec> {
     let mut cases = part1_task3::cases();
     cases.extend(part2_task1::cases());
+    cases.extend(part2_task2::cases(seed));
     cases.extend(part2_task3::cases());
     cases
 }

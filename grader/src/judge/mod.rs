@@ -3,6 +3,7 @@
 //! [`judge`] picks the judge for the kind of work; [`tally`] counts aspect by aspect; [`expected`] is the
 //! form in which truth comes.
 
+mod boxes;
 pub mod expected;
 mod hits;
 mod shapes;
@@ -37,6 +38,13 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
                 answers,
             );
         }
+        (
+            Work::Boxes {
+                boxes: shapes,
+                probes,
+            },
+            Answer::Boxes(answers),
+        ) => boxes::boxes(&mut tally, tier, shapes, probes, answers),
         (
             Work::Build {
                 bounds,

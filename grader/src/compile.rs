@@ -2,6 +2,7 @@
 
 use crate::error::GraderError;
 use crate::workspace::Workspace;
+use std::ffi::OsString;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -40,7 +41,7 @@ pub fn worker(workspace: &Workspace, features: &[&str]) -> Result<Built, GraderE
 impl Build<'_> {
     /// Runs cargo. Its progress and errors go to stderr as they come.
     pub fn run(&self) -> Result<Built, GraderError> {
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let cargo = cargo();
         let mut command = Command::new(&cargo);
         command
             .current_dir(self.root)
@@ -92,6 +93,11 @@ impl Build<'_> {
         })?;
         keep_apart(program, self.features)
     }
+}
+
+/// The cargo that built the grader's caller, else the one on the path.
+pub(crate) fn cargo() -> OsString {
+    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
 /// The program that one of cargo's JSON messages speaks of.

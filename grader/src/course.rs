@@ -142,7 +142,7 @@ impl Task {
             .iter()
             .filter(|case| case.tier == tier)
             .map(|case| case.points)
-            .sum()
+            .fold(0.0, |sum, points| sum + points)
     }
 
     fn check(&self) -> Result<(), GraderError> {

@@ -3,7 +3,8 @@
 //! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
 //! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
 //! there is to grade), [`compile`] and [`runner`] (building and running the worker), [`judge`] with [`truth`]
-//! (right and wrong), [`score`] (points), [`report`] (showing them).
+//! (right and wrong), [`score`] (points), [`report`] (showing them). For instructors, [`handout`] carves what a
+//! student is given.
 
 pub mod bless;
 pub mod cases;
@@ -13,6 +14,8 @@ pub mod course;
 pub mod diagnosis;
 pub mod error;
 pub mod grade;
+pub mod handout;
+pub mod interrupt;
 pub mod judge;
 pub mod mutants;
 pub mod oracle;
@@ -22,5 +25,6 @@ pub mod runner;
 pub mod score;
 pub mod signature;
 pub mod snapshot;
+pub mod tree;
 pub mod truth;
 pub mod workspace;

@@ -142,7 +142,7 @@ impl TaskResult {
                 .iter()
                 .filter(|case| case.tier == tier)
                 .map(|case| case.score)
-                .sum()
+                .fold(0.0, |sum, points| sum + points)
         };
         let status = if cases.iter().all(|case| case.status == Status::Passed) {
             Status::Passed
@@ -173,7 +173,12 @@ impl TaskResult {
 impl Report {
     /// Adds up a run.
     pub fn new(tasks: Vec<TaskResult>) -> Report {
-        let sum = |points: fn(&TaskResult) -> f64| tasks.iter().map(points).sum();
+        let sum = |points: fn(&TaskResult) -> f64| {
+            tasks
+                .iter()
+                .map(points)
+                .fold(0.0, |sum, points| sum + points)
+        };
         Report {
             score: sum(|task| task.score),
             max_score: sum(|task| task.max_score),

@@ -5,9 +5,11 @@
 mod bless;
 mod course;
 mod grade;
+mod handout;
 mod mutants;
 
 use crate::error::GraderError;
+use crate::interrupt;
 use clap::{Parser, Subcommand, ValueEnum};
 use std::process::ExitCode;
 
@@ -31,6 +33,8 @@ struct Cli {
 enum Command {
     /// For instructors: takes what the reference answers now as golden, after showing what that changes.
     Bless(bless::Bless),
+    /// For instructors: carves the project that a student is given.
+    Handout(handout::Arguments),
     /// For instructors: looks after the course itself.
     #[command(subcommand)]
     Course(course::Course),
@@ -55,7 +59,9 @@ enum Verdict {
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    match run(Cli::parse()) {
+    let cli = Cli::parse();
+    interrupt::watch();
+    match run(cli) {
         Ok(Verdict::Full) => ExitCode::SUCCESS,
         Ok(Verdict::Short) => ExitCode::from(1),
         Err(error) => {
@@ -68,6 +74,7 @@ pub fn main() -> ExitCode {
 fn run(cli: Cli) -> Result<Verdict, GraderError> {
     match (cli.command, cli.grade) {
         (Some(Command::Bless(bless)), _) => bless.run(),
+        (Some(Command::Handout(handout)), _) => handout.run(),
         (Some(Command::Course(course)), _) => course.run(),
         (Some(Command::Mutants(mutants)), _) => mutants.run(),
         (None, Some(grade)) => grade.run(),

@@ -1,0 +1,35 @@
+//! `grader handout --part N --out DIR`.
+
+use super::Verdict;
+use crate::error::GraderError;
+use crate::handout::{self, Handout};
+use crate::workspace::Workspace;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Which handout, and where to.
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The first part that the student writes; the reference of the parts before stays.
+    #[arg(long, value_name = "N")]
+    part: u32,
+    /// A new folder, outside the course.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+impl Arguments {
+    pub(super) fn run(&self) -> Result<Verdict, GraderError> {
+        let workspace = Workspace::above(Path::new("."))?;
+        handout::check_place(&workspace, &self.out)?;
+        let handout = Handout::carve(&workspace, self.part)?;
+        handout.write(&self.out)?;
+        println!(
+            "{}: {} files, {} solutions carved out. A student starts with its README.md",
+            self.out.display(),
+            handout.files.len(),
+            handout.taken.len()
+        );
+        Ok(Verdict::Full)
+    }
+}

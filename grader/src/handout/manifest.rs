@@ -1,0 +1,61 @@
+//! Manifests without the crates and targets that a handout leaves out.
+//!
+//! Line by line, so that what stays keeps its order and its comments.
+
+use std::path::{Path, PathBuf};
+
+/// The workspace's `Cargo.toml` without the members in the folders `left_out`.
+pub fn of_workspace(text: &str, left_out: &[PathBuf]) -> String {
+    let names = |line: &str, folder: &Path| {
+        let folder = folder.to_string_lossy();
+        let line = line.trim();
+        // An entry of `members`, or of `[workspace.dependencies]`.
+        line.trim_end_matches(',') == format!("\"{folder}\"")
+            || line.contains(&format!("path = \"{folder}\""))
+    };
+    let kept = text
+        .lines()
+        .filter(|line| !left_out.iter().any(|folder| names(line, folder)));
+    kept.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// A crate's `Cargo.toml` without its `[[test]]`, `[[bench]]` and `[[example]]` tables, and without criterion, which
+/// only benches use.
+pub fn without_tests(text: &str) -> String {
+    let mut dropping = false;
+    let mut kept: Vec<&str> = Vec::new();
+    for line in text.lines() {
+        if line.starts_with('[') {
+            dropping = ["[[test]]", "[[bench]]", "[[example]]"]
+                .iter()
+                .any(|table| line.starts_with(table));
+        }
+        if !dropping && !line.starts_with("criterion") {
+            kept.push(line);
+        }
+    }
+    while kept.last().is_some_and(|line| line.trim().is_empty()) {
+        kept.pop();
+    }
+    kept.iter().flat_map(|line| [line, "\n"]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_member_goes_from_both_lists() {
+        let text = "members = [\n    \"a\",\n    \"a/b\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nb = { path = \"a/b\" }\nc = \"1\"\n";
+        let expected = "members = [\n    \"a\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nc = \"1\"\n";
+        assert_eq!(of_workspace(text, &[PathBuf::from("a/b")]), expected);
+    }
+
+    #[test]
+    fn tests_and_benches_go_and_the_rest_stays() {
+        let text = "[package]\nname = \"a\"\n\n[dev-dependencies]\ncriterion.workspace = true\n\n[[bench]]\nname = \"b\"\nharness = false\n\n[lints]\nworkspace = true\n\n[[test]]\nname = \"t\"\n";
+        let expected =
+            "[package]\nname = \"a\"\n\n[dev-dependencies]\n\n[lints]\nworkspace = true\n";
+        assert_eq!(without_tests(text), expected);
+    }
+}

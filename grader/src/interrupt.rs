@@ -1,0 +1,66 @@
+//! Ctrl-C: what was half written goes, and the program says so.
+
+use crate::error::GraderError;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// Scratch folders that must not outlive the program.
+static SCRATCH: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// How often to try to remove a folder that is being written to.
+const REMOVALS: u32 = 20;
+
+/// A folder that goes when it is dropped, and on Ctrl-C.
+#[derive(Debug)]
+pub struct Scratch(tempfile::TempDir);
+
+impl Scratch {
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        self.0.path()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        if let Ok(mut scratch) = SCRATCH.lock() {
+            scratch.retain(|path| path != self.0.path());
+        }
+    }
+}
+
+/// A new folder among the system's temporary ones.
+pub fn scratch() -> Result<Scratch, GraderError> {
+    scratch_in(&std::env::temp_dir())
+}
+
+/// A new folder in `parent`: on the same disk as what is to replace it.
+pub fn scratch_in(parent: &Path) -> Result<Scratch, GraderError> {
+    let folder = tempfile::Builder::new()
+        .prefix(".grader-")
+        .tempdir_in(parent)
+        .map_err(|e| GraderError::file("write to", parent, e))?;
+    if let Ok(mut scratch) = SCRATCH.lock() {
+        scratch.push(folder.path().to_path_buf());
+    }
+    Ok(Scratch(folder))
+}
+
+/// From now on Ctrl-C removes scratch folders and ends the program with exit code 2.
+pub fn watch() {
+    // Without a handler Ctrl-C still ends the program; only scratch folders stay.
+    let _ = ctrlc::set_handler(|| {
+        if let Ok(scratch) = SCRATCH.lock() {
+            for path in scratch.iter() {
+                // The program may be writing there still.
+                for _ in 0..REMOVALS {
+                    if std::fs::remove_dir_all(path).is_ok() {
+                        break;
+                    }
+                }
+            }
+        }
+        eprintln!("\ninterrupted: nothing was written");
+        std::process::exit(2);
+    });
+}

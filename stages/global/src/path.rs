@@ -2,7 +2,7 @@
 
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
-/// Radiance that arrives along `ray`, by following one path of at most `max_depth` bounces (the flag `-m`).
+/// Radiance that arrives along `ray`, by following one path of at most `max_depth` rays (the flag `-m`).
 ///
 /// ```text
 /// Lo = Le + ∫ f · Li · |cos θi| dwi        and Li is the Lo of the surface that is seen along wi
@@ -11,16 +11,17 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 /// so light is followed backwards: from each surface, [`Scattering::sample`] draws one direction, `trace` finds the next
 /// surface, and what is seen there counts by the product of the weights `f · |cos θi| / pdf` so far, the *throughput*.
 ///
-/// `max_depth` counts the bounces between the light and the eye: with 0 only what emits is seen, with 1 also what is lit
-/// directly, with 2 what is lit by that, and so on; a reflection in a mirror and a passage through a glass surface count as
-/// bounces. On the way:
+/// A path has at most `max_depth` rays, of which the first is `ray`. With 0 only what emits is seen, with 1 also what is
+/// lit directly, with 2 what is lit by that and what a mirror shows, and so on: passing through a glass ball takes two
+/// more. On the way:
 ///
 /// - What a surface emits counts where the eye sees it: at the first hit, and behind mirrors and glass
 ///   ([`BsdfSample::delta`](kit::BsdfSample::delta)), where no direct light was asked for. The same holds for
 ///   [`LitScene::background`] where nothing is hit. Anywhere else the direct light of the surface before has counted it
 ///   already.
-/// - While bounces are left, `direct` gives the direct light of each surface that is no mirror and no glass, towards the unit
-///   world direction `wo` (part 3). Then `next_2d` and `next_1d` of the sampler, in this order, choose where to go on.
+/// - Unless `max_depth` is 0, `direct` gives the direct light of each surface that is no mirror and no glass, towards the
+///   unit world direction `wo` (part 3).
+/// - While rays are left, `next_2d` and `next_1d` of the sampler, in this order, choose where to go on.
 /// - `roulette` (task 3) gets the new throughput, how many bounces the path has made (1 after the first) and a `next_1d` of
 ///   the sampler, and answers with the throughput to go on with, or ends the path.
 ///
@@ -44,7 +45,7 @@ pub fn estimate_radiance(
     let mut radiance = Spectrum::BLACK;
     let mut throughput = Spectrum::WHITE;
     let mut emission_counts = true;
-    for bounce in 0..=max_depth {
+    for bounce in 1..=max_depth.max(1) {
         let Some(hit) = trace(&ray) else {
             if emission_counts {
                 radiance += throughput * lit.background(ray.d);
@@ -56,22 +57,21 @@ pub fn estimate_radiance(
         if emission_counts {
             radiance += throughput * surface.emitted(wo);
         }
-        if bounce == max_depth {
+        if max_depth == 0 {
             break;
         }
         if !surface.material.is_delta() {
             radiance += throughput * direct(&surface, wo, sampler);
-            if bounce + 1 == max_depth {
-                // Whatever the next ray found, it would not count.
-                break;
-            }
+        }
+        if bounce == max_depth {
+            break;
         }
         let (u, choice) = (sampler.next_2d(), sampler.next_1d());
         let local_wo = surface.frame.to_local(wo);
         let Some(sample) = scattering.sample(surface.material, local_wo, u, choice) else {
             break;
         };
-        let survivor = roulette(throughput * sample.weight(), bounce + 1, sampler.next_1d());
+        let survivor = roulette(throughput * sample.weight(), bounce, sampler.next_1d());
         let Some(survivor) = survivor else {
             break;
         };

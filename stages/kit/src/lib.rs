@@ -5,7 +5,7 @@
 //! and where their colours go), [`bvh`] and [`world`] (the tree and what it hangs in),
 //! [`scene`], [`material`] and [`light`] (what a file describes), [`lit`], [`emitter`], [`emitting_mesh`] and [`environment`]
 //! (where light comes from), [`surface`], [`frame`] and [`bsdf`] (where it is scattered), [`warp`]
-//! (uniform points), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
+//! (uniform points), [`effects`] (what of all this a scene needs), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
 //! (how a task that is not written yet says so).
 //!
 //! The kit knows vectors and threads and nothing else of the course: it holds no formula
@@ -16,6 +16,7 @@ pub mod bsdf;
 pub mod bvh;
 pub mod camera;
 pub mod chi_square;
+pub mod effects;
 pub mod emitter;
 pub mod emitting_mesh;
 pub mod environment;

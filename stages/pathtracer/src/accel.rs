@@ -1,7 +1,7 @@
 //! How the closest hit is found: by asking every primitive, or through a tree.
 
 use crate::SceneWorld;
-use bvh::{construct_bvh, intersect_bvh};
+use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Bvh, Hit, PrimId, Ray, Scene, World};
 
 /// Primitives in a leaf at most: the assignment's choice.
@@ -56,6 +56,17 @@ impl Accel {
                 }
                 closest
             }
+        }
+    }
+
+    /// Whether anything in `world` is in the range of `ray`.
+    #[inline]
+    pub fn occluded(&self, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
+        match self {
+            Accel::Bvh(tree) => occludes_bvh(tree, ray, world),
+            Accel::Brute { primitives } => (0..*primitives)
+                .map(PrimId)
+                .any(|id| world.blocked(id, ray)),
         }
     }
 }

@@ -1,16 +1,19 @@
 //! The renderer: the stages put together.
 //!
 //! Read in this order: [`world`] (a scene as the tree sees it, and what is counted), [`accel`] (brute force or
-//! the tree), [`normals`] (from pixel to colour), [`tone`] and [`output`] (from colour to file). The program
+//! the tree), [`normals`] and [`lit`] (from pixel to colour), [`materials`] (how surfaces scatter), [`tone`] and [`output`] (from colour to file). The program
 //! around it is in `src/bin/pathtracer`.
 
 pub mod accel;
+pub mod lit;
+pub mod materials;
 pub mod normals;
 pub mod output;
 pub mod tone;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};
+pub use lit::{LightSettings, Looking, render_lit};
 pub use normals::{Job, Rendered, render_normals};
 pub use output::{Output, OutputError};
 pub use world::{Counters, SceneWorld};

@@ -1,7 +1,9 @@
 //! Normal shading: each pixel shows which way its surface faces.
 
 use crate::{Accel, Counters, SceneWorld};
+use kit::effects::EffectCounts;
 use kit::film::{self, Cell};
+use kit::sampler::Sampling;
 use kit::{Camera, Film, FilmSize, Ray, Scene, Spectrum, Vec3};
 use raygen::{generate_ray, raytrace_pixel};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -17,8 +19,8 @@ pub struct Job {
     pub cell: Cell,
     /// Camera rays a pixel.
     pub samples: u32,
-    /// Chooses the random numbers: another seed, another noise.
-    pub seed: u64,
+    /// Where the random numbers come from.
+    pub sampling: Sampling,
 }
 
 /// A picture and what it took.
@@ -28,6 +30,8 @@ pub struct Rendered {
     pub film: Film,
     /// What was counted.
     pub counters: Counters,
+    /// What light transport took.
+    pub effects: EffectCounts,
 }
 
 impl Rendered {
@@ -60,7 +64,7 @@ pub fn render_normals(
     let (film, worlds) = film::render(
         job.film,
         job.cell,
-        job.seed,
+        job.sampling,
         || SceneWorld::new(scene),
         |world, x, y, sampler| {
             if stop.load(Ordering::Relaxed) {
@@ -87,5 +91,6 @@ pub fn render_normals(
     Rendered {
         film,
         counters: worlds.iter().map(|world| world.counters).sum(),
+        effects: EffectCounts::default(),
     }
 }

@@ -1,6 +1,7 @@
 //! Picture files: PNG as a screen shows it, EXR with linear radiance.
 
 use crate::tone;
+use adaptive::rate_colour;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
@@ -97,6 +98,22 @@ impl Output {
     /// Writes the pixels of `cell`. The file is complete and in its place when this returns without an error.
     pub fn write(self, film: &Film, cell: Cell) -> Result<(), OutputError> {
         self.encode(film, cell)
+            .and_then(|()| Ok(self.file.sync_all()?))
+            .and_then(|()| Ok(fs::rename(&self.temporary, &self.path)?))
+            .map_err(|why| OutputError::Failed(self.path.clone(), why))
+    }
+
+    /// Writes how many of at most `ns_aa` samples the pixels of `cell` took, as colours: blue few, green half, red all.
+    pub fn write_rate(self, film: &Film, cell: Cell, ns_aa: u32) -> Result<(), OutputError> {
+        let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
+        let bytes: Vec<u8> = (cell.y0..cell.y1)
+            .rev()
+            .flat_map(|y| (cell.x0..cell.x1).map(move |x| film.get(x, y).samples))
+            .flat_map(|samples| rate_colour(samples, ns_aa).to_array())
+            .map(|c| (255.0 * c).round() as u8)
+            .collect();
+        let png = PngEncoder::new(BufWriter::new(&self.file));
+        png.write_image(&bytes, w, h, ExtendedColorType::Rgb8)
             .and_then(|()| Ok(self.file.sync_all()?))
             .and_then(|()| Ok(fs::rename(&self.temporary, &self.path)?))
             .map_err(|why| OutputError::Failed(self.path.clone(), why))

@@ -36,6 +36,8 @@ impl Sum for Counters {
 #[derive(Clone, Debug)]
 pub struct SceneWorld<'a> {
     scene: &'a Scene,
+    /// The primitive that the ray at hand has just left and cannot meet again; it is passed over.
+    pub left: Option<PrimId>,
     /// What was asked so far.
     pub counters: Counters,
 }
@@ -45,6 +47,7 @@ impl<'a> SceneWorld<'a> {
     pub fn new(scene: &'a Scene) -> SceneWorld<'a> {
         SceneWorld {
             scene,
+            left: None,
             counters: Counters::default(),
         }
     }
@@ -59,6 +62,9 @@ impl World for SceneWorld<'_> {
 
     #[inline]
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+        if self.left == Some(id) {
+            return None;
+        }
         self.counters.prim_tests += 1;
         match self.scene.primitive(id) {
             Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
@@ -68,6 +74,9 @@ impl World for SceneWorld<'_> {
 
     #[inline]
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
+        if self.left == Some(id) {
+            return false;
+        }
         self.counters.prim_tests += 1;
         match self.scene.primitive(id) {
             Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray).is_some(),

@@ -1,11 +1,13 @@
 //! The job itself, step by step.
 
-use crate::args::Args;
+use crate::args::{Args, Shade};
 use crate::failure::Failure;
 use crate::{progress, summary, view};
 use kit::film::Cell;
 use kit::hole;
-use pathtracer::{Accel, Job, Output, render_normals};
+use kit::{LitScene, Scene};
+use pathtracer::{Accel, Job, Output, render_lit, render_normals};
+use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,7 +18,7 @@ const INTERRUPTED: u8 = 130;
 
 /// Renders what `args` ask for. What cannot work is found out before the rendering.
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
-    args.check_adaptive()?;
+    let light = args.light()?;
     args.check_environment()?;
     let Some(path) = &args.file else {
         let scene = args.scene.display();
@@ -24,23 +26,24 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
             "there is no window yet: name the picture to write with -f, as in\n  pathtracer -f picture.png {scene}"
         )));
     };
-    let idle = args.without_effect();
-    if !idle.is_empty() {
-        let flags = idle.join(" ");
-        eprintln!(
-            "note: no effect with --shade normals: {flags} (light is simulated from Part 3 on)"
-        );
-    }
-
     let start = Instant::now();
     let scene = view::load_scene(&args.scene)?;
     println!("{}", summary::scene(&args.scene, &scene, start.elapsed()));
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
     let output = Output::create(path)?;
+    let rate_output = match light.adaptive {
+        Some(_) => Some(Output::create(&rate_path(path))?),
+        None => None,
+    };
+    let picture = Picture::of(args, scene);
+    if let Picture::Normals(_) = picture {
+        tell_idle_flags(args);
+    }
+    let scene = picture.scene();
 
     let start = Instant::now();
-    let accel = Accel::build(args.accel.into(), &scene);
+    let accel = Accel::build(args.accel.into(), scene);
     println!("{}", summary::accel(&accel, start.elapsed()));
 
     let job = Job {
@@ -48,7 +51,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         film,
         cell,
         samples: args.samples,
-        seed: args.seed,
+        sampling: args.sampling(),
     };
     let stop = stop_on_ctrl_c();
     let threads = rayon::ThreadPoolBuilder::new()
@@ -59,7 +62,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let rendered = threads.install(|| {
         let tile_done = |tile: Cell| bar.inc(tile.area());
-        render_normals(&scene, &accel, &job, &stop, tile_done)
+        match &picture {
+            Picture::Normals(scene) => render_normals(scene, &accel, &job, &stop, tile_done),
+            Picture::Lit(lit) => render_lit(lit, &accel, &job, &light, &stop, tile_done),
+        }
     });
     let time = start.elapsed();
     bar.finish_and_clear();
@@ -69,6 +75,16 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     );
     output.write(&rendered.film, cell)?;
     println!("Wrote       {}", path.display());
+    if let (Some(rate_output), Picture::Lit(_)) = (rate_output, &picture) {
+        rate_output.write_rate(&rendered.film, cell, args.samples)?;
+        println!("Wrote       {}", rate_path(path).display());
+    }
+    if args.explain {
+        match &picture {
+            Picture::Normals(_) => println!("No light is simulated: nothing to explain"),
+            Picture::Lit(lit) => println!("{}", summary::effects(&light.effects(lit), &rendered)),
+        }
+    }
 
     let mut untouched = threads.broadcast(|_| hole::take_marks()).concat();
     untouched.extend(hole::take_marks());
@@ -82,6 +98,57 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::from(INTERRUPTED));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// What the picture shows.
+enum Picture {
+    /// Which way surfaces face.
+    Normals(Scene),
+    /// Light.
+    Lit(LitScene),
+}
+
+impl Picture {
+    /// What `args` want to see of `scene`.
+    fn of(args: &Args, scene: Scene) -> Picture {
+        match args.shade {
+            Shade::Normals => Picture::Normals(scene),
+            Shade::Lit => Picture::Lit(LitScene::new(scene, None)),
+            Shade::Auto => {
+                let lit = LitScene::new(scene.clone(), None);
+                if lit.has_light() {
+                    Picture::Lit(lit)
+                } else {
+                    Picture::Normals(scene)
+                }
+            }
+        }
+    }
+
+    fn scene(&self) -> &Scene {
+        match self {
+            Picture::Normals(scene) => scene,
+            Picture::Lit(lit) => &lit.scene,
+        }
+    }
+}
+
+/// Says once which of the given flags do nothing here.
+fn tell_idle_flags(args: &Args) {
+    let idle = args.without_effect();
+    if !idle.is_empty() {
+        let why = match args.shade {
+            Shade::Normals => "normals are shown",
+            Shade::Auto | Shade::Lit => "the scene has no light, so normals are shown",
+        };
+        eprintln!("note: no effect: {}: {why}", idle.join(" "));
+    }
+}
+
+/// Beside `picture.png`, `picture_rate.png`: how many samples each pixel took.
+fn rate_path(path: &Path) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}_rate.png"))
 }
 
 /// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends the program.

@@ -1,0 +1,124 @@
+//! What each material does with light: the scattering functions of the stages, put together and counted.
+
+use direct::{lambert_f, lambert_pdf, lambert_sample};
+use global::{glass_sample, glossy_f, glossy_pdf, glossy_sample, mirror_sample, refraction_sample};
+use kit::effects::{Effect, EffectCounts};
+use kit::{BsdfSample, Material, Scattering, Spectrum, Vec2, Vec3};
+use std::cell::Cell;
+use std::hint::black_box;
+
+/// The scattering functions of parts 3 and 4. `roughness` of glass and refraction is not simulated: they are smooth.
+#[derive(Debug, Default)]
+pub struct Materials {
+    counts: Cell<EffectCounts>,
+    /// Whether effects run that nothing calls for. Their results are thrown away.
+    forced: bool,
+}
+
+impl Materials {
+    /// Materials that have not been asked anything yet; with `forced`, every sample runs every effect.
+    pub fn new(forced: bool) -> Materials {
+        Materials {
+            counts: Cell::default(),
+            forced,
+        }
+    }
+
+    /// What was asked so far.
+    pub fn counts(&self) -> EffectCounts {
+        self.counts.get()
+    }
+
+    /// Counts an operation of `effect`.
+    #[inline]
+    pub fn count(&self, effect: Effect) {
+        let mut counts = self.counts.get();
+        counts.add(effect);
+        self.counts.set(counts);
+    }
+
+    /// Runs what other materials would do, for nothing.
+    fn run_all(&self, wo: Vec3, u: Vec2, choice: f64) {
+        let white = Spectrum::WHITE;
+        self.count(Effect::Mirror);
+        black_box(mirror_sample(white, wo));
+        self.count(Effect::Refraction);
+        black_box(refraction_sample(white, 1.5, wo));
+        self.count(Effect::Fresnel);
+        black_box(glass_sample(white, white, 1.5, wo, choice));
+        self.count(Effect::Glossy);
+        black_box(glossy_sample(white, 10.0, wo, u));
+    }
+}
+
+impl Scattering for Materials {
+    #[inline]
+    fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
+        match *material {
+            Material::Diffuse { reflectance } => lambert_f(reflectance, wo, wi),
+            Material::Glossy {
+                reflectance,
+                shininess,
+            } => {
+                self.count(Effect::Glossy);
+                glossy_f(reflectance, shininess, wo, wi)
+            }
+            Material::Emission { .. }
+            | Material::Mirror { .. }
+            | Material::Refraction { .. }
+            | Material::Glass { .. } => Spectrum::BLACK,
+        }
+    }
+
+    #[inline]
+    fn pdf(&self, material: &Material, wo: Vec3, wi: Vec3) -> f64 {
+        match *material {
+            Material::Diffuse { .. } => lambert_pdf(wo, wi),
+            Material::Glossy { shininess, .. } => {
+                self.count(Effect::Glossy);
+                glossy_pdf(shininess, wo, wi)
+            }
+            Material::Emission { .. }
+            | Material::Mirror { .. }
+            | Material::Refraction { .. }
+            | Material::Glass { .. } => 0.0,
+        }
+    }
+
+    #[inline]
+    fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
+        if self.forced {
+            self.run_all(wo, u, choice);
+        }
+        match *material {
+            Material::Diffuse { reflectance } => lambert_sample(reflectance, wo, u),
+            Material::Emission { .. } => None,
+            Material::Mirror { reflectance } => {
+                self.count(Effect::Mirror);
+                mirror_sample(reflectance, wo)
+            }
+            Material::Glossy {
+                reflectance,
+                shininess,
+            } => {
+                self.count(Effect::Glossy);
+                glossy_sample(reflectance, shininess, wo, u)
+            }
+            Material::Refraction {
+                transmittance, ior, ..
+            } => {
+                self.count(Effect::Refraction);
+                refraction_sample(transmittance, ior, wo)
+            }
+            Material::Glass {
+                reflectance,
+                transmittance,
+                ior,
+                ..
+            } => {
+                self.count(Effect::Fresnel);
+                glass_sample(reflectance, transmittance, ior, wo, choice)
+            }
+        }
+    }
+}

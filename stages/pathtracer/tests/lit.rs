@@ -1,0 +1,316 @@
+//! Lit pictures: the same whatever they are rendered with, and the same light however it is looked for.
+
+use kit::effects::Effect;
+use kit::film::Cell;
+use kit::sampler::{Pattern, Sampling};
+use kit::scene::{NamedLight, NamedMaterial, Object};
+use kit::statistics::{sidak, two_sided};
+use kit::{
+    Camera, Environment, FilmSize, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally,
+    Triangle, Vec3,
+};
+use pathtracer::{Accel, AccelKind, Job, LightSettings, Looking, Rendered, render_lit};
+use std::sync::atomic::AtomicBool;
+
+const GREY: Material = Material::Diffuse {
+    reflectance: Spectrum::grey(0.6),
+};
+const MIRROR: Material = Material::Mirror {
+    reflectance: Spectrum::grey(0.9),
+};
+const GLASS: Material = Material::Glass {
+    reflectance: Spectrum::WHITE,
+    transmittance: Spectrum::WHITE,
+    roughness: 0.0,
+    ior: 1.5,
+};
+const REFRACTION: Material = Material::Refraction {
+    transmittance: Spectrum::WHITE,
+    roughness: 0.0,
+    ior: 1.5,
+};
+const GLOSSY: Material = Material::Glossy {
+    reflectance: Spectrum::grey(0.8),
+    shininess: 20.0,
+};
+
+fn lamp() -> Light {
+    Light::Area {
+        center: Vec3::new(0.0, 2.0, 0.0),
+        edge_x: Vec3::X,
+        edge_y: Vec3::Z,
+        direction: -Vec3::Y,
+        radiance: Spectrum::new(8.0, 6.0, 4.0),
+    }
+}
+
+fn sky() -> Light {
+    Light::Hemisphere {
+        radiance: Spectrum::grey(0.5),
+    }
+}
+
+/// A ball on a floor with a wall behind it.
+fn ball(material: Material, light: Option<Light>) -> Scene {
+    let corner = Vec3::new;
+    let (a, b) = (corner(-2.0, 0.0, -2.0), corner(2.0, 0.0, -2.0));
+    let (c, d) = (corner(2.0, 0.0, 2.0), corner(-2.0, 0.0, 2.0));
+    let (e, f) = (corner(2.0, 3.0, -2.0), corner(-2.0, 3.0, -2.0));
+    let object = |name: &str, material| Object {
+        name: name.into(),
+        material,
+    };
+    let named = |name: &str, material| NamedMaterial {
+        name: name.into(),
+        material,
+    };
+    Scene {
+        triangles: vec![
+            Triangle::flat(a, d, c),
+            Triangle::flat(a, c, b),
+            Triangle::flat(a, b, e),
+            Triangle::flat(a, e, f),
+        ],
+        spheres: vec![Sphere {
+            center: Vec3::new(0.2, 0.6, 0.1),
+            radius: 0.6,
+        }],
+        object_of: vec![0, 0, 0, 0, 1],
+        objects: vec![object("room", 0), object("ball", 1)],
+        materials: vec![named("grey", GREY), named("ball", material)],
+        lights: light
+            .map(|light| NamedLight {
+                name: "lamp".into(),
+                light,
+            })
+            .into_iter()
+            .collect(),
+        ..Scene::default()
+    }
+}
+
+fn job(w: u32, h: u32, samples: u32) -> Job {
+    let pos = Vec3::new(0.0, 1.2, 4.0);
+    let film = FilmSize { w, h };
+    Job {
+        camera: Camera {
+            pos,
+            c2w: Camera::look_at(pos, Vec3::new(0.0, 0.7, 0.0), Vec3::Y).expect("a view"),
+            h_fov: 45.0,
+            v_fov: 35.0,
+            n_clip: 0.0,
+            f_clip: f64::INFINITY,
+        },
+        film,
+        cell: film.whole(),
+        samples,
+        sampling: Sampling::from(7),
+    }
+}
+
+fn render_with(lit: &LitScene, job: &Job, settings: &LightSettings, threads: usize) -> Rendered {
+    let accel = Accel::build(AccelKind::Bvh, &lit.scene);
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .expect("threads")
+        .install(|| {
+            render_lit(
+                lit,
+                &accel,
+                job,
+                settings,
+                &AtomicBool::new(false),
+                |_: Cell| (),
+            )
+        })
+}
+
+fn render(lit: &LitScene, job: &Job, settings: &LightSettings) -> Rendered {
+    render_with(lit, job, settings, 2)
+}
+
+fn settings(max_depth: u32) -> LightSettings {
+    LightSettings {
+        max_depth,
+        ..LightSettings::default()
+    }
+}
+
+/// Scenes made to expose an effect, one each, with the effects that they call for at depth 5.
+fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
+    use Effect::{Background, Bounces, DirectLight, Fresnel, Glossy, Mirror, Refraction};
+    let lit = |material, light| LitScene::new(ball(material, light), None);
+    let sunlit = |material| {
+        lit(
+            material,
+            Some(Light::Directional {
+                direction: Vec3::new(1.0, -2.0, -1.0).normalize(),
+                irradiance: Spectrum::grey(2.0),
+            }),
+        )
+    };
+    let map = Environment::new(
+        2,
+        1,
+        vec![Spectrum::grey(0.2), Spectrum::new(1.0, 2.0, 3.0)],
+    );
+    let environment = LitScene::new(ball(GREY, None), Some(map.expect("two texels")));
+    vec![
+        ("dark", lit(GREY, None), vec![]),
+        ("lamp", lit(GREY, Some(lamp())), vec![DirectLight, Bounces]),
+        ("sun", sunlit(GREY), vec![DirectLight, Bounces]),
+        (
+            "sky",
+            lit(GREY, Some(sky())),
+            vec![DirectLight, Background, Bounces],
+        ),
+        (
+            "environment",
+            environment,
+            vec![DirectLight, Background, Bounces],
+        ),
+        (
+            "mirror",
+            lit(MIRROR, Some(lamp())),
+            vec![DirectLight, Bounces, Mirror],
+        ),
+        (
+            "refraction",
+            sunlit(REFRACTION),
+            vec![DirectLight, Bounces, Refraction],
+        ),
+        (
+            "glass",
+            lit(GLASS, Some(lamp())),
+            vec![DirectLight, Bounces, Fresnel],
+        ),
+        ("glossy", sunlit(GLOSSY), vec![DirectLight, Bounces, Glossy]),
+    ]
+}
+
+/// Hard cases 87 and 88, for every way to sample.
+#[test]
+fn pictures_do_not_depend_on_threads() {
+    let lit = LitScene::new(ball(GLASS, Some(lamp())), None);
+    for pattern in [Pattern::Independent, Pattern::Sobol] {
+        for adaptive in [None, Some((16, 0.3))] {
+            let mut job = job(40, 30, 16);
+            job.sampling.pattern = pattern;
+            let settings = LightSettings {
+                adaptive,
+                ..settings(5)
+            };
+            let one = render_with(&lit, &job, &settings, 1);
+            for threads in [2, 8] {
+                let many = render_with(&lit, &job, &settings, threads);
+                assert!(many.film == one.film, "{threads} threads, {pattern:?}");
+                assert_eq!(many.counters, one.counters);
+                assert_eq!(many.effects, one.effects);
+            }
+        }
+    }
+}
+
+/// What is not called for counts nothing, what is called for counts something, and forcing all of it changes no bit.
+#[test]
+fn only_what_a_scene_calls_for_is_simulated() {
+    for (name, lit, expected) in scenes() {
+        for settings in [settings(5), settings(1), settings(0)] {
+            let depth = settings.max_depth;
+            let environment = name == "environment";
+            let settings = LightSettings {
+                environment,
+                ..settings
+            };
+            let job = job(24, 18, 8);
+            let plain = render(&lit, &job, &settings);
+            let calls = settings.effects(&lit);
+            for call in &calls {
+                let counted = plain.effects.of(call.effect);
+                let what = format!("{name} at depth {depth}: {call:?}");
+                assert!(call.is_called_for() || counted == 0, "{what}: {counted}");
+                if depth == 5 {
+                    assert_eq!(
+                        call.is_called_for(),
+                        expected.contains(&call.effect),
+                        "{what}"
+                    );
+                    assert_eq!(call.is_called_for(), counted > 0, "{what}: {counted}");
+                }
+            }
+            let forced = LightSettings {
+                force_effects: true,
+                ..settings
+            };
+            let forced = render(&lit, &job, &forced);
+            assert!(forced.film == plain.film, "{name} at depth {depth}");
+        }
+    }
+}
+
+/// Means over the picture, one a pixel block, compared by z-tests: 1e-6 that any of them accuses a right estimate.
+fn assert_agree(what: &str, lit: &LitScene, a: &LightSettings, b: &LightSettings, samples: u32) {
+    const BLOCKS: u32 = 4;
+    let render_blocks = |settings: &LightSettings, seed| {
+        let mut job = job(8 * BLOCKS, 8 * BLOCKS, samples);
+        job.sampling.seed = seed;
+        render(lit, &job, settings)
+    };
+    let (a, b) = (render_blocks(a, 1), render_blocks(b, 2));
+    let alarm = sidak(1e-6, (BLOCKS * BLOCKS) as usize);
+    for block in 0..BLOCKS * BLOCKS {
+        let (x0, y0) = (8 * (block % BLOCKS), 8 * (block / BLOCKS));
+        // The pixels of a block differ by what they show, too. Differences pixel by pixel do not.
+        let differences: Tally = (0..64)
+            .map(|i| (x0 + i % 8, y0 + i / 8))
+            .map(|(x, y)| {
+                a.film.get(x, y).radiance.luminance() - b.film.get(x, y).radiance.luminance()
+            })
+            .collect();
+        let p = two_sided(differences.z_against(0.0));
+        assert!(
+            p > alarm,
+            "{what}, block {block}: differ by {} ± {}",
+            differences.mean(),
+            differences.standard_error()
+        );
+    }
+}
+
+#[test]
+fn every_way_to_look_for_light_finds_the_same() {
+    for light in [lamp(), sky()] {
+        for material in [GREY, GLOSSY, MIRROR] {
+            let lit = LitScene::new(ball(material, Some(light)), None);
+            let by = |looking| LightSettings {
+                looking,
+                ..settings(3)
+            };
+            let (lights, both) = (by(Looking::Lights), by(Looking::Both));
+            let around = LightSettings {
+                light_samples: 4,
+                ..by(Looking::Hemisphere)
+            };
+            let what = format!("{material:?} in the light of {light:?}");
+            assert_agree(&format!("around: {what}"), &lit, &around, &lights, 64);
+            assert_agree(&format!("both: {what}"), &lit, &both, &lights, 64);
+        }
+    }
+}
+
+#[test]
+fn roulette_samplers_and_adaptive_agree() {
+    let lit = LitScene::new(ball(GLASS, Some(lamp())), None);
+    let plain = settings(12);
+    let no_roulette = LightSettings {
+        roulette: false,
+        ..plain
+    };
+    assert_agree("roulette", &lit, &plain, &no_roulette, 64);
+    let adaptive = LightSettings {
+        adaptive: Some((32, 0.2)),
+        ..plain
+    };
+    assert_agree("adaptive", &lit, &adaptive, &plain, 512);
+}

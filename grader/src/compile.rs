@@ -1,9 +1,8 @@
 //! Building the worker with the student's stages.
 
 use crate::error::GraderError;
-use crate::workspace::Workspace;
 use std::ffi::OsString;
-use std::io::Read;
+use std::io::{BufRead, BufReader, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -12,8 +11,9 @@ use std::process::{Command, Stdio};
 pub enum Built {
     /// The program.
     Worker(PathBuf),
-    /// The student's code does not compile; cargo has said why on stderr.
-    DoesNotCompile,
+    /// The code does not compile: the compiler's messages, which have been shown on stderr unless the build is
+    /// sealed.
+    DoesNotCompile(String),
 }
 
 /// A build of the worker, in release.
@@ -25,24 +25,67 @@ pub struct Build<'a> {
     pub features: &'a [&'a str],
     /// Where cargo keeps what it builds, if not in the workspace.
     pub target: Option<&'a Path>,
-}
-
-/// Builds the worker of `workspace` with the given cargo features. Cargo's progress and errors go to stderr as
-/// they come.
-pub fn worker(workspace: &Workspace, features: &[&str]) -> Result<Built, GraderError> {
-    Build {
-        root: workspace.root(),
-        features,
-        target: None,
-    }
-    .run()
+    /// No network, no other versions of libraries than the lock file's, and nothing shown: for code that is not
+    /// the caller's own.
+    pub sealed: bool,
 }
 
 impl Build<'_> {
-    /// Runs cargo. Its progress and errors go to stderr as they come.
+    /// Runs cargo. Its progress and the compiler's messages go to stderr as they come.
     pub fn run(&self) -> Result<Built, GraderError> {
-        let cargo = cargo();
-        let mut command = Command::new(&cargo);
+        let show = !self.sealed;
+        let colours = show && std::io::stderr().is_terminal();
+        let mut child = self.command(colours).spawn().map_err(|e| {
+            GraderError::new(format!(
+                "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
+                cargo().display()
+            ))
+        })?;
+        let progress = child
+            .stderr
+            .take()
+            .map(|pipe| std::thread::spawn(move || std::io::read_to_string(pipe)));
+        let stdout = child
+            .stdout
+            .take()
+            .ok_or_else(|| GraderError::new("cargo has no output"))?;
+        let mut program = None;
+        let mut errors = String::new();
+        for line in BufReader::new(stdout).lines() {
+            let line =
+                line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
+            match Message::read(&line) {
+                Some(Message::Program(path)) => program = Some(path),
+                Some(Message::Diagnostic { is_error, text }) => {
+                    if show {
+                        eprint!("{text}");
+                    }
+                    if is_error {
+                        errors.push_str(&text);
+                    }
+                }
+                None => {}
+            }
+        }
+        let status = child
+            .wait()
+            .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
+        let said =
+            progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
+        match program {
+            Some(program) if status.success() => keep_apart(program, self.features),
+            _ if !errors.is_empty() => Ok(Built::DoesNotCompile(errors)),
+            // Nothing that the code could be blamed for: a library that is not there, a broken manifest.
+            _ => Err(GraderError::new(format!(
+                "cargo could not build the worker in {} ({status}). {}",
+                self.root.display(),
+                said.as_deref().unwrap_or("Its reason stands above.").trim()
+            ))),
+        }
+    }
+
+    fn command(&self, colours: bool) -> Command {
+        let mut command = Command::new(cargo());
         command
             .current_dir(self.root)
             .args([
@@ -52,58 +95,58 @@ impl Build<'_> {
                 "worker",
                 "--bin",
                 "worker",
-                "--no-default-features",
             ])
             .args([
+                "--no-default-features",
                 "--features",
                 &self.features.join(","),
-                "--message-format",
-                "json-render-diagnostics",
-            ]);
+            ])
+            .arg("--message-format")
+            .arg(if colours {
+                "json-diagnostic-rendered-ansi"
+            } else {
+                "json"
+            })
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped());
+        if self.sealed {
+            command
+                .args(["--offline", "--locked"])
+                .stderr(Stdio::piped());
+        }
         if let Some(target) = self.target {
             command.arg("--target-dir").arg(target);
         }
-        let mut child = command
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(|e| {
-                GraderError::new(format!(
-                    "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
-                    cargo.display()
-                ))
-            })?;
-        let mut messages = String::new();
-        let mut stdout = child
-            .stdout
-            .take()
-            .ok_or_else(|| GraderError::new("cargo has no output"))?;
-        stdout
-            .read_to_string(&mut messages)
-            .map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
-        let status = child
-            .wait()
-            .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
-        if !status.success() {
-            return Ok(Built::DoesNotCompile);
+        command
+    }
+}
+
+/// One of cargo's JSON messages, if it is of interest.
+enum Message {
+    /// A program was built, or was there already.
+    Program(PathBuf),
+    /// The compiler said something.
+    Diagnostic { is_error: bool, text: String },
+}
+
+impl Message {
+    fn read(line: &str) -> Option<Message> {
+        let message: serde_json::Value = serde_json::from_str(line).ok()?;
+        if let Some(program) = message.get("executable").and_then(|path| path.as_str()) {
+            return Some(Message::Program(program.into()));
         }
-        let program = messages.lines().filter_map(executable_of).next_back();
-        let program = program.ok_or_else(|| {
-            GraderError::new("cargo built no worker. Is `grader/worker` in the workspace?")
-        })?;
-        keep_apart(program, self.features)
+        let diagnostic = message.get("message")?;
+        let level = diagnostic.get("level")?.as_str()?;
+        Some(Message::Diagnostic {
+            is_error: level.starts_with("error"),
+            text: diagnostic.get("rendered")?.as_str()?.to_string(),
+        })
     }
 }
 
 /// The cargo that built the grader's caller, else the one on the path.
 pub(crate) fn cargo() -> OsString {
     std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
-
-/// The program that one of cargo's JSON messages speaks of.
-fn executable_of(line: &str) -> Option<PathBuf> {
-    let message: serde_json::Value = serde_json::from_str(line).ok()?;
-    Some(PathBuf::from(message.get("executable")?.as_str()?))
 }
 
 /// Copies the program under a name of its own: the next build with other features would overwrite it.

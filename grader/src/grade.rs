@@ -1,7 +1,7 @@
 //! A whole run: build the worker, run the cases, judge, add up.
 
 use crate::cases::{self, Spec};
-use crate::compile::{self, Built};
+use crate::compile::{Build, Built};
 use crate::course::{Course, Task, Tier};
 use crate::diagnosis;
 use crate::error::GraderError;
@@ -10,6 +10,7 @@ use crate::runner::{self, Ending, Worker};
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::signature::Signature;
 use crate::workspace::Workspace;
+use std::path::Path;
 use wire::Outcome;
 
 /// What to grade.
@@ -21,22 +22,52 @@ pub struct Order {
     pub seed: u64,
 }
 
-/// A report and what the student's code printed meanwhile.
+/// A report, and what was said meanwhile.
 #[derive(Clone, Debug)]
 pub struct Graded {
     /// The scores.
     pub report: Report,
     /// Printed by the student's code.
     pub printed: String,
+    /// What the compiler said of stages that do not compile.
+    pub compiler: String,
+}
+
+/// Where the code under test is built. Everything else (the course, the goldens) is the trusted workspace's.
+#[derive(Clone, Copy, Debug)]
+pub struct Site<'a> {
+    /// The top folder of a workspace with a worker in it.
+    pub root: &'a Path,
+    /// Where cargo keeps what it builds, if not there.
+    pub target: Option<&'a Path>,
+    /// As [`Build::sealed`].
+    pub sealed: bool,
 }
 
 /// Grades the code in `workspace` in place.
 pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&order.what)?;
-    let specs = cases::all(order.seed);
+    let site = Site {
+        root: workspace.root(),
+        target: None,
+        sealed: false,
+    };
+    at(workspace, &course, &tasks, order.seed, &site)
+}
+
+/// Grades `tasks` with the code that stands at `site`.
+pub fn at(
+    workspace: &Workspace,
+    course: &Course,
+    tasks: &[&Task],
+    seed: u64,
+    site: &Site,
+) -> Result<Graded, GraderError> {
+    let specs = cases::all(seed);
     let mut results = Vec::new();
     let mut printed = String::new();
+    let mut compiler = String::new();
     let mut stages: Vec<&str> = tasks.iter().map(|task| task.stage.as_str()).collect();
     stages.sort_unstable();
     stages.dedup();
@@ -46,12 +77,19 @@ pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderEr
             .copied()
             .filter(|task| task.stage == stage)
             .collect();
-        match compile::worker(workspace, &[stage])? {
-            Built::DoesNotCompile => {
-                results.extend(tasks.iter().map(|task| does_not_compile(task)))
+        let build = Build {
+            root: site.root,
+            features: &[stage],
+            target: site.target,
+            sealed: site.sealed,
+        };
+        match build.run()? {
+            Built::DoesNotCompile(messages) => {
+                compiler.push_str(&messages);
+                results.extend(tasks.iter().map(|task| does_not_compile(task)));
             }
             Built::Worker(program) => results.extend(grade_tasks(
-                &course,
+                course,
                 &tasks,
                 &specs,
                 &program.into(),
@@ -67,6 +105,7 @@ pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderEr
     Ok(Graded {
         report: Report::new(results),
         printed,
+        compiler,
     })
 }
 

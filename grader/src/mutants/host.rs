@@ -124,11 +124,12 @@ pub fn worker(
         root: &job,
         features,
         target: Some(&target),
+        sealed: false,
     })
     .run()?
     {
         Built::Worker(program) => Ok(program),
-        Built::DoesNotCompile => Err(GraderError::new(format!(
+        Built::DoesNotCompile(_) => Err(GraderError::new(format!(
             "the versions of `{stage}` in {} do not compile: mend the mutant or variant that cargo names",
             job.display()
         ))),

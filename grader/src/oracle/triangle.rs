@@ -229,24 +229,30 @@ impl Exact {
             });
             return verdict;
         }
-        let crossing = self.crossing(frame, &robust);
-        verdict.answers = PerKernel::each(|kernel| {
-            let tolerance = *crossing.t_tolerance.get(kernel);
-            let range = if self.divides_exactly(kernel, frame) {
+        let mut crossing = self.crossing(frame, &robust);
+        let sure = PerKernel::each(|kernel| {
+            let in_range = if self.divides_exactly(kernel, frame) {
                 range
             } else {
                 let t = crossing.t.to_f64();
-                Sure::in_range(t, tolerance, (ray.min_t, ray.max_t))
+                let error = *crossing.t_tolerance.get(kernel);
+                Sure::in_range(t, error, (ray.min_t, ray.max_t))
             };
+            edges.get(kernel).and(in_range)
+        });
+        if sure.robust == Sure::Yes {
+            crossing.t_tolerance.robust = crossing.t_tolerance.robust.min(robust.t_cap());
+        }
+        verdict.answers = PerKernel::each(|kernel| {
             let hit = Some(Candidate {
                 t: crossing.t,
-                tolerance,
+                tolerance: *crossing.t_tolerance.get(kernel),
             });
-            match edges.get(kernel).and(range) {
+            match sure.get(kernel) {
                 Sure::No => Answers::MISS,
                 sure => Answers {
                     hits: [hit, None],
-                    miss: sure == Sure::Open,
+                    miss: *sure == Sure::Open,
                 },
             }
         });

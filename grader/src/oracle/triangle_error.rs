@@ -35,8 +35,9 @@ const SHEARED: f64 = 4.0;
 /// more roundings than the kernel of Woop, Benthin and Wald has.
 const DOUBLED: f64 = 2.0;
 
-/// However grazing the ray, a robust `t` is asked to be right to this part of the distance.
-const T_CAP: f64 = 1e-6;
+/// However thin the triangle and grazing the ray, a robust `t` of a hit that is not in doubt is asked to be
+/// right to this part of the farthest vertex' depth.
+const T_CAP: f64 = 1e-3;
 
 /// The numbers that the bounds are made of, rounded.
 pub(super) struct Frame {
@@ -48,8 +49,7 @@ pub(super) struct Frame {
     normal: Vec3,
     /// The products of absolute edge lengths that a normal is summed from, whatever the base vertex.
     normal_sizes: Vec3,
-    /// Largest component of a vertex seen from the origin, of an edge, and of a position in world space.
-    far: f64,
+    /// Largest component of an edge, and of a position in world space.
     edge: f64,
     world: f64,
 }
@@ -59,14 +59,12 @@ impl Frame {
         let seen = [tri.p0 - ray.o, tri.p1 - ray.o, tri.p2 - ray.o];
         let edges = [tri.p1 - tri.p0, tri.p2 - tri.p0, tri.p2 - tri.p1];
         let longest = edges[0].abs().max(edges[1].abs()).max(edges[2].abs());
-        let farthest = seen[0].abs().max(seen[1].abs()).max(seen[2].abs());
         let outmost = tri.p0.abs().max(tri.p1.abs()).max(tri.p2.abs());
         Frame {
             seen,
             d: ray.d,
             normal: edges[0].cross(edges[1]),
             normal_sizes: cross_of_sizes(longest, longest),
-            far: farthest.max_element(),
             edge: longest.max_element(),
             world: (outmost + ray.o.abs()).max_element(),
         }
@@ -84,11 +82,12 @@ impl Frame {
         (sum(self.normal_sizes) / largest(normal)).max(1.0)
     }
 
-    /// Bounds the error of textbook code in every edge function: `128 U · thinness · |d| · far · world`.
+    /// Bounds the error of textbook code in every edge function: `128 U · thinness · |d| · world²`.
     ///
-    /// One factor is measured in world space: the hit point `o + t·d` is rounded there.
+    /// Lengths are measured in world space, not from the ray's origin: a plane test rounds its hit point
+    /// there, and Plücker coordinates are products of positions.
     pub(super) fn textbook_edge(&self, normal: Vec3) -> f64 {
-        TEXTBOOK_EDGE * self.thinness(normal) * sum(self.d) * self.far * self.world
+        TEXTBOOK_EDGE * self.thinness(normal) * sum(self.d) * self.world * self.world
     }
 
     /// Whether two edge functions have opposite signs for certain, in exact arithmetic and for
@@ -96,15 +95,15 @@ impl Frame {
     /// on most rays.
     ///
     /// A triple product in `f64` is right to `γ_7` times the sum of its absolute products, at
-    /// most `6 |d| far²`: less than half the textbook bound, so that twice that bound is enough;
-    /// and robust bounds are smaller than textbook ones (`10 U · |d_z| · 8 far²` at most).
+    /// most `2 |d| world²`: less than half the textbook bound, so that twice that bound is enough;
+    /// and robust bounds are smaller than textbook ones (doubled, `20 U · |d_z| · 4 world²` at most).
     pub(super) fn surely_misses(&self) -> bool {
         let thinness = self.thinness(self.normal);
         let is_settled = thinness < THIN && self.in_reach(Kernel::Textbook);
         if !is_settled {
             return false;
         }
-        let bound = 2.0 * TEXTBOOK_EDGE * thinness * sum(self.d) * self.far * self.world;
+        let bound = 2.0 * TEXTBOOK_EDGE * thinness * sum(self.d) * self.world * self.world;
         let [a, b, c] = self.seen;
         let e = [
             self.d.dot(b.cross(c)),
@@ -116,13 +115,14 @@ impl Frame {
 
     /// Bounds the error of textbook code in `t`.
     ///
-    /// `A·n` and `d·n` sum the products `|A|·|n|` and `|d|·|n|`, an edge function sums `|d| far²`,
-    /// and a `t` that is mixed from the vertices' depths errs by that times the edge's depth.
+    /// `A·n` and `d·n` sum the products `|A|·|n|` and `|d|·|n|` (a plane's equation does not even
+    /// subtract the origin first: `world`), an edge function sums `|d| world²`, and a `t` that is mixed from
+    /// the vertices' depths errs by that times the edge's depth.
     pub(super) fn textbook_t(&self, det: f64, t: f64) -> f64 {
         let sizes = sum(self.normal_sizes);
         let det_error = TEXTBOOK_T * self.d.abs().dot(self.normal_sizes);
-        let mixed = self.far * self.far * self.edge;
-        let num_error = TEXTBOOK_T * (self.far * sizes + mixed);
+        let mixed = self.world * self.world * self.edge;
+        let num_error = TEXTBOOK_T * (self.world * sizes + mixed);
         (num_error + t.abs() * det_error) / (det.abs() - det_error).max(0.0) + TEXTBOOK_T * t.abs()
     }
 
@@ -200,15 +200,18 @@ pub(super) struct Robust {
 }
 
 impl Robust {
-    /// Bounds the error of `t = Σ e_i z_i / det`: PBRT's δt, doubled, and at most [`T_CAP`] of the
-    /// farthest depth.
+    /// Bounds the error of `t = Σ e_i z_i / det`: PBRT's δt, doubled.
     pub(super) fn t(&self, e: [f64; 3], det: f64, t: f64) -> f64 {
         let z = self.depths;
         let by_edges: f64 = (0..3).map(|i| self.edges[i] * (z[i] + t.abs())).sum();
         let by_depths: f64 = (0..3).map(|i| e[i].abs() * z[i]).sum();
-        let bound = (by_edges + DOUBLED * gamma(8.0) * by_depths) / det.abs();
-        let cap = T_CAP * z.iter().fold(t.abs(), |most, z| most.max(*z));
-        bound.min(cap) + DOUBLED * gamma(4.0) * t.abs()
+        let by_sums = DOUBLED * gamma(8.0) * by_depths;
+        (by_edges + by_sums) / det.abs() + DOUBLED * gamma(4.0) * t.abs()
+    }
+
+    /// The most that a `t` may be off where the hit itself is not in doubt, whatever its bound: see [`T_CAP`].
+    pub(super) fn t_cap(&self) -> f64 {
+        T_CAP * self.depths.iter().fold(0.0, |most, z| z.max(most))
     }
 
     /// Bounds the error of a barycentric weight, `e_i / det`.

@@ -1,9 +1,11 @@
 //! The oracle against plain rationals, against kernels that are known to be right, and against
 //! the hard cases.
 
+mod kernels;
 mod rationals;
 mod rays;
 
 mod boxes;
+mod fairness;
 mod spheres;
 mod triangles;

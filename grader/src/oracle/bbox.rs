@@ -30,14 +30,15 @@ pub struct BoxVerdict {
     /// or the box from outside with an end of its range.
     pub touches: bool,
     /// By how much the ray misses: the far end is this much less than the near end, relative to the larger of
-    /// the two. Negative where it hits; 0 where it touches.
+    /// the two. Negative where it hits; 0 where it touches; infinite where it misses by a mile.
     pub gap: f64,
     /// Whether "no hit" scores.
     pub miss_scores: PerKernel<bool>,
     /// Whether "hit" scores: a test for a tree may see a hit where there is none, by a few ulp, but never the
     /// other way round.
     pub hit_scores: bool,
-    /// Ends of the interval as the slabs give them, near and far, also where the far one is less.
+    /// Ends of the interval as the slabs give them, near and far, also where the far one is less; `None`
+    /// where the ray misses by a mile.
     pub ends: Option<(End, End)>,
 }
 
@@ -98,7 +99,8 @@ impl BoxJudgement {
 
 impl BoxVerdict {
     fn miss(why: Miss) -> BoxVerdict {
-        let free = why == Miss::NotFinite;
+        // A ray that goes nowhere may as well be inside a box.
+        let free = matches!(why, Miss::NotFinite | Miss::NoDirection);
         BoxVerdict {
             inside: Err(why),
             touches: false,
@@ -157,12 +159,12 @@ fn is_end(answer: f64, truth: End) -> bool {
 ///
 /// Faces, edges, corners and both ends of the range count. Where a component of `d` is 0, of
 /// either sign, the ray stays between that pair of planes if its origin is between them or on
-/// one. An empty box and NaN anywhere are misses.
+/// one. An empty box and NaN anywhere are misses; about `d = 0` nothing is said.
 pub fn bbox(b: &Aabb, ray: &Ray) -> BoxVerdict {
     if let Some(why) = by_convention(b, ray) {
         return BoxVerdict::miss(why);
     }
-    let mut bounds = Bounds::of_range(ray);
+    let (mut near, mut far) = (vec![Cut::range(ray.min_t)], vec![Cut::range(ray.max_t)]);
     for axis in 0..3 {
         let (o, d) = (ray.o[axis], ray.d[axis]);
         let (min, max) = (b.min[axis], b.max[axis]);
@@ -172,11 +174,14 @@ pub fn bbox(b: &Aabb, ray: &Ray) -> BoxVerdict {
             }
             continue;
         }
-        let (near, far) = if d > 0.0 { (min, max) } else { (max, min) };
-        bounds.near.push(Bound::slab(axis, near, o, d));
-        bounds.far.push(Bound::slab(axis, far, o, d));
+        let (enter, leave) = if d > 0.0 { (min, max) } else { (max, min) };
+        near.push(Cut::slab(axis, enter, o, d));
+        far.push(Cut::slab(axis, leave, o, d));
     }
-    bounds.verdict()
+    match filter(&mut near, &mut far) {
+        Some(miss) => miss,
+        None => Bounds::new(&near, &far).verdict(),
+    }
 }
 
 /// The misses that need no arithmetic.
@@ -193,9 +198,64 @@ fn by_convention(b: &Aabb, ray: &Ray) -> Option<Miss> {
     range_misses(ray)
 }
 
-/// One end that the interval is cut at.
+/// Something that cuts the interval: an end of the ray's range, or a plane of the box.
+struct Cut {
+    /// `None` for the range.
+    axis: Option<usize>,
+    /// Where the plane is, on its axis, and the ray's origin and direction there; a range end is its own plane.
+    plane: f64,
+    o: f64,
+    d: f64,
+    /// Where the cut is along the ray, `(plane - o) / d`, rounded.
+    t: f64,
+}
+
+impl Cut {
+    fn range(end: f64) -> Cut {
+        Cut {
+            axis: None,
+            plane: end,
+            o: 0.0,
+            d: 1.0,
+            t: end,
+        }
+    }
+
+    fn slab(axis: usize, plane: f64, o: f64, d: f64) -> Cut {
+        Cut {
+            axis: Some(axis),
+            plane,
+            o,
+            d,
+            t: (plane - o) / d,
+        }
+    }
+}
+
+/// Drops the cuts that are far from deciding anything, and finds the misses by a mile; in `f64`.
+///
+/// A rounded `t` is right to 2 U, unless it is so small or so large that it may have lost bits:
+/// then nothing is dropped. Ten times the slack leaves out no cut that could matter.
+fn filter(near: &mut Vec<Cut>, far: &mut Vec<Cut>) -> Option<BoxVerdict> {
+    let last = near
+        .iter()
+        .map(|cut| cut.t)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let first = far.iter().map(|cut| cut.t).fold(f64::INFINITY, f64::min);
+    let is_before = |a: f64, b: f64| {
+        let size = a.abs().max(b.abs());
+        (1e-290..1e290).contains(&size) && b - a > 10.0 * SLACK * size
+    };
+    if is_before(first, last) {
+        return Some(BoxVerdict::miss(Miss::Beside));
+    }
+    near.retain(|cut| !is_before(cut.t, last));
+    far.retain(|cut| !is_before(first, cut.t));
+    None
+}
+
+/// One end that the interval is cut at, exactly.
 struct Bound {
-    /// `None` for an end of the ray's own range.
     axis: Option<usize>,
     end: End,
     /// Where the end is finite, the quotient that it is, with a positive divisor: two ends that
@@ -206,48 +266,30 @@ struct Bound {
 }
 
 impl Bound {
-    fn range(end: f64) -> Bound {
-        let (end, quotient) = match end {
-            f64::INFINITY => (End::PlusInfinity, None),
-            f64::NEG_INFINITY => (End::MinusInfinity, None),
-            t => {
-                let quotient = (Dyadic::new(t), Dyadic::new(1.0));
-                (End::At(Real::new(t)), Some(quotient))
-            }
-        };
-        Bound {
-            axis: None,
-            end,
-            quotient,
-            is_exact: true,
-        }
-    }
-
-    /// Where the ray crosses a plane: `t = (plane - o) / d`.
-    fn slab(axis: usize, plane: f64, o: f64, d: f64) -> Bound {
-        if plane.is_infinite() {
-            let end = match (plane > 0.0) == (d > 0.0) {
-                true => End::PlusInfinity,
-                false => End::MinusInfinity,
-            };
+    fn new(cut: &Cut) -> Bound {
+        let axis = cut.axis;
+        if cut.plane.is_infinite() {
             return Bound {
-                axis: Some(axis),
-                end,
+                axis,
+                end: match (cut.plane > 0.0) == (cut.d > 0.0) {
+                    true => End::PlusInfinity,
+                    false => End::MinusInfinity,
+                },
                 quotient: None,
                 is_exact: true,
             };
         }
-        let distance = &Dyadic::new(plane) - &Dyadic::new(o);
-        let d = Dyadic::new(d);
+        let distance = &Dyadic::new(cut.plane) - &Dyadic::new(cut.o);
+        let d = Dyadic::new(cut.d);
         let t = Real::ratio(&distance, &d);
-        let subtracts_exactly = Real::from(&distance).ulps(plane - o) == 0.0;
+        let subtracts_exactly = Real::from(&distance).ulps(cut.plane - cut.o) == 0.0;
         let is_exact = d.is_power_of_two() && subtracts_exactly && t.ulps(t.to_f64()) == 0.0;
         let quotient = match d.sign() < 0 {
             true => (-&distance, -&d),
             false => (distance, d),
         };
         Bound {
-            axis: Some(axis),
+            axis,
             end: End::At(t),
             quotient: Some(quotient),
             is_exact,
@@ -270,10 +312,10 @@ struct Bounds {
 }
 
 impl Bounds {
-    fn of_range(ray: &Ray) -> Bounds {
+    fn new(near: &[Cut], far: &[Cut]) -> Bounds {
         Bounds {
-            near: vec![Bound::range(ray.min_t)],
-            far: vec![Bound::range(ray.max_t)],
+            near: near.iter().map(Bound::new).collect(),
+            far: far.iter().map(Bound::new).collect(),
         }
     }
 
@@ -281,7 +323,7 @@ impl Bounds {
         let near = self.near.iter().max_by(|a, b| a.compare(b));
         let far = self.far.iter().min_by(|a, b| a.compare(b));
         let (Some(near), Some(far)) = (near, far) else {
-            unreachable!("the range itself gives an end on either side")
+            unreachable!("the cut that is last, or first, was kept")
         };
         let order = near.compare(far);
         let gap = relative_gap(near, far);

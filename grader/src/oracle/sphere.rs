@@ -88,6 +88,9 @@ pub fn sphere(s: &Sphere, ray: &Ray) -> SphereVerdict {
         return SphereVerdict::miss(why);
     }
     let frame = Frame::new(s, ray);
+    if frame.surely_misses() {
+        return SphereVerdict::miss(Miss::Beside);
+    }
     Exact::new(s, ray).verdict(ray, &frame)
 }
 

@@ -22,8 +22,9 @@ const DOUBLED: f64 = 2.0;
 
 /// The numbers that the bounds are made of, rounded.
 pub(super) struct Frame {
-    /// `|d|²`, `|f|²` and `r²`.
+    /// `|d|²`, `f·d`, `|f|²` and `r²`.
     a: f64,
+    b: f64,
     ff: f64,
     rr: f64,
     /// Largest coordinate of the centre or the origin, radius included; and largest component of `d`.
@@ -33,9 +34,11 @@ pub(super) struct Frame {
 
 impl Frame {
     pub(super) fn new(s: &Sphere, ray: &Ray) -> Frame {
+        let f = ray.o - s.center;
         Frame {
             a: ray.d.length_squared(),
-            ff: (ray.o - s.center).length_squared(),
+            b: f.dot(ray.d),
+            ff: f.length_squared(),
             rr: s.radius * s.radius,
             world: largest(ray.o).max(largest(s.center)).max(s.radius),
             direction: largest(ray.d),
@@ -59,6 +62,15 @@ impl Frame {
                 self.a * (l * (2.0 * self.rr.sqrt() + l) + gamma(8.0) * self.rr)
             }
         }
+    }
+
+    /// Whether the discriminant is negative for certain, in exact arithmetic and for every correct
+    /// kernel. This is the filter: most rays miss, and need no integers. The textbook's discriminant is
+    /// computed here, so its bound is added once for the exact value to be below it, too; robust
+    /// bounds are smaller.
+    pub(super) fn surely_misses(&self) -> bool {
+        let d = self.b * self.b - self.a * (self.ff - self.rr);
+        self.in_reach(Kernel::Textbook) && d < -2.0 * self.discriminant(Kernel::Textbook)
     }
 
     /// Bounds the error of `√D`: `δD / √D`, but never more than `√δD`.

@@ -175,7 +175,7 @@ impl Exact {
         if facing == 0 && self.num.sign() == 0 {
             return TriangleClass::Miss(Miss::Coplanar);
         } else if facing == 0 {
-            return TriangleClass::Miss(Miss::Parallel);
+            return TriangleClass::Miss(Miss::Beside);
         }
         match [0, 1, 2].map(|i| self.e[i].sign() * facing) {
             [1, 1, 1] => TriangleClass::Inside,

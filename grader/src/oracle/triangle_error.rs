@@ -91,8 +91,7 @@ impl Frame {
     }
 
     /// Whether two edge functions have opposite signs for certain, in exact arithmetic and for
-    /// every correct kernel. This is the filter; a third of a microsecond of integers is saved
-    /// on most rays.
+    /// every correct kernel. This is the filter: most rays miss, and need no integers.
     ///
     /// A triple product in `f64` is right to `γ_7` times the sum of its absolute products, at
     /// most `2 |d| world²`: less than half the textbook bound, so that twice that bound is enough;

@@ -53,11 +53,9 @@ pub enum Miss {
     EmptyRange,
     /// A triangle of no area, or a sphere of negative radius: a miss by convention.
     Degenerate,
-    /// The ray runs parallel to the plane of the triangle, off it.
-    Parallel,
     /// The ray runs inside the plane of the triangle: a miss by convention, even through the triangle.
     Coplanar,
-    /// The line of the ray passes beside the shape.
+    /// The line of the ray passes beside the shape, or parallel to the triangle's plane and off it.
     Beside,
     /// The line meets the shape, but only at `t < min_t` or `t > max_t`.
     OutOfRange,

@@ -190,9 +190,6 @@ fn try_boxes(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     for _ in 0..count {
         let (b, ray) = at_corner(&mut r);
-        if ray.d == Vec3::ZERO {
-            continue;
-        }
         let verdict = bbox(&b, &ray);
         let groups = [
             (Kernel::Textbook, &TEXTBOOK_BOXES[..]),

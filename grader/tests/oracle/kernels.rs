@@ -80,7 +80,7 @@ fn cramer(tri: &Triangle, ray: &Ray) -> Option<f64> {
     }
     let beta = det3(c, b, ray.d) / det;
     let gamma = det3(a, c, ray.d) / det;
-    if gamma < 0.0 || gamma > 1.0 || beta < 0.0 || beta > 1.0 - gamma {
+    if !(0.0..=1.0).contains(&gamma) || beta < 0.0 || beta > 1.0 - gamma {
         return None;
     }
     in_range(ray, det3(a, b, c) / det)

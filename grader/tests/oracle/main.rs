@@ -7,5 +7,7 @@ mod rays;
 
 mod boxes;
 mod fairness;
+mod hard_cases;
+mod many;
 mod spheres;
 mod triangles;

@@ -1,0 +1,160 @@
+//! Triangles that are very small, large, thin or far: no fixed epsilon fits all of them.
+// BEGIN SOLUTION(part1.task3)
+use crate::truth::{Crossing, distance_from_plane};
+use intersect::{intersect_triangle, test_triangle};
+use kit::{PrimId, Ray, Triangle, Vec3};
+use proptest::prelude::*;
+
+/// How far a float `t` may be from the truth: the bound on the rounding errors of the watertight test, doubled as the
+/// grader does. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.7. For unit `d`.
+pub(crate) fn distance_bound(tri: &Triangle, ray: &Ray) -> f64 {
+    let gamma = |n: f64| n * 0.5 * f64::EPSILON / (1.0 - n * 0.5 * f64::EPSILON);
+    let longest = ray.d.abs().max_position();
+    let turned = |v: Vec3| Vec3::from_array([1, 2, 0].map(|i| v[(longest + i) % 3]));
+    let d = turned(ray.d);
+    let points = [tri.p0, tri.p1, tri.p2].map(|p| {
+        let p = turned(p - ray.o);
+        Vec3::new(p.x - d.x / d.z * p.z, p.y - d.y / d.z * p.z, p.z / d.z)
+    });
+    let largest = points.iter().fold(Vec3::ZERO, |m, p| m.max(p.abs()));
+    let edge = |i: usize, j: usize| points[i].x * points[j].y - points[i].y * points[j].x;
+    let edges = [edge(1, 2), edge(2, 0), edge(0, 1)];
+    let det: f64 = edges.iter().sum();
+    let max_edge = edges.iter().fold(0.0_f64, |m, e| m.max(e.abs()));
+    let delta_x = gamma(5.0) * (largest.x + largest.z);
+    let delta_y = gamma(5.0) * (largest.y + largest.z);
+    let delta_z = gamma(3.0) * largest.z;
+    let delta_e =
+        2.0 * (gamma(2.0) * largest.x * largest.y + delta_y * largest.x + delta_x * largest.y);
+    let delta_t = 3.0
+        * (gamma(3.0) * max_edge * largest.z + delta_e * largest.z + delta_z * max_edge)
+        / det.abs();
+    2.0 * delta_t
+}
+
+/// A hit, as near to the truth as the bound allows.
+fn assert_hit_within_bound(tri: &Triangle, ray: &Ray) -> Result<(), TestCaseError> {
+    let truth = Crossing::of(tri, ray).expect("a ray that is not parallel");
+    prop_assert!(
+        truth.is_inside(),
+        "the probe itself misses by {:e}",
+        truth.margin()
+    );
+    let hit = test_triangle(tri, ray);
+    prop_assert!(hit.is_some(), "{:?} {:?} is missed", tri, ray);
+    let error = truth.error_of(hit.unwrap().t);
+    let bound = distance_bound(tri, ray);
+    prop_assert!(
+        error <= bound,
+        "t is off by {error:e}, allowed is {bound:e}"
+    );
+    Ok(())
+}
+
+fn point() -> impl Strategy<Value = Vec3> {
+    prop::array::uniform3(-1.0..1.0_f64).prop_map(Vec3::from_array)
+}
+
+/// A triangle with a fair area, in a cube of size 2, and a unit ray from a distance of about 5 at its middle.
+fn fair_hit() -> impl Strategy<Value = (Triangle, Ray)> {
+    let triangle = (point(), point(), point()).prop_map(|(a, b, c)| Triangle::flat(a, b, c));
+    (triangle, point())
+        .prop_map(|(tri, o)| {
+            let target = 0.4 * tri.p0 + 0.3 * tri.p1 + 0.3 * tri.p2;
+            let o = target + 5.0 * o;
+            (tri, Ray::new(o, (target - o).normalize()))
+        })
+        .prop_filter("a fair area seen from the ray", |(tri, ray)| {
+            (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).dot(ray.d).abs() > 0.01
+        })
+}
+
+fn scaled(tri: &Triangle, s: f64) -> Triangle {
+    Triangle::flat(s * tri.p0, s * tri.p1, s * tri.p2)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Hard cases 17, 18 and 19. `if det.abs() < 1e-8 { miss }` loses every triangle of a small scene. In f32 the products of
+    /// coordinates underflow at 1e-15 and overflow at 1e15; in f64 they do at 1e-100 and 1e100.
+    #[test]
+    fn size_of_the_scene_does_not_matter((tri, ray) in fair_hit(), exponent in -300..300_i32) {
+        let reference = test_triangle(&tri, &ray).unwrap();
+        for exponent in [exponent, -20, -50, 50, -170, 170, -300, 300] {
+            // Powers of two, so that the scaled scene is the same scene.
+            let s = 2.0_f64.powi(3 * exponent);
+            let hit = test_triangle(&scaled(&tri, s), &Ray::new(s * ray.o, ray.d));
+            let hit = hit.map(|hit| (hit.t / s, hit.b1, hit.b2));
+            prop_assert!(hit.is_some(), "missed at a scale of {s:e}");
+            let (t, b1, b2) = hit.unwrap();
+            prop_assert!((t - reference.t).abs() <= 4.0 * f64::EPSILON * reference.t);
+            prop_assert!((b1 - reference.b1).abs() < 1e-14 && (b2 - reference.b2).abs() < 1e-14);
+        }
+    }
+
+    /// Hard case 31. A direction that is not unit is right, too: `t` counts its lengths.
+    #[test]
+    fn t_is_measured_in_lengths_of_d((tri, ray) in fair_hit(), exponent in -300..300_i32) {
+        let s = 2.0_f64.powi(3 * exponent);
+        let reference = test_triangle(&tri, &ray).unwrap().t;
+        let t = test_triangle(&tri, &Ray::new(ray.o, s * ray.d)).map(|hit| hit.t * s);
+        prop_assert!(t.is_some_and(|t| (t - reference).abs() <= 4.0 * f64::EPSILON * reference), "{t:?}");
+    }
+
+    /// Hard case 20.
+    #[test]
+    fn sliver_is_hit((tri, ray) in fair_hit(), width in 3.0..9.0_f64) {
+        let thin = kit::math::pow(10.0, -width);
+        let p2 = tri.p0.lerp(tri.p1, 0.37) + thin * (tri.p2 - tri.p0);
+        let sliver = Triangle::flat(tri.p0, tri.p1, p2);
+        let target = (sliver.p0 + sliver.p1 + sliver.p2) / 3.0;
+        let ray = Ray::new(ray.o, (target - ray.o).normalize());
+        assert_hit_within_bound(&sliver, &ray)?;
+    }
+
+    /// Hard case 22. `if t <= delta_t { miss }`, meant against hits behind the origin, loses hits in front of it.
+    #[test]
+    fn pancake_is_hit((tri, ray) in fair_hit(), flat in 3.0..6.0_f64) {
+        let thin = kit::math::pow(10.0, -flat);
+        let flatten = |p: Vec3| Vec3::new(p.x, p.y, thin * p.z);
+        let pancake = Triangle::flat(flatten(tri.p0), flatten(tri.p1), flatten(tri.p2));
+        let target = 0.4 * pancake.p0 + 0.3 * pancake.p1 + 0.3 * pancake.p2;
+        let o = flatten(ray.o);
+        prop_assert!(test_triangle(&pancake, &Ray::new(o, target - o)).is_some());
+    }
+
+    /// Hard case 23. Far from the origin coordinates are coarse, and the input is another triangle than meant: that one is to be hit.
+    #[test]
+    fn offset_of_a_million_is_exact_on_the_rounded_input((tri, ray) in fair_hit(), offset in point()) {
+        let offset = 1e6 * offset;
+        let far = Triangle::flat(tri.p0 + offset, tri.p1 + offset, tri.p2 + offset);
+        let o = ray.o + offset;
+        let target = 0.4 * far.p0 + 0.3 * far.p1 + 0.3 * far.p2;
+        assert_hit_within_bound(&far, &Ray::new(o, (target - o).normalize()))?;
+    }
+
+    /// Hard cases 24 and 35. At an angle of 1e-4 and less to the plane the determinant is small against its terms.
+    #[test]
+    fn grazing_ray_is_within_the_bound((tri, _) in fair_hit(), grazing in 4.0..7.0_f64, turn in 0.0..6.28_f64) {
+        let normal = (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).normalize();
+        let along = (tri.p1 - tri.p0).normalize();
+        let along = kit::math::cos(turn) * along + kit::math::sin(turn) * normal.cross(along);
+        let target = 0.4 * tri.p0 + 0.3 * tri.p1 + 0.3 * tri.p2;
+        let d = (along - kit::math::pow(10.0, -grazing) * normal).normalize();
+        assert_hit_within_bound(&tri, &Ray::new(target - 3.0 * d, d))?;
+    }
+
+    /// Hard case 25. `o + t·d` is off by the rounding error of `t`, a millionth of a unit at t = 1e10; the vertices are not.
+    #[test]
+    fn hit_point_is_on_the_plane_however_far_the_origin((tri, ray) in fair_hit(), distance in 0.0..9.0_f64) {
+        let target = 0.4 * tri.p0 + 0.3 * tri.p1 + 0.3 * tri.p2;
+        let o = target - kit::math::pow(10.0, distance) * ray.d;
+        let mut ray = Ray::new(o, ray.d);
+        if let Some(hit) = intersect_triangle(&tri, PrimId(0), &mut ray) {
+            // Coordinates are at most 1: a few units in their last place.
+            prop_assert!(distance_from_plane(&tri, hit.p) < 8.0 * f64::EPSILON);
+        }
+    }
+}
+// END SOLUTION(part1.task3)

@@ -40,8 +40,8 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     let exit = earlier(later(t_min.z, t_max.z), exit);
     let exit = earlier(widened(exit), ray.max_t);
     if entry <= exit {
-        // Asked last, because most tests end in a miss. No for an empty box, and for one or an origin with a NaN.
-        let is_box = (to_min.x <= to_max.x) & (to_min.y <= to_max.y) & (to_min.z <= to_max.z);
+        // Asked last, because most tests end in a miss: the comparisons above let NaN and turned-round boxes pass.
+        let is_box = !b.is_empty() && !ray.o.is_nan();
         return is_box.then_some(Interval {
             min: entry,
             max: exit,

@@ -1,0 +1,122 @@
+//! What holds for every box and ray, against exact arithmetic.
+// BEGIN SOLUTION(part2.task2)
+use bbox::intersect_bbox;
+use kit::{Aabb, Ray, Vec3};
+use num_rational::BigRational;
+use proptest::prelude::*;
+
+fn exact(x: f64) -> BigRational {
+    BigRational::from_float(x).expect("truth is asked about finite numbers only")
+}
+
+/// Where the ray is inside the box, exactly; the range of the ray must be finite.
+fn truth(b: &Aabb, ray: &Ray) -> Option<(BigRational, BigRational)> {
+    let (mut entry, mut exit) = (exact(ray.min_t), exact(ray.max_t));
+    for axis in 0..3 {
+        let d = exact(ray.d[axis]);
+        let [to_min, to_max] = [b.min, b.max].map(|plane| exact(plane[axis]) - exact(ray.o[axis]));
+        if d == exact(0.0) {
+            if to_min > d || to_max < d {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (to_min / &d, to_max / &d);
+        let (near, far) = if a < b { (a, b) } else { (b, a) };
+        entry = entry.max(near);
+        exit = exit.min(far);
+    }
+    (entry <= exit).then_some((entry, exit))
+}
+
+/// A few roundings of a `t`, relative to it.
+fn slack(t: &BigRational) -> BigRational {
+    exact(8.0 * f64::EPSILON) * t.max(&-t)
+}
+
+/// Coordinates of the kind that makes ties: halves, zeros of both signs, and arbitrary ones.
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        (-4..=4_i32).prop_map(|x| 0.5 * f64::from(x)),
+        Just(-0.0),
+        -2.0..2.0_f64,
+        (-2.0..2.0_f64, -30..0_i32).prop_map(|(x, e)| x * 2.0_f64.powi(e)),
+    ]
+}
+
+fn point() -> impl Strategy<Value = Vec3> {
+    [coordinate(), coordinate(), coordinate()].prop_map(Vec3::from_array)
+}
+
+fn pair() -> impl Strategy<Value = (Aabb, Ray)> {
+    (
+        point(),
+        point(),
+        point(),
+        point(),
+        0.0..1.0_f64,
+        0.0..9.0_f64,
+    )
+        .prop_map(|(a, b, o, d, min_t, length)| {
+            let ray = Ray {
+                min_t,
+                max_t: min_t + length,
+                ..Ray::new(o, d)
+            };
+            (Aabb::of([a, b]), ray)
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(10_000))]
+
+    #[test]
+    fn agrees_with_exact_arithmetic((b, ray) in pair()) {
+        let inside = intersect_bbox(&b, &ray);
+        if let Some((entry, exit)) = truth(&b, &ray) {
+            prop_assert!(inside.is_some(), "a false miss");
+            let inside = inside.unwrap();
+            let (min, max) = (exact(inside.min), exact(inside.max));
+            prop_assert!(&entry - slack(&entry) <= min && min <= &entry + slack(&entry));
+            prop_assert!(max <= &exit + slack(&exit));
+            // Never too early, but for the range's end.
+            prop_assert!(max >= &exit - slack(&exit) && (inside.max == ray.max_t || max >= exit));
+        } else if inside.is_some() {
+            // A false hit is allowed if it is one within rounding: with a box that much larger it is none.
+            let grown = |v: Vec3, sign: f64| {
+                v + sign * 16.0 * f64::EPSILON * (v.abs() + ray.o.abs())
+            };
+            let b = Aabb { min: grown(b.min, -1.0), max: grown(b.max, 1.0) };
+            prop_assert!(truth(&b, &ray).is_some(), "a false hit by more than rounding");
+        }
+    }
+
+    /// Box tests prune: what is inside a box must never be hit where the box is not.
+    #[test]
+    fn box_in_a_box_is_entered_no_earlier((outer, ray) in pair(), f in prop::array::uniform2(0.0..=1.0_f64)) {
+        let inner = Aabb::of(f.map(|f| (outer.min + f * outer.extent()).clamp(outer.min, outer.max)));
+        if let Some(inner) = intersect_bbox(&inner, &ray) {
+            let outer = intersect_bbox(&outer, &ray);
+            prop_assert!(outer.is_some_and(|outer| outer.min <= inner.min && outer.max >= inner.max));
+        }
+    }
+
+    /// Shrinking or stretching the scene by a power of two changes nothing but `t`.
+    #[test]
+    fn size_of_the_scene_does_not_matter((b, ray) in pair(), exponent in -900..900_i32) {
+        let s = 2.0_f64.powi(exponent);
+        let scaled = Aabb { min: s * b.min, max: s * b.max };
+        let scaled_ray = Ray { o: s * ray.o, d: s * ray.d, ..ray };
+        let inside = intersect_bbox(&b, &ray);
+        prop_assert_eq!(intersect_bbox(&scaled, &scaled_ray), inside);
+    }
+
+    #[test]
+    fn turning_the_axes_changes_nothing((b, ray) in pair()) {
+        let turn = |v: Vec3| Vec3::new(v.y, v.z, v.x);
+        let turned = Aabb { min: turn(b.min), max: turn(b.max) };
+        let turned_ray = Ray { o: turn(ray.o), d: turn(ray.d), ..ray };
+        prop_assert_eq!(intersect_bbox(&turned, &turned_ray), intersect_bbox(&b, &ray));
+    }
+}
+// END SOLUTION(part2.task2)

@@ -86,4 +86,53 @@ fn the_samples_of_a_ray_go_on_where_its_place_ended() {
         .collect();
     assert_eq!(drawn, expected);
 }
+
+/// `x / film.w` in whole numbers is 0 for every pixel; a place that is rounded to whole numbers is a corner.
+#[test]
+fn every_sample_lies_in_its_own_pixel() {
+    for (w, h) in [(1, 1), (7, 3), (3, 1000), (1920, 1080)] {
+        for (x, y) in [(0, 0), (w - 1, h - 1), (w / 2, h / 3)] {
+            let mut asked = Vec::new();
+            raygen::raytrace_pixel(
+                x,
+                y,
+                FilmSize { w, h },
+                64,
+                &mut PixelSampler::new(x, y, 5),
+                &mut |p| {
+                    asked.push(p * Vec2::new(f64::from(w), f64::from(h)));
+                    Ray::new(Vec3::ZERO, Vec3::NEG_Z)
+                },
+                &mut |_, _| Spectrum::BLACK,
+            );
+            let corner = Vec2::new(f64::from(x), f64::from(y));
+            // Scaling to the film and back rounds twice.
+            let slack = Vec2::splat(1e-12);
+            for p in &asked {
+                assert!(p.cmpge(corner - slack).all() && p.cmple(corner + 1.0 + slack).all());
+            }
+            let mean = asked.iter().sum::<Vec2>() / 64.0 - corner;
+            assert!(
+                (mean - 0.5).abs().max_element() < 0.2,
+                "they fill it: {mean}"
+            );
+        }
+    }
+}
+
+/// Clamping a sample before averaging darkens every highlight.
+#[test]
+fn bright_samples_count_in_full() {
+    let mut radiance = [1e6, 0.0, 2.0, 0.0].into_iter();
+    let estimate = raygen::raytrace_pixel(
+        0,
+        0,
+        FILM,
+        4,
+        &mut PixelSampler::new(0, 0, 0),
+        &mut |_| Ray::new(Vec3::ZERO, Vec3::NEG_Z),
+        &mut |_, _| Spectrum::new(radiance.next().unwrap(), 1.0, 0.0),
+    );
+    assert_eq!(estimate.radiance, Spectrum::new(250_000.5, 1.0, 0.0));
+}
 // END SOLUTION(part1.task1)

@@ -10,10 +10,8 @@ use kit::{Hit, PrimId, Ray, Sphere};
 ///
 /// With `f = o - center` the crossings are the roots of `a·t² - 2·b·t + c = 0`, where `a = d·d`, `b = -f·d` and
 /// `c = f·f - r²`. The formula from school, `(b ± sqrt(b² - a·c)) / a`, loses its digits in two places: in
-/// `b² - a·c` when the sphere is small and far, and in `b - sqrt(..)` when the origin is near the surface. Haines,
-/// Günther, Akenine-Möller ("Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7) mend
-/// both: `b² - a·c = a·(r² - |f + (b/a)·d|²)`, which compares the radius with the distance between centre and
-/// line; and the root without a cancellation gives the other one, since their product is `c/a`.
+/// `b² - a·c` when the sphere is small and far or hardly touched, and in `b - sqrt(..)` when the origin is near
+/// the surface.
 ///
 /// - The far crossing counts when the near one is out of range: the ray starts inside, or `min_t` is past it.
 /// - A tangent line meets the sphere, once. An origin on the surface meets it at `t = 0`.
@@ -54,6 +52,10 @@ pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
 
 // BEGIN SOLUTION(part1.task4)
 /// The two crossings of the line, nearer first (equal for a tangent).
+///
+/// Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7:
+/// `b² - a·c = a·(r² - |f + (b/a)·d|²)`, which compares the radius with the distance between centre and line and does not
+/// cancel for a sphere that is merely far.
 #[inline]
 fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let (d, r2) = (ray.d, s.radius * s.radius);

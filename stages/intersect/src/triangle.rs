@@ -9,15 +9,15 @@ use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 /// Where `ray` meets `tri`, if it does at a `t` in its range; both faces, edges and vertices count.
 ///
 /// The point that is hit is `o + t·d = b0·p0 + b1·p1 + b2·p2` with `b0 + b1 + b2 = 1` and no weight
-/// negative: four equations for `t`, `b1` and `b2`. Of the many ways to solve them this one is
-/// watertight: a ray at a closed mesh does not slip through between two triangles. (Woop, Benthin, Wald, "Watertight
-/// Ray/Triangle Intersection", JCGT 2(1), 2013.)
+/// negative: equations for `t`, `b1` and `b2`. There are many ways to solve them. The assignment recommends that of
+/// Möller and Trumbore; a watertight one lets no ray slip through between two triangles of a closed mesh.
 ///
 /// - A triangle without area is not hit, nor is one that the ray lies in the plane of.
 /// - A vertex or a ray with a NaN or an infinite coordinate: no hit. `d = 0`: no hit.
 #[inline]
 pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     // BEGIN SOLUTION(part1.task3)
+    // Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, without its divisions.
     // Seen from the origin of the ray, with axes named so that it goes mostly along z.
     let axes = Axes::of(ray.d);
     let (o, d) = (axes.of_vec(&ray.o), axes.of_vec(&ray.d));

@@ -10,6 +10,7 @@ pub mod bless;
 pub mod cases;
 pub mod cli;
 pub mod compile;
+pub mod convert;
 pub mod course;
 pub mod diagnosis;
 pub mod error;

@@ -4,10 +4,17 @@
 //! on every machine; those that take a seed draw fresh rays from it.
 
 mod crosses;
+mod part1_pictures;
+mod part1_task1;
+mod part1_task2;
 mod part1_task3;
+mod part1_task3_hard;
+mod part1_task4;
+mod part1_task4_hard;
 mod part2_task1;
 mod part2_task2;
 pub(crate) mod part2_task3;
+mod probes;
 pub(crate) mod recorded;
 
 use wire::Work;
@@ -25,6 +32,8 @@ pub struct Spec {
     pub work: Work,
     /// Width and height, if the answers are the pixels of a picture, row by row from the bottom left.
     pub picture: Option<[u32; 2]>,
+    /// Whether the shapes close in on every ray, so that a miss is never right.
+    pub enclosed: bool,
 }
 
 /// Milliseconds after which a case has failed. Sound code needs a few.
@@ -47,6 +56,7 @@ impl Spec {
             about,
             work,
             picture: None,
+            enclosed: false,
         }
     }
 
@@ -72,9 +82,14 @@ impl Spec {
 
 /// All cases of all tasks.
 pub fn all(seed: u64) -> Vec<Spec> {
-    let mut cases = part1_task3::cases();
-    cases.extend(part2_task1::cases());
-    cases.extend(part2_task2::cases(seed));
-    cases.extend(part2_task3::cases());
-    cases
+    [
+        part1_task1::cases(seed),
+        part1_task2::cases(seed),
+        part1_task3::cases(seed),
+        part1_task4::cases(seed),
+        part2_task1::cases(),
+        part2_task2::cases(seed),
+        part2_task3::cases(),
+    ]
+    .concat()
 }

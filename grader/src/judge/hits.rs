@@ -6,264 +6,252 @@ use kit::Vec3;
 use wire::answer::Hit;
 use wire::work::Ray;
 
-/// How far the length of a normal may be from 1: a few roundings of a square root and a division.
+/// How far the length of a normal may be from 1. A normalisation rounds it by 1e-16; this also lets pass who
+/// divides by the radius a vector to a hit point that `o + t d` has rounded.
 const UNIT_BOUND: f64 = 1e-9;
 
-/// Hit or miss. `function` is the one that answered.
-pub(super) fn decision(
-    tally: &mut Tally,
-    call: usize,
-    function: &str,
-    expected: &Expected,
-    answered: Option<f64>,
-    ray: &Ray,
-) {
-    let right = match expected.decision {
-        Decision::Either => true,
-        Decision::Hit => answered.is_some(),
-        Decision::Miss => answered.is_none(),
-    };
-    let class = match answered {
-        _ if right => None,
-        Some(_) => Some(Class::FalseHit),
-        None => Some(Class::FalseMiss),
-    };
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || match answered {
-        None => {
-            let t = expected.hit.map_or(f64::NAN, |hit| hit.t);
-            format!(
-                "{function} says miss; it hits at t = {t}. {}",
-                show_ray(ray)
-            )
-        }
-        Some(t) => format!(
-            "{function} says hit at t = {t}; it misses. {}",
-            show_ray(ray)
-        ),
-    });
+/// One call of one of the student's functions, and where to write down what is found about it.
+pub(super) struct Call<'a> {
+    pub(super) tally: &'a mut Tally,
+    /// Number of the call in its case, from 0.
+    pub(super) number: usize,
+    /// The function that answered.
+    pub(super) function: &'static str,
+    /// What it was asked.
+    pub(super) ray: &'a Ray,
 }
 
-/// Notes the aspects that a right answer with a hit shows.
-pub(super) fn expect_hit(tally: &mut Tally, expected: &Expected, with_uv: bool) {
+/// Notes the aspects that a right answer shows.
+pub(super) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
     tally.expect(Aspect::Decision);
     tally.expect(Aspect::RayAfter);
-    if expected.decision == Decision::Hit {
-        let always = [
-            Aspect::Primitive,
-            Aspect::T,
-            Aspect::Position,
-            Aspect::Normal,
-            Aspect::GeometricNormal,
-        ];
-        always
-            .into_iter()
-            .chain(with_uv.then_some(Aspect::Barycentrics))
-            .for_each(|aspect| tally.expect(aspect));
+    if expected.decision() != Decision::Hit {
+        return;
+    }
+    let aspects = [
+        Aspect::Primitive,
+        Aspect::T,
+        Aspect::Position,
+        Aspect::Normal,
+        Aspect::GeometricNormal,
+    ];
+    aspects.into_iter().for_each(|aspect| tally.expect(aspect));
+    if with_uv {
+        tally.expect(Aspect::Barycentrics);
     }
 }
 
-/// Distance along the ray.
-pub(super) fn t(
-    tally: &mut Tally,
-    call: usize,
-    function: &str,
-    hit: &ExpectedHit,
-    answered: f64,
-    ray: &Ray,
-) {
-    let off = (answered - hit.t).abs();
-    let class = wrong_unless(off <= hit.t_bound, || Class::of_number(answered, hit.t));
-    tally.judge_class(Aspect::T, call, class, off / hit.t_bound, || {
-        format!(
-            "{function} gives t = {answered}, right is {} (off by {off:.3e}, allowed {:.3e}). {}",
-            hit.t,
-            hit.t_bound,
-            show_ray(ray)
-        )
-    });
+impl Call<'_> {
+    /// Judges one aspect; `message` says what is wrong, the ray is added.
+    fn judge(
+        &mut self,
+        aspect: Aspect,
+        right: bool,
+        badness: f64,
+        message: impl FnOnce(&str) -> String,
+    ) {
+        self.judge_class(
+            aspect,
+            wrong_unless(right, || Class::Wrong),
+            badness,
+            message,
+        );
+    }
+
+    /// The same for an answer that is wrong in a way that has a class; `None` if it is right.
+    fn judge_class(
+        &mut self,
+        aspect: Aspect,
+        class: Option<Class>,
+        badness: f64,
+        message: impl FnOnce(&str) -> String,
+    ) {
+        let (function, ray) = (self.function, self.ray);
+        self.tally
+            .judge_class(aspect, self.number, class, badness, || {
+                format!("{}. {}", message(function), show_ray(ray))
+            });
+    }
+
+    /// Hit or miss.
+    pub(super) fn decision(&mut self, expected: &Expected, answered: Option<f64>) {
+        let right = match expected.decision() {
+            Decision::Either => true,
+            Decision::Hit => answered.is_some(),
+            Decision::Miss => answered.is_none(),
+        };
+        let class = wrong_unless(right, || match answered {
+            Some(_) => Class::FalseHit,
+            None => Class::FalseMiss,
+        });
+        self.judge_class(Aspect::Decision, class, 1.0, |function| match answered {
+            None => {
+                let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
+                format!("{function} says miss, but the ray hits at t = {t}")
+            }
+            Some(t) => format!(
+                "{function} says hit at t = {t}, but the ray misses: {}",
+                expected.why_miss
+            ),
+        });
+    }
+
+    /// Distance along the ray.
+    pub(super) fn t(&mut self, expected: &ExpectedHit, answered: f64) {
+        let off = (answered - expected.t).abs();
+        let (right, bound) = (expected.t, expected.t_bound);
+        let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
+        self.judge_class(Aspect::T, class, off / bound, |function| {
+            format!(
+                "{function} gives t = {answered}, right is {right} (off by {off:.1e}, allowed {bound:.1e})"
+            )
+        });
+    }
+
+    /// Barycentric weights of `p1` and `p2`.
+    pub(super) fn barycentrics(&mut self, expected: &ExpectedHit, [b1, b2]: [f64; 2]) {
+        let Some((right, bound)) = expected.uv else {
+            return;
+        };
+        let off = worst([b1 - right.x, b2 - right.y]);
+        self.judge(
+            Aspect::Barycentrics,
+            off <= bound,
+            off / bound,
+            |function| {
+                let swapped = worst([b1 - right.y, b2 - right.x]) <= bound;
+                let hint = if swapped { " (they are swapped)" } else { "" };
+                format!(
+                    "{function} gives b1 = {b1}, b2 = {b2}, right is b1 = {}, b2 = {}{hint}",
+                    right.x, right.y
+                )
+            },
+        );
+    }
+
+    /// Which primitive.
+    pub(super) fn primitive(&mut self, expected: &Expected, prim: u32) {
+        let right = expected.hits.iter().any(|hit| hit.prim == prim);
+        self.judge(Aspect::Primitive, right, 1.0, |function| {
+            let right = expected.hits.first().map_or(0, |hit| hit.prim);
+            format!("{function} gives primitive {prim}, right is {right}")
+        });
+    }
+
+    /// Hit point and normals.
+    pub(super) fn geometry(&mut self, expected: &ExpectedHit, hit: &Hit) {
+        self.position(expected, hit.p.into());
+        let (n, ng) = (Vec3::from(hit.n), Vec3::from(hit.ng));
+        self.normal(Aspect::Normal, "n", expected.n, expected.n_bound, n);
+        self.normal(
+            Aspect::GeometricNormal,
+            "ng",
+            expected.ng,
+            expected.ng_bound,
+            ng,
+        );
+    }
+
+    fn position(&mut self, expected: &ExpectedHit, p: Vec3) {
+        let (right, bound) = (expected.p, expected.p_bound);
+        let off = worst((p - right).to_array());
+        self.judge(Aspect::Position, off <= bound, off / bound, |function| {
+            format!(
+                "{function} gives p = {}, right is {} (off by {off:.1e}, allowed {bound:.1e})",
+                show(p),
+                show(right)
+            )
+        });
+        if let Some((surface, bound)) = expected.surface {
+            let off = surface.distance(p);
+            self.judge(Aspect::Position, off <= bound, off / bound, |function| {
+                format!(
+                    "{function} gives p = {}, which is {off:.1e} off the surface (allowed {bound:.1e})",
+                    show(p)
+                )
+            });
+        }
+    }
+
+    fn normal(&mut self, aspect: Aspect, name: &str, right: Option<Vec3>, bound: f64, given: Vec3) {
+        let length = given.length();
+        let length_off = worst([length - 1.0]);
+        let is_unit = length_off <= UNIT_BOUND;
+        let off = right.map_or(0.0, |n| worst((given - n).to_array()));
+        let class = wrong_unless(is_unit && off <= bound, || {
+            right.map_or(Class::Wrong, |right| Class::of_direction(given, right))
+        });
+        self.judge_class(aspect, class, off.max(length_off), |function| {
+            let is = format!("{function} gives {name} = {}", show(given));
+            match right {
+                _ if !is_unit => format!("{is} of length {length}, not 1"),
+                Some(n) if worst((given + n).to_array()) <= bound => {
+                    format!("{is}, right is the opposite, {}", show(n))
+                }
+                Some(n) => format!("{is}, right is {}", show(n)),
+                None => is,
+            }
+        });
+    }
+
+    /// The ray after the call: shortened to a hit, untouched by a miss.
+    pub(super) fn ray_after(&mut self, hit_t: Option<f64>, after: &Ray) {
+        let before = *self.ray;
+        let rest = Ray {
+            max_t: before.max_t,
+            ..*after
+        };
+        let rest_untouched = bits(&rest) == bits(&before);
+        self.judge(Aspect::RayAfter, rest_untouched, 2.0, |function| {
+            format!("{function} changed the ray's o, d or min_t")
+        });
+        self.max_t_after(hit_t, after.max_t);
+    }
+
+    /// `max_t` after the call.
+    pub(super) fn max_t_after(&mut self, hit_t: Option<f64>, after: f64) {
+        let right = hit_t.unwrap_or(self.ray.max_t);
+        let same = after.to_bits() == right.to_bits();
+        self.judge(Aspect::RayAfter, same, 1.0, |function| {
+            let why = if hit_t.is_some() {
+                "a hit shortens the ray to the t that it gives"
+            } else {
+                "a miss leaves it alone"
+            };
+            format!("{function} left ray.max_t = {after}, right is {right}: {why}")
+        });
+    }
+
+    /// Where either answer scores, the two functions must still give the same one.
+    pub(super) fn agrees_with(&mut self, test: &str, test_hits: bool, hits: bool) {
+        let says = |hit: bool| if hit { "hit" } else { "miss" };
+        self.judge(Aspect::Decision, test_hits == hits, 0.5, |function| {
+            format!(
+                "{test} says {} and {function} says {}",
+                says(test_hits),
+                says(hits)
+            )
+        });
+    }
 }
 
 fn wrong_unless(right: bool, class: impl FnOnce() -> Class) -> Option<Class> {
     if right { None } else { Some(class()) }
 }
 
-/// Barycentric weights of `p1` and `p2`.
-pub(super) fn barycentrics(
-    tally: &mut Tally,
-    call: usize,
-    function: &str,
-    hit: &ExpectedHit,
-    answered: [f64; 2],
-    ray: &Ray,
-) {
-    let Some((uv, bound)) = hit.uv else { return };
-    let off = (answered[0] - uv.x).abs().max((answered[1] - uv.y).abs());
-    let off = if answered.iter().any(|b| b.is_nan()) {
-        f64::NAN
-    } else {
-        off
-    };
-    tally.judge(
-        Aspect::Barycentrics,
-        call,
-        off <= bound,
-        off / bound,
-        || {
-            format!(
-                "{function} gives (b1, b2) = ({}, {}), right is ({}, {}). {}",
-                answered[0],
-                answered[1],
-                uv.x,
-                uv.y,
-                show_ray(ray)
-            )
-        },
-    );
+/// The largest absolute value; NaN if one is NaN, so that it is within no bound.
+fn worst<const N: usize>(values: [f64; N]) -> f64 {
+    if values.iter().any(|value| value.is_nan()) {
+        return f64::NAN;
+    }
+    values
+        .iter()
+        .fold(0.0, |worst, value| worst.max(value.abs()))
 }
 
-/// Everything in a hit record but its `t`.
-pub(super) fn record(
-    tally: &mut Tally,
-    call: usize,
-    function: &str,
-    expected: &ExpectedHit,
-    prim: u32,
-    hit: &Hit,
-    ray: &Ray,
-) {
-    tally.judge(Aspect::Primitive, call, hit.prim == prim, 1.0, || {
-        format!(
-            "{function} gives primitive {}, right is {prim}. {}",
-            hit.prim,
-            show_ray(ray)
-        )
-    });
-    let p = Vec3::from(hit.p);
-    let off = (p - expected.p).abs().max_element();
-    let off = if p.is_nan() { f64::NAN } else { off };
-    tally.judge(
-        Aspect::Position,
-        call,
-        off <= expected.p_bound,
-        off / expected.p_bound,
-        || {
-            format!(
-                "{function} gives p = {}, right is {}. {}",
-                show(p),
-                show(expected.p),
-                show_ray(ray)
-            )
-        },
-    );
-    normal(
-        tally,
-        Aspect::Normal,
-        call,
-        function,
-        expected.n,
-        expected.n_bound,
-        hit.n.into(),
-        ray,
-    );
-    normal(
-        tally,
-        Aspect::GeometricNormal,
-        call,
-        function,
-        Some(expected.ng),
-        expected.n_bound,
-        hit.ng.into(),
-        ray,
-    );
-}
-
-#[allow(
-    clippy::too_many_arguments,
-    reason = "what is judged, against what, and what to say of it"
-)]
-fn normal(
-    tally: &mut Tally,
-    aspect: Aspect,
-    call: usize,
-    function: &str,
-    right: Option<Vec3>,
-    bound: f64,
-    given: Vec3,
-    ray: &Ray,
-) {
-    let length_off = (given.length() - 1.0).abs();
-    let is_unit = length_off <= UNIT_BOUND;
-    let off = right.map_or(0.0, |n| (given - n).abs().max_element());
-    let off = if given.is_nan() { f64::NAN } else { off };
-    let name = if aspect == Aspect::Normal { "n" } else { "ng" };
-    let class = wrong_unless(off <= bound && is_unit, || {
-        right.map_or(Class::Wrong, |right| Class::of_direction(given, right))
-    });
-    tally.judge_class(aspect, call, class, off.max(length_off), || match right {
-        _ if !is_unit => {
-            format!(
-                "{function} gives {name} = {} of length {}, not 1. {}",
-                show(given),
-                given.length(),
-                show_ray(ray)
-            )
-        }
-        Some(n) => format!(
-            "{function} gives {name} = {}, right is {}. {}",
-            show(given),
-            show(n),
-            show_ray(ray)
-        ),
-        None => format!(
-            "{function} gives {name} = {}. {}",
-            show(given),
-            show_ray(ray)
-        ),
-    });
-}
-
-/// The ray after the call: shortened to a hit, untouched by a miss.
-pub(super) fn ray_after(
-    tally: &mut Tally,
-    call: usize,
-    function: &str,
-    before: &Ray,
-    hit_t: Option<f64>,
-    after: &Ray,
-) {
-    let max_t = hit_t.unwrap_or(before.max_t);
-    let rest_untouched = same(
-        &Ray {
-            max_t: before.max_t,
-            ..*after
-        },
-        before,
-    );
-    let right = after.max_t.to_bits() == max_t.to_bits() && rest_untouched;
-    tally.judge(Aspect::RayAfter, call, right, 1.0, || {
-        if !rest_untouched {
-            return format!(
-                "{function} changed the ray's o, d or min_t. {}",
-                show_ray(before)
-            );
-        }
-        let why = if hit_t.is_some() {
-            "a hit at that t must shorten it"
-        } else {
-            "a miss must leave it alone"
-        };
-        format!(
-            "{function} left ray.max_t = {}, right is {max_t}: {why}. {}",
-            after.max_t,
-            show_ray(before)
-        )
-    });
-}
-
-/// Equal bit for bit, so that NaN equals itself.
-fn same(a: &Ray, b: &Ray) -> bool {
-    let bits = |r: &Ray| [r.o, r.d, [r.min_t, r.max_t, 0.0]].map(|v| v.map(f64::to_bits));
-    bits(a) == bits(b)
+/// Bit for bit, so that NaN equals itself.
+fn bits(r: &Ray) -> [[u64; 3]; 3] {
+    [r.o, r.d, [r.min_t, r.max_t, 0.0]].map(|v| v.map(f64::to_bits))
 }
 
 pub(super) fn show(v: Vec3) -> String {

@@ -1,11 +1,14 @@
 //! Judging: from what the student's code answered to what is right and wrong about it.
 //!
-//! [`judge`] picks the judge for the kind of work; [`tally`] counts aspect by aspect; [`expected`] is the
+//! [`judge`] picks the judge for the kind of work: `pixels` and `camera` for the rays of Part 1, `shapes` for
+//! what they hit, with `hits` for a single hit record. [`tally`] counts aspect by aspect; [`expected`] is the
 //! form in which truth comes.
 
 mod boxes;
+mod camera;
 pub mod expected;
 mod hits;
+mod pixels;
 mod shapes;
 pub mod tally;
 mod traverse;
@@ -13,8 +16,10 @@ mod tree;
 
 use crate::cases::{self, Spec};
 use crate::course::Tier;
-use crate::truth;
+use crate::{convert, truth};
+use kit::{Sphere, Triangle, scene::Primitive};
 use tally::{Finding, Tally};
+use wire::work::{Probe, Ray};
 use wire::{Answer, Work};
 
 /// What is right and wrong about `answer` to the case `spec`, which gives points of `tier`: core points ask
@@ -22,21 +27,44 @@ use wire::{Answer, Work};
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     let mut tally = Tally::default();
     match (&spec.work, answer) {
+        (Work::Pixels(work), Answer::Pixels(answers)) => pixels::pixels(&mut tally, work, answers),
+        (Work::CameraRays { cameras, sensor }, Answer::CameraRays(answers)) => {
+            camera::rays(&mut tally, tier, cameras, sensor, answers);
+        }
         (Work::Triangles { triangles, probes }, Answer::Triangles(answers)) => {
-            shapes::triangles(
-                &mut tally,
-                probes,
-                |probe| truth::triangle(tier, &triangles[probe.shape as usize], &probe.ray),
-                answers,
-            );
+            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
+            let truth = |probe: &Probe| {
+                let triangle = &triangles[probe.shape as usize];
+                truth::triangle(tier, probe.shape, triangle, &convert::ray(&probe.ray))
+            };
+            shapes::triangles(&mut tally, probes, truth, answers);
         }
         (Work::Spheres { spheres, probes }, Answer::Spheres(answers)) => {
-            shapes::spheres(
-                &mut tally,
-                probes,
-                |probe| truth::sphere(tier, &spheres[probe.shape as usize], &probe.ray),
-                answers,
-            );
+            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
+            let truth = |probe: &Probe| {
+                let sphere = &spheres[probe.shape as usize];
+                truth::sphere(tier, probe.shape, sphere, &convert::ray(&probe.ray))
+            };
+            shapes::spheres(&mut tally, probes, truth, answers);
+        }
+        (
+            Work::BruteForce {
+                triangles,
+                spheres,
+                rays,
+            },
+            Answer::Hits(answer),
+        ) => {
+            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
+            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
+            let shapes: Vec<Primitive<'_>> = triangles
+                .iter()
+                .map(Primitive::Triangle)
+                .chain(spheres.iter().map(Primitive::Sphere))
+                .collect();
+            let truth =
+                |ray: &Ray| truth::first_of(tier, &shapes, &convert::ray(ray), spec.enclosed);
+            shapes::brute_force(&mut tally, rays, truth, answer);
         }
         (
             Work::Boxes {

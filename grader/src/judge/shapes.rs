@@ -1,9 +1,9 @@
-//! Judging probes against single triangles and spheres.
+//! Judging probes against single triangles and spheres, and rays through a list of both.
 
 use super::expected::Expected;
-use super::hits;
-use super::tally::{Aspect, Tally};
-use wire::answer::{Hit, SphereAnswer, TriangleAnswer};
+use super::hits::{Call, expect};
+use super::tally::Tally;
+use wire::answer::{Hit, HitsAnswer, SphereAnswer, TriangleAnswer};
 use wire::work::{Probe, Ray};
 
 /// Judges `test_triangle` and `intersect_triangle`.
@@ -13,49 +13,34 @@ pub(super) fn triangles(
     truth: impl Fn(&Probe) -> Expected,
     answers: &[TriangleAnswer],
 ) {
-    for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
+    let [test, intersect] = ["test_triangle", "intersect_triangle"];
+    for (number, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         let expected = truth(probe);
-        hits::expect_hit(tally, &expected, true);
-        hits::decision(
-            tally,
-            call,
-            "test_triangle",
-            &expected,
-            answer.test.map(|[t, ..]| t),
-            &probe.ray,
-        );
-        if let (Some(hit), Some([t, b1, b2])) = (&expected.hit, answer.test) {
-            hits::t(tally, call, "test_triangle", hit, t, &probe.ray);
-            hits::barycentrics(tally, call, "test_triangle", hit, [b1, b2], &probe.ray);
+        expect(tally, &expected, true);
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: test,
+            ray: &probe.ray,
+        };
+        let tested = answer.test.map(|[t, ..]| t);
+        call.decision(&expected, tested);
+        if let Some([t, b1, b2]) = answer.test
+            && let Some(right) = expected.closest_to(probe.shape, t)
+        {
+            call.t(right, t);
+            call.barycentrics(right, [b1, b2]);
         }
         let hit = answer.hit.as_ref();
-        intersect(
-            tally,
-            call,
-            "intersect_triangle",
-            probe,
-            &expected,
-            hit,
-            &answer.ray_after,
-        );
-        if let (Some(expected), Some(hit)) = (&expected.hit, hit) {
-            hits::barycentrics(
-                tally,
-                call,
-                "intersect_triangle",
-                expected,
-                hit.uv,
-                &probe.ray,
-            );
+        call.function = intersect;
+        record(&mut call, &expected, hit);
+        if let Some(hit) = hit
+            && let Some(right) = expected.closest_to(probe.shape, hit.t)
+        {
+            call.barycentrics(right, hit.uv);
         }
-        agree(
-            tally,
-            call,
-            ["test_triangle", "intersect_triangle"],
-            answer.test.is_some(),
-            hit.is_some(),
-            &probe.ray,
-        );
+        call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
+        call.agrees_with(test, tested.is_some(), hit.is_some());
     }
 }
 
@@ -66,97 +51,66 @@ pub(super) fn spheres(
     truth: impl Fn(&Probe) -> Expected,
     answers: &[SphereAnswer],
 ) {
-    for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
+    let [test, intersect] = ["test_sphere", "intersect_sphere"];
+    for (number, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         let expected = truth(probe);
-        hits::expect_hit(tally, &expected, false);
-        hits::decision(
-            tally,
-            call,
-            "test_sphere",
-            &expected,
-            answer.test,
-            &probe.ray,
-        );
-        if let (Some(hit), Some(t)) = (&expected.hit, answer.test) {
-            hits::t(tally, call, "test_sphere", hit, t, &probe.ray);
+        expect(tally, &expected, false);
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: test,
+            ray: &probe.ray,
+        };
+        call.decision(&expected, answer.test);
+        if let Some(t) = answer.test
+            && let Some(right) = expected.closest_to(probe.shape, t)
+        {
+            call.t(right, t);
         }
         let hit = answer.hit.as_ref();
-        intersect(
-            tally,
-            call,
-            "intersect_sphere",
-            probe,
-            &expected,
-            hit,
-            &answer.ray_after,
-        );
-        agree(
-            tally,
-            call,
-            ["test_sphere", "intersect_sphere"],
-            answer.test.is_some(),
-            hit.is_some(),
-            &probe.ray,
-        );
+        call.function = intersect;
+        record(&mut call, &expected, hit);
+        call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
+        call.agrees_with(test, answer.test.is_some(), hit.is_some());
     }
 }
 
-fn intersect(
+/// Judges rays that went through a list of shapes, one `intersect_*` after the other.
+pub(super) fn brute_force(
     tally: &mut Tally,
-    call: usize,
-    function: &str,
-    probe: &Probe,
-    expected: &Expected,
-    hit: Option<&Hit>,
-    after: &Ray,
+    rays: &[Ray],
+    truth: impl Fn(&Ray) -> Expected,
+    answer: &HitsAnswer,
 ) {
-    hits::decision(
-        tally,
-        call,
-        function,
-        expected,
-        hit.map(|hit| hit.t),
-        &probe.ray,
-    );
-    if let (Some(expected), Some(hit)) = (&expected.hit, hit) {
-        hits::t(tally, call, function, expected, hit.t, &probe.ray);
-        hits::record(
-            tally,
-            call,
-            function,
-            expected,
-            probe.shape,
-            hit,
-            &probe.ray,
-        );
+    let answers = answer.hits.iter().zip(&answer.max_t);
+    for (number, (ray, (hit, max_t))) in rays.iter().zip(answers).enumerate() {
+        let expected = truth(ray);
+        let with_uv = expected.hits.iter().all(|hit| hit.uv.is_some());
+        expect(tally, &expected, with_uv);
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: "going through all shapes in order",
+            ray,
+        };
+        record(&mut call, &expected, hit.as_ref());
+        if let Some(hit) = hit
+            && let Some(right) = expected.closest_to(hit.prim, hit.t)
+        {
+            call.barycentrics(right, hit.uv);
+        }
+        call.max_t_after(hit.map(|hit| hit.t), *max_t);
     }
-    hits::ray_after(
-        tally,
-        call,
-        function,
-        &probe.ray,
-        hit.map(|hit| hit.t),
-        after,
-    );
 }
 
-/// Where either answer scores, the two functions must still give the same one.
-fn agree(
-    tally: &mut Tally,
-    call: usize,
-    functions: [&str; 2],
-    test: bool,
-    intersect: bool,
-    ray: &Ray,
-) {
-    let says = |hit: bool| if hit { "hit" } else { "miss" };
-    tally.judge(Aspect::Decision, call, test == intersect, 0.5, || {
-        let [a, b] = functions;
-        format!(
-            "{a} says {} and {b} says {}. {}",
-            says(test),
-            says(intersect),
-            hits::show_ray(ray)
-        )
-    });
+/// Judges a hit record but for its barycentric weights.
+fn record(call: &mut Call<'_>, expected: &Expected, hit: Option<&Hit>) {
+    call.decision(expected, hit.map(|hit| hit.t));
+    if let Some(hit) = hit
+        && let Some(right) = expected.closest_to(hit.prim, hit.t)
+    {
+        call.primitive(expected, hit.prim);
+        call.t(right, hit.t);
+        call.geometry(right, hit);
+    }
 }

@@ -72,14 +72,13 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
         });
     }
     let hit_t = answer.hit.map(|(t, _)| t);
-    hits::ray_after(
+    let mut call = hits::Call {
         tally,
-        call,
-        "intersect_bvh",
-        &scripted.ray,
-        hit_t,
-        &answer.ray_after,
-    );
+        number: call,
+        function: "intersect_bvh",
+        ray: &scripted.ray,
+    };
+    call.ray_after(hit_t, &answer.ray_after);
 }
 
 fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {

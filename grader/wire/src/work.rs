@@ -147,6 +147,9 @@ pub enum PixelWorld {
     Ramp,
     /// By turns this radiance and black, call after call.
     Flicker(Xyz),
+    /// Coloured rings around the centre of the film, ever narrower (a Fresnel zone plate): what is too narrow for
+    /// the pixels shows as rings in other places.
+    Rings,
 }
 
 /// A world whose every answer is written down: no intersection code runs.

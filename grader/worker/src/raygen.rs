@@ -75,7 +75,15 @@ fn radiance(world: PixelWorld, point: Vec2, call: usize) -> Spectrum {
         PixelWorld::Ramp => Spectrum::new(point.x, point.y, point.x * point.y),
         PixelWorld::Flicker(radiance) if call.is_multiple_of(2) => radiance.into(),
         PixelWorld::Flicker(_) => Spectrum::BLACK,
+        PixelWorld::Rings => rings(point),
     }
+}
+
+/// `0.35 (1 + cos(k r²))` at the distance `r` from the centre of the film, with a `k` for each channel.
+fn rings(point: Vec2) -> Spectrum {
+    let squared = (point - 0.5).length_squared();
+    let ring = |k: f64| 0.35 + 0.35 * kit::math::cos(k * squared);
+    Spectrum::new(ring(300.0), ring(330.0), ring(360.0))
 }
 
 pub(crate) fn camera_rays(

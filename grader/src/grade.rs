@@ -6,6 +6,7 @@ use crate::course::{Course, Task, Tier};
 use crate::diagnosis;
 use crate::error::GraderError;
 use crate::judge;
+use crate::paste;
 use crate::runner::{self, Ending, Worker};
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::signature::Signature;
@@ -100,6 +101,7 @@ pub fn at(
     results.sort_by(|a, b| a.key.cmp(&b.key));
     for result in &mut results {
         let known = diagnosis::known(workspace, &result.key)?;
+        result.worst_as_test = paste::worst(&result.cases, &specs, &result.key);
         result.diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
     }
     Ok(Graded {

@@ -20,6 +20,7 @@ pub mod interrupt;
 pub mod judge;
 pub mod mutants;
 pub mod oracle;
+pub mod paste;
 pub mod picture;
 pub mod report;
 pub mod runner;

@@ -3,7 +3,7 @@
 use crate::course::{CaseEntry, Course, Task, Tier};
 use crate::diagnosis::Diagnosis;
 use crate::error::GraderError;
-use crate::judge::tally::{Finding, Worst};
+use crate::judge::tally::{Aspect, Finding, Worst};
 use crate::runner::Ending;
 use serde::Serialize;
 use wire::Outcome;
@@ -92,19 +92,14 @@ pub struct Report {
 }
 
 impl CaseResult {
-    /// Scores a case: its points are shared evenly among the aspects that it can show.
+    /// Scores a case by the share of its points that `findings` earn.
     pub fn new(
         entry: &CaseEntry,
         about: &str,
         status: Status,
         findings: Vec<Finding>,
     ) -> CaseResult {
-        let passed = findings.iter().filter(|finding| finding.passed()).count();
-        let share = if findings.is_empty() {
-            0.0
-        } else {
-            passed as f64 / findings.len() as f64
-        };
+        let share = share_earned(&findings);
         let status = if status == Status::Passed && share < 1.0 {
             Status::Failed
         } else {
@@ -131,6 +126,26 @@ impl CaseResult {
         self.findings
             .iter()
             .find_map(|finding| finding.worst.as_ref().map(|worst| (finding, worst)))
+    }
+}
+
+/// The share of a case's points that was earned. The aspects that the case can show share them evenly, but for hit or
+/// miss, which weighs as much as all others together: they mean little where it is wrong.
+fn share_earned(findings: &[Finding]) -> f64 {
+    let weight = |finding: &Finding| match finding.aspect {
+        Aspect::Decision => (findings.len() - 1).max(1),
+        _ => 1,
+    };
+    let all: usize = findings.iter().map(weight).sum();
+    let earned: usize = findings
+        .iter()
+        .filter(|finding| finding.passed())
+        .map(weight)
+        .sum();
+    if all == 0 {
+        0.0
+    } else {
+        earned as f64 / all as f64
     }
 }
 

@@ -200,9 +200,8 @@ fn why_miss(why: Miss) -> &'static str {
         Miss::NoDirection => "its direction is 0",
         Miss::EmptyRange => "its range is empty, min_t > max_t",
         Miss::Degenerate => "the shape has no area",
-        Miss::Parallel => "it runs parallel to the triangle's plane",
         Miss::Coplanar => "it runs inside the triangle's plane, which is a miss by convention",
-        Miss::Beside => "it passes beside the shape",
+        Miss::Beside => "its line passes beside the shape",
         Miss::OutOfRange => "where it meets the shape, t is not in min_t..=max_t",
     }
 }

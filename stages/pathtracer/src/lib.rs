@@ -1,10 +1,13 @@
 //! The renderer: the stages put together.
 //!
 //! Read in this order: [`world`] (a scene as the tree sees it, and what is counted), [`accel`] (brute force or
-//! the tree), [`normals`] and [`lit`] (from pixel to colour), [`materials`] (how surfaces scatter), [`tone`] and [`output`] (from colour to file). The program
+//! the tree), [`normals`] and [`lit`] (from pixel to colour), [`materials`] (how surfaces scatter), [`lens`] and
+//! [`environment_file`] (what the flags add to a scene), [`tone`] and [`output`] (from colour to file). The program
 //! around it is in `src/bin/pathtracer`.
 
 pub mod accel;
+pub mod environment_file;
+pub mod lens;
 pub mod lit;
 pub mod materials;
 pub mod normals;
@@ -13,6 +16,8 @@ pub mod tone;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};
+pub use environment_file::{EnvironmentFileError, load_environment};
+pub use lens::Lens;
 pub use lit::{LightSettings, Looking, render_lit};
 pub use normals::{Job, Rendered, render_normals};
 pub use output::{Output, OutputError};

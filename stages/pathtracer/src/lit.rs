@@ -6,7 +6,7 @@
 
 use crate::materials::Materials;
 use crate::normals::{Job, Rendered};
-use crate::{Accel, SceneWorld};
+use crate::{Accel, Lens, SceneWorld};
 use adaptive::{Budget, has_converged, has_surely_converged, raytrace_pixel_adaptive};
 use direct::{
     estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
@@ -16,7 +16,7 @@ use global::{estimate_radiance, play_roulette};
 use kit::effects::{Asked, Call, Effect};
 use kit::film::{self, Cell as Tile};
 use kit::{
-    Emitter, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
+    Camera, Emitter, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
     Surface, Tally, Vec3,
 };
 use raygen::{generate_ray, raytrace_pixel};
@@ -48,6 +48,8 @@ pub struct LightSettings {
     pub roulette: bool,
     /// Samples per batch and tolerance (`-a`).
     pub adaptive: Option<(u32, f64)>,
+    /// The camera's lens.
+    pub lens: Lens,
     /// Whether effects run that the scene does not call for. It changes no picture, only the counts.
     pub force_effects: bool,
     /// Whether the environment was asked for by a flag.
@@ -63,6 +65,10 @@ impl Default for LightSettings {
             looking: Looking::Lights,
             roulette: true,
             adaptive: None,
+            lens: Lens {
+                radius: 0.0,
+                focus: 1.0,
+            },
             force_effects: false,
             environment: false,
         }
@@ -74,7 +80,7 @@ impl LightSettings {
     pub fn effects(&self, lit: &LitScene) -> Vec<Call> {
         lit.effects(Asked {
             max_depth: self.max_depth,
-            lens_radius: 0.0,
+            lens_radius: self.lens.radius,
             environment: self.environment,
         })
     }
@@ -102,8 +108,10 @@ pub fn render_lit(
                 return PixelEstimate::default();
             }
             let camera_ray = &mut |sensor| generate_ray(&job.camera, sensor);
-            let trace_ray =
-                &mut |ray: &Ray, sampler: &mut PixelSampler| walk.radiance(ray, sampler);
+            let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
+                let ray = walk.through_lens(&job.camera, ray, sampler);
+                walk.radiance(&ray, sampler)
+            };
             match settings.adaptive {
                 None => raytrace_pixel(x, y, job.film, job.samples, sampler, camera_ray, trace_ray),
                 Some((batch, tolerance)) => raytrace_pixel_adaptive(
@@ -169,6 +177,21 @@ impl<'a> Walk<'a> {
             has_background: lit.emitters.iter().any(is_background),
             at: Cell::new(None),
         }
+    }
+
+    /// The pinhole's ray, sent through the lens if there is one.
+    fn through_lens(&self, camera: &Camera, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
+        let lens = &self.settings.lens;
+        if lens.radius > 0.0 {
+            self.materials.count(Effect::Lens);
+            return lens.refract(camera, ray, sampler.next_2d());
+        }
+        if self.settings.force_effects {
+            self.materials.count(Effect::Lens);
+            // Numbers of its own: those of the picture stay where they are.
+            return lens.refract(camera, ray, sampler.clone().next_2d());
+        }
+        *ray
     }
 
     /// Radiance that arrives along a camera ray.

@@ -4,7 +4,7 @@ use clap::{Parser, ValueEnum};
 use kit::FilmSize;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
-use pathtracer::{AccelKind, LightSettings, Looking};
+use pathtracer::{AccelKind, Lens, LightSettings, Looking};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -78,6 +78,14 @@ pub(crate) struct Args {
     /// Environment map (.exr or .hdr) that lights the scene
     #[arg(short = 'e', long, value_name = "FILENAME")]
     pub(crate) environment: Option<PathBuf>,
+
+    /// Radius of the camera's lens, for depth of field: 0 is a pinhole
+    #[arg(long, value_name = "LENGTH", default_value_t = 0.0, value_parser = length, requires = "focus")]
+    pub(crate) lens_radius: f64,
+
+    /// Distance from the lens to the plane that is sharp
+    #[arg(long, value_name = "LENGTH", value_parser = positive_length, requires = "lens_radius")]
+    pub(crate) focus: Option<f64>,
 
     /// What a surface shows
     #[arg(long, value_enum, default_value_t = DEFAULT_SHADE)]
@@ -216,6 +224,10 @@ impl Args {
             },
             roulette: !self.no_roulette,
             adaptive: self.adaptive()?,
+            lens: Lens {
+                radius: self.lens_radius,
+                focus: self.focus.unwrap_or(default.lens.focus),
+            },
             force_effects: self.force_effects,
             environment: self.environment.is_some(),
         })
@@ -232,17 +244,6 @@ impl Args {
         }
     }
 
-    /// Checks that the file of `-e` is there.
-    pub(crate) fn check_environment(&self) -> Result<(), String> {
-        match &self.environment {
-            Some(path) if !path.is_file() => Err(format!(
-                "{}: there is no such file: give -e an .exr or .hdr picture",
-                path.display()
-            )),
-            _ => Ok(()),
-        }
-    }
-
     /// The given flags that do nothing with normal shading.
     pub(crate) fn without_effect(&self) -> Vec<&'static str> {
         let flags = [
@@ -253,6 +254,7 @@ impl Args {
             (self.environment.is_some(), "-e"),
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
+            (self.lens_radius > 0.0, "--lens-radius"),
         ];
         let given = flags.into_iter().filter(|(given, _)| *given);
         given.map(|(_, flag)| flag).collect()
@@ -280,6 +282,20 @@ fn threads(value: &str) -> Result<usize, String> {
 
 fn depth(value: &str) -> Result<u32, String> {
     within(value, 0, 10_000)
+}
+
+fn length(value: &str) -> Result<f64, String> {
+    match value.parse::<f64>() {
+        Ok(v) if v.is_finite() && v >= 0.0 => Ok(v),
+        _ => Err("give a length in scene units that is not negative, such as 0.05".to_owned()),
+    }
+}
+
+fn positive_length(value: &str) -> Result<f64, String> {
+    match value.parse::<f64>() {
+        Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
+        _ => Err("give a length in scene units above 0, such as 3.5".to_owned()),
+    }
 }
 
 fn edge(value: &str) -> Result<u32, String> {

@@ -1,7 +1,7 @@
 //! Why there is no picture, as it is told.
 
 use kit::hole::Hole;
-use pathtracer::OutputError;
+use pathtracer::{EnvironmentFileError, OutputError};
 use scenes::SceneError;
 use std::any::Any;
 use std::io::{IsTerminal, stderr};
@@ -59,6 +59,12 @@ impl From<String> for Failure {
 impl From<SceneError> for Failure {
     fn from(why: SceneError) -> Failure {
         Failure::Scene(why)
+    }
+}
+
+impl From<EnvironmentFileError> for Failure {
+    fn from(why: EnvironmentFileError) -> Failure {
+        Failure::Input(why.to_string())
     }
 }
 

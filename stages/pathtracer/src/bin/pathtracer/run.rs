@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::{progress, summary, view};
 use kit::film::Cell;
 use kit::hole;
-use kit::{LitScene, Scene};
-use pathtracer::{Accel, Job, Output, render_lit, render_normals};
+use kit::{Environment, LitScene, Scene};
+use pathtracer::{Accel, Job, Output, load_environment, render_lit, render_normals};
 use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
 use std::sync::Arc;
@@ -19,7 +19,6 @@ const INTERRUPTED: u8 = 130;
 /// Renders what `args` ask for. What cannot work is found out before the rendering.
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
-    args.check_environment()?;
     let Some(path) = &args.file else {
         let scene = args.scene.display();
         return Err(Failure::Input(format!(
@@ -36,7 +35,11 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Some(_) => Some(Output::create(&rate_path(path))?),
         None => None,
     };
-    let picture = Picture::of(args, scene);
+    let environment = match &args.environment {
+        Some(path) => Some(load_environment(path)?),
+        None => None,
+    };
+    let picture = Picture::of(args, scene, environment);
     if let Picture::Normals(_) = picture {
         tell_idle_flags(args);
     }
@@ -110,12 +113,12 @@ enum Picture {
 
 impl Picture {
     /// What `args` want to see of `scene`.
-    fn of(args: &Args, scene: Scene) -> Picture {
+    fn of(args: &Args, scene: Scene, environment: Option<Environment>) -> Picture {
         match args.shade {
             Shade::Normals => Picture::Normals(scene),
-            Shade::Lit => Picture::Lit(LitScene::new(scene, None)),
+            Shade::Lit => Picture::Lit(LitScene::new(scene, environment)),
             Shade::Auto => {
-                let lit = LitScene::new(scene.clone(), None);
+                let lit = LitScene::new(scene.clone(), environment);
                 if lit.has_light() {
                     Picture::Lit(lit)
                 } else {

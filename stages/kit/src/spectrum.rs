@@ -21,31 +21,37 @@ impl Spectrum {
     pub const WHITE: Spectrum = Spectrum::grey(1.0);
 
     /// From its three channels.
+    #[inline]
     pub const fn new(r: f64, g: f64, b: f64) -> Spectrum {
         Spectrum { r, g, b }
     }
 
     /// The same in every channel.
+    #[inline]
     pub const fn grey(v: f64) -> Spectrum {
         Spectrum { r: v, g: v, b: v }
     }
 
     /// Relative luminance of linear sRGB (ITU-R BT.709).
+    #[inline]
     pub fn luminance(self) -> f64 {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
     /// Whether every channel is exactly 0.
+    #[inline]
     pub fn is_black(self) -> bool {
         self == Spectrum::BLACK
     }
 
     /// Whether no channel is NaN or infinite.
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
     }
 
     /// The largest channel.
+    #[inline]
     pub fn max_channel(self) -> f64 {
         self.r.max(self.g).max(self.b)
     }
@@ -55,12 +61,14 @@ impl Spectrum {
         [self.r, self.g, self.b]
     }
 
+    #[inline]
     fn zip(self, other: Spectrum, f: impl Fn(f64, f64) -> f64) -> Spectrum {
         Spectrum::new(f(self.r, other.r), f(self.g, other.g), f(self.b, other.b))
     }
 }
 
 impl From<[f64; 3]> for Spectrum {
+    #[inline]
     fn from([r, g, b]: [f64; 3]) -> Spectrum {
         Spectrum { r, g, b }
     }
@@ -68,6 +76,7 @@ impl From<[f64; 3]> for Spectrum {
 
 impl Add for Spectrum {
     type Output = Spectrum;
+    #[inline]
     fn add(self, other: Spectrum) -> Spectrum {
         self.zip(other, |a, b| a + b)
     }
@@ -75,6 +84,7 @@ impl Add for Spectrum {
 
 impl Sub for Spectrum {
     type Output = Spectrum;
+    #[inline]
     fn sub(self, other: Spectrum) -> Spectrum {
         self.zip(other, |a, b| a - b)
     }
@@ -82,6 +92,7 @@ impl Sub for Spectrum {
 
 impl Mul for Spectrum {
     type Output = Spectrum;
+    #[inline]
     fn mul(self, other: Spectrum) -> Spectrum {
         self.zip(other, |a, b| a * b)
     }
@@ -89,6 +100,7 @@ impl Mul for Spectrum {
 
 impl Mul<f64> for Spectrum {
     type Output = Spectrum;
+    #[inline]
     fn mul(self, s: f64) -> Spectrum {
         self * Spectrum::grey(s)
     }
@@ -96,6 +108,7 @@ impl Mul<f64> for Spectrum {
 
 impl Mul<Spectrum> for f64 {
     type Output = Spectrum;
+    #[inline]
     fn mul(self, s: Spectrum) -> Spectrum {
         s * self
     }
@@ -103,24 +116,28 @@ impl Mul<Spectrum> for f64 {
 
 impl Div<f64> for Spectrum {
     type Output = Spectrum;
+    #[inline]
     fn div(self, s: f64) -> Spectrum {
         self.zip(Spectrum::grey(s), |a, b| a / b)
     }
 }
 
 impl AddAssign for Spectrum {
+    #[inline]
     fn add_assign(&mut self, other: Spectrum) {
         *self = *self + other;
     }
 }
 
 impl MulAssign for Spectrum {
+    #[inline]
     fn mul_assign(&mut self, other: Spectrum) {
         *self = *self * other;
     }
 }
 
 impl Sum for Spectrum {
+    #[inline]
     fn sum<I: Iterator<Item = Spectrum>>(spectra: I) -> Spectrum {
         spectra.fold(Spectrum::BLACK, Add::add)
     }

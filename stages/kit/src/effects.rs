@@ -139,7 +139,11 @@ impl LitScene {
     fn callers(&self, effect: Effect, asked: Asked) -> Vec<String> {
         let objects = |calls: fn(&Material) -> bool| self.objects_with(calls);
         let lights = |calls: fn(&crate::Light) -> bool| {
-            let lights = self.scene.lights.iter().filter(move |named| calls(&named.light));
+            let lights = self
+                .scene
+                .lights
+                .iter()
+                .filter(move |named| calls(&named.light));
             lights.map(|named| format!("light {}", named.name))
         };
         let environment = asked.environment.then(|| "flag -e".to_owned());

@@ -25,14 +25,16 @@ pub struct Sampling {
     pub pattern: Pattern,
     /// Different seeds give independent pictures.
     pub seed: u64,
+    /// The first of the samples of a pixel that are drawn: a picture is continued by starting where it stopped.
+    pub first_sample: u32,
 }
 
 impl From<u64> for Sampling {
     /// Independent samples.
     fn from(seed: u64) -> Sampling {
         Sampling {
-            pattern: Pattern::Independent,
             seed,
+            ..Sampling::default()
         }
     }
 }
@@ -49,12 +51,16 @@ pub struct PixelSampler {
 impl PixelSampler {
     /// The sampler of the pixel in column `x` and row `y`. `sampling` may be a seed alone.
     pub fn new(x: u32, y: u32, sampling: impl Into<Sampling>) -> PixelSampler {
-        let Sampling { pattern, seed } = sampling.into();
+        let Sampling {
+            pattern,
+            seed,
+            first_sample,
+        } = sampling.into();
         let pixel = u64::from(y) << 32 | u64::from(x);
         PixelSampler {
             pattern,
             key: mix(pixel ^ mix(seed)),
-            samples_started: 0,
+            samples_started: first_sample,
             dimension: 0,
         }
     }
@@ -122,7 +128,11 @@ mod tests {
     use crate::Tally;
 
     fn both() -> [Sampling; 2] {
-        [Pattern::Independent, Pattern::Sobol].map(|pattern| Sampling { pattern, seed: 3 })
+        [Pattern::Independent, Pattern::Sobol].map(|pattern| Sampling {
+            pattern,
+            seed: 3,
+            first_sample: 0,
+        })
     }
 
     #[test]
@@ -156,6 +166,26 @@ mod tests {
             a.next_2d();
             assert_eq!(a.get_sample(), b.get_sample());
             assert_eq!(a.next_1d(), b.next_1d());
+        }
+    }
+
+    #[test]
+    fn a_picture_goes_on_where_it_stopped() {
+        for sampling in both() {
+            let mut whole = PixelSampler::new(1, 2, sampling);
+            let mut rest = PixelSampler::new(
+                1,
+                2,
+                Sampling {
+                    first_sample: 5,
+                    ..sampling
+                },
+            );
+            for _ in 0..5 {
+                whole.get_sample();
+            }
+            assert_eq!(whole.get_sample(), rest.get_sample());
+            assert_eq!(whole.next_2d(), rest.next_2d());
         }
     }
 

@@ -29,6 +29,20 @@ impl Tally {
         self.m2 += difference * (x - self.mean);
     }
 
+    /// Takes in all that `other` took in (Chan, Golub, LeVeque, "Updating formulae and a pairwise algorithm for computing
+    /// sample variances", 1979).
+    pub fn merge(&mut self, other: &Tally) {
+        let n = self.n + other.n;
+        if n == 0 {
+            return;
+        }
+        let difference = other.mean - self.mean;
+        let share = other.n as f64 / n as f64;
+        self.m2 += other.m2 + difference * difference * (self.n as f64 * share);
+        self.mean += difference * share;
+        self.n = n;
+    }
+
     /// How many numbers there were.
     pub fn count(&self) -> u64 {
         self.n
@@ -146,6 +160,19 @@ mod tests {
         assert_eq!(tally.mean(), 2.5);
         assert!((tally.variance() - 5.0 / 3.0).abs() < 1e-15);
         assert!((tally.standard_error() - (5.0_f64 / 12.0).sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn two_tallies_merge_into_one() {
+        let numbers = [3.0, 1.0, 4.0, 1.0, 5.0, 9.0, 2.0];
+        let whole: Tally = numbers.into_iter().collect();
+        for cut in 0..=numbers.len() {
+            let mut left: Tally = numbers[..cut].iter().copied().collect();
+            left.merge(&numbers[cut..].iter().copied().collect());
+            assert_eq!(left.count(), 7);
+            assert!((left.mean() - whole.mean()).abs() < 1e-15);
+            assert!((left.variance() - whole.variance()).abs() < 1e-13);
+        }
     }
 
     /// Sums of squares would give 0 or a negative variance here.

@@ -5,8 +5,7 @@
 //! and `direct` alone does it.
 
 use crate::materials::Materials;
-use crate::normals::{Job, Rendered};
-use crate::{Accel, Lens, SceneWorld};
+use crate::{Accel, Job, Lens, Rendered, SceneWorld};
 use adaptive::{Budget, has_converged, has_surely_converged, raytrace_pixel_adaptive};
 use direct::{
     estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
@@ -107,12 +106,15 @@ pub fn render_lit(
             if stop.load(Ordering::Relaxed) {
                 return PixelEstimate::default();
             }
+            let mut luminance = Tally::default();
             let camera_ray = &mut |sensor| generate_ray(&job.camera, sensor);
             let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
                 let ray = walk.through_lens(&job.camera, ray, sampler);
-                walk.radiance(&ray, sampler)
+                let radiance = walk.radiance(&ray, sampler);
+                luminance.push(radiance.luminance());
+                radiance
             };
-            match settings.adaptive {
+            let estimate = match settings.adaptive {
                 None => raytrace_pixel(x, y, job.film, job.samples, sampler, camera_ray, trace_ray),
                 Some((batch, tolerance)) => raytrace_pixel_adaptive(
                     (x, y),
@@ -129,12 +131,19 @@ pub fn render_lit(
                         has_surely_converged(samples, tolerance, &mut has_converged)
                     },
                 ),
-            }
+            };
+            walk.luminance.push(((x, y), luminance));
+            estimate
         },
         |cell, _| tile_done(cell),
     );
+    let mut luminance = vec![Tally::default(); film.pixels().len()];
+    for ((x, y), tally) in walks.iter().flat_map(|w| &w.luminance) {
+        luminance[*y as usize * job.film.w as usize + *x as usize] = *tally;
+    }
     Rendered {
         film,
+        luminance,
         counters: walks.iter().map(|w| w.world.borrow().counters).sum(),
         effects: walks.iter().map(|w| w.materials.counts()).sum(),
     }
@@ -147,6 +156,8 @@ struct Walk<'a> {
     settings: &'a LightSettings,
     world: RefCell<SceneWorld<'a>>,
     materials: Materials,
+    /// Pixels that are done, and the luminances of their samples.
+    luminance: Vec<((u32, u32), Tally)>,
     /// Rays on a path at most. In the dark the first one says all.
     max_depth: u32,
     /// Directions for a hemisphere estimate.
@@ -167,6 +178,7 @@ impl<'a> Walk<'a> {
             settings,
             world: RefCell::new(SceneWorld::new(&lit.scene)),
             materials: Materials::new(settings.force_effects),
+            luminance: Vec::new(),
             max_depth: if lit.has_light() || settings.force_effects {
                 settings.max_depth
             } else {

@@ -1,7 +1,12 @@
 //! Picture files: PNG as a screen shows it, EXR with linear radiance.
 
+use crate::layers::{Channel, Values};
 use crate::tone;
 use adaptive::rate_colour;
+use exr::image::write::WritableImage;
+use exr::image::{AnyChannel, AnyChannels, FlatSamples};
+use image::Rgb;
+use image::codecs::hdr::HdrEncoder;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
@@ -17,6 +22,7 @@ use std::path::{Path, PathBuf};
 enum Format {
     Png,
     Exr,
+    Hdr,
 }
 
 /// A picture file to be. It is written beside its place and moved there when it is whole, so that whoever reads it
@@ -47,7 +53,7 @@ impl fmt::Display for OutputError {
         match self {
             OutputError::UnknownFormat(path) => write!(
                 f,
-                "{}: the name of a picture ends in .png or .exr: choose one of them",
+                "{}: the name of a picture ends in .png, .exr or .hdr: choose one of them",
                 path.display()
             ),
             OutputError::IsFolder(path) => write!(
@@ -72,7 +78,7 @@ impl std::error::Error for OutputError {}
 
 impl Output {
     /// Makes sure, before any rendering, that a picture can be written to `path`. Its ending says which kind:
-    /// `.png` or `.exr`.
+    /// `.png`, `.exr` or `.hdr`.
     pub fn create(path: &Path) -> Result<Output, OutputError> {
         if path.is_dir() {
             return Err(OutputError::IsFolder(path.to_owned()));
@@ -81,6 +87,7 @@ impl Output {
         let format = match ending.to_ascii_lowercase().as_str() {
             "png" => Format::Png,
             "exr" => Format::Exr,
+            "hdr" => Format::Hdr,
             _ => return Err(OutputError::UnknownFormat(path.to_owned())),
         };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -101,6 +108,27 @@ impl Output {
             .and_then(|()| Ok(self.file.sync_all()?))
             .and_then(|()| Ok(fs::rename(&self.temporary, &self.path)?))
             .map_err(|why| OutputError::Failed(self.path.clone(), why))
+    }
+
+    /// Writes the channels of a picture `w` by `h` pixels large as one `.exr`.
+    pub fn write_channels(self, channels: Vec<Channel>, w: u32, h: u32) -> Result<(), OutputError> {
+        let size = (w as usize, h as usize);
+        let channels = channels.into_iter().map(|channel| {
+            let samples = match channel.values {
+                Values::Real(values) => FlatSamples::F32(values),
+                Values::Id(values) => FlatSamples::U32(values),
+            };
+            AnyChannel::new(channel.name, samples)
+        });
+        let picture = exr::image::Image::from_channels(size, AnyChannels::sort(channels.collect()));
+        // The encoder goes back to write where its blocks are.
+        picture
+            .write()
+            .to_buffered(&self.file)
+            .map_err(|why| io::Error::other(why.to_string()))
+            .and_then(|()| self.file.sync_all())
+            .and_then(|()| fs::rename(&self.temporary, &self.path))
+            .map_err(|why| OutputError::NotWritable(self.path.clone(), why))
     }
 
     /// Writes how many of at most `ns_aa` samples the pixels of `cell` took, as colours: blue few, green half, red all.
@@ -130,6 +158,12 @@ impl Output {
             Format::Png => {
                 let bytes: Vec<u8> = radiance.flat_map(tone::to_bytes).collect();
                 PngEncoder::new(&mut file).write_image(&bytes, w, h, ExtendedColorType::Rgb8)?;
+            }
+            Format::Hdr => {
+                let pixels: Vec<Rgb<f32>> = radiance
+                    .map(|c| Rgb(c.to_array().map(|c| c as f32)))
+                    .collect();
+                HdrEncoder::new(&mut file).encode(&pixels, w as usize, h as usize)?;
             }
             Format::Exr => {
                 let bytes: Vec<u8> = radiance

@@ -87,7 +87,7 @@ fn bad_values_say_what_is_allowed() {
     refused("-f a.png -e sky.exr square.dae", "sky.exr");
     refused("-f a.png --shade light square.dae", "normals");
     refused("-f a.png --accel fast square.dae", "brute, bvh");
-    refused("-f a.gif square.dae", "ends in .png or .exr");
+    refused("-f a.gif square.dae", "ends in .png, .exr or .hdr");
     refused("-f . square.dae", "is a folder");
     refused("-f nowhere/a.png square.dae", "cannot write nowhere/a.png");
     refused("-f a.png missing.dae", "missing.dae");

@@ -91,6 +91,23 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t = DEFAULT_SHADE)]
     pub(crate) shade: Shade,
 
+    /// Render in rounds of -s samples (16 if that is 1) for so many seconds
+    #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
+    pub(crate) time: Option<f64>,
+
+    /// Render in rounds of -s samples (16 if that is 1) until the noise of a pixel, on average, is this share of the
+    /// picture's mean, such as 0.02; with --time whichever comes first
+    #[arg(long, value_name = "TARGET", value_parser = positive, conflicts_with = "adaptive")]
+    pub(crate) error: Option<f64>,
+
+    /// An .exr to write beside the picture, with albedo, normal, depth, primitive number and variance
+    #[arg(long, value_name = "FILENAME")]
+    pub(crate) layers: Option<PathBuf>,
+
+    /// Tell where the time went
+    #[arg(long)]
+    pub(crate) stats: bool,
+
     /// Tell which effects the scene calls for, why, and what they took
     #[arg(long)]
     pub(crate) explain: bool,
@@ -241,6 +258,7 @@ impl Args {
                 SamplerName::Sobol => Pattern::Sobol,
             },
             seed: self.seed,
+            first_sample: 0,
         }
     }
 
@@ -255,6 +273,8 @@ impl Args {
             (self.mis, "--mis"),
             (self.no_roulette, "--no-roulette"),
             (self.lens_radius > 0.0, "--lens-radius"),
+            (self.time.is_some(), "--time"),
+            (self.error.is_some(), "--error"),
         ];
         let given = flags.into_iter().filter(|(given, _)| *given);
         given.map(|(_, flag)| flag).collect()
@@ -282,6 +302,13 @@ fn threads(value: &str) -> Result<usize, String> {
 
 fn depth(value: &str) -> Result<u32, String> {
     within(value, 0, 10_000)
+}
+
+fn positive(value: &str) -> Result<f64, String> {
+    match value.parse::<f64>() {
+        Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
+        _ => Err("give a number above 0".to_owned()),
+    }
 }
 
 fn length(value: &str) -> Result<f64, String> {

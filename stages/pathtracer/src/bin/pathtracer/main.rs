@@ -1,6 +1,7 @@
 //! The `pathtracer` program: from a scene file to a picture file.
 
 mod args;
+mod budget;
 mod failure;
 mod progress;
 mod run;

@@ -1,12 +1,16 @@
 //! The job itself, step by step.
 
 use crate::args::{Args, Shade};
+use crate::budget::{Budget, SAMPLES_OF_A_ROUND};
 use crate::failure::Failure;
 use crate::{progress, summary, view};
 use kit::film::Cell;
 use kit::hole;
 use kit::{Environment, LitScene, Scene};
-use pathtracer::{Accel, Job, Output, load_environment, render_lit, render_normals};
+use pathtracer::{
+    Accel, Job, Output, layers::channels, layers::features, load_environment, render_lit,
+    render_normals,
+};
 use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
 use std::sync::Arc;
@@ -27,12 +31,23 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     };
     let start = Instant::now();
     let scene = view::load_scene(&args.scene)?;
-    println!("{}", summary::scene(&args.scene, &scene, start.elapsed()));
+    let loading = start.elapsed();
+    println!("{}", summary::scene(&args.scene, &scene, loading));
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
     let output = Output::create(path)?;
     let rate_output = match light.adaptive {
         Some(_) => Some(Output::create(&rate_path(path))?),
+        None => None,
+    };
+    let layers_output = match &args.layers {
+        Some(path) if path.extension().is_none_or(|e| e != "exr") => {
+            return Err(Failure::Input(format!(
+                "--layers {}: only an .exr has room for layers: end the name in .exr",
+                path.display()
+            )));
+        }
+        Some(path) => Some((path, Output::create(path)?)),
         None => None,
     };
     let environment = match &args.environment {
@@ -47,13 +62,21 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
 
     let start = Instant::now();
     let accel = Accel::build(args.accel.into(), scene);
-    println!("{}", summary::accel(&accel, start.elapsed()));
+    let building = start.elapsed();
+    println!("{}", summary::accel(&accel, building));
 
+    let budget = match &picture {
+        Picture::Lit(_) => Budget::of(args),
+        Picture::Normals(_) => None,
+    };
     let job = Job {
         camera,
         film,
         cell,
-        samples: args.samples,
+        samples: match budget {
+            Some(_) if args.samples == 1 => SAMPLES_OF_A_ROUND,
+            _ => args.samples,
+        },
         sampling: args.sampling(),
     };
     let stop = stop_on_ctrl_c();
@@ -63,13 +86,18 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         .map_err(|why| Failure::Input(format!("cannot start {} threads: {why}", args.threads)))?;
     let bar = progress::bar(cell.area());
     let start = Instant::now();
-    let rendered = threads.install(|| {
+    let round = |job: &Job| {
+        bar.set_position(0);
         let tile_done = |tile: Cell| bar.inc(tile.area());
-        match &picture {
-            Picture::Normals(scene) => render_normals(scene, &accel, &job, &stop, tile_done),
-            Picture::Lit(lit) => render_lit(lit, &accel, &job, &light, &stop, tile_done),
-        }
-    });
+        threads.install(|| match &picture {
+            Picture::Normals(scene) => render_normals(scene, &accel, job, &stop, tile_done),
+            Picture::Lit(lit) => render_lit(lit, &accel, job, &light, &stop, tile_done),
+        })
+    };
+    let rendered = match &budget {
+        None => round(&job),
+        Some(budget) => budget.spend(&job, &stop, round),
+    };
     let time = start.elapsed();
     bar.finish_and_clear();
     println!(
@@ -81,6 +109,15 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if let (Some(rate_output), Picture::Lit(_)) = (rate_output, &picture) {
         rate_output.write_rate(&rendered.film, cell, args.samples)?;
         println!("Wrote       {}", rate_path(path).display());
+    }
+    if let Some((path, output)) = layers_output {
+        let features = threads.install(|| features(scene, &accel, &job));
+        let channels = channels(&rendered, &features, &job);
+        output.write_channels(channels, cell.x1 - cell.x0, cell.y1 - cell.y0)?;
+        println!("Wrote       {}", path.display());
+    }
+    if args.stats {
+        println!("{}", summary::stats(&rendered, loading, building, time));
     }
     if args.explain {
         match &picture {

@@ -1,6 +1,6 @@
 //! What is told on the way to a picture: the numbers that the assignment's program tells.
 
-use kit::effects::Call;
+use kit::effects::{Call, Effect};
 use kit::{Bvh, Scene};
 use pathtracer::{Accel, Counters, Job, Rendered};
 use std::path::Path;
@@ -52,11 +52,43 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         each(box_tests),
         each(prim_tests),
     );
+    if !rendered.luminance.is_empty() {
+        told += &format!(
+            "\nNoise       {:.2} % of the mean in a pixel, {:.1} samples each",
+            100.0 * rendered.relative_error(),
+            rendered.samples() as f64 / job.cell.area() as f64
+        );
+    }
     let nan = rendered.nan_pixels();
     if nan > 0 {
         told += &format!("\nNaN         {nan} pixels, shown in magenta");
     }
     told
+}
+
+/// Where the time went, and what kind of rays there were.
+pub(crate) fn stats(
+    rendered: &Rendered,
+    loading: Duration,
+    building: Duration,
+    time: Duration,
+) -> String {
+    let each_second = |n: u64| n as f64 / time.as_secs_f64().max(1e-9) / 1e6;
+    let (rays, samples) = (rendered.counters.rays, rendered.samples());
+    let direct = rendered.effects.of(Effect::DirectLight);
+    let all = (loading + building + time).as_secs_f64().max(1e-9);
+    let share = |part: Duration| 100.0 * part.as_secs_f64() / all;
+    format!(
+        "Time        {:.1} % loading, {:.1} % building, {:.1} % rendering\n\
+         Rates       {:.3} million samples per second, {:.2} million rays per second\n\
+         Rays        {samples} from the camera, {direct} towards light, {} further on",
+        share(loading),
+        share(building),
+        share(time),
+        each_second(samples),
+        each_second(rays),
+        rays.saturating_sub(samples + direct),
+    )
 }
 
 /// Which effects were called for, by what, and what they took.

@@ -1,0 +1,132 @@
+//! Pictures of what a scene is, beside what it looks like: for denoisers and for looking closer.
+
+use crate::{Accel, Job, Rendered, SceneWorld};
+use kit::{Hit, Material, Scene, Spectrum, Vec2, Vec3};
+use raygen::generate_ray;
+use rayon::prelude::*;
+
+/// What the ray through a pixel's centre meets first. All zero, with `prim` [`Feature::NOTHING`], where it meets nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feature {
+    /// The share of light that the surface sends on; black for lamps.
+    pub albedo: Spectrum,
+    /// Unit shading normal.
+    pub normal: Vec3,
+    /// Distance from the camera along the ray.
+    pub depth: f64,
+    /// Number of the primitive.
+    pub prim: u32,
+}
+
+impl Feature {
+    /// The number that stands for no primitive.
+    pub const NOTHING: u32 = u32::MAX;
+
+    fn of(scene: &Scene, hit: Option<Hit>) -> Feature {
+        match hit {
+            Some(hit) => Feature {
+                albedo: albedo(scene.material_of(hit.prim)),
+                normal: hit.n,
+                depth: hit.t,
+                prim: hit.prim.0,
+            },
+            None => Feature {
+                albedo: Spectrum::BLACK,
+                normal: Vec3::ZERO,
+                depth: 0.0,
+                prim: Feature::NOTHING,
+            },
+        }
+    }
+}
+
+fn albedo(material: &Material) -> Spectrum {
+    match *material {
+        Material::Diffuse { reflectance }
+        | Material::Mirror { reflectance }
+        | Material::Glossy { reflectance, .. } => reflectance,
+        Material::Refraction { transmittance, .. } | Material::Glass { transmittance, .. } => {
+            transmittance
+        }
+        Material::Emission { .. } => Spectrum::BLACK,
+    }
+}
+
+/// The features of the pixels of `job.cell`, row by row from the top left, as files have them.
+pub fn features(scene: &Scene, accel: &Accel, job: &Job) -> Vec<Feature> {
+    let cell = job.cell;
+    let size = Vec2::new(f64::from(job.film.w), f64::from(job.film.h));
+    (cell.y0..cell.y1)
+        .into_par_iter()
+        .rev()
+        .flat_map_iter(|y| {
+            let mut world = SceneWorld::new(scene);
+            (cell.x0..cell.x1).map(move |x| {
+                let center = Vec2::new(f64::from(x), f64::from(y)) + 0.5;
+                let mut ray = generate_ray(&job.camera, center / size);
+                Feature::of(scene, accel.closest(&mut ray, &mut world))
+            })
+        })
+        .collect()
+}
+
+/// A channel of a picture file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// Its name, `layer.channel` as other programs expect it; `R`, `G`, `B` for the picture itself.
+    pub name: &'static str,
+    /// Its values, row by row from the top left.
+    pub values: Values,
+}
+
+/// The values of a channel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Numbers.
+    Real(Vec<f32>),
+    /// Names of things.
+    Id(Vec<u32>),
+}
+
+/// The picture, its features, and the variance of the samples' luminances in each pixel.
+pub fn channels(rendered: &Rendered, features: &[Feature], job: &Job) -> Vec<Channel> {
+    let cell = job.cell;
+    let pixels: Vec<(u32, u32)> = (cell.y0..cell.y1)
+        .rev()
+        .flat_map(|y| (cell.x0..cell.x1).map(move |x| (x, y)))
+        .collect();
+    let picture = |c: fn(Spectrum) -> f64| {
+        let value = |&(x, y): &(u32, u32)| c(rendered.film.get(x, y).radiance) as f32;
+        Values::Real(pixels.iter().map(value).collect())
+    };
+    let variance = |&(x, y): &(u32, u32)| {
+        let i = y as usize * job.film.w as usize + x as usize;
+        rendered
+            .luminance
+            .get(i)
+            .map_or(0.0, |tally| tally.variance()) as f32
+    };
+    let feature =
+        |c: fn(&Feature) -> f64| Values::Real(features.iter().map(|f| c(f) as f32).collect());
+    let channel = |name, values| Channel { name, values };
+    vec![
+        channel("R", picture(|c| c.r)),
+        channel("G", picture(|c| c.g)),
+        channel("B", picture(|c| c.b)),
+        channel("albedo.R", feature(|f| f.albedo.r)),
+        channel("albedo.G", feature(|f| f.albedo.g)),
+        channel("albedo.B", feature(|f| f.albedo.b)),
+        channel("normal.X", feature(|f| f.normal.x)),
+        channel("normal.Y", feature(|f| f.normal.y)),
+        channel("normal.Z", feature(|f| f.normal.z)),
+        channel("depth.Z", feature(|f| f.depth)),
+        channel(
+            "primitive.id",
+            Values::Id(features.iter().map(|f| f.prim).collect()),
+        ),
+        channel(
+            "variance.Y",
+            Values::Real(pixels.iter().map(variance).collect()),
+        ),
+    ]
+}

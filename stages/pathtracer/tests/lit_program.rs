@@ -1,0 +1,163 @@
+//! The `pathtracer` program where there is light.
+
+use exr::prelude::{ReadChannels, ReadLayers};
+use snapbox::cmd::{Command, cargo_bin};
+use std::fs;
+use std::path::Path;
+
+/// A grey square under a lamp that the file names as a light only.
+const SCENE: &str = r##"<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><up_axis>Y_UP</up_axis></asset>
+  <library_lights><light id="lamp" name="lamp">
+    <technique_common><point><color>5 5 5</color></point></technique_common>
+    <extra><technique profile="CGL"><area><color>5 5 5</color></area></technique></extra>
+  </light></library_lights>
+  <library_effects><effect id="grey"><profile_COMMON><technique sid="common"><lambert>
+    <diffuse><color>0.5 0.5 0.5 1</color></diffuse>
+  </lambert></technique></profile_COMMON></effect></library_effects>
+  <library_materials><material id="paint"><instance_effect url="#grey"/></material></library_materials>
+  <library_geometries><geometry id="square"><mesh>
+    <source id="corners">
+      <float_array id="numbers" count="12">-1 -1 0  1 -1 0  1 1 0  -1 1 0</float_array>
+      <technique_common><accessor source="#numbers" count="4" stride="3">
+        <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+      </accessor></technique_common>
+    </source>
+    <vertices id="vertices"><input semantic="POSITION" source="#corners"/></vertices>
+    <triangles count="2" material="wall"><input semantic="VERTEX" source="#vertices" offset="0"/><p>0 1 2 0 2 3</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="room">
+    <node id="wall"><instance_geometry url="#square"><bind_material><technique_common>
+      <instance_material symbol="wall" target="#paint"/>
+    </technique_common></bind_material></instance_geometry></node>
+    <node id="above"><translate>1.4 1.4 2</translate><instance_light url="#lamp"/></node>
+  </visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#room"/></scene>
+</COLLADA>
+"##;
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("lit.dae"), SCENE).expect("a scene file");
+    folder
+}
+
+/// Runs the program; what it says on stdout and stderr.
+fn pathtracer(folder: &Path, args: &str) -> (String, String) {
+    let run = Command::new(cargo_bin!("pathtracer"))
+        .current_dir(folder)
+        .args(args.split(' '))
+        .assert()
+        .success();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let output = run.get_output();
+    (text(&output.stdout), text(&output.stderr))
+}
+
+fn refused(args: &str, sentence: &str) {
+    let folder = folder();
+    let run = Command::new(cargo_bin!("pathtracer"))
+        .current_dir(folder.path())
+        .args(args.split(' '))
+        .assert()
+        .code(2);
+    let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(told.contains(sentence), "`{args}` says:\n{told}");
+}
+
+#[test]
+fn bad_values_say_what_is_allowed() {
+    refused("-f a.png --time 0 lit.dae", "a number above 0");
+    refused("-f a.png --error x lit.dae", "a number above 0");
+    refused("-f a.png --error 0.1 -a 8 0.1 lit.dae", "--adaptive");
+    refused("-f a.png --lens-radius 0.1 lit.dae", "--focus");
+    refused(
+        "-f a.png --lens-radius -1 --focus 2 lit.dae",
+        "not negative",
+    );
+    refused("-f a.png --lens-radius 1 --focus 0 lit.dae", "above 0");
+    refused("-f a.png --layers b.png lit.dae", "end the name in .exr");
+    refused("-f a.png -e lit.dae lit.dae", "ends in .exr or .hdr");
+    refused("-f a.png -e missing.hdr lit.dae", "missing.hdr");
+    refused("-f a.png -H --mis lit.dae", "--mis");
+    refused("-f a.png --sampler stars lit.dae", "independent, sobol");
+}
+
+#[test]
+fn light_is_shown_where_there_is_light() {
+    let folder = folder();
+    let shown = |flags: &str| {
+        pathtracer(folder.path(), &format!("-f a.exr -r 31 31 {flags} lit.dae"));
+        let picture = image::open(folder.path().join("a.exr")).expect("a picture");
+        picture.into_rgb32f().get_pixel(15, 15).0
+    };
+    let [r, g, b] = shown("-s 64");
+    assert!(r == g && g == b && r > 0.01, "grey under a white lamp: {r}");
+    assert_eq!(shown("-m 0"), [0.0; 3]);
+    assert_eq!(shown("--shade normals"), [0.5, 0.5, 1.0]);
+}
+
+#[test]
+fn the_sample_rate_is_written_beside_an_adaptive_picture() {
+    let folder = folder();
+    let flags = "-f a.png -r 20 20 -s 1024 -a 64 0.1 --explain --stats lit.dae";
+    let (told, _) = pathtracer(folder.path(), flags);
+    assert!(told.contains("a_rate.png"), "{told}");
+    assert!(told.contains("object above"), "{told}");
+    assert!(told.contains("million samples per second"), "{told}");
+    let rate = image::open(folder.path().join("a_rate.png"))
+        .expect("a picture")
+        .into_rgb8();
+    // The wall is easy: a quarter of the samples or so. The background stays black, so all are taken.
+    assert!(
+        rate.get_pixel(10, 10).0[2] > 100,
+        "{:?}",
+        rate.get_pixel(10, 10)
+    );
+    assert_eq!(rate.get_pixel(0, 0).0, [255, 0, 0]);
+}
+
+#[test]
+fn budgets_end_a_picture() {
+    let folder = folder();
+    let noise = |told: &str| -> f64 {
+        let line = told.lines().find(|line| line.starts_with("Noise"));
+        let share = line.expect("a line on noise").split_whitespace().nth(1);
+        share.expect("a number").parse().expect("a number")
+    };
+    let (rough, _) = pathtracer(folder.path(), "-f a.png -r 20 20 -s 4 lit.dae");
+    let flags = "-f a.png -r 20 20 -s 4 --error 0.03 lit.dae";
+    let (fine, _) = pathtracer(folder.path(), flags);
+    assert!(noise(&rough) > 3.0 && noise(&fine) <= 3.0, "{rough}{fine}");
+    pathtracer(folder.path(), "-f a.png -r 8 8 --time 0.01 lit.dae");
+}
+
+#[test]
+fn layers_hold_what_the_camera_sees() {
+    let folder = folder();
+    pathtracer(
+        folder.path(),
+        "-f a.hdr --layers b.exr -r 20 20 -s 8 lit.dae",
+    );
+    let seen = image::open(folder.path().join("a.hdr")).expect("a picture");
+    assert!(seen.into_rgb32f().get_pixel(10, 10).0[0] > 0.01);
+    let file = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .from_file(folder.path().join("b.exr"))
+        .expect("layers");
+    let center = 10 * 20 + 10;
+    let value = |name: &str| {
+        let mut channels = file.layer_data.channel_data.list.iter();
+        let channel = channels.find(|c| c.name.eq(name)).expect(name);
+        channel.sample_data.value_by_flat_index(center).to_f32()
+    };
+    assert_eq!(value("albedo.G"), 0.5);
+    assert_eq!(value("normal.Z"), 1.0);
+    assert!(value("depth.Z") > 1.0 && value("variance.Y") > 0.0 && value("R") > 0.01);
+    assert!(value("primitive.id") < 2.0);
+}

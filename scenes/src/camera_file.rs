@@ -13,6 +13,7 @@
 //! Numbers are written with 17 digits, so what is read back is the same to the last bit. `aspect`, `phi`,
 //! `theta`, `r` and `screenDist` follow from the rest: they are written, and passed over when read.
 
+use crate::collada::limits::MAX_COORDINATE;
 use crate::collada::read_text;
 use crate::diagnostic::{Diagnostic, SceneError};
 use crate::placement::{View, half_tan};
@@ -74,6 +75,9 @@ const MIN_R_SHARE: f64 = 0.05;
 /// ... goes as far as this multiple: the original's numbers.
 const MAX_R_SHARE: f64 = 10.0;
 
+/// Farthest position or target that is read: a camera that frames the largest scene stands outside of it.
+const MAX_POSITION: f64 = 100.0 * MAX_COORDINATE;
+
 /// Largest width or height that is read.
 const MAX_SCREEN: f64 = 1_000_000.0;
 
@@ -100,11 +104,15 @@ impl CameraFile {
     pub fn parse(name: &str, text: &str) -> Result<CameraFile, SceneError> {
         let numbers = Numbers::read(name, text)?;
         let n = &numbers.values;
-        numbers.check(&[0, 1], "more than 0 and less than 180", |angle| {
-            angle > 0.0 && angle < 180.0
+        numbers.check(&[0, 1], "from 1e-9 to less than 180", |angle| {
+            (1e-9..180.0).contains(&angle)
         })?;
         numbers.check(&[3], "a number >= 0", |near| near >= 0.0)?;
         numbers.check(&[4], "more than nClip", |far| far > n[3])?;
+        let positions = [5, 6, 7, 8, 9, 10];
+        numbers.check(&positions, &format!("at most {MAX_POSITION:e}"), |x| {
+            x.abs() <= MAX_POSITION
+        })?;
         numbers.check(&[25, 26], "a whole number from 1", |size| {
             (1.0..=MAX_SCREEN).contains(&size) && size.fract() == 0.0
         })?;
@@ -218,7 +226,7 @@ impl<'a> Numbers<'a> {
         match indices.iter().find(|i| !valid(self.values[**i])) {
             None => Ok(()),
             Some(i) => {
-                let title = format!("{} is {}", NAMES[*i], self.values[*i]);
+                let title = format!("{} is {}", NAMES[*i], &self.text[self.places[*i].clone()]);
                 let help = format!("correct {}", NAMES[*i]);
                 Err(self
                     .finding(*i, title, &format!("expected {expected}"))
@@ -342,6 +350,10 @@ mod tests {
         assert_eq!(
             refused(&EXAMPLE.replace("0.1 100", "0.1 0.1")).0.title(),
             "fClip is 0.1"
+        );
+        assert_eq!(
+            refused(&EXAMPLE.replace("1 2 3", "1 2 1e200")).0.title(),
+            "pos.z is 1e200"
         );
         assert_eq!(
             refused(&EXAMPLE.replace("480", "480.5")).0.title(),

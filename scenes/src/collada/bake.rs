@@ -1,5 +1,6 @@
 //! Shapes placed into the world.
 
+use super::limits::in_world;
 use super::transform::Affine;
 use kit::{Sphere, Triangle, Vec3};
 
@@ -25,10 +26,10 @@ impl Placer {
         }
     }
 
-    /// The triangle in world space; `None` if a coordinate is too large for a float.
+    /// The triangle in world space; `None` if a coordinate is too large.
     pub(super) fn triangle(&self, local: &Triangle) -> Option<Triangle> {
         let [p0, mut p1, mut p2] = [local.p0, local.p1, local.p2].map(|p| self.to_world.point(p));
-        if !(p0.is_finite() && p1.is_finite() && p2.is_finite()) {
+        if ![p0, p1, p2].into_iter().all(in_world) {
             return None;
         }
         let [n0, mut n1, mut n2] = [local.n0, local.n1, local.n2];
@@ -57,7 +58,7 @@ fn unit(v: Vec3) -> Option<Vec3> {
 pub(super) enum SphereError {
     /// It would become an ellipsoid with these half axes.
     Ellipsoid([f64; 3]),
-    /// A coordinate is too large for a float.
+    /// A coordinate is too large.
     TooLarge,
 }
 
@@ -67,7 +68,7 @@ pub(super) fn sphere(radius: f64, to_world: &Affine) -> Result<Sphere, SphereErr
     let axes = [m.x_axis, m.y_axis, m.z_axis];
     let [x, y, z] = axes.map(Vec3::length);
     let scale = x.max(y).max(z);
-    if !(scale * radius).is_finite() || !to_world.t.is_finite() {
+    if !in_world(Vec3::splat(scale * radius)) || !in_world(to_world.t) {
         return Err(SphereError::TooLarge);
     }
     let slack = SAME_SCALE * scale;

@@ -13,7 +13,7 @@ mod document;
 mod geometry;
 mod library;
 mod light;
-mod limits;
+pub(crate) mod limits;
 mod material;
 mod mesh;
 mod nodes;

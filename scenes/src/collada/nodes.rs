@@ -5,7 +5,7 @@ use super::document::{Document, Element, children, describe, tag};
 use super::geometry::Shape;
 use super::library::{Content, Library, ShapeHere};
 use super::light::LocalLight;
-use super::limits::{MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
+use super::limits::{MAX_COORDINATE, MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
 use super::optics::Optics;
 use super::transform::Affine;
 use crate::diagnostic::SceneError;
@@ -87,7 +87,7 @@ impl<'r, 'a> Builder<'r, 'a> {
         self.count(1, said_by)?;
         let node = self.library.node(element)?;
         let to_world = to_world.after(&node.transform);
-        if !to_world.is_finite() {
+        if !to_world.stays_in_world() {
             return Err(self.too_large(element));
         }
         self.path.push(element.id());
@@ -243,15 +243,12 @@ impl<'r, 'a> Builder<'r, 'a> {
     }
 
     fn too_large(&self, element: Element<'a>) -> SceneError {
-        let title = format!(
-            "{} is placed outside of the range of numbers",
-            describe(element)
-        );
+        let title = format!("{} is placed too far out", describe(element));
         self.doc
             .on(
                 element,
                 title,
-                "expected coordinates below 1e308 after all transforms",
+                format!("expected coordinates up to {MAX_COORDINATE:e} after all transforms"),
             )
             .help("look for a scale or a coordinate with a wrong exponent")
             .into()

@@ -48,8 +48,8 @@ pub(super) fn read<'a>(
             doc,
             perspective,
             name,
-            "degrees more than 0 and less than 180",
-            |angle| angle > 0.0 && angle < 180.0,
+            "degrees from 0.001 to 179.999",
+            |angle| (0.001..=179.999).contains(&angle),
         )
     };
     // Beyond these the missing angle would round to 0 or 180 degrees.

@@ -1,6 +1,7 @@
 //! Transforms: what stands in a `<node>`, and the axis that the file calls up.
 
 use super::document::{Document, Element, child, describe, short, tag};
+use super::limits::in_world;
 use super::numbers::{exactly, floats};
 use crate::diagnostic::SceneError;
 use kit::{Mat3, Vec3, math};
@@ -38,8 +39,11 @@ impl Affine {
         self.m * d
     }
 
-    pub(super) fn is_finite(&self) -> bool {
-        self.m.is_finite() && self.t.is_finite()
+    /// Whether it maps the unit cube to numbers that world space has room for.
+    pub(super) fn stays_in_world(&self) -> bool {
+        [self.m.x_axis, self.m.y_axis, self.m.z_axis, self.t]
+            .into_iter()
+            .all(in_world)
     }
 
     /// Whether it turns a right hand into a left one.

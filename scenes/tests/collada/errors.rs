@@ -373,7 +373,7 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "<translate>3 0 0</translate>",
         "<scale>1e308 1e308 1e308</scale><scale>10 10 10</scale>",
-        "<node id=\"ball-node\"> is placed outside of the range of numbers",
+        "<node id=\"ball-node\"> is placed too far out",
         52,
     ),
     ("Y_UP", "UP", "`UP` is not an axis", 3),

@@ -1,0 +1,300 @@
+//! Damaged files: whatever is broken in a real file, the reader gives a sound scene or an error with its
+//! place. It never panics, hangs or takes memory without end.
+//!
+//! `cargo test` runs a few thousand damages. For more:
+//! `FIRSTLIGHT_FUZZ_SECONDS=600 cargo test -p scenes --test mutations -- --ignored --nocapture`.
+//! The course's own files are damaged too where `FIRSTLIGHT_SCENES` names their folder.
+
+use kit::{FilmSize, PixelSampler, Scene};
+use scenes::{CameraFile, placement};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// What words are replaced by: numbers at the ends of their range, and what is no number.
+#[rustfmt::skip]
+const WORDS: &[&str] = &[
+    "", "0", "-0", "1", "-1", "2", "3", "17", "0.5", "-0.5", "nan", "inf", "-inf", "1e308", "-1e308", "1e-308", "5e-324",
+    "1e150", "1e100", "1e-100", "1e999", "0.1e", "4000000000", "4294967295", "4294967296", "18446744073709551615",
+    "99999999999999999999", "1,5", "0x10", "1e", "+1", ".5", "-.5e-5", "é", "&amp;", "0 0 0", "1 2 3 4 5", "node", "mesh",
+    "matrix", "rotate", "scale", "X_UP", "Z_UP", "polygons", "tristrips", "trifans", "triangles", "CMU462", "NORMAL", "VERTEX",
+];
+
+/// What is put in anywhere: pieces of XML, whole and broken.
+#[rustfmt::skip]
+const PIECES: &[&str] = &[
+    "<", ">", "/>", "</", "\"", "&", "#", "&#0;", "&#x110000;", "<!--", "-->", "<![CDATA[", "]]>", "<?x", "?>", "<!DOCTYPE a>",
+    "\u{0}", "\u{feff}", "\r\n", "\u{2028}", "<node/>", "<instance_node url=\"#scene\"/>", "<matrix>1</matrix>",
+    "<scale>0 0 0</scale>", "<scale>1e200 1e200 1e200</scale>", "<scale>-1 1 1</scale>", "<rotate>1 1 1 1e18</rotate>",
+    "<p/>", "<p>0 0 0</p>", "<vcount>3</vcount>", "<extra><technique profile=\"CGL\"/></extra>",
+    "<extra><technique profile=\"CGL\"><sphere><radius>1</radius></sphere></technique></extra>",
+];
+
+/// Files that get damaged: name and text.
+fn corpus() -> Vec<(String, String)> {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("dae");
+    let course = std::env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from);
+    if course.is_none() {
+        println!("only our own scenes are damaged: set FIRSTLIGHT_SCENES for the course's files");
+    }
+    let mut paths: Vec<PathBuf> = [Some(own), course]
+        .into_iter()
+        .flatten()
+        .flat_map(|folder| std::fs::read_dir(folder).unwrap())
+        .map(|file| file.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "dae"))
+        .collect();
+    paths.sort();
+    let read = |path: PathBuf| {
+        (
+            path.display().to_string(),
+            std::fs::read_to_string(path).unwrap(),
+        )
+    };
+    paths.into_iter().map(read).collect()
+}
+
+/// Random choices that follow from a seed.
+struct Dice(PixelSampler);
+
+impl Dice {
+    fn new(seed: u64) -> Dice {
+        Dice(PixelSampler::new(0, 0, seed))
+    }
+
+    /// A number below `end`, which is not 0.
+    fn below(&mut self, end: usize) -> usize {
+        (self.0.next_1d() * end as f64) as usize
+    }
+
+    fn pick<'a, T: ?Sized>(&mut self, list: &[&'a T]) -> &'a T {
+        list[self.below(list.len())]
+    }
+}
+
+/// The words, numbers, names and signs of a text, as byte ranges.
+fn tokens(text: &str) -> Vec<(usize, usize)> {
+    let mut tokens = Vec::new();
+    let mut start = 0;
+    for (at, c) in text.char_indices() {
+        if c.is_whitespace() || matches!(c, '<' | '>' | '"' | '=' | '/' | '#') {
+            if start < at {
+                tokens.push((start, at));
+            }
+            start = at + c.len_utf8();
+        }
+    }
+    tokens
+}
+
+/// One damage, sometimes more.
+fn damaged(text: &str, dice: &mut Dice) -> String {
+    let mut text = damage(text, dice);
+    while dice.below(3) == 0 {
+        text = damage(&text, dice);
+    }
+    text
+}
+
+fn damage(text: &str, dice: &mut Dice) -> String {
+    if text.is_empty() {
+        return dice.pick(PIECES).to_owned();
+    }
+    let tokens = tokens(text);
+    let mut bytes = text.as_bytes().to_vec();
+    let at = dice.below(bytes.len());
+    match dice.below(16) {
+        0 => bytes[at] ^= 1 << dice.below(8),
+        1 => bytes.truncate(at),
+        2 => {
+            bytes.splice(at..at, dice.pick(PIECES).bytes());
+        }
+        3 | 4 => return with_lines_doubled(text, dice),
+        5 => return with_lines_lost(text, dice),
+        6..=10 if !tokens.is_empty() => {
+            let (start, end) = tokens[dice.below(tokens.len())];
+            bytes.splice(start..end, dice.pick(WORDS).bytes());
+        }
+        // One word for another: ids and references get crossed, tags change.
+        _ if !tokens.is_empty() => {
+            let (from, to) = tokens[dice.below(tokens.len())];
+            let (start, end) = tokens[dice.below(tokens.len())];
+            bytes.splice(start..end, text.as_bytes()[from..to].iter().copied());
+        }
+        _ => {}
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// Up to twelve lines of the text: whole elements, as a rule.
+fn some_lines(lines: &[&str], dice: &mut Dice) -> std::ops::Range<usize> {
+    let first = dice.below(lines.len());
+    first..(first + 1 + dice.below(12)).min(lines.len())
+}
+
+fn with_lines_doubled(text: &str, dice: &mut Dice) -> String {
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let some = some_lines(&lines, dice);
+    let (before, after) = lines.split_at(dice.below(lines.len()));
+    [before, &lines[some], after].concat().concat()
+}
+
+fn with_lines_lost(text: &str, dice: &mut Dice) -> String {
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let some = some_lines(&lines, dice);
+    [&lines[..some.start], &lines[some.end..]].concat().concat()
+}
+
+/// Reads the file and checks what comes out.
+fn check(text: &str) {
+    match scenes::parse("damaged.dae", text) {
+        Ok(loaded) => {
+            for warning in &loaded.warnings {
+                assert!(!warning.to_string().is_empty());
+            }
+            check_scene(&loaded.scene);
+        }
+        Err(error) => {
+            assert!(!error.0.title().is_empty());
+            assert!(error.to_string().contains("damaged.dae"), "{error}");
+            assert!(error.styled().len() < 20_000, "a report that nobody reads");
+            assert!(error.0.what_to_do().is_some(), "{error}");
+        }
+    }
+}
+
+/// How far a unit normal may be from unit length.
+const UNIT: f64 = 1e-9;
+
+fn check_scene(scene: &Scene) {
+    assert!(!scene.is_empty());
+    assert_eq!(scene.object_of.len(), scene.len());
+    assert!(
+        scene
+            .object_of
+            .iter()
+            .all(|object| (*object as usize) < scene.objects.len())
+    );
+    assert!(
+        scene
+            .objects
+            .iter()
+            .all(|object| (object.material as usize) < scene.materials.len())
+    );
+    for t in &scene.triangles {
+        assert!(
+            t.p0.is_finite() && t.p1.is_finite() && t.p2.is_finite(),
+            "{t:?}"
+        );
+        for n in [t.n0, t.n1, t.n2] {
+            // A triangle that its transform makes flat may be left without any normal.
+            assert!(
+                (n.length() - 1.0).abs() < UNIT || n.length() == 0.0,
+                "{t:?}"
+            );
+        }
+    }
+    for s in &scene.spheres {
+        assert!(
+            s.center.is_finite() && s.radius.is_finite() && s.radius >= 0.0,
+            "{s:?}"
+        );
+    }
+    let film = FilmSize { w: 48, h: 36 };
+    let view = placement::place(scene, film);
+    let camera = &view.camera;
+    assert!(
+        camera.h_fov > 0.0 && camera.h_fov < 180.0 && camera.v_fov > 0.0 && camera.v_fov < 180.0,
+        "{camera:?}"
+    );
+    assert!(
+        camera.pos.is_finite() && camera.c2w.is_finite(),
+        "{camera:?}"
+    );
+    let file = CameraFile::new(view, film);
+    let read =
+        CameraFile::parse("damaged.cam", &file.to_string()).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(read, file);
+}
+
+/// Damages files until `enough` says so for the number of files done. Prints what was slow; fails with
+/// the seed of what broke.
+fn run(enough: impl Fn(u64) -> bool) {
+    let corpus = corpus();
+    let mut slowest = (Duration::ZERO, 0);
+    let mut scenes_read = 0;
+    let mut seed = 0;
+    while !enough(seed) {
+        let mut dice = Dice::new(seed);
+        // Small files more often: damage to numbers in a large mesh is much of a muchness.
+        let mut pick = dice.below(corpus.len());
+        while corpus[pick].1.len() > 50_000 && dice.below(20) > 0 {
+            pick = dice.below(corpus.len());
+        }
+        let (name, text) = &corpus[pick];
+        let text = damaged(text, &mut dice);
+        let start = Instant::now();
+        let outcome = catch_unwind(AssertUnwindSafe(|| check(&text)));
+        if start.elapsed() > slowest.0 {
+            slowest = (start.elapsed(), seed);
+        }
+        if let Err(panic) = outcome {
+            println!(
+                "seed {seed}, {name}, damaged:\n{}",
+                &text[..text.len().min(30_000)]
+            );
+            std::panic::resume_unwind(panic);
+        }
+        scenes_read += u64::from(scenes::parse("damaged.dae", &text).is_ok());
+        seed += 1;
+    }
+    println!(
+        "{seed} damaged files: {scenes_read} read as scenes, the others refused; the slowest took {:?} (seed {})",
+        slowest.0, slowest.1
+    );
+}
+
+#[test]
+fn damaged_files_give_a_sound_scene_or_an_error() {
+    run(|done| done == 3_000);
+}
+
+#[test]
+#[ignore = "takes as long as FIRSTLIGHT_FUZZ_SECONDS says"]
+fn damaged_files_for_as_long_as_you_like() {
+    let seconds = std::env::var("FIRSTLIGHT_FUZZ_SECONDS")
+        .ok()
+        .and_then(|text| text.parse().ok());
+    let end = Instant::now() + Duration::from_secs(seconds.unwrap_or(60));
+    run(|_| Instant::now() >= end);
+}
+
+/// Camera files, damaged in the same ways.
+#[test]
+fn damaged_camera_files_give_a_camera_or_an_error() {
+    let scene = scenes::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("dae/cornell_spheres.dae"))
+        .unwrap()
+        .scene;
+    let film = FilmSize { w: 48, h: 36 };
+    let text = CameraFile::new(placement::place(&scene, film), film).to_string();
+    for seed in 0..20_000 {
+        let damaged = damaged(&text, &mut Dice::new(seed));
+        match CameraFile::parse("damaged.cam", &damaged) {
+            Ok(file) => {
+                let camera = file.view.camera;
+                assert!(
+                    camera.pos.is_finite()
+                        && camera.c2w.is_finite()
+                        && file.film.w > 0
+                        && file.film.h > 0
+                );
+                assert_eq!(
+                    CameraFile::parse("again.cam", &file.to_string()).unwrap(),
+                    file,
+                    "{damaged}"
+                );
+            }
+            Err(error) => assert!(error.0.what_to_do().is_some(), "{error}"),
+        }
+    }
+}

@@ -1,7 +1,8 @@
 //! `<bind_material>`: which material a part of a shape gets where it is placed.
 
-use super::document::{Document, Element, child, children, describe, name_of, short, tag};
+use super::document::{Document, Element, children, descend, describe, name_of, short, tag};
 use super::geometry::Shape;
+use super::limits::MAX_INSTANCES;
 use super::material;
 use crate::diagnostic::SceneError;
 use kit::scene::NamedMaterial;
@@ -14,6 +15,8 @@ pub(super) struct Materials<'r, 'a> {
     list: Vec<NamedMaterial>,
     /// Index in the list by the id of the `<material>`; the default grey is under `None`.
     by_element: HashMap<Option<NodeId>, u32>,
+    /// How many parts got their material so far, to stop a file that asks for far too many.
+    bound: usize,
 }
 
 impl<'r, 'a> Materials<'r, 'a> {
@@ -22,6 +25,7 @@ impl<'r, 'a> Materials<'r, 'a> {
             doc,
             list: Vec::new(),
             by_element: HashMap::new(),
+            bound: 0,
         }
     }
 
@@ -29,59 +33,52 @@ impl<'r, 'a> Materials<'r, 'a> {
         self.list
     }
 
-    /// The materials of a shape's parts: by the symbol that `<instance_material>` binds; a part without a
-    /// symbol, and a sphere, takes the only or first one.
+    /// The materials of a shape's parts: by the symbol that `<instance_material>` binds; a sphere and a part
+    /// whose symbol is not bound take the first one.
     pub(super) fn bind(
         &mut self,
         instance: Element<'a>,
         shape: &Shape<'a>,
     ) -> Result<Vec<u32>, SceneError> {
-        let bind =
-            child(instance, "bind_material").and_then(|bind| child(bind, "technique_common"));
-        let bound: Vec<Element<'a>> = bind
-            .into_iter()
-            .flat_map(children)
-            .filter(|element| tag(*element) == "instance_material")
-            .collect();
-        let mut by_symbol: HashMap<&str, Element<'a>> = HashMap::new();
-        for element in &bound {
-            if let Some(symbol) = element.attribute("symbol") {
-                by_symbol.entry(symbol).or_insert(*element);
-            }
-        }
         let symbols: Vec<Option<&str>> = match shape {
             Shape::Mesh(parts) => parts.iter().map(|part| part.symbol).collect(),
             Shape::Sphere { .. } => vec![None],
             Shape::Nothing => Vec::new(),
         };
-        let mut materials = Vec::with_capacity(symbols.len());
-        for symbol in symbols {
-            let binding = symbol
-                .and_then(|symbol| by_symbol.get(symbol))
-                .or(bound.first());
-            if let (Some(symbol), Some(binding)) = (symbol, binding)
-                && !by_symbol.contains_key(symbol)
-            {
-                self.doc.warn(|| {
-                    let title = format!("no material is bound to `{}`", short(symbol));
-                    let expected =
-                        "expected an <instance_material> with this symbol; this one is taken";
-                    self.doc.on(*binding, title, expected)
-                });
-            }
-            materials.push(match binding {
-                Some(binding) => self.bound_material(*binding)?,
+        self.bound += symbols.len();
+        if self.bound > MAX_INSTANCES {
+            let title = format!("the scene binds more than {MAX_INSTANCES} materials");
+            let finding = self
+                .doc
+                .on(instance, title, "this instance is one too many");
+            return Err(finding
+                .help("join the parts of meshes that have the same material")
+                .into());
+        }
+        let bindings = Bindings::read(instance);
+        symbols
+            .into_iter()
+            .map(|symbol| match bindings.of(symbol) {
+                Some(binding) => {
+                    if let Some(symbol) = symbol.filter(|symbol| !bindings.by_symbol.contains_key(symbol)) {
+                        self.doc.warn(|| {
+                            let title = format!("no material is bound to `{}`", short(symbol));
+                            let done = "expected an <instance_material> with this symbol; this one is taken";
+                            self.doc.on(binding, title, done)
+                        });
+                    }
+                    self.bound_material(binding)
+                }
                 None => {
                     self.doc.warn(|| {
                         let title = format!("{} has no material", describe(instance));
-                        let expected = "expected <bind_material>; taken as grey, 0.5 0.5 0.5";
-                        self.doc.on(instance, title, expected)
+                        let done = "expected <bind_material>; taken as grey, 0.5 0.5 0.5";
+                        self.doc.on(instance, title, done)
                     });
-                    self.default_material()
+                    Ok(self.default_material())
                 }
-            });
-        }
-        Ok(materials)
+            })
+            .collect()
     }
 
     fn bound_material(&mut self, binding: Element<'a>) -> Result<u32, SceneError> {
@@ -125,5 +122,37 @@ impl<'r, 'a> Materials<'r, 'a> {
         self.list.push(material);
         self.by_element.insert(key, index);
         index
+    }
+}
+
+/// The `<instance_material>` elements of one instance.
+struct Bindings<'a> {
+    first: Option<Element<'a>>,
+    by_symbol: HashMap<&'a str, Element<'a>>,
+}
+
+impl<'a> Bindings<'a> {
+    fn read(instance: Element<'a>) -> Bindings<'a> {
+        let technique = descend(instance, &["bind_material", "technique_common"]);
+        let elements = technique
+            .into_iter()
+            .flat_map(children)
+            .filter(|element| tag(*element) == "instance_material");
+        let mut bindings = Bindings {
+            first: None,
+            by_symbol: HashMap::new(),
+        };
+        for element in elements {
+            bindings.first.get_or_insert(element);
+            if let Some(symbol) = element.attribute("symbol") {
+                bindings.by_symbol.entry(symbol).or_insert(element);
+            }
+        }
+        bindings
+    }
+
+    fn of(&self, symbol: Option<&str>) -> Option<Element<'a>> {
+        let bound = symbol.and_then(|symbol| self.by_symbol.get(symbol));
+        bound.copied().or(self.first)
     }
 }

@@ -142,10 +142,8 @@ impl<'a> Document<'a> {
 
     /// The element called `tag` that a reference such as `url="#id"` names, if it is there.
     pub(super) fn find(&self, reference: &str, tag: &'a str) -> Option<Element<'a>> {
-        // Looked up under a shorter lifetime than the keys': hence the explicit key.
-        let id: &str = reference.trim().strip_prefix('#')?;
-        let key: (&str, &str) = (tag, id);
-        self.by_id.get(&key).copied()
+        let id = reference.trim().strip_prefix('#')?;
+        self.by_id.get(&(tag, id)).copied()
     }
 
     /// The element called `tag` that attribute `name` of `element` refers to; an error if it is missing.
@@ -176,8 +174,8 @@ impl<'a> Document<'a> {
                     .help(format!("write {name}=\"#{shown}\" if that is its id"))
             };
         };
-        let same_id = self.by_id.keys().find(|(_, other)| *other == id);
-        if let Some((other_tag, _)) = same_id {
+        let same_id = self.by_id.keys().filter(|(_, other)| *other == id);
+        if let Some((other_tag, _)) = same_id.min() {
             return finding(
                 format!("`{shown}` names a <{other_tag}>"),
                 format!("expected the id of a <{tag}>"),

@@ -1,9 +1,8 @@
 //! `<geometry>`: a mesh, or a sphere of the course's own.
 
 use super::document::{Document, Element, child, children, course_technique, describe, tag};
-use super::mesh::{self, MeshPart};
+use super::mesh::{MeshPart, MeshReader};
 use super::numbers::exactly;
-use super::polygon::Effort;
 use crate::diagnostic::SceneError;
 
 /// The shape that a geometry describes, in its own space.
@@ -21,7 +20,7 @@ pub(super) enum Shape<'a> {
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     geometry: Element<'a>,
-    effort: &mut Effort,
+    meshes: &mut MeshReader<'a>,
 ) -> Result<Shape<'a>, SceneError> {
     if let Some(technique) = course_technique(geometry) {
         if let Some(sphere) = child(technique, "sphere") {
@@ -35,7 +34,7 @@ pub(super) fn read<'a>(
         }
     }
     if let Some(mesh) = child(geometry, "mesh") {
-        return Ok(Shape::Mesh(mesh::read(doc, mesh, effort)?));
+        return Ok(Shape::Mesh(meshes.read(doc, mesh)?));
     }
     doc.warn(|| {
         let title = format!("{} has no shape", describe(geometry));

@@ -4,8 +4,8 @@ use super::binding::Materials;
 use super::document::{Document, Element, children, name_of, tag};
 use super::geometry::{self, Shape};
 use super::light::{self, LocalLight};
+use super::mesh::MeshReader;
 use super::optics::{self, Optics};
-use super::polygon::Effort;
 use super::transform::{self, Affine};
 use crate::diagnostic::SceneError;
 use kit::scene::NamedMaterial;
@@ -55,7 +55,7 @@ pub(super) struct Library<'r, 'a> {
     shapes: HashMap<NodeId, Rc<Shape<'a>>>,
     lights: HashMap<NodeId, Option<LocalLight>>,
     materials: Materials<'r, 'a>,
-    effort: Effort,
+    meshes: MeshReader<'a>,
 }
 
 impl<'r, 'a> Library<'r, 'a> {
@@ -66,7 +66,7 @@ impl<'r, 'a> Library<'r, 'a> {
             shapes: HashMap::new(),
             lights: HashMap::new(),
             materials: Materials::new(doc),
-            effort: Effort::default(),
+            meshes: MeshReader::default(),
         }
     }
 
@@ -149,7 +149,7 @@ impl<'r, 'a> Library<'r, 'a> {
         if let Some(shape) = self.shapes.get(&geometry.id()) {
             return Ok(Rc::clone(shape));
         }
-        let shape = Rc::new(geometry::read(self.doc, geometry, &mut self.effort)?);
+        let shape = Rc::new(geometry::read(self.doc, geometry, &mut self.meshes)?);
         self.shapes.insert(geometry.id(), Rc::clone(&shape));
         Ok(shape)
     }

@@ -6,6 +6,12 @@ use kit::Vec3;
 /// Largest file that is read, in bytes.
 pub(super) const MAX_FILE_BYTES: u64 = 1 << 30;
 
+/// Attributes of one tag: files have up to about five.
+pub(super) const MAX_ATTRIBUTES: usize = 1000;
+
+/// Namespaces that a file declares: files have one or two.
+pub(super) const MAX_NAMESPACES: usize = 100;
+
 /// Nodes inside nodes.
 pub(super) const MAX_DEPTH: usize = 256;
 

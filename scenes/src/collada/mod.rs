@@ -1,9 +1,10 @@
 //! The COLLADA 1.4.1 reader.
 //!
-//! Read in this order: `document` (ids, references, errors with their place), `numbers` and `source`
-//! (lists of numbers), `primitives`, `polygon`, `normals` and `mesh` (index lists become triangles),
-//! `geometry`, `material`, `light` and `optics` (what nodes place), `transform`, `binding` and `library` (what a
-//! node holds), `bake` and `nodes` (the tree, placed in the world).
+//! Read in this order: `screen` and `document` (ids, references, errors with their place), `numbers`,
+//! `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`, `normals` and `mesh`
+//! (index lists become triangles), `geometry`, `material`, `light` and `optics` (what nodes place),
+//! `transform`, `binding` and `library` (what a node holds), `bake` and `nodes` (the tree, placed in the
+//! world).
 //!
 //! `<unit meter="...">` is passed over, as by the original course program: lengths are those of the file.
 
@@ -16,14 +17,17 @@ mod light;
 pub(crate) mod limits;
 mod material;
 mod mesh;
+mod mesh_part;
 mod nodes;
 mod normals;
 mod numbers;
 mod optics;
 mod polygon;
 mod primitives;
+mod screen;
 mod source;
 mod transform;
+mod vertices;
 
 use crate::diagnostic::{Diagnostic, SceneError, Warning};
 use document::{Document, Element, child, children, tag};
@@ -80,6 +84,7 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<String, SceneError> {
 
 /// Reads a COLLADA file from its text. `name` stands for the file in errors.
 pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
+    screen::screen(name, text)?;
     let xml = roxmltree::Document::parse(text).map_err(|error| malformed(name, text, &error))?;
     let doc = Document::new(name, &xml);
     let scene = build(&doc)?;

@@ -1,6 +1,7 @@
 //! Normals that a mesh does not bring along.
 
 use kit::Vec3;
+use std::collections::HashMap;
 
 /// `(p1-p0) x (p2-p0)`, in units of the longer of the two edges squared, so that it neither under- nor
 /// overflows; zero if the triangle has no area.
@@ -18,12 +19,26 @@ pub(super) fn face_normal(p0: Vec3, p1: Vec3, p2: Vec3) -> Option<Vec3> {
     scaled_cross(p0, p1, p2).0.try_normalize()
 }
 
-/// Adds a triangle's normal, weighted by its area, to those of its three vertices
+/// Vertex normals: the mean of those of the triangles around, weighted by their areas
 /// (H. Gouraud, "Continuous shading of curved surfaces", 1971).
-pub(super) fn add_corner_normals(sums: &mut [Vec3], positions: &[Vec3], corners: [usize; 3]) {
-    let [p0, p1, p2] = corners.map(|i| positions[i]);
-    let (cross, size) = scaled_cross(p0, p1, p2);
-    for corner in corners {
-        sums[corner] += cross * size * size;
+#[derive(Default)]
+pub(super) struct SmoothNormals {
+    /// Sums by vertex, for those vertices that a triangle has.
+    sums: HashMap<usize, Vec3>,
+}
+
+impl SmoothNormals {
+    /// Adds a triangle's normal to those of its three vertices.
+    pub(super) fn add(&mut self, positions: &[Vec3], corners: [usize; 3]) {
+        let [p0, p1, p2] = corners.map(|i| positions[i]);
+        let (cross, size) = scaled_cross(p0, p1, p2);
+        for corner in corners {
+            *self.sums.entry(corner).or_default() += cross * size * size;
+        }
+    }
+
+    /// The normals at three vertices, of any length.
+    pub(super) fn at(&self, corners: [usize; 3]) -> [Vec3; 3] {
+        corners.map(|corner| self.sums.get(&corner).copied().unwrap_or(Vec3::ZERO))
     }
 }

@@ -124,12 +124,13 @@ fn is_ear(
     effort: &mut Effort,
 ) -> Result<bool, TooComplex> {
     let [a, b, c] = ear.map(|i| flat[i]);
-    if turn(a, b, c) <= 0.0 {
-        return Ok(false);
-    }
-    effort.tests += left.len() as u64;
+    let turns_left = turn(a, b, c) > 0.0;
+    effort.tests += if turns_left { left.len() as u64 } else { 1 };
     if effort.tests > MAX_TESTS {
         return Err(TooComplex);
+    }
+    if !turns_left {
+        return Ok(false);
     }
     let inside = |p: Vec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
     let is_corner = |p: Vec2| p == a || p == b || p == c;

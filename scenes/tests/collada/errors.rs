@@ -428,6 +428,36 @@ fn malformed_xml_is_shown_where_it_breaks() {
 }
 
 #[test]
+fn thousands_of_attributes_or_namespaces_are_an_error_not_a_hang() {
+    let many = |attribute: &str| -> String {
+        (0..50_000)
+            .map(|i| attribute.replace('N', &i.to_string()))
+            .collect()
+    };
+    let attributes =
+        scenes::parse("small.dae", &format!("<COLLADA\n {}/>", many("aN='>' "))).unwrap_err();
+    assert_error(&attributes, "a tag has more than 1000 attributes", 1);
+    let nested = format!(
+        "<COLLADA>\n{}{}</COLLADA>",
+        many("<a xmlns:pN='uN'>"),
+        "</a>".repeat(50_000)
+    );
+    let namespaces = scenes::parse("small.dae", &nested).unwrap_err();
+    assert_error(&namespaces, "the file declares more than 100 namespaces", 2);
+}
+
+#[test]
+fn equals_signs_in_comments_and_values_are_no_attributes() {
+    let banner = "=".repeat(5000);
+    let text = format!(
+        "<!-- <a {banner} > -->{}",
+        SMALL.replace("<?xml version=\"1.0\"?>\n", "")
+    )
+    .replace("name=\"Red\"", &format!("name=\"{banner}\""));
+    assert!(scenes::parse("small.dae", &text).is_ok());
+}
+
+#[test]
 fn doctypes_are_refused_so_entities_cannot_blow_up() {
     let bomb = "<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><COLLADA>&b;</COLLADA>";
     let error = scenes::parse("small.dae", bomb).unwrap_err();

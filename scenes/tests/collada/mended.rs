@@ -110,7 +110,7 @@ const MENDED: &[(&str, &str, &str, &str)] = &[
     (
         "0 1 2 0 2 3",
         "0 1 2 0 2 2",
-        "1 triangles have no area",
+        "triangles without area: 1",
         "they cannot be seen and are left out",
     ),
     (

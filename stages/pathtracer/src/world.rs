@@ -54,7 +54,8 @@ impl<'a> SceneWorld<'a> {
 }
 
 impl World for SceneWorld<'_> {
-    #[inline]
+    // Always: only inside the traversal's loop is it plain that `1/d` stays the same from box to box.
+    #[inline(always)]
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         self.counters.box_tests += 1;
         bbox::intersect_bbox(b, ray)

@@ -94,6 +94,7 @@ fn bad_values_say_what_is_allowed() {
     refused("-f a.png -c missing.txt square.dae", "missing.txt");
 }
 
+// BEGIN SOLUTION(part1.task3)
 #[test]
 fn a_picture_is_written_and_told() {
     let folder = folder();
@@ -180,3 +181,4 @@ fn pictures_do_not_depend_on_threads_or_on_the_tree() {
         "the edge pixels are another mixture"
     );
 }
+// END SOLUTION(part1.task3)

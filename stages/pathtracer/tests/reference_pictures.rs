@@ -10,6 +10,7 @@
 //!   were a face: `(w - v) x (x - v)` with the next two vertices `w` and `x` around the hole. So flat open meshes
 //!   (the lamp, the ground under the banana) face the other way. Ours do not.
 //! - Where those three vertices lie on a line that normal is rounding noise. Nothing can be compared there.
+// BEGIN SOLUTION(part2.task1)
 
 use kit::{Hit, Scene, Triangle, Vec2, Vec3};
 use pathtracer::normals::normal_color;
@@ -185,3 +186,4 @@ fn our_pictures_are_the_originals() {
         );
     }
 }
+// END SOLUTION(part2.task1)

@@ -21,12 +21,13 @@ use kit::{Aabb, Interval, Ray};
 ///   rounding error of the division. So a ray that passes a corner within a few units in the last place is
 ///   a hit, and the interval can end that little late. (Holds while `t` is neither denormal nor infinite.)
 /// - An empty box, a box or a ray with a NaN: no hit.
-#[inline]
+// Always: a traversal tests one ray against many boxes, and only within its loop is `1/d` seen to stay the same.
+#[inline(always)]
 pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     // BEGIN SOLUTION(part2.task2)
     let inv_d = 1.0 / ray.d;
     if !has_inverse(inv_d) {
-        return intersect_by_division(b, ray);
+        return intersect_by_division(b, *ray);
     }
     let to_min = b.min - ray.o;
     let to_max = b.max - ray.o;
@@ -38,13 +39,13 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     let exit = later(t_min.x, t_max.x);
     let exit = earlier(later(t_min.y, t_max.y), exit);
     let exit = earlier(later(t_min.z, t_max.z), exit);
-    let exit = earlier(widened(exit), ray.max_t);
-    if entry <= exit {
+    let exit = widened(exit);
+    if entry <= exit && entry <= ray.max_t {
         // Asked last, because most tests end in a miss: the comparisons above let NaN and turned-round boxes pass.
         let is_box = !b.is_empty() && !ray.o.is_nan();
         return is_box.then_some(Interval {
             min: entry,
-            max: exit,
+            max: earlier(exit, ray.max_t),
         });
     }
     None
@@ -60,10 +61,10 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
 /// Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.2.
 const EXIT_WIDENING: f64 = 3.5 * f64::EPSILON;
 
-/// The exit, later by [`EXIT_WIDENING`] whatever its sign; an infinite one stays as it is.
+/// The exit, later by [`EXIT_WIDENING`] whatever its sign. +∞ stays; -∞ becomes NaN, before which nothing enters.
 #[inline]
 fn widened(exit: f64) -> f64 {
-    later(exit * (1.0 + EXIT_WIDENING), exit * (1.0 - EXIT_WIDENING))
+    exit + exit.abs() * EXIT_WIDENING
 }
 
 /// The larger of two; `so_far` if `t` is NaN. One machine instruction, which `f64::max` is not.
@@ -87,9 +88,11 @@ fn has_inverse(inv_d: Vec3) -> bool {
 /// The same test, slower, for rays along a slab or nearly so. Which plane comes first is read off the
 /// direction's sign, not found by comparing: so NaN, from 0/0 for an origin on a plane and a ray along
 /// it, stays on its own side and can be ignored there.
+///
+/// The ray comes by value: a reference would keep the caller's ray in memory, and `1/d` in its loop over boxes.
 #[cold]
 #[inline(never)]
-fn intersect_by_division(b: &Aabb, ray: &Ray) -> Option<Interval> {
+fn intersect_by_division(b: &Aabb, ray: Ray) -> Option<Interval> {
     if b.is_empty() || ray.o.is_nan() || ray.d.is_nan() {
         return None;
     }
@@ -105,11 +108,12 @@ fn intersect_by_division(b: &Aabb, ray: &Ray) -> Option<Interval> {
         entry = later((first - o) / d, entry);
         exit = earlier((last - o) / d, exit);
     }
-    let exit = earlier(widened(exit), ray.max_t);
+    let exit = widened(exit);
     // An entry at infinity is a slab that a ray along it never enters.
-    (entry <= exit && entry < f64::INFINITY).then_some(Interval {
+    let is_inside = entry <= exit && entry <= ray.max_t && entry < f64::INFINITY;
+    is_inside.then_some(Interval {
         min: entry,
-        max: exit,
+        max: earlier(exit, ray.max_t),
     })
 }
 // END SOLUTION(part2.task2)

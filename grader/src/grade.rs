@@ -7,9 +7,10 @@ use crate::diagnosis;
 use crate::error::GraderError;
 use crate::judge;
 use crate::paste;
-use crate::runner::{self, Ending, Worker};
+use crate::runner::Ending;
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::signature::Signature;
+use crate::workers::Workers;
 use crate::workspace::Workspace;
 use std::path::Path;
 use wire::Outcome;
@@ -89,13 +90,12 @@ pub fn at(
                 compiler.push_str(&messages);
                 results.extend(tasks.iter().map(|task| does_not_compile(task)));
             }
-            Built::Worker(program) => results.extend(grade_tasks(
-                course,
-                &tasks,
-                &specs,
-                &program.into(),
-                &mut printed,
-            )?),
+            Built::Worker(program) => {
+                let chosen = chosen(&tasks, &specs)?;
+                let workers = Workers::new(program.into(), site, &chosen)?;
+                let graded = grade_tasks(course, &tasks, &specs, &workers, &mut printed)?;
+                results.extend(graded);
+            }
         }
     }
     results.sort_by(|a, b| a.key.cmp(&b.key));
@@ -111,32 +111,34 @@ pub fn at(
     })
 }
 
-/// Runs the cases of `tasks` in `worker` and scores them.
+/// The cases that `course.toml` lists for `tasks`, in its order.
+fn chosen<'a>(tasks: &[&Task], specs: &'a [Spec]) -> Result<Vec<&'a Spec>, GraderError> {
+    let listed = tasks
+        .iter()
+        .flat_map(|task| task.cases.iter().map(|entry| (&task.key, &entry.name)));
+    listed
+        .map(|(task, name)| {
+            let spec = specs.iter().find(|spec| spec.is(task, name));
+            spec.ok_or_else(|| {
+                GraderError::new(format!(
+                    "course.toml lists the case `{name}` of `{task}`, which the grader does not have"
+                ))
+            })
+        })
+        .collect()
+}
+
+/// Runs the cases of `tasks` in `workers` and scores them.
 pub fn grade_tasks(
     course: &Course,
     tasks: &[&Task],
     specs: &[Spec],
-    worker: &Worker,
+    workers: &Workers,
     printed: &mut String,
 ) -> Result<Vec<TaskResult>, GraderError> {
-    let mut chosen = Vec::new();
-    for task in tasks {
-        for entry in &task.cases {
-            let spec = specs
-                .iter()
-                .find(|spec| spec.task == task.key && spec.name == entry.name);
-            chosen.push(spec.ok_or_else(|| {
-                GraderError::new(format!(
-                    "course.toml lists the case `{}` of `{}`, which the grader does not have",
-                    entry.name, task.key
-                ))
-            })?);
-        }
-    }
-    let cases: Vec<wire::Case> = chosen.iter().map(|spec| spec.case()).collect();
-    let run = runner::run(worker, &cases)?;
-    printed.push_str(&run.printed);
-    let mut endings = chosen.iter().zip(&run.endings);
+    let chosen = chosen(tasks, specs)?;
+    let endings = workers.run(&chosen, printed)?;
+    let mut endings = chosen.iter().zip(&endings);
     let mut results = Vec::new();
     for task in tasks {
         let mut case_results = Vec::new();
@@ -144,9 +146,15 @@ pub fn grade_tasks(
             let (spec, ending) = endings
                 .next()
                 .ok_or_else(|| GraderError::new("the worker lost a case"))?;
-            let (status, findings) = match status_without_answer(&task.key, ending, course)? {
-                Some(status) => (status, Vec::new()),
-                None => (Status::Passed, judged(spec, entry.tier, ending)),
+            let (status, findings) = match ending {
+                Err(broken) => {
+                    let needs = format!("{broken}, which does not compile");
+                    (Status::Needs(needs), Vec::new())
+                }
+                Ok(ending) => match status_without_answer(&task.key, ending, course)? {
+                    Some(status) => (status, Vec::new()),
+                    None => (Status::Passed, judged(spec, entry.tier, ending)),
+                },
             };
             case_results.push(CaseResult::new(entry, spec.about, status, findings));
         }

@@ -2,7 +2,7 @@
 //!
 //! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
 //! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
-//! there is to grade), [`compile`] and [`runner`] (building and running the worker), [`judge`] with [`truth`]
+//! there is to grade), [`compile`], [`runner`] and [`workers`] (building and running the workers), [`judge`] with [`truth`]
 //! (right and wrong), [`score`] (points), [`report`] (showing them). For instructors, [`handout`] carves what a
 //! student is given.
 
@@ -29,4 +29,5 @@ pub mod signature;
 pub mod snapshot;
 pub mod tree;
 pub mod truth;
+pub mod workers;
 pub mod workspace;

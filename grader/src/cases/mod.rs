@@ -11,6 +11,7 @@ mod part1_task3;
 mod part1_task3_hard;
 mod part1_task4;
 mod part1_task4_hard;
+mod part2_meshes;
 mod part2_task1;
 mod part2_task2;
 pub(crate) mod part2_task3;
@@ -65,10 +66,15 @@ impl Spec {
         self.task == task && self.name == name
     }
 
+    /// Whether rays go through all stages that hit something, not only through the task's own.
+    pub fn needs_neighbours(&self) -> bool {
+        matches!(self.work, Work::SceneHits { .. } | Work::Timing(_))
+    }
+
     /// The case as the worker is given it.
     pub fn case(&self) -> wire::Case {
         let limit_ms = match self.work {
-            Work::SceneHits { .. } | Work::Timing(_) => LARGE_LIMIT_MS,
+            Work::Timing(_) => LARGE_LIMIT_MS,
             _ => LIMIT_MS,
         };
         wire::Case {
@@ -90,6 +96,7 @@ pub fn all(seed: u64) -> Vec<Spec> {
         part2_task1::cases(),
         part2_task2::cases(seed),
         part2_task3::cases(),
+        part2_meshes::cases(),
     ]
     .concat()
 }

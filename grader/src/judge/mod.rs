@@ -9,6 +9,7 @@ mod camera;
 pub mod expected;
 mod hits;
 mod pixels;
+mod scene;
 mod shapes;
 pub mod tally;
 mod traverse;
@@ -83,6 +84,15 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
             let recorded = cases::recorded::tree(spec.name);
             tree::build(&mut tally, bounds, *max_leaf_size, answer, recorded);
         }
+        (
+            Work::SceneHits {
+                scene,
+                rays,
+                any_hit,
+                ..
+            },
+            Answer::Hits(answer),
+        ) => scene::hits(&mut tally, tier, scene, rays, *any_hit, answer),
         (Work::Traverse(world), Answer::Traverse(answers)) => {
             let counts_work = cases::part2_task3::counts_work(spec.name);
             traverse::traverse(&mut tally, world, answers, counts_work);

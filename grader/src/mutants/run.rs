@@ -10,6 +10,7 @@ use crate::grade::grade_tasks;
 use crate::runner::Worker;
 use crate::score::TaskResult;
 use crate::signature::Signature;
+use crate::workers::Workers;
 use crate::workspace::Workspace;
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -69,7 +70,12 @@ pub fn task(
                 environment,
             };
             let specs = cases::all(seed);
-            let mut results = grade_tasks(course, &[task], &specs, &worker, &mut String::new())?;
+            // The host is built with every stage.
+            let workers = Workers {
+                together: Ok(worker.clone()),
+                own: worker,
+            };
+            let mut results = grade_tasks(course, &[task], &specs, &workers, &mut String::new())?;
             let result = results
                 .pop()
                 .ok_or_else(|| GraderError::new("the grader lost a task"))?;

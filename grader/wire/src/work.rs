@@ -216,8 +216,8 @@ pub enum NodeKind {
 /// Where the primitives of a scene come from.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum SceneSource {
-    /// A file below `scenes/dae/` of the workspace.
-    File(String),
+    /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`.
+    Triangles(Vec<[Xyz; 6]>),
     /// A generated mesh: the generator's name and the number of triangles asked for.
     Generated(String, u32),
     /// The same in a Cornell box.

@@ -1,17 +1,198 @@
 //! Rays through whole scenes: all of the student's stages together.
 
+use crate::{convert, isolate};
+use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World};
+use scenes::generate::{MeshKind, cornell_with, generate};
+use std::time::{Duration, Instant};
 use wire::answer::{HitsAnswer, TimingAnswer};
-use wire::work::{Ray, SceneSource, TimingWork};
+use wire::work::{self, SceneSource, TimingWork};
 
+/// Builds a tree over the scene and traces `rays` through it.
 pub(crate) fn scene_hits(
-    _: &SceneSource,
-    _: u32,
-    _: &[Ray],
-    _: bool,
+    source: &SceneSource,
+    max_leaf_size: u32,
+    rays: &[work::Ray],
+    any_hit: bool,
 ) -> Result<HitsAnswer, String> {
-    Err("not yet".into())
+    let scene = load(source)?;
+    let tree = bvh::construct_bvh(&scene.primitive_bounds(), max_leaf_size as usize);
+    let mut world = SceneWorld::new(&scene);
+    let mut answer = HitsAnswer {
+        hits: Vec::new(),
+        max_t: Vec::new(),
+        box_tests: 0,
+        prim_tests: 0,
+    };
+    for (i, ray) in rays.iter().enumerate() {
+        isolate::call(i);
+        let mut ray = convert::ray(ray);
+        let hit = if any_hit {
+            bvh::occludes_bvh(&tree, &ray, &mut world).then_some(SOMETHING)
+        } else {
+            bvh::intersect_bvh(&tree, &mut ray, &mut world)
+        };
+        answer.hits.push(hit.as_ref().map(convert::wire_hit));
+        answer.max_t.push(ray.max_t);
+    }
+    answer.box_tests = world.box_tests;
+    answer.prim_tests = world.prim_tests;
+    Ok(answer)
 }
 
-pub(crate) fn time(_: &TimingWork) -> Result<TimingAnswer, String> {
-    Err("not yet".into())
+/// What stands for a hit where only whether there is one was asked.
+const SOMETHING: Hit = Hit {
+    t: 0.0,
+    p: Vec3::ZERO,
+    n: Vec3::Z,
+    ng: Vec3::Z,
+    uv: Vec2::ZERO,
+    prim: PrimId(0),
+};
+
+fn load(source: &SceneSource) -> Result<Scene, String> {
+    match source {
+        SceneSource::Triangles(triangles) => Ok(Scene {
+            triangles: triangles.iter().map(convert::triangle).collect(),
+            ..Scene::default()
+        }),
+        SceneSource::Generated(name, triangles) => {
+            let kind: MeshKind = name.parse()?;
+            Ok(Scene {
+                triangles: generate(kind, *triangles as usize),
+                ..Scene::default()
+            })
+        }
+        SceneSource::InCornellBox(name, triangles) => {
+            let kind: MeshKind = name.parse()?;
+            Ok(cornell_with(generate(kind, *triangles as usize)))
+        }
+    }
+}
+
+/// A scene, asked through the stages `bbox` and `intersect`; every test is counted.
+struct SceneWorld<'a> {
+    scene: &'a Scene,
+    box_tests: u64,
+    prim_tests: u64,
+}
+
+impl SceneWorld<'_> {
+    fn new(scene: &Scene) -> SceneWorld<'_> {
+        SceneWorld {
+            scene,
+            box_tests: 0,
+            prim_tests: 0,
+        }
+    }
+}
+
+impl World for SceneWorld<'_> {
+    #[inline]
+    fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        self.box_tests += 1;
+        bbox::intersect_bbox(b, ray)
+    }
+
+    #[inline]
+    fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+        self.prim_tests += 1;
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
+            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
+        }
+    }
+
+    #[inline]
+    fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
+        self.prim_tests += 1;
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray).is_some(),
+            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).is_some(),
+        }
+    }
+}
+
+/// How long the rays of one round may take through a tree; if they take longer, only the first ones are traced.
+const TREE_TIME: Duration = Duration::from_millis(700);
+
+/// How many rays are traced between two looks at the clock.
+const BATCH: usize = 64;
+
+/// Times the tree against brute force, in turns, so that a change of the machine's speed meets both.
+pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
+    let scene = load(&timing.scene)?;
+    let bounds = scene.primitive_bounds();
+    let mut rays: Vec<Ray> = timing.rays.iter().map(convert::ray).collect();
+    let mut answer = TimingAnswer {
+        primitives: scene.len() as u64,
+        build_s: Vec::new(),
+        tree_s: Vec::new(),
+        tree_rays: 0,
+        brute_s: Vec::new(),
+        brute_rays: 0,
+        box_tests: 0,
+        prim_tests: 0,
+        differing_hits: 0,
+        tree_hits: 0,
+    };
+    let sample = evenly(&rays, timing.brute_force_rays as usize);
+    answer.brute_rays = sample.len() as u64;
+    for round in 0..timing.rounds {
+        let started = Instant::now();
+        let tree = bvh::construct_bvh(&bounds, timing.max_leaf_size as usize);
+        answer.build_s.push(started.elapsed().as_secs_f64());
+
+        let mut world = SceneWorld::new(&scene);
+        let started = Instant::now();
+        let mut done = 0;
+        for batch in rays.chunks(BATCH) {
+            for ray in batch {
+                isolate::call(done);
+                done += 1;
+                let hit = bvh::intersect_bvh(&tree, &mut { *ray }, &mut world);
+                answer.tree_hits += u64::from(round == 0 && hit.is_some());
+            }
+            if round == 0 && started.elapsed() > TREE_TIME {
+                break;
+            }
+        }
+        answer.tree_s.push(started.elapsed().as_secs_f64());
+        if round == 0 {
+            // Every round traces the rays that the first one had time for.
+            rays.truncate(done);
+            answer.tree_rays = done as u64;
+            answer.box_tests = world.box_tests;
+            answer.prim_tests = world.prim_tests;
+            let through_tree = sample
+                .iter()
+                .map(|ray| bvh::intersect_bvh(&tree, &mut { *ray }, &mut world));
+            let differs = through_tree.zip(&sample).filter(|(hit, ray)| {
+                hit.as_ref().map(|hit| hit.t) != brute_force(&scene, ray).map(|hit| hit.t)
+            });
+            answer.differing_hits = differs.count() as u64;
+        }
+
+        let started = Instant::now();
+        for ray in &sample {
+            std::hint::black_box(brute_force(&scene, ray));
+        }
+        answer.brute_s.push(started.elapsed().as_secs_f64());
+    }
+    Ok(answer)
+}
+
+/// `count` of the rays, evenly spread.
+fn evenly(rays: &[Ray], count: usize) -> Vec<Ray> {
+    let count = count.min(rays.len());
+    (0..count).map(|i| rays[i * rays.len() / count]).collect()
+}
+
+/// The closest hit by asking every primitive in order.
+fn brute_force(scene: &Scene, ray: &Ray) -> Option<Hit> {
+    let mut ray = *ray;
+    let mut closest = None;
+    for (triangle, id) in scene.triangles.iter().zip((0..).map(PrimId)) {
+        closest = intersect::intersect_triangle(triangle, id, &mut ray).or(closest);
+    }
+    closest
 }

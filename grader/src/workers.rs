@@ -1,0 +1,89 @@
+//! The workers that a stage's cases run in: most in one with the stage alone, so that no neighbour stops them; rays
+//! through whole scenes in one with every stage that hits something.
+
+use crate::cases::Spec;
+use crate::compile::{Build, Built};
+use crate::error::GraderError;
+use crate::grade::Site;
+use crate::runner::{self, Ending, Worker};
+
+/// The workers of a stage.
+#[derive(Clone, Debug)]
+pub struct Workers {
+    /// Has the stage.
+    pub own: Worker,
+    /// Has every stage that hits something; or the stages that keep it from being built.
+    pub together: Result<Worker, String>,
+}
+
+/// The cargo feature of the worker that rays go through whole scenes in.
+const TOGETHER: &str = "meshes";
+
+/// The stages that it has.
+const HITTING_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
+
+impl Workers {
+    /// The stage's own worker, and the one for all stages if one of `specs` needs it.
+    pub fn new(own: Worker, site: &Site, specs: &[&Spec]) -> Result<Workers, GraderError> {
+        let together = if specs.iter().any(|spec| spec.needs_neighbours()) {
+            all_stages(site)?
+        } else {
+            Ok(own.clone())
+        };
+        Ok(Workers { own, together })
+    }
+
+    /// Runs each case in its worker: its ending, or the stages for want of which it could not run. Adds what the
+    /// code printed to `printed`.
+    pub fn run(
+        &self,
+        specs: &[&Spec],
+        printed: &mut String,
+    ) -> Result<Vec<Result<Ending, String>>, GraderError> {
+        let mut run = |worker: &Worker, with_neighbours: bool| -> Result<_, GraderError> {
+            let chosen = specs
+                .iter()
+                .filter(|spec| spec.needs_neighbours() == with_neighbours);
+            let cases: Vec<wire::Case> = chosen.map(|spec| spec.case()).collect();
+            let run = runner::run(worker, &cases)?;
+            printed.push_str(&run.printed);
+            Ok(run.endings.into_iter())
+        };
+        let mut alone = run(&self.own, false)?;
+        let mut together = match &self.together {
+            Ok(worker) => Ok(run(worker, true)?),
+            Err(broken) => Err(broken),
+        };
+        let lost = || GraderError::new("the worker lost a case");
+        let each = specs.iter();
+        each.map(|spec| match (spec.needs_neighbours(), &mut together) {
+            (false, _) => alone.next().map(Ok).ok_or_else(lost),
+            (true, Ok(together)) => together.next().map(Ok).ok_or_else(lost),
+            (true, Err(broken)) => Ok(Err((*broken).clone())),
+        })
+        .collect()
+    }
+}
+
+/// The worker with every stage that hits something; or the names of those that do not compile.
+pub(crate) fn all_stages(site: &Site) -> Result<Result<Worker, String>, GraderError> {
+    let build = |feature: &str| {
+        Build {
+            root: site.root,
+            features: &[feature],
+            target: site.target,
+            sealed: site.sealed,
+        }
+        .run()
+    };
+    if let Built::Worker(program) = build(TOGETHER)? {
+        return Ok(Ok(program.into()));
+    }
+    let mut broken = Vec::new();
+    for stage in HITTING_STAGES {
+        if let Built::DoesNotCompile(_) = build(stage)? {
+            broken.push(format!("`{stage}`"));
+        }
+    }
+    Ok(Err(broken.join(" and ")))
+}

@@ -126,3 +126,105 @@ fn target_of(camera: &Camera, scene: &Scene) -> Vec3 {
     };
     camera.pos + distance * forward
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::{Sphere, Triangle};
+
+    const FILM: FilmSize = FilmSize { w: 400, h: 300 };
+
+    fn scene(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Scene {
+        Scene {
+            triangles,
+            spheres,
+            ..Scene::default()
+        }
+    }
+
+    fn ball(center: Vec3, radius: f64) -> Scene {
+        scene(Vec::new(), vec![Sphere { center, radius }])
+    }
+
+    fn aspect(camera: &Camera) -> f64 {
+        half_tan(camera.h_fov) / half_tan(camera.v_fov)
+    }
+
+    #[test]
+    fn a_scene_without_camera_is_framed_from_plus_z() {
+        let center = Vec3::new(1.0, 2.0, 3.0);
+        let view = place(&ball(center, 1.0), FILM);
+        assert_eq!(view.target, center);
+        let distance = 1.5 * 12.0_f64.sqrt();
+        assert!((view.camera.pos - center).distance(Vec3::new(0.0, 0.0, distance)) < 1e-12);
+        assert!((aspect(&view.camera) - 4.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn framing_a_point_or_nothing_stands_a_unit_away() {
+        let point = place(&ball(Vec3::ONE, 0.0), FILM);
+        assert_eq!(
+            (point.target, point.camera.pos),
+            (Vec3::ONE, Vec3::ONE + Vec3::Z)
+        );
+        let nothing = place(&Scene::default(), FILM);
+        assert_eq!((nothing.target, nothing.camera.pos), (Vec3::ZERO, Vec3::Z));
+    }
+
+    #[test]
+    fn framing_from_straight_above_has_a_finite_up() {
+        for direction in [Vec3::Y, Vec3::NEG_Y] {
+            let camera = frame(&ball(Vec3::ZERO, 1.0), direction, FILM).camera;
+            assert!(camera.c2w.is_finite());
+            assert_eq!(camera.c2w.z_axis, direction);
+        }
+    }
+
+    /// A camera that sees 60 by 40 degrees.
+    fn camera() -> Camera {
+        Camera {
+            pos: Vec3::new(0.0, 0.0, 9.0),
+            c2w: Mat3::IDENTITY,
+            h_fov: 60.0,
+            v_fov: 40.0,
+            n_clip: 0.1,
+            f_clip: 100.0,
+        }
+    }
+
+    #[test]
+    fn a_film_of_another_shape_sees_all_of_the_frame() {
+        let wide = for_film(&camera(), FilmSize { w: 800, h: 200 });
+        assert_eq!(wide.v_fov, 40.0);
+        assert!(wide.h_fov > 60.0 && (aspect(&wide) - 4.0).abs() < 1e-12);
+        let high = for_film(&camera(), FilmSize { w: 200, h: 800 });
+        assert_eq!(high.h_fov, 60.0);
+        assert!(high.v_fov > 40.0 && (aspect(&high) - 0.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_film_of_the_same_shape_changes_no_bit() {
+        let fitted = for_film(&camera(), FILM);
+        assert_eq!(for_film(&fitted, FilmSize { w: 1600, h: 1200 }), fitted);
+    }
+
+    #[test]
+    fn the_target_lies_on_the_axis_beside_the_middle_of_the_scene() {
+        let looking = |center: Vec3| {
+            let scene = Scene {
+                camera: Some(camera()),
+                ..ball(center, 0.5)
+            };
+            place(&scene, FILM).target
+        };
+        assert_eq!(
+            looking(Vec3::new(3.0, 1.0, -2.0)),
+            Vec3::new(0.0, 0.0, -2.0)
+        );
+        // Behind the camera: a diagonal of the box ahead.
+        assert!(
+            looking(Vec3::new(0.0, 0.0, 20.0)).distance(Vec3::new(0.0, 0.0, 9.0 - 3.0_f64.sqrt()))
+                < 1e-12
+        );
+    }
+}

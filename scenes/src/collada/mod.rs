@@ -1,12 +1,53 @@
 //! The COLLADA 1.4.1 reader.
 //!
+//! # What is read
+//!
+//! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are cut into triangles, concave
+//!   ones too. `NORMAL`s of the file, else the mean of the faces around a vertex, weighted by their areas. Texture
+//!   coordinates are passed over.
+//! - The course's own shapes, materials and lights in `<extra><technique profile="CGL">`, or `CMU462`, which
+//!   means the same: `sphere{radius}`, `area{color}`, `emission{radiance}`, `mirror{reflectance}`,
+//!   `glossy{reflectance, shininess}`, `glass{reflectance, transmittance, roughness, ior}`,
+//!   `refraction{transmittance, roughness, ior}`. Without one of them, the diffuse colour of `phong`, `lambert` or
+//!   `blinn`.
+//! - Lights: `area` (the unit square in x and y, shining to -z), `point`, `spot`, `directional`, and `ambient` as
+//!   an even sky. Attenuations are passed over: light falls off with the square of the distance by itself.
+//! - Perspective cameras: `xfov`, `yfov`, `aspect_ratio`, `znear`, `zfar`.
+//! - Nodes in nodes and instances of nodes, under `matrix`, `translate`, `rotate`, `scale` and `lookat`. Everything
+//!   is placed in world space: y is up, whatever `up_axis` says. `unit` is passed over, as by the original course
+//!   program: lengths are those of the file.
+//!
+//! # What is mended, with a warning
+//!
+//! | in the file | taken as |
+//! |---|---|
+//! | a `matrix` with 12 to 15 numbers | the rest of its last row is 0 0 0 1 |
+//! | no `count` at an array or a primitive | what is there |
+//! | a missing or unbound material, no diffuse colour, a texture | grey, 0.5 |
+//! | a symbol that is not bound, beside one that is | the one that is bound |
+//! | a reflectance or transmittance above 1; none at all | 1 |
+//! | `emission` in the common profile | no light: the course's `emission` is meant for that |
+//! | polygons of fewer than 3 corners, with holes, without area | left out |
+//! | a polygon that crosses itself | triangles that may overlap |
+//! | lines, splines, controllers, unknown lights and shapes | left out |
+//! | a light or a camera that its transform flattens | left out |
+//! | a second camera; a camera that is not perspective | left out; without any camera the scene is framed |
+//! | no `<scene>` | the only visual scene |
+//!
+//! # What is an error
+//!
+//! Everything else: malformed XML, missing elements and references, counts that do not agree, indices out of range,
+//! numbers that are none, NaN or infinite, negative radii and colours, uneven scale on a sphere, `skew`, nodes that
+//! contain themselves or nest too deep, instances that multiply beyond measure, empty scenes. No file makes the
+//! reader panic, hang or take memory without end: `limits` has the bounds.
+//!
+//! # How it is built
+//!
 //! Read in this order: `screen` and `document` (ids, references, errors with their place), `numbers`,
 //! `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`, `normals` and `mesh`
 //! (index lists become triangles), `geometry`, `material`, `light` and `optics` (what nodes place),
 //! `transform`, `binding` and `library` (what a node holds), `bake` and `nodes` (the tree, placed in the
 //! world).
-//!
-//! `<unit meter="...">` is passed over, as by the original course program: lengths are those of the file.
 
 mod bake;
 mod binding;

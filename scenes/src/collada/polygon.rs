@@ -22,7 +22,8 @@ pub(super) struct TooComplex;
 pub(super) struct Cut {
     /// Three corners each, by their number in the polygon, in the polygon's own winding.
     pub(super) triangles: Vec<[usize; 3]>,
-    /// False if the polygon crosses itself or has no area, so that the triangles may overlap.
+    /// False if the polygon has no area or was seen to cross itself, so that triangles may overlap. Not every
+    /// crossing is seen.
     pub(super) simple: bool,
 }
 
@@ -112,7 +113,10 @@ fn clip_ears(flat: &[Vec2], effort: &mut Effort) -> Result<Cut, TooComplex> {
             failures += 1;
         }
     }
-    triangles.push([left[0], left[1], left[2]]);
+    // What is left of a polygon that crosses itself may wind backwards.
+    let last = [left[0], left[1], left[2]];
+    simple &= turn(flat[last[0]], flat[last[1]], flat[last[2]]) >= 0.0;
+    triangles.push(last);
     Ok(Cut { triangles, simple })
 }
 
@@ -137,4 +141,117 @@ fn is_ear(
     Ok(!left
         .iter()
         .any(|i| inside(flat[*i]) && !is_corner(flat[*i])))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::math;
+    use proptest::prelude::*;
+
+    fn cut(corners: &[Vec3]) -> Cut {
+        triangulate(corners, &mut Effort::default()).expect("a small polygon")
+    }
+
+    /// Twice the vector area of triangles.
+    fn doubled_areas(corners: &[Vec3], cut: &Cut) -> Vec<Vec3> {
+        let area =
+            |[a, b, c]: &[usize; 3]| (corners[*b] - corners[*a]).cross(corners[*c] - corners[*a]);
+        cut.triangles.iter().map(area).collect()
+    }
+
+    fn flat(points: &[(f64, f64)]) -> Vec<Vec3> {
+        points.iter().map(|(x, y)| Vec3::new(*x, *y, 0.0)).collect()
+    }
+
+    #[test]
+    fn convex_polygons_become_fans() {
+        let square = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+        assert_eq!(
+            cut(&square),
+            Cut {
+                triangles: vec![[0, 1, 2], [0, 2, 3]],
+                simple: true
+            }
+        );
+    }
+
+    #[test]
+    fn a_corner_on_an_edge_leaves_no_flat_triangle() {
+        // A fan from the first corner would have one without area: 0, 1, 2 lie on a line.
+        let square = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
+        let cut = cut(&square);
+        assert!(cut.simple);
+        assert!(doubled_areas(&square, &cut).iter().all(|area| area.z > 0.0));
+    }
+
+    #[test]
+    fn polygons_that_cross_themselves_still_give_all_triangles() {
+        let star = (0..5).map(|i| f64::from(i) * 2.0 * std::f64::consts::TAU / 5.0);
+        let star: Vec<_> = star
+            .map(|angle| (math::cos(angle), math::sin(angle)))
+            .collect();
+        assert_eq!(cut(&flat(&star)).triangles.len(), 3);
+        let bow = cut(&flat(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)]));
+        assert_eq!((bow.triangles.len(), bow.simple), (2, false));
+    }
+
+    #[test]
+    fn polygons_without_area_are_not_simple() {
+        assert!(!cut(&flat(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)])).simple);
+        assert!(!cut(&[Vec3::ONE; 6]).simple);
+    }
+
+    #[test]
+    fn a_spiral_is_cut_without_overlap() {
+        let arm = |radius: f64, i: i32| {
+            let angle = 0.3 * f64::from(i);
+            let r = radius + 0.1 * f64::from(i);
+            (r * math::cos(angle), r * math::sin(angle))
+        };
+        let outer = (0..60).map(|i| arm(1.0, i));
+        let inner = (0..60).rev().map(|i| arm(0.5, i));
+        let spiral = flat(&outer.chain(inner).collect::<Vec<_>>());
+        let cut = cut(&spiral);
+        assert!(cut.simple);
+        let areas = doubled_areas(&spiral, &cut);
+        let sign = areas[0].z.signum();
+        assert!(areas.iter().all(|area| area.z * sign > 0.0));
+    }
+
+    proptest! {
+        /// Star-shaped polygons, concave as a rule, turned any way in space.
+        #[test]
+        fn triangles_cover_the_polygon_once(
+            radii in prop::collection::vec(0.2..1.0_f64, 4..40),
+            turn in prop::array::uniform3(-1.0..1.0_f64),
+            scale in 1e-6..1e6_f64,
+            backwards: bool,
+        ) {
+            let n = radii.len();
+            let up = (Vec3::from(turn) + Vec3::new(0.0, 0.0, 2.0)).normalize();
+            let right = up.any_orthonormal_vector();
+            let ahead = up.cross(right);
+            let mut corners: Vec<Vec3> = radii
+                .iter()
+                .enumerate()
+                .map(|(i, r)| (i as f64 / n as f64 * std::f64::consts::TAU, scale * r))
+                .map(|(angle, r)| r * math::cos(angle) * right + r * math::sin(angle) * ahead)
+                .collect();
+            if backwards {
+                corners.reverse();
+            }
+            let cut = cut(&corners);
+            prop_assert!(cut.simple);
+            prop_assert_eq!(cut.triangles.len(), n - 2);
+            // Every triangle winds as the polygon does, and their areas add up to the polygon's.
+            let whole: Vec3 = (0..n).map(|i| corners[i].cross(corners[(i + 1) % n])).sum();
+            let areas = doubled_areas(&corners, &cut);
+            for area in &areas {
+                prop_assert!(area.dot(whole) > 0.0);
+            }
+            let sum: Vec3 = areas.iter().sum();
+            prop_assert!(sum.distance(whole) <= 1e-12 * whole.length());
+        }
+    }
 }

@@ -3,7 +3,8 @@
 //! Read in this order: [`world`] (a scene as the tree sees it, and what is counted), [`accel`] (brute force or
 //! the tree), [`normals`] and [`lit`] (from pixel to colour), [`materials`] (how surfaces scatter), [`lens`] and
 //! [`environment_file`] (what the flags add to a scene), [`rendered`] (a picture and its noise), [`layers`]
-//! (what else is known of it), [`tone`] and [`output`] (from colour to file). The program
+//! (what else is known of it), [`tone`] and [`output`] (from colour to file), [`mitsuba`] (the scene for another
+//! renderer). The program
 //! around it is in `src/bin/pathtracer`.
 
 pub mod accel;
@@ -12,6 +13,7 @@ pub mod layers;
 pub mod lens;
 pub mod lit;
 pub mod materials;
+pub mod mitsuba;
 pub mod normals;
 pub mod output;
 pub mod rendered;
@@ -22,6 +24,7 @@ pub use accel::{Accel, AccelKind};
 pub use environment_file::{EnvironmentFileError, load_environment};
 pub use lens::Lens;
 pub use lit::{LightSettings, Looking, render_lit};
+pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};
 pub use rendered::{Job, Rendered};

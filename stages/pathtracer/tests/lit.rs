@@ -9,7 +9,7 @@ use kit::{
     Camera, Environment, FilmSize, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally,
     Triangle, Vec3,
 };
-use pathtracer::{Accel, AccelKind, Job, LightSettings, Looking, Rendered, render_lit};
+use pathtracer::{Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, render_lit};
 use std::sync::atomic::AtomicBool;
 
 const GREY: Material = Material::Diffuse {
@@ -247,6 +247,60 @@ fn only_what_a_scene_calls_for_is_simulated() {
             assert!(forced.film == plain.film, "{name} at depth {depth}");
         }
     }
+}
+
+/// Each scene needs what it calls for: without one of its effects it is another picture.
+#[test]
+fn removing_an_effect_changes_the_picture() {
+    let job = job(24, 18, 8);
+    let picture = |scene: Scene, settings: &LightSettings| {
+        render(&LitScene::new(scene, None), &job, settings).film
+    };
+    let lamp_on = |material| picture(ball(material, Some(lamp())), &settings(5));
+    let sky_on = |light| picture(ball(GREY, light), &settings(5));
+    // Direct light and background: the light is put out. Bounces: one ray only.
+    assert_ne!(lamp_on(GREY), picture(ball(GREY, None), &settings(5)));
+    assert_ne!(sky_on(Some(sky())), sky_on(None));
+    assert_ne!(
+        lamp_on(GREY),
+        picture(ball(GREY, Some(lamp())), &settings(1))
+    );
+    // Materials: the ball lets no light leave.
+    let absorbing = Material::Emission {
+        radiance: Spectrum::BLACK,
+    };
+    for material in [MIRROR, REFRACTION, GLASS, GLOSSY] {
+        assert_ne!(lamp_on(material), lamp_on(absorbing), "{material:?}");
+    }
+    // Fresnel's equations: glass that reflects nothing. Roughness: a mirror.
+    let without_fresnel = Material::Refraction {
+        transmittance: Spectrum::WHITE,
+        roughness: 0.0,
+        ior: 1.5,
+    };
+    assert_ne!(lamp_on(GLASS), lamp_on(without_fresnel));
+    let smooth = Material::Mirror {
+        reflectance: Spectrum::grey(0.8),
+    };
+    assert_ne!(lamp_on(GLOSSY), lamp_on(smooth));
+    // The lens: a pinhole.
+    let blurred = LightSettings {
+        lens: Lens {
+            radius: 0.2,
+            focus: 2.0,
+        },
+        ..settings(1)
+    };
+    let scene = || ball(GREY, Some(lamp()));
+    assert_ne!(picture(scene(), &blurred), picture(scene(), &settings(1)));
+    let lit = LitScene::new(scene(), None);
+    let counted = render(&lit, &job, &blurred).effects.of(Effect::Lens);
+    assert_eq!(counted, 24 * 18 * 8);
+    let forced = LightSettings {
+        force_effects: true,
+        ..blurred
+    };
+    assert!(render(&lit, &job, &forced).film == render(&lit, &job, &blurred).film);
 }
 
 /// Means over the picture, one a pixel block, compared by z-tests: 1e-6 that any of them accuses a right estimate.

@@ -161,3 +161,35 @@ fn layers_hold_what_the_camera_sees() {
     assert!(value("depth.Z") > 1.0 && value("variance.Y") > 0.0 && value("R") > 0.01);
     assert!(value("primitive.id") < 2.0);
 }
+
+#[test]
+fn a_scene_is_exported_for_mitsuba() {
+    let folder = folder();
+    let (told, _) = pathtracer(
+        folder.path(),
+        "--export mitsuba out.xml -r 40 30 -m 3 lit.dae",
+    );
+    assert!(
+        told.contains("out.xml") && told.contains("out.0.ply"),
+        "{told}"
+    );
+    let xml = fs::read_to_string(folder.path().join("out.xml")).expect("the scene");
+    let file = roxmltree::Document::parse(&xml).expect("well-formed");
+    let count = |kind: &str| {
+        let of_kind = |n: &roxmltree::Node| n.attribute("type") == Some(kind);
+        file.descendants().filter(of_kind).count()
+    };
+    assert_eq!(
+        (count("ply"), count("area"), count("perspective")),
+        (2, 1, 1)
+    );
+    assert!(xml.contains("name=\"max_depth\" value=\"4\""));
+    let mesh = fs::read_to_string(folder.path().join("out.0.ply")).expect("a mesh");
+    assert!(mesh.contains("element vertex 6") && mesh.ends_with("3 3 4 5\n"));
+    refused("--export blender a.xml lit.dae", "say --export mitsuba");
+    refused("--export mitsuba a.txt lit.dae", "ends in .xml");
+    refused(
+        "--export mitsuba a.xml -r 40 30 --lens-radius 1 --focus 2 lit.dae",
+        "leave out --lens-radius",
+    );
+}

@@ -104,6 +104,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILENAME")]
     pub(crate) layers: Option<PathBuf>,
 
+    /// Write the scene for another renderer instead of a picture; the only one is mitsuba
+    #[arg(long, num_args = 2, value_names = ["mitsuba", "OUT.xml"])]
+    pub(crate) export: Option<Vec<String>>,
+
     /// Tell where the time went
     #[arg(long)]
     pub(crate) stats: bool,

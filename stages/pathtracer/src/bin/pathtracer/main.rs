@@ -2,6 +2,7 @@
 
 mod args;
 mod budget;
+mod export;
 mod failure;
 mod progress;
 mod run;

@@ -2,6 +2,7 @@
 
 use crate::args::{Args, Shade};
 use crate::budget::{Budget, SAMPLES_OF_A_ROUND};
+use crate::export;
 use crate::failure::Failure;
 use crate::{progress, summary, view};
 use kit::film::Cell;
@@ -23,6 +24,9 @@ const INTERRUPTED: u8 = 130;
 /// Renders what `args` ask for. What cannot work is found out before the rendering.
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
+    if let Some([renderer, path]) = args.export.as_deref() {
+        return export::run(args, &light, renderer, Path::new(path));
+    }
     let Some(path) = &args.file else {
         let scene = args.scene.display();
         return Err(Failure::Input(format!(

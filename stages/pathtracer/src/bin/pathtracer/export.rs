@@ -1,0 +1,49 @@
+//! Scenes for another renderer.
+
+use crate::args::Args;
+use crate::failure::Failure;
+use crate::view;
+use kit::LitScene;
+use pathtracer::{Job, LightSettings, to_mitsuba};
+use std::fs;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Writes the scene of `args` for `renderer` to `path`, and its meshes beside it.
+pub(crate) fn run(
+    args: &Args,
+    light: &LightSettings,
+    renderer: &str,
+    path: &Path,
+) -> Result<ExitCode, Failure> {
+    if renderer != "mitsuba" || path.extension().is_none_or(|e| e != "xml") {
+        return Err(Failure::Input(format!(
+            "--export {renderer} {}: say --export mitsuba and a name that ends in .xml",
+            path.display()
+        )));
+    }
+    let scene = view::load_scene(&args.scene)?;
+    let (camera, film) = view::camera_and_film(args, &scene)?;
+    let job = Job {
+        camera,
+        film,
+        cell: film.whole(),
+        samples: args.samples,
+        sampling: args.sampling(),
+    };
+    let lit = LitScene::new(scene, None);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let files = to_mitsuba(&lit, &job, light, &stem).map_err(|problems| {
+        Failure::Input(format!(
+            "Mitsuba cannot show the same:\n  {}",
+            problems.join("\n  ")
+        ))
+    })?;
+    for file in files {
+        let path = path.with_file_name(format!("{stem}{}", file.ending));
+        fs::write(&path, file.text)
+            .map_err(|why| Failure::Input(format!("cannot write {}: {why}", path.display())))?;
+        println!("Wrote       {}", path.display());
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -10,6 +10,7 @@ use crate::paste;
 use crate::runner::Ending;
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::signature::Signature;
+use crate::speedup::{self, Speedups};
 use crate::workers::Workers;
 use crate::workspace::Workspace;
 use std::path::Path;
@@ -46,16 +47,31 @@ pub struct Site<'a> {
     pub sealed: bool,
 }
 
+impl Site<'_> {
+    /// The workspace itself.
+    fn of(workspace: &Workspace) -> Site<'_> {
+        Site {
+            root: workspace.root(),
+            target: None,
+            sealed: false,
+        }
+    }
+}
+
 /// Grades the code in `workspace` in place.
 pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&order.what)?;
-    let site = Site {
-        root: workspace.root(),
-        target: None,
-        sealed: false,
-    };
-    at(workspace, &course, &tasks, order.seed, &site)
+    at(workspace, &course, &tasks, order.seed, &Site::of(workspace))
+}
+
+/// Times the code in `workspace` in place; `None` if `what` is not about trees.
+pub fn times(workspace: &Workspace, what: &str) -> Result<Option<Speedups>, GraderError> {
+    let course = Course::read(workspace)?;
+    if !speedup::belongs_to(&course.select(what)?) {
+        return Ok(None);
+    }
+    speedup::measure(&course, &Site::of(workspace)).map(Some)
 }
 
 /// Grades `tasks` with the code that stands at `site`.

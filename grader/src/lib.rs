@@ -3,7 +3,7 @@
 //! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
 //! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
 //! there is to grade), [`compile`], [`runner`] and [`workers`] (building and running the workers), [`judge`] with [`truth`]
-//! (right and wrong), [`score`] (points), [`report`] (showing them). For instructors, [`handout`] carves what a
+//! (right and wrong), [`score`] (points), [`speedup`] (times, which earn none), [`report`] (showing them). For instructors, [`handout`] carves what a
 //! student is given.
 
 pub mod bless;
@@ -27,6 +27,7 @@ pub mod runner;
 pub mod score;
 pub mod signature;
 pub mod snapshot;
+pub mod speedup;
 pub mod tree;
 pub mod truth;
 pub mod workers;

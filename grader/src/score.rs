@@ -5,6 +5,7 @@ use crate::diagnosis::Diagnosis;
 use crate::error::GraderError;
 use crate::judge::tally::{Aspect, Finding, Worst};
 use crate::runner::Ending;
+use crate::speedup::Speedups;
 use serde::Serialize;
 use wire::Outcome;
 
@@ -89,6 +90,9 @@ pub struct Report {
     pub robust_max_score: f64,
     /// The tasks that were graded.
     pub tasks: Vec<TaskResult>,
+    /// What the tree of Part 2 saves, if it was timed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub speedups: Option<Speedups>,
 }
 
 impl CaseResult {
@@ -200,6 +204,7 @@ impl Report {
             robust_score: sum(|task| task.robust_score),
             robust_max_score: sum(|task| task.robust_max_score),
             tasks,
+            speedups: None,
         }
     }
 

@@ -16,7 +16,7 @@ mod part2_task1;
 mod part2_task2;
 pub(crate) mod part2_task3;
 mod probes;
-pub(crate) mod recorded;
+pub mod recorded;
 
 use wire::Work;
 

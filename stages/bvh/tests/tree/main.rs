@@ -3,3 +3,4 @@
 mod hard_cases;
 mod rectangles;
 mod same_as_brute_force;
+mod triangles;

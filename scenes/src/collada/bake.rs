@@ -37,13 +37,15 @@ impl Placer {
             std::mem::swap(&mut p1, &mut p2);
             std::mem::swap(&mut n1, &mut n2);
         }
-        let flat = Triangle::flat(p0, p1, p2);
-        let turned = |n: Vec3| unit(self.normals * n).unwrap_or(flat.n0);
+        let turned =
+            |n: Vec3| unit(self.normals * n).unwrap_or_else(|| Triangle::flat(p0, p1, p2).n0);
         Some(Triangle {
+            p0,
+            p1,
+            p2,
             n0: turned(n0),
             n1: turned(n1),
             n2: turned(n2),
-            ..flat
         })
     }
 }

@@ -83,6 +83,9 @@ fn transforms_apply_from_the_last_to_the_first() {
 fn matrices_are_written_row_by_row() {
     let ball = ball_under("<matrix>1 0 0 7  0 1 0 8  0 0 1 9  0 0 0 1</matrix>");
     assert_eq!(ball.center, v(7.0, 8.0, 9.0));
+    // A quarter turn about z takes x to y.
+    let turned = square_under("0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1")[0];
+    assert_eq!(turned.p1, Vec3::Y);
 }
 
 #[test]

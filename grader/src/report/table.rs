@@ -31,7 +31,7 @@ const CASES_IN_FULL: usize = 5;
 pub fn show(report: &Report, hint: Hint) -> String {
     let mut table = Table::new();
     table
-        .load_style(presets::UTF8_HORIZONTAL_ONLY)
+        .load_style(presets::UTF8_BORDERS_ONLY)
         .set_header(["task", "", "core", "extra", ""]);
     for task in &report.tasks {
         table.add_row([

@@ -1,5 +1,6 @@
 //! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and compared.
 
+use crate::course::Tier;
 use crate::judge::tally::{Aspect, Class, Finding};
 use crate::score::{CaseResult, Status};
 use serde::{Deserialize, Serialize};
@@ -7,11 +8,16 @@ use std::collections::BTreeMap;
 
 /// For each case the code of each call: 0 where the answer was right, else a digest of the aspects that were
 /// wrong and their classes. The same mistake gives the same codes whatever formula it is made in.
+///
+/// Core and robust cases are apart: in robust ones formulas differ by themselves, so they only speak where all core
+/// cases are right.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(transparent)]
 pub struct Signature {
-    cases: BTreeMap<String, Codes>,
+    core: Cases,
+    robust: Cases,
 }
+
+type Cases = BTreeMap<String, Codes>;
 
 /// The codes of one case. Stored as text: runs of `count*code`, hexadecimal, right answers left out as `count`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -37,22 +43,34 @@ const CRASHED: u16 = u16::MAX;
 impl Signature {
     /// The signature of a task's results.
     pub fn of(cases: &[CaseResult]) -> Signature {
-        let codes = cases
-            .iter()
-            .map(|case| (case.name.clone(), Codes::of(case)));
+        let of_tier = |tier: Tier| {
+            let cases = cases.iter().filter(|case| case.tier == tier);
+            let codes = cases.map(|case| (case.name.clone(), Codes::of(case)));
+            codes.filter(|(_, codes)| codes.wrong() > 0).collect()
+        };
         Signature {
-            cases: codes.filter(|(_, codes)| !codes.0.is_empty()).collect(),
+            core: of_tier(Tier::Core),
+            robust: of_tier(Tier::Robust),
         }
     }
 
     /// Whether nothing was wrong.
     pub fn is_empty(&self) -> bool {
-        self.cases.is_empty()
+        self.core.is_empty() && self.robust.is_empty()
+    }
+
+    /// The cases that speak.
+    fn cases(&self) -> &Cases {
+        if self.core.is_empty() {
+            &self.robust
+        } else {
+            &self.core
+        }
     }
 
     /// On how many calls something was wrong.
     pub fn wrong(&self) -> usize {
-        self.cases.values().map(Codes::wrong).sum()
+        self.cases().values().map(Codes::wrong).sum()
     }
 
     /// On which calls both are wrong, and on which in the same way.
@@ -62,16 +80,12 @@ impl Signature {
             second: other.wrong(),
             ..Agreement::default()
         };
-        for (name, codes) in &self.cases {
-            let Some(others) = other.cases.get(name) else {
+        for (name, codes) in self.cases() {
+            let Some(others) = other.cases().get(name) else {
                 continue;
             };
-            for (a, b) in codes
-                .0
-                .iter()
-                .zip(&others.0)
-                .filter(|(a, b)| **a != 0 && **b != 0)
-            {
+            let pairs = codes.0.iter().zip(&others.0);
+            for (a, b) in pairs.filter(|(a, b)| **a != 0 && **b != 0) {
                 agreement.both += 1;
                 agreement.equal += usize::from(a == b);
             }
@@ -81,22 +95,21 @@ impl Signature {
 
     /// What is left of this signature on the calls where `other` is right.
     pub fn without(&self, other: &Signature) -> Signature {
-        let mut rest = self.clone();
-        for (name, codes) in &mut rest.cases {
-            let Some(others) = other.cases.get(name) else {
+        let mut rest = self.cases().clone();
+        for (name, codes) in &mut rest {
+            let Some(others) = other.cases().get(name) else {
                 continue;
             };
-            for (mine, _) in codes
-                .0
-                .iter_mut()
-                .zip(&others.0)
-                .filter(|(_, theirs)| **theirs != 0)
-            {
+            let pairs = codes.0.iter_mut().zip(&others.0);
+            for (mine, _) in pairs.filter(|(_, theirs)| **theirs != 0) {
                 *mine = 0;
             }
         }
-        rest.cases.retain(|_, codes| codes.wrong() > 0);
-        rest
+        rest.retain(|_, codes| codes.wrong() > 0);
+        Signature {
+            core: rest,
+            robust: Cases::new(),
+        }
     }
 }
 
@@ -203,12 +216,10 @@ mod tests {
     use super::*;
 
     fn signature(codes: &str) -> Signature {
+        let codes = Codes::try_from(codes.to_string()).unwrap();
         Signature {
-            cases: [(
-                "case".to_string(),
-                Codes::try_from(codes.to_string()).unwrap(),
-            )]
-            .into(),
+            core: [("case".to_string(), codes)].into(),
+            robust: Cases::new(),
         }
     }
 

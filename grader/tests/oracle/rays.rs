@@ -81,10 +81,10 @@ pub(crate) enum Family {
     FarOffset,
 }
 
-/// The family of the `i`th trial. The ones with long exponents come rarely: their rationals have
-/// thousands of bits, and take as long as all the others.
-pub(crate) fn family(i: u64) -> Family {
-    match i % 64 {
+/// The family of the `i`th trial. The ones with long exponents come twice in `cycle`: their rationals
+/// have thousands of bits, and take as long as hundreds of others.
+pub(crate) fn family(i: u64, cycle: u64) -> Family {
+    match i % cycle {
         0 => Family::Extreme,
         1 => Family::Denormal,
         k => [

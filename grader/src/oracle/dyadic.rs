@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::ops::BitTest;
-use dashu_int::{IBig, Sign, UBig};
+use dashu_int::{IBig, Sign, UBig, Word};
 use kit::Vec3;
 
 use super::real::scale;
@@ -42,13 +42,21 @@ impl Dyadic {
 
     /// The value to a few parts in 2^53; 0 or infinite where it leaves the range of `f64`.
     pub(super) fn to_f64(&self) -> f64 {
-        let long = self.m.bit_len() as i64 - 64;
-        let (leading, e) = match usize::try_from(long) {
-            Ok(cut) => (&self.m >> cut, self.e + long),
-            Err(_) => (self.m.clone(), self.e),
-        };
-        let leading = i128::try_from(&leading).expect("64 bits fit");
-        scale(leading as f64, e)
+        // Without an allocation: only the leading words matter.
+        let (sign, words) = self.m.as_sign_words();
+        let kept = words.len().min(128 / Word::BITS as usize);
+        let (low, leading) = words.split_at(words.len() - kept);
+        let leading = leading
+            .iter()
+            .rfold(0_u128, |high, word| high << Word::BITS | u128::from(*word));
+        let value = scale(
+            leading as f64,
+            self.e + low.len() as i64 * i64::from(Word::BITS),
+        );
+        match sign {
+            Sign::Positive => value,
+            Sign::Negative => -value,
+        }
     }
 
     pub(super) fn square(&self) -> Dyadic {

@@ -39,9 +39,9 @@ impl Real {
         if num.sign() == 0 {
             return Real::ZERO;
         }
-        let (n, d) = (num.magnitude(), den.magnitude());
         // One bit more than needed: the quotient of the leading bits may be just under 1.
-        let shift = BITS + 1 + d.bit_len() as i64 - n.bit_len() as i64;
+        let shift = BITS + 1 + den.m.bit_len() as i64 - num.m.bit_len() as i64;
+        let (n, d) = (num.magnitude(), den.magnitude());
         let (n, d) = match usize::try_from(shift) {
             Ok(left) => (n << left, d),
             Err(_) => (n, d << shift.unsigned_abs() as usize),

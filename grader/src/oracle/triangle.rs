@@ -139,11 +139,20 @@ struct Exact {
     det: Dyadic,
     num: Dyadic,
     normal: Dyadic3,
+    /// The same, rounded, to be held against bounds.
+    rounded: Rounded,
     /// Bits of the longest coordinate, and of the direction, each on its own common exponent.
     place_bits: usize,
     direction_bits: usize,
     /// Whether dividing by the longest component of the direction does not round.
     shear_is_exact: bool,
+}
+
+/// Some of [`Exact`]'s numbers in `f64`.
+struct Rounded {
+    e: [f64; 3],
+    det: f64,
+    normal: Vec3,
 }
 
 impl Exact {
@@ -155,8 +164,14 @@ impl Exact {
         let det = d.dot(&normal);
         let e1 = d.dot(&c.cross(&a));
         let e2 = d.dot(&a.cross(&b));
+        let e = [&(&det - &e1) - &e2, e1, e2];
         Exact {
-            e: [&(&det - &e1) - &e2, e1, e2],
+            rounded: Rounded {
+                e: [0, 1, 2].map(|i| e[i].to_f64()),
+                det: det.to_f64(),
+                normal: normal.to_f64(),
+            },
+            e,
             num: a.dot(&normal),
             det,
             normal,
@@ -269,23 +284,18 @@ impl Exact {
             return Sure::exactly(!matches!(self.class(), TriangleClass::Miss(_)));
         }
         let bounds = match kernel {
-            Kernel::Textbook => [frame.textbook_edge(self.normal.to_f64()); 3],
+            Kernel::Textbook => [frame.textbook_edge(self.rounded.normal); 3],
             Kernel::Robust => robust.edges,
         };
-        let signs = [0, 1, 2].map(|i| {
-            let e = self.e[i].to_f64();
-            if e > bounds[i] {
-                1
-            } else if e < -bounds[i] {
-                -1
-            } else {
-                0
-            }
-        });
-        match (signs.contains(&1), signs.contains(&-1), signs.contains(&0)) {
-            (true, true, _) => Sure::No,
-            (_, _, true) => Sure::Open,
-            _ => Sure::Yes,
+        let e = self.rounded.e;
+        let is_positive = [0, 1, 2].map(|i| e[i] > bounds[i]);
+        let is_negative = [0, 1, 2].map(|i| e[i] < -bounds[i]);
+        if is_positive.contains(&true) && is_negative.contains(&true) {
+            Sure::No
+        } else if is_positive == [true; 3] || is_negative == [true; 3] {
+            Sure::Yes
+        } else {
+            Sure::Open
         }
     }
 
@@ -314,9 +324,8 @@ impl Exact {
 
     fn crossing(&self, frame: &Frame, robust: &Robust) -> Crossing {
         let t = Real::ratio(&self.num, &self.det);
-        let (det, near) = (self.det.to_f64(), t.to_f64());
-        let e = [0, 1, 2].map(|i| self.e[i].to_f64());
-        let normal = self.normal.to_f64();
+        let Rounded { e, det, normal } = self.rounded;
+        let near = t.to_f64();
         let bound = |kernel, value: f64| {
             if frame.in_reach(kernel) && !value.is_nan() {
                 value

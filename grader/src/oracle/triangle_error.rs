@@ -12,27 +12,27 @@ use kit::{Ray, Triangle, Vec3};
 use super::roundoff::{U, cross_of_sizes, gamma, in_reach, largest, sum};
 use super::verdict::Kernel;
 
-/// Roundings that textbook code may put into an edge function: Möller-Trumbore decides its
-/// third edge by `u + v <= 1`, three triple products (7 roundings each: two differences, two
-/// products, a difference, two sums) times a rounded reciprocal, 12 in all; its differences are up to
-/// twice as long as the vertices seen from `o`, and each of its three products counts: 12 · 8 = 96.
-/// Plücker's form and the plane with an inside test need less of this, but measure from other points.
+/// Roundings that textbook code may put into an edge function, over `thinness · |d| · world²`.
+///
+/// Möller-Trumbore needs most: its third edge is decided by `u + v <= 1`, three triple products of 9 roundings each
+/// (differences 2, products 2, sums 3, times a rounded reciprocal 2). An edge is at most `2 world` long and a
+/// vertex is at most `world` away from `o`, so that the absolute products sum to `4 + 4 + 8` times
+/// `|d| · world²`: 144 in all. A triangle covers at most half of its bounding rectangle, so
+/// `thinness` is at least 2, and 128 is enough.
 const TEXTBOOK_EDGE: f64 = 128.0 * U;
 
-/// Roundings that textbook code may put into `t`: a triple product (8), the other one (8), their
-/// quotient (2), doubled as all of this page is.
+/// Roundings that textbook code may put into `t`: two triple products of 7 and their quotient, 16, doubled.
 const TEXTBOOK_T: f64 = 2.0 * 16.0 * U;
 
-/// A triangle so thin that the sum of the absolute products of its normal is this many times
-/// the normal leaves the quick filter to the integers.
+/// Triangles thinner than this are left to the integers: their normal in `f64` has lost its digits.
 const THIN: f64 = 1e6;
 
 /// The error of a sheared coordinate `x' = A_x - (d_x/d_z) A_z`: a difference, a quotient, a
 /// product and a difference.
 const SHEARED: f64 = 4.0;
 
-/// Bounds of a robust kernel are doubled, as PBRT's δt is in the course: it leaves room for a few
-/// more roundings than the kernel of Woop, Benthin and Wald has.
+/// Bounds of a robust kernel are doubled: that leaves room for a few more roundings than the kernel of
+/// Woop, Benthin and Wald has.
 const DOUBLED: f64 = 2.0;
 
 /// However thin the triangle and grazing the ray, a robust `t` of a hit that is not in doubt is asked to be
@@ -75,17 +75,18 @@ impl Frame {
         in_reach(kernel, [self.world, largest(self.d)])
     }
 
-    /// How much thinner the triangle is than its coordinates say, at least 1: the sum of
-    /// absolute products in the normal over the normal. A kernel that intersects the plane first
-    /// and asks for the side of each edge then errs by this factor. `normal` is exact to a few roundings.
+    /// How much thinner the triangle is than the lengths of its edges say, at least 2: the sum of
+    /// the absolute products in its normal over the normal. A kernel that intersects the plane first and asks
+    /// for the side of each edge then errs by this factor. `normal` must be right to a few digits.
     fn thinness(&self, normal: Vec3) -> f64 {
-        (sum(self.normal_sizes) / largest(normal)).max(1.0)
+        sum(self.normal_sizes) / largest(normal)
     }
 
     /// Bounds the error of textbook code in every edge function: `128 U · thinness · |d| · world²`.
     ///
     /// Lengths are measured in world space, not from the ray's origin: a plane test rounds its hit point
-    /// there, and Plücker coordinates are products of positions.
+    /// there, and Plücker coordinates are products of positions. Without area there is no bound: the
+    /// normal is noise, and a test by weights from dot products may hit far beside such a triangle.
     pub(super) fn textbook_edge(&self, normal: Vec3) -> f64 {
         TEXTBOOK_EDGE * self.thinness(normal) * sum(self.d) * self.world * self.world
     }
@@ -97,12 +98,11 @@ impl Frame {
     /// most `2 |d| world²`: less than half the textbook bound, so that twice that bound is enough;
     /// and robust bounds are smaller than textbook ones (doubled, `20 U · |d_z| · 4 world²` at most).
     pub(super) fn surely_misses(&self) -> bool {
-        let thinness = self.thinness(self.normal);
-        let is_settled = thinness < THIN && self.in_reach(Kernel::Textbook);
+        let is_settled = self.thinness(self.normal) < THIN && self.in_reach(Kernel::Textbook);
         if !is_settled {
             return false;
         }
-        let bound = 2.0 * TEXTBOOK_EDGE * thinness * sum(self.d) * self.world * self.world;
+        let bound = 2.0 * self.textbook_edge(self.normal);
         let [a, b, c] = self.seen;
         let e = [
             self.d.dot(b.cross(c)),

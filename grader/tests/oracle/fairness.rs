@@ -64,7 +64,7 @@ fn at_edge(r: &mut Random) -> (Triangle, Ray) {
 
 #[test]
 fn no_correct_triangle_test_is_accused() {
-    try_triangles(10, 100_000);
+    try_triangles(10, 50_000);
 }
 
 fn try_triangles(seed: u64, count: u64) {
@@ -137,7 +137,7 @@ fn at_rim(r: &mut Random) -> (Sphere, Ray) {
 
 #[test]
 fn no_correct_sphere_test_is_accused() {
-    try_spheres(11, 100_000);
+    try_spheres(11, 50_000);
 }
 
 fn try_spheres(seed: u64, count: u64) {
@@ -183,7 +183,7 @@ fn at_corner(r: &mut Random) -> (Aabb, Ray) {
 
 #[test]
 fn no_correct_box_test_is_accused() {
-    try_boxes(12, 100_000);
+    try_boxes(12, 50_000);
 }
 
 fn try_boxes(seed: u64, count: u64) {

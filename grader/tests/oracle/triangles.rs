@@ -94,7 +94,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
 
 #[test]
 fn agrees_with_rationals() {
-    disagreements(1, 8_000, 64);
+    disagreements(1, 4_000, 64);
 }
 
 /// `cargo test -p grader --release --test oracle -- --ignored million`, minutes.

@@ -205,3 +205,96 @@ fn why_miss(why: Miss) -> &'static str {
         Miss::OutOfRange => "where it meets the shape, t is not in min_t..=max_t",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::judge::expected::Decision;
+
+    /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the plane z = 0.
+    fn square() -> [Triangle; 2] {
+        let corner = |x: f64, y: f64| Vec3::new(x, y, 0.0);
+        let (a, b, c, d) = (
+            corner(0.0, 0.0),
+            corner(8.0, 0.0),
+            corner(8.0, 8.0),
+            corner(0.0, 8.0),
+        );
+        [Triangle::flat(a, b, d), Triangle::flat(c, d, b)]
+    }
+
+    fn down(x: f64, y: f64) -> Ray {
+        Ray::new(Vec3::new(x, y, 4.0), Vec3::NEG_Z)
+    }
+
+    #[test]
+    fn on_a_shared_edge_either_neighbour_scores() {
+        let [first, second] = square();
+        let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&second)];
+        let expected = first_of(Tier::Core, &shapes, &down(3.0, 5.0), false);
+        let mut prims: Vec<u32> = expected.hits.iter().map(|hit| hit.prim).collect();
+        prims.sort_unstable();
+        assert_eq!((prims, expected.decision()), (vec![0, 1], Decision::Hit));
+    }
+
+    #[test]
+    fn the_first_of_two_hides_the_second() {
+        let [first, _] = square();
+        let above = Triangle {
+            p0: first.p0 + Vec3::Z,
+            p1: first.p1 + Vec3::Z,
+            p2: first.p2 + Vec3::Z,
+            ..first
+        };
+        let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&above)];
+        let expected = first_of(Tier::Core, &shapes, &down(1.0, 1.0), false);
+        assert_eq!(expected.hits.len(), 1);
+        assert_eq!((expected.hits[0].prim, expected.hits[0].t), (1, 3.0));
+    }
+
+    #[test]
+    fn enclosed_rays_never_miss() {
+        // Aimed at an edge by numbers that round: textbook code may go either way, but not out.
+        let [first, second] = square();
+        let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&second)];
+        let target = Vec3::new(0.1 * 3.0, 8.0 - 0.1 * 3.0, 0.0);
+        let o = Vec3::new(1.7, 0.3, 2.9);
+        let ray = Ray::new(o, (target - o).normalize());
+        assert!(first_of(Tier::Core, &shapes, &ray, false).miss);
+        assert!(!first_of(Tier::Core, &shapes, &ray, true).miss);
+    }
+
+    #[test]
+    fn robust_points_ask_for_more() {
+        let [triangle, _] = square();
+        let far = Ray::new(Vec3::new(1.0, 2.0, 1e6), Vec3::new(1e-6, 1e-6, -1.0));
+        let [core, robust] = [Tier::Core, Tier::Robust].map(|tier| {
+            let expected = super::triangle(tier, 0, &triangle, &far);
+            expected.hits[0]
+        });
+        assert!(robust.p_bound < core.p_bound);
+        assert!(core.surface.is_none() && robust.surface.is_some());
+    }
+
+    #[test]
+    fn loose_balls_keep_every_shape_that_is_hit() {
+        let mut sampler = kit::PixelSampler::new(1, 2, 3);
+        let mut vector = || {
+            let [x, y, z] = [0; 3].map(|_| 2.0 * sampler.next_1d() - 1.0);
+            Vec3::new(x, y, z)
+        };
+        let mut hits = 0;
+        for _ in 0..2000 {
+            let triangle = Triangle::flat(vector(), vector(), vector());
+            let o = 3.0 * vector();
+            let ray = Ray::new(o, vector() - o);
+            let shape = Primitive::Triangle(&triangle);
+            let expected = super::triangle(Tier::Core, 0, &triangle, &ray);
+            if !expected.hits.is_empty() {
+                hits += 1;
+                assert!(may_touch(&shape, &ray));
+            }
+        }
+        assert!(hits > 50);
+    }
+}

@@ -18,6 +18,7 @@ pub(crate) mod part2_task3;
 mod probes;
 pub mod recorded;
 
+use crate::judge::tally::Aspect;
 use wire::Work;
 
 /// One case of one task.
@@ -35,6 +36,9 @@ pub struct Spec {
     pub picture: Option<[u32; 2]>,
     /// Whether the shapes close in on every ray, so that a miss is never right.
     pub enclosed: bool,
+    /// The aspects that the case is about and gives its points for; empty: all that its answers show. What goes
+    /// wrong everywhere is then told where it belongs, and not in every case.
+    pub about_aspects: &'static [Aspect],
 }
 
 /// Milliseconds after which a case has failed. Sound code needs a few.
@@ -58,6 +62,15 @@ impl Spec {
             work,
             picture: None,
             enclosed: false,
+            about_aspects: &[],
+        }
+    }
+
+    /// The same case, about these aspects alone.
+    pub(crate) fn only(self, about_aspects: &'static [Aspect]) -> Spec {
+        Spec {
+            about_aspects,
+            ..self
         }
     }
 

@@ -1,6 +1,7 @@
 //! The sample loop of a pixel.
 
 use super::Spec;
+use crate::judge::tally::Aspect::{Calls, Placement, Radiance, Spread};
 use wire::Work;
 use wire::work::{PixelWork, PixelWorld};
 
@@ -9,14 +10,17 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "center_of_each_pixel",
-            "One sample a pixel goes through its centre, ((x + 0.5) / w, (y + 0.5) / h); integer division makes every pixel (0, 0), and a film that is not square tells x from y and w from h.",
+            "One sample a pixel goes through its centre, ((x + 0.5) / w, (y + 0.5) / h); \
+             integer division makes every pixel (0, 0), and a film that is not square tells x \
+             from y and w from h.",
             work([7, 3], all([7, 3]), 1, PixelWorld::Ramp, 0),
         ),
         case(
             "film_of_one_pixel",
             "A film of one pixel: the ray goes through (0.5, 0.5).",
             work([1, 1], all([1, 1]), 1, PixelWorld::Ramp, 0),
-        ),
+        )
+        .only(&[Placement]),
         case(
             "large_film",
             "Corners and centre of a film of 8192 x 4320 pixels.",
@@ -27,12 +31,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                 PixelWorld::Ramp,
                 0,
             ),
-        ),
+        )
+        .only(&[Placement]),
         case(
             "samples_inside_the_pixel",
-            "16 samples a pixel: each somewhere else, all inside the pixel, spread evenly over it.",
+            "16 samples a pixel: each somewhere else, all inside the pixel, spread evenly over \
+             it.",
             work([9, 8], all([9, 8]), 16, PixelWorld::Ramp, 0),
-        ),
+        )
+        .only(&[Calls, Placement, Spread]),
         case(
             "fresh_samples",
             "64 samples a pixel with other random numbers for each seed.",
@@ -40,9 +47,11 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "odd_number_of_samples",
-            "7 samples: whoever takes whole rows of samples, or starts the loop at 1, has another number.",
+            "7 samples: whoever takes whole rows of samples, or starts the loop at 1, has \
+             another number.",
             work([5, 4], all([5, 4]), 7, PixelWorld::Ramp, 0),
-        ),
+        )
+        .only(&[Calls, Radiance]),
         case(
             "bright_light",
             "Radiance may be far above 1: it is averaged as it comes, without clamping.",
@@ -53,10 +62,12 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                 PixelWorld::Constant([50.0, 3.0, 0.01]),
                 0,
             ),
-        ),
+        )
+        .only(&[Radiance]),
         case(
             "light_and_dark",
-            "Samples are bright and black by turns: the pixel is their mean, neither the sum nor the last one.",
+            "Samples are bright and black by turns: the pixel is their mean, neither the sum \
+             nor the last one.",
             work(
                 [3, 2],
                 all([3, 2]),
@@ -64,12 +75,14 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                 PixelWorld::Flicker([8.0, 4.0, 2.0]),
                 0,
             ),
-        ),
+        )
+        .only(&[Radiance]),
         Spec {
             picture: Some(PICTURE),
             ..case(
                 "picture_of_rings",
-                "A picture of rings with one sample a pixel; the rings in the corners are what one sample cannot resolve.",
+                "A picture of rings with one sample a pixel; the rings in the corners are what \
+                 one sample cannot resolve.",
                 work(PICTURE, all(PICTURE), 1, PixelWorld::Rings, 0),
             )
         },

@@ -2,6 +2,7 @@
 
 use super::Spec;
 use super::probes::Dice;
+use crate::judge::tally::Aspect::{Direction, Origin, Range, UnitLength};
 use kit::{Mat3, Vec3};
 use wire::Work;
 use wire::work::Camera;
@@ -11,34 +12,42 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "sensor_corners",
-            "A camera without rotation: (0, 0) is the bottom left of the sensor, (1, 1) the top right.",
+            "A camera without rotation: (0, 0) is the bottom left of the sensor, (1, 1) the top \
+             right.",
             vec![camera(Vec3::new(1.0, 2.0, 3.0), Mat3::IDENTITY, 60.0, 40.0)],
             nine_points(),
         ),
         case(
             "fields_of_view",
-            "Each field of view is an angle in degrees and has its own axis; the half extent of the sensor is tan(fov / 2).",
+            "Each field of view is an angle in degrees and has its own axis; the half extent of \
+             the sensor is tan(fov / 2).",
             fields_of_view(),
             nine_points(),
-        ),
+        )
+        .only(&[Direction, UnitLength]),
         case(
             "camera_to_world",
-            "Rotated and rolled cameras: c2w takes the direction to world space. Its transpose turns the other way.",
+            "Rotated and rolled cameras: c2w takes the direction to world space. Its transpose \
+             turns the other way.",
             rotated(),
             nine_points(),
-        ),
+        )
+        .only(&[Direction]),
         case(
             "pinhole",
             "All rays of a camera start at pos, near the world's origin and far from it.",
             positions(),
             grid([3, 3]),
-        ),
+        )
+        .only(&[Origin]),
         case(
             "clip_distances",
-            "The range is n_clip to f_clip along the unit ray, the same in the corner as in the centre.",
+            "The range is n_clip to f_clip along the unit ray, the same in the corner as in the \
+             centre.",
             clipped(),
             nine_points(),
-        ),
+        )
+        .only(&[Range]),
         case(
             "fresh_cameras",
             "Cameras that differ for each seed.",
@@ -57,13 +66,16 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                 }],
                 grid(PICTURE),
             )
+            .only(&[Direction, UnitLength])
         },
         case(
             "extreme_lenses",
-            "Fields of view from a millionth of a degree to 180: directions stay finite and unit, the centre stays the centre.",
+            "Fields of view from a millionth of a degree to 180: directions stay finite and \
+             unit, the centre stays the centre.",
             extreme_lenses(),
             nine_points(),
-        ),
+        )
+        .only(&[Direction, UnitLength]),
     ]
 }
 

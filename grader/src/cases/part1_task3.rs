@@ -5,12 +5,16 @@
 
 use super::probes::{Dice, Probes, brute_force, through, within};
 use super::{Spec, part1_pictures, part1_task3_hard};
+use crate::judge::tally::Aspect::{
+    Barycentrics, Decision, GeometricNormal, Normal, Position, Primitive, RayAfter, T,
+};
 use kit::{Ray, Triangle, Vec3};
 use wire::Work;
 
 /// The cases of `part1.task3`.
 pub(super) fn cases(seed: u64) -> Vec<Spec> {
-    let mut cases = vec![
+    let mut cases =
+        vec![
         case(
             "front_face",
             "Rays that meet the side towards which the normal points.",
@@ -18,64 +22,75 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "back_face",
-            "Rays that meet the other side: walls and open meshes have two. Normals stay as they are.",
+            "Rays that meet the other side: walls and open meshes have two. Normals stay as \
+             they are.",
             from_side("back_face", -1.0),
         ),
         case(
             "beside_the_triangle",
-            "Rays that pass each edge on the outside, from far off to a hundred-thousandth of the triangle's size. A miss leaves max_t alone.",
+            "Rays that pass each edge on the outside, from far off to a hundred-thousandth of \
+             the triangle's size. A miss leaves max_t alone.",
             beside(),
-        ),
+        ).only(&[Decision, RayAfter]),
         case(
             "behind_the_origin",
             "The triangle lies behind the ray: t would be negative.",
             behind(),
-        ),
+        ).only(&[Decision, RayAfter]),
         case(
             "range",
-            "Only min_t <= t <= max_t counts, whatever min_t is; a hit sets max_t, a miss does not.",
+            "Only min_t <= t <= max_t counts, whatever min_t is; a hit sets max_t, a miss does \
+             not.",
             range(),
-        ),
+        ).only(&[Decision, RayAfter]),
         case(
             "range_ends",
-            "t is exactly min_t or exactly max_t: both ends count. The next float beyond does not.",
+            "t is exactly min_t or exactly max_t: both ends count. The next float beyond does \
+             not.",
             range_ends(),
-        ),
+        ).only(&[Decision]),
         case(
             "edges_and_vertices",
-            "Rays exactly through edges and vertices, in small integers: they count as hits. Strict comparisons leave cracks between neighbours.",
+            "Rays exactly through edges and vertices, in small integers: they count as hits. \
+             Strict comparisons leave cracks between neighbours.",
             edges_and_vertices(),
-        ),
+        ).only(&[Decision]),
         case(
             "parallel_rays",
-            "Rays parallel to the triangle, above it and inside its plane: all miss. Dividing by their determinant, 0, makes NaN, and NaN passes every test that asks for < and >.",
+            "Rays parallel to the triangle, above it and inside its plane: all miss. Dividing \
+             by their determinant, 0, makes NaN, and NaN passes every test that asks for < and \
+             >.",
             parallel(),
-        ),
+        ).only(&[Decision, RayAfter]),
         case(
             "no_area",
             "Triangles that are a line or a point: always a miss.",
             no_area(),
-        ),
+        ).only(&[Decision]),
         case(
             "length_of_direction",
-            "d need not have length 1: t counts lengths of d, so a d twice as long makes t half as large.",
+            "d need not have length 1: t counts lengths of d, so a d twice as long makes t half \
+             as large.",
             length_of_direction(),
-        ),
+        ).only(&[Decision, T, Position, RayAfter]),
         case(
             "interpolated_normals",
-            "Every vertex has a normal of its own: n mixes them by the barycentric weights and has length 1, on both sides the same.",
+            "Every vertex has a normal of its own: n mixes them by the barycentric weights and \
+             has length 1, on both sides the same.",
             interpolated_normals(),
-        ),
+        ).only(&[Normal, GeometricNormal, Barycentrics]),
         case(
             "close_up",
-            "Hits from 0.0001 to 0.01 away. A minimal t of one's own makes holes close to the camera; min_t says where to begin.",
+            "Hits from 0.0001 to 0.01 away. A minimal t of one's own makes holes close to the \
+             camera; min_t says where to begin.",
             close_up(),
-        ),
+        ).only(&[Decision, T]),
         case(
             "nearest_of_many",
-            "A ray through a heap of triangles in any order: max_t must shorten with every hit and only with hits.",
+            "A ray through a heap of triangles in any order: max_t must shorten with every hit \
+             and only with hits.",
             nearest_of_many(),
-        ),
+        ).only(&[Decision, Primitive, T, RayAfter]),
         case(
             "fresh_triangles",
             "Triangles and rays that differ for each seed.",

@@ -5,6 +5,7 @@
 
 use super::probes::{Dice, Probes, brute_force, through, within};
 use super::{Spec, part1_pictures, part1_task4_hard};
+use crate::judge::tally::Aspect::{Decision, Normal, Position, Primitive, RayAfter, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::Work;
 
@@ -13,54 +14,71 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     let mut cases = vec![
         case(
             "head_on",
-            "Rays through spheres of all sizes and places: b is 2 f.d with f = o - center, c is f.f - r * r.",
+            "Rays through spheres of all sizes and places: b is 2 f.d with f = o - center, c is \
+             f.f - r * r.",
             head_on(),
         ),
         case(
             "around_the_rim",
-            "Rays just inside the rim hit, those just outside miss. A radius that is not squared, or half of b, moves the rim.",
+            "Rays just inside the rim hit, those just outside miss. A radius that is not \
+             squared, or half of b, moves the rim.",
             around_the_rim(),
-        ),
+        )
+        .only(&[Decision, T, RayAfter]),
         case(
             "origin_inside",
-            "The ray starts inside: the smaller root is behind it, the larger one is the hit, whether it looks at the centre or away from it.",
+            "The ray starts inside: the smaller root is behind it, the larger one is the hit, \
+             whether it looks at the centre or away from it.",
             origin_inside(),
-        ),
+        )
+        .only(&[Decision, T, Normal]),
         case(
             "behind_the_origin",
             "The sphere lies behind the ray: both roots are negative.",
             behind(),
-        ),
+        )
+        .only(&[Decision, RayAfter]),
         case(
             "range",
-            "The smaller root in min_t..max_t is the hit; if min_t cuts off the smaller one, the larger one may still count. A hit sets max_t, a miss does not.",
+            "The smaller root in min_t..max_t is the hit; if min_t cuts off the smaller one, \
+             the larger one may still count. A hit sets max_t, a miss does not.",
             range(),
-        ),
+        )
+        .only(&[Decision, T, RayAfter]),
         case(
             "range_ends",
-            "A root is exactly min_t or exactly max_t: both ends count. The next float beyond does not.",
+            "A root is exactly min_t or exactly max_t: both ends count. The next float beyond \
+             does not.",
             range_ends(),
-        ),
+        )
+        .only(&[Decision, T]),
         case(
             "tangent",
-            "Rays that touch the sphere in one point, in small integers: the discriminant is exactly 0, and that is a hit.",
+            "Rays that touch the sphere in one point, in small integers: the discriminant is \
+             exactly 0, and that is a hit.",
             tangent(),
-        ),
+        )
+        .only(&[Decision]),
         case(
             "length_of_direction",
             "d need not have length 1: a is d.d, and the whole numerator is divided by 2a.",
             length_of_direction(),
-        ),
+        )
+        .only(&[Decision, T, Position]),
         case(
             "abreast",
-            "The ray starts where it is nearest to the centre: b is 0, one root is negative, the other positive.",
+            "The ray starts where it is nearest to the centre: b is 0, one root is negative, \
+             the other positive.",
             abreast(),
-        ),
+        )
+        .only(&[Decision, T]),
         case(
             "nearest_of_many",
-            "A ray through a heap of spheres in any order: max_t must shorten with every hit and only with hits.",
+            "A ray through a heap of spheres in any order: max_t must shorten with every hit \
+             and only with hits.",
             heap(&mut Dice::new("nearest_of_many spheres", 0), 600),
-        ),
+        )
+        .only(&[Decision, Primitive, T, RayAfter]),
         case(
             "fresh_spheres",
             "Spheres and rays that differ for each seed.",

@@ -3,6 +3,7 @@
 use super::Spec;
 use super::part1_task4::case;
 use super::probes::{Dice, Probes, within};
+use crate::judge::tally::Aspect::{Decision, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::Work;
 
@@ -11,47 +12,63 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "far_away",
-            "Spheres a thousand to a million radii away: b * b and 4ac are so large that their difference keeps no digit. Take it as r * r - |f - (f.d / d.d) d|^2 instead.",
+            "Spheres a thousand to a million radii away: b * b and 4ac are so large that their \
+             difference keeps no digit. Take it as r * r - |f - (f.d / d.d) d|^2 instead.",
             far_away(),
-        ),
+        )
+        .only(&[Decision, T]),
         case(
             "ground_sphere",
-            "A sphere of radius 1e5 as the ground, the ray close above it: -b and the root cancel. Divide c by the root that adds up.",
+            "A sphere of radius 1e5 as the ground, the ray close above it: -b and the root \
+             cancel. Divide c by the root that adds up.",
             ground(),
-        ),
+        )
+        .only(&[Decision, T]),
         case(
             "on_the_surface",
-            "Rays that leave the sphere from its surface, with a small min_t: outward they miss, inward they hit the other side, not where they start.",
+            "Rays that leave the sphere from its surface, with a small min_t: outward they \
+             miss, inward they hit the other side, not where they start.",
             on_the_surface(),
-        ),
+        )
+        .only(&[Decision, T]),
         case(
             "by_a_hair",
-            "Rays a millionth of the radius and less inside the rim and outside.",
+            "Rays a millionth of the radius and less inside the rim and outside, from up to a \
+             thousand radii away.",
             by_a_hair(),
-        ),
+        )
+        .only(&[Decision]),
         case(
             "hit_point_on_the_sphere",
-            "Hits from far away: o + t d is off the sphere by the rounding of t. Scale center-to-p back to the radius.",
+            "Hits from far away: o + t d is off the sphere by the rounding of t. Scale center- \
+             to-p back to the radius.",
             hit_point_on_the_sphere(),
-        ),
+        )
+        .only(&[Position, Normal]),
         case(
             "sphere_without_size",
-            "Radius 0: a miss unless the ray goes exactly through the centre, and no NaN normal.",
+            "Radius 0: a miss unless the ray goes exactly through the centre, and no NaN \
+             normal.",
             without_size(),
-        ),
+        )
+        .only(&[Decision, Normal]),
         case(
             "tiny_and_huge",
             "Spheres from 1e-30 to 1e30 in size.",
             tiny_and_huge(),
-        ),
+        )
+        .only(&[Decision, T]),
         case(
             "not_a_number",
-            "NaN in the ray or the sphere, d = 0, min_t > max_t, a negative radius: a miss. Write tests so that NaN fails them.",
+            "NaN in the ray or the sphere, d = 0, min_t > max_t, a negative radius: a miss. \
+             Write tests so that NaN fails them.",
             not_a_number(),
-        ),
+        )
+        .only(&[Decision]),
         case(
             "fresh_hard_spheres",
-            "Far and near, large and small, through the middle and at the rim, differing for each seed.",
+            "Far and near, large and small, through the middle and at the rim, differing for \
+             each seed.",
             fresh(seed),
         ),
     ]
@@ -132,10 +149,9 @@ fn by_a_hair() -> Work {
     for _ in 0..40 {
         let s = dice.sphere();
         probes.sphere(&s);
-        for hair in [1e-6, 1e-8, 1e-10, 1e-12] {
+        for (hair, radii) in [(1e-6, 1e3), (1e-8, 100.0), (1e-10, 10.0), (1e-12, 2.0)] {
             for impact in [1.0 - hair, 1.0 + hair] {
-                let distance = s.radius * dice.range(1.1, 5.0);
-                probes.ray(dice.ray_past(&s, impact, distance));
+                probes.ray(dice.ray_past(&s, impact, radii * s.radius));
             }
         }
     }

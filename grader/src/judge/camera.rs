@@ -128,3 +128,73 @@ fn columns(c2w: &[Xyz; 3]) -> String {
     let [right, up, backward] = c2w.map(|column| show(column.into()));
     format!("columns of c2w: right {right}, up {up}, backward {backward}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera() -> Camera {
+        let c2w = kit::Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO, Vec3::Y)
+            .expect("not along +y");
+        Camera {
+            pos: [1.0, 2.0, 3.0],
+            c2w: [c2w.x_axis, c2w.y_axis, c2w.z_axis].map(Vec3::into),
+            h_fov: 60.0,
+            v_fov: 40.0,
+            n_clip: 0.5,
+            f_clip: 90.0,
+        }
+    }
+
+    /// What is wrong about the right ray after `spoil`.
+    fn wrong(spoil: impl Fn(&mut Ray)) -> Vec<Aspect> {
+        let (camera, point) = (camera(), [0.3, 0.8]);
+        let mut ray = Ray {
+            o: camera.pos,
+            d: direction(&camera, point).into(),
+            min_t: camera.n_clip,
+            max_t: camera.f_clip,
+        };
+        spoil(&mut ray);
+        let mut tally = Tally::default();
+        rays(&mut tally, Tier::Core, &[camera], &[point], &[ray]);
+        let findings = tally.into_findings().into_iter();
+        let failed = findings.filter(|finding| !finding.passed());
+        failed.map(|finding| finding.aspect).collect()
+    }
+
+    #[test]
+    fn each_aspect_is_judged_apart() {
+        assert_eq!(wrong(|_| {}), []);
+        assert_eq!(wrong(|ray| ray.o[1] += 1e-6), [Aspect::Origin]);
+        assert_eq!(
+            wrong(|ray| ray.d[0] += 1e-6),
+            [Aspect::Direction, Aspect::UnitLength]
+        );
+        let twice = |ray: &mut Ray| ray.d = ray.d.map(|x| 2.0 * x);
+        assert_eq!(wrong(twice), [Aspect::UnitLength]);
+        assert_eq!(wrong(|ray| ray.min_t = 0.0), [Aspect::Range]);
+        assert_eq!(wrong(|ray| ray.max_t = f64::INFINITY), [Aspect::Range]);
+    }
+
+    #[test]
+    fn nan_is_wrong() {
+        assert_eq!(
+            wrong(|ray| ray.d[2] = f64::NAN),
+            [Aspect::Direction, Aspect::UnitLength]
+        );
+        assert_eq!(wrong(|ray| ray.o[0] = f64::NAN), [Aspect::Origin]);
+    }
+
+    #[test]
+    fn the_corner_of_the_sensor_is_the_tangent_of_half_the_field_of_view() {
+        let camera = Camera {
+            c2w: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            h_fov: 90.0,
+            v_fov: 90.0,
+            ..camera()
+        };
+        let right = Vec3::new(1.0, -1.0, -1.0).normalize();
+        assert!((direction(&camera, [1.0, 0.0]) - right).length() < 1e-15);
+    }
+}

@@ -99,5 +99,10 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
         }
         _ => unreachable!("the worker answers each kind of work with its own kind of answer"),
     }
-    tally.into_findings()
+    let mut findings = tally.into_findings();
+    let is_about = |finding: &Finding| {
+        spec.about_aspects.is_empty() || spec.about_aspects.contains(&finding.aspect)
+    };
+    findings.retain(is_about);
+    findings
 }

@@ -154,8 +154,8 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
         |f: &dyn Fn(&[f64; 2]) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
     let mut test = |name: &str, mean: f64, right: f64, variance: f64| {
         let sigma = (variance / offsets.len() as f64).sqrt();
-        // A regular or low-discrepancy set of n points may be off by up to 1/2n, the same in every pixel.
-        let slack = 0.5 / f64::from(work.ns_aa);
+        // A regular or low-discrepancy set of n points may be off by about 1/n, the same in every pixel.
+        let slack = 1.0 / f64::from(work.ns_aa);
         let off = (mean - right).abs();
         let allowed = slack + SIGMAS * sigma;
         tally.judge(Aspect::Spread, 0, off <= allowed, off / allowed, || {
@@ -176,4 +176,98 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
     let product = mean_of(&|o| (o[0] - 0.5) * (o[1] - 0.5));
     let name = "the covariance of the places along x and y";
     test(name, product, 0.0, 1.0 / 144.0);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::{PixelSampler, Vec2};
+    use wire::work::PixelWorld;
+
+    fn work(ns_aa: u32) -> PixelWork {
+        PixelWork {
+            film: [8, 9],
+            pixels: (0..9).flat_map(|y| (0..8).map(move |x| [x, y])).collect(),
+            ns_aa,
+            seed: 0,
+            world: PixelWorld::Ramp,
+        }
+    }
+
+    /// What is wrong about a sound loop whose samples are put where `place` says and whose answer is then spoilt.
+    fn wrong(
+        ns_aa: u32,
+        place: impl Fn(Vec2) -> Vec2,
+        spoil: impl Fn(&mut PixelAnswer),
+    ) -> Vec<Aspect> {
+        let work = work(ns_aa);
+        let answer = |&[x, y]: &[u32; 2]| {
+            let mut sampler = PixelSampler::new(x, y, 5);
+            let corner = Vec2::new(f64::from(x), f64::from(y));
+            let mut point = || {
+                let offset = if ns_aa == 1 {
+                    Vec2::splat(0.5)
+                } else {
+                    sampler.get_sample()
+                };
+                ((corner + place(offset)) / Vec2::new(8.0, 9.0)).into()
+            };
+            let points: Vec<[f64; 2]> = (0..ns_aa).map(|_| point()).collect();
+            let radiance: Vec<[f64; 3]> = points.iter().map(|[u, v]| [*u, *v, 20.0]).collect();
+            let sum = |channel: usize| radiance.iter().map(|l| l[channel]).sum::<f64>();
+            let mut answer = PixelAnswer {
+                traced: (0..ns_aa).map(Some).collect(),
+                radiance: [0, 1, 2].map(|channel| sum(channel) / f64::from(ns_aa)),
+                samples: ns_aa,
+                traced_radiance: radiance,
+                points,
+            };
+            spoil(&mut answer);
+            answer
+        };
+        let answers: Vec<PixelAnswer> = work.pixels.iter().map(answer).collect();
+        let mut tally = Tally::default();
+        pixels(&mut tally, &work, &answers);
+        let findings = tally.into_findings().into_iter();
+        let failed = findings.filter(|finding| !finding.passed());
+        failed.map(|finding| finding.aspect).collect()
+    }
+
+    fn sound(_: &mut PixelAnswer) {}
+
+    #[test]
+    fn sound_sampling_passes() {
+        for ns_aa in [1, 2, 4, 16, 64] {
+            assert_eq!(wrong(ns_aa, |s| s, sound), []);
+            assert_eq!(wrong(ns_aa, |s| 1.0 - s, sound), []);
+        }
+    }
+
+    #[test]
+    fn samples_in_the_wrong_place_fail() {
+        assert_eq!(
+            wrong(16, |s| s - 0.5, sound),
+            [Aspect::Placement, Aspect::Spread]
+        );
+        assert_eq!(wrong(16, |s| 0.5 * s, sound), [Aspect::Spread]);
+        assert_eq!(wrong(16, |s| s * s, sound), [Aspect::Spread]);
+        assert_eq!(wrong(16, |s| Vec2::new(s.x, s.x), sound), [Aspect::Spread]);
+        assert_eq!(wrong(16, |_| Vec2::splat(0.25), sound), [Aspect::Spread]);
+        assert_eq!(wrong(1, |_| Vec2::ZERO, sound), [Aspect::Placement]);
+    }
+
+    #[test]
+    fn wrong_counts_and_sums_fail() {
+        assert_eq!(wrong(4, |s| s, |a| a.samples = 3), [Aspect::Calls]);
+        assert_eq!(wrong(4, |s| s, |a| a.traced[2] = None), [Aspect::Calls]);
+        assert_eq!(wrong(4, |s| s, |a| a.traced[2] = Some(0)), [Aspect::Calls]);
+        assert_eq!(
+            wrong(4, |s| s, |a| a.radiance[2] *= 4.0),
+            [Aspect::Radiance]
+        );
+        assert_eq!(
+            wrong(4, |s| s, |a| a.radiance[1] = f64::NAN),
+            [Aspect::Radiance]
+        );
+    }
 }

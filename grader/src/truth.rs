@@ -114,6 +114,7 @@ fn triangle_hit(
     Some(ExpectedHit {
         prim,
         t: candidate.t.to_f64(),
+        exact_t: candidate.t,
         t_bound: t_bound(candidate),
         p: p.p,
         p_bound: *p.tolerance.get(kernel),
@@ -150,6 +151,7 @@ fn sphere_hit(
     Some(ExpectedHit {
         prim,
         t: candidate.t.to_f64(),
+        exact_t: candidate.t,
         t_bound: t_bound(candidate),
         p,
         p_bound,

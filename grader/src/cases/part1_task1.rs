@@ -35,8 +35,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Placement]),
         case(
             "samples_inside_the_pixel",
-            "16 samples a pixel: each somewhere else, all inside the pixel, spread evenly over \
-             it.",
+            "16 samples a pixel: each somewhere else, all inside the pixel, spread evenly \
+             over it.",
             work([9, 8], all([9, 8]), 16, PixelWorld::Ramp, 0),
         )
         .only(&[Calls, Placement, Spread]),
@@ -81,8 +81,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             picture: Some(PICTURE),
             ..case(
                 "picture_of_rings",
-                "A picture of rings with one sample a pixel; the rings in the corners are what \
-                 one sample cannot resolve.",
+                "A picture of rings with one sample a pixel; the rings in the corners are \
+                 what one sample cannot resolve.",
                 work(PICTURE, all(PICTURE), 1, PixelWorld::Rings, 0),
             )
         },

@@ -12,38 +12,39 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "sensor_corners",
-            "A camera without rotation: (0, 0) is the bottom left of the sensor, (1, 1) the top \
-             right.",
+            "A camera without rotation: (0, 0) is the bottom left of the sensor, (1, 1) the \
+             top right.",
             vec![camera(Vec3::new(1.0, 2.0, 3.0), Mat3::IDENTITY, 60.0, 40.0)],
             nine_points(),
         ),
         case(
             "fields_of_view",
-            "Each field of view is an angle in degrees and has its own axis; the half extent of \
-             the sensor is tan(fov / 2).",
+            "Each field of view is an angle in degrees and has its own axis; the half extent \
+             of the sensor is tan(fov / 2).",
             fields_of_view(),
             nine_points(),
         )
         .only(&[Direction, UnitLength]),
         case(
             "camera_to_world",
-            "Rotated and rolled cameras: c2w takes the direction to world space. Its transpose \
-             turns the other way.",
+            "Rotated and rolled cameras: c2w takes the direction to world space. Its \
+             transpose turns the other way.",
             rotated(),
             nine_points(),
         )
         .only(&[Direction]),
         case(
             "pinhole",
-            "All rays of a camera start at pos, near the world's origin and far from it.",
+            "All rays of a camera start at pos, near the world's origin and far from it, whatever \
+             n_clip is.",
             positions(),
             grid([3, 3]),
         )
         .only(&[Origin]),
         case(
             "clip_distances",
-            "The range is n_clip to f_clip along the unit ray, the same in the corner as in the \
-             centre.",
+            "The range is n_clip to f_clip along the unit ray, the same in the corner as in \
+             the centre.",
             clipped(),
             nine_points(),
         )
@@ -159,9 +160,11 @@ fn positions() -> Vec<Camera> {
         Vec3::new(-300.0, 20.0, 4000.0),
         Vec3::new(1e6, -2e6, 3e6),
     ];
-    places
-        .map(|pos| placed(pos, pos + Vec3::new(1.0, -0.5, -2.0), Vec3::Y))
-        .to_vec()
+    let at = |pos| Camera {
+        n_clip: 0.5,
+        ..placed(pos, pos + Vec3::new(1.0, -0.5, -2.0), Vec3::Y)
+    };
+    places.map(at).to_vec()
 }
 
 fn clipped() -> Vec<Camera> {

@@ -1,5 +1,6 @@
 //! What is known to be right, in the form in which answers are judged.
 
+use crate::oracle::Real;
 use kit::{Vec2, Vec3};
 
 /// What a ray and what it is traced through have to do with each other: the answers that score.
@@ -32,6 +33,8 @@ pub struct ExpectedHit {
     pub prim: u32,
     /// Distance along the ray, rounded to the nearest float.
     pub t: f64,
+    /// The same with more digits than a float has.
+    pub exact_t: Real,
     /// How far `t` may be off.
     pub t_bound: f64,
     /// Hit point.

@@ -1,5 +1,6 @@
 //! Judging a hit record against what is right.
 
+use super::errors::NumberError;
 use super::expected::{Decision, Expected, ExpectedHit};
 use super::tally::{Aspect, Class, Tally};
 use kit::Vec3;
@@ -100,6 +101,11 @@ impl Call<'_> {
     pub(super) fn t(&mut self, expected: &ExpectedHit, answered: f64) {
         let off = (answered - expected.t).abs();
         let (right, bound) = (expected.t, expected.t_bound);
+        let error = NumberError {
+            ulps: expected.exact_t.ulps(answered),
+            of_bound: off / bound,
+        };
+        self.tally.measure(Aspect::T, error);
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {
             format!(

@@ -1,11 +1,12 @@
 //! Judging: from what the student's code answered to what is right and wrong about it.
 //!
 //! [`judge`] picks the judge for the kind of work: `pixels` and `camera` for the rays of Part 1, `shapes` for
-//! what they hit, with `hits` for a single hit record. [`tally`] counts aspect by aspect; [`expected`] is the
+//! what they hit, with `hits` for a single hit record. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
 //! form in which truth comes.
 
 mod boxes;
 mod camera;
+pub mod errors;
 pub mod expected;
 mod hits;
 mod pixels;

@@ -1,5 +1,6 @@
 //! Counting right and wrong answers, aspect by aspect.
 
+use super::errors::{ErrorSpread, NumberError};
 use kit::Vec3;
 use serde::Serialize;
 
@@ -154,6 +155,11 @@ pub struct Finding {
     /// Each of them: its call and its class.
     #[serde(skip)]
     pub faults: Vec<(u32, Class)>,
+    /// How far off its numbers are, where that is measured.
+    pub spread: Option<ErrorSpread>,
+    /// The same number by number.
+    #[serde(skip)]
+    pub errors: Vec<NumberError>,
     #[serde(skip)]
     last_judged: Option<u32>,
 }
@@ -237,8 +243,16 @@ impl Tally {
         }
     }
 
+    /// A number that shows `aspect` is so far off, rightly or not.
+    pub fn measure(&mut self, aspect: Aspect, error: NumberError) {
+        self.entry(aspect).errors.push(error);
+    }
+
     /// The findings in the order in which their aspects first came up.
-    pub fn into_findings(self) -> Vec<Finding> {
+    pub fn into_findings(mut self) -> Vec<Finding> {
+        for finding in &mut self.findings {
+            finding.spread = ErrorSpread::of(&finding.errors);
+        }
         self.findings
     }
 
@@ -255,6 +269,8 @@ impl Tally {
                     wrong: 0,
                     worst: None,
                     faults: Vec::new(),
+                    spread: None,
+                    errors: Vec::new(),
                     last_judged: None,
                 });
                 self.findings.len() - 1

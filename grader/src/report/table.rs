@@ -1,7 +1,8 @@
 //! The report as a table, then what failed: as much of it as the hint level says.
 
 use crate::course::Tier;
-use crate::judge::tally::Finding;
+use crate::judge::errors::ErrorSpread;
+use crate::judge::tally::{Aspect, Finding};
 use crate::score::{CaseResult, Report, Status, TaskResult};
 use clap::ValueEnum;
 use comfy_table::{Cell, CellAlignment, Color, Table, presets};
@@ -43,6 +44,7 @@ pub fn show(report: &Report, hint: Hint) -> String {
         ]);
     }
     let mut text = format!("{table}\n");
+    rounding(&mut text, report);
     for task in &report.tasks {
         details(&mut text, task, hint);
     }
@@ -59,6 +61,30 @@ pub fn show(report: &Report, hint: Hint) -> String {
         );
     }
     text
+}
+
+/// How far off `t` is, task by task, where hit or miss is right and no `t` is wrong: a matter of the formula.
+fn rounding(text: &mut String, report: &Report) {
+    for task in &report.tasks {
+        for (tier, name) in [(Tier::Core, "core"), (Tier::Robust, "extra")] {
+            let cases = task.cases.iter().filter(|case| case.tier == tier);
+            let errors = cases
+                .flat_map(|case| &case.findings)
+                .filter(|finding| finding.aspect == Aspect::T && finding.wrong == 0)
+                .flat_map(|finding| &finding.errors);
+            if let Some(spread) = ErrorSpread::of(errors) {
+                let _ = writeln!(
+                    text,
+                    "{} {name}: t is off by {} ulp in half of the hits, by up to {} in 99 of 100 and {} in the worst; at most {:.0} % of what is allowed",
+                    task.key,
+                    number(spread.p50),
+                    number(spread.p99),
+                    number(spread.max),
+                    100.0 * spread.of_bound
+                );
+            }
+        }
+    }
 }
 
 fn points(score: f64, max_score: f64) -> Cell {

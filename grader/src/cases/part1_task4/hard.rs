@@ -1,8 +1,8 @@
 //! Spheres: where the quadratic formula loses its digits.
 
-use super::Spec;
-use super::part1_task4::case;
-use super::probes::{Dice, Probes, within};
+use super::super::Spec;
+use super::super::probes::{Dice, Probes, within};
+use super::case;
 use crate::judge::tally::Aspect::{Decision, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::Work;
@@ -12,8 +12,9 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "far_away",
-            "Spheres a thousand to a million radii away: b * b and 4ac are so large that their \
-             difference keeps no digit. Take it as r * r - |f - (f.d / d.d) d|^2 instead.",
+            "Spheres a thousand to a million radii away: b * b and 4ac are so large that \
+             their difference keeps no digit. Take it as r * r - |f - (f.d / d.d) d|^2 \
+             instead.",
             far_away(),
         )
         .only(&[Decision, T]),
@@ -40,8 +41,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision]),
         case(
             "hit_point_on_the_sphere",
-            "Hits from far away: o + t d is off the sphere by the rounding of t. Scale center- \
-             to-p back to the radius.",
+            "Hits from far away: o + t d is off the sphere by the rounding of t. Scale \
+             center- to-p back to the radius.",
             hit_point_on_the_sphere(),
         )
         .only(&[Position, Normal]),

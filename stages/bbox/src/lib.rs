@@ -21,7 +21,8 @@ use kit::{Aabb, Interval, Ray};
 ///   rounding error of the division. So a ray that passes a corner within a few units in the last place is
 ///   a hit, and the interval can end that little late. (Holds while `t` is neither denormal nor infinite.)
 /// - An empty box, a box or a ray with a NaN: no hit.
-// Always: a traversal tests one ray against many boxes, and only within its loop is `1/d` seen to stay the same.
+// Always: a traversal tests one ray against many boxes, and only within its loop is `1/d` seen to stay
+// the same.
 #[inline(always)]
 pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     // BEGIN SOLUTION(part2.task2)
@@ -41,7 +42,8 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     let exit = earlier(later(t_min.z, t_max.z), exit);
     let exit = widened(exit);
     if entry <= exit && entry <= ray.max_t {
-        // Asked last, because most tests end in a miss: the comparisons above let NaN and turned-round boxes pass.
+        // Asked last, because most tests end in a miss: the comparisons above let NaN and turned-round
+        // boxes pass.
         let is_box = !b.is_empty() && !ray.o.is_nan();
         return is_box.then_some(Interval {
             min: entry,
@@ -54,14 +56,16 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
 }
 
 // BEGIN SOLUTION(part2.task2)
-/// How much later the exit is taken to be, relative to itself: 2·γ(3) = 6u/(1 - 3u), rounded up, with u = 2^-53.
+/// How much later the exit is taken to be, relative to itself: 2·γ(3) = 6u/(1 - 3u), rounded up, with u
+/// = 2^-53.
 ///
 /// Entry and exit are each off by up to three roundings (subtract, invert, multiply), so they can swap
 /// places by twice that. Thiago Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013; the bound is that of
 /// Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.2.
 const EXIT_WIDENING: f64 = 3.5 * f64::EPSILON;
 
-/// The exit, later by [`EXIT_WIDENING`] whatever its sign. +∞ stays; -∞ becomes NaN, before which nothing enters.
+/// The exit, later by [`EXIT_WIDENING`] whatever its sign. +∞ stays; -∞ becomes NaN, before which
+/// nothing enters.
 #[inline]
 fn widened(exit: f64) -> f64 {
     exit + exit.abs() * EXIT_WIDENING
@@ -89,7 +93,8 @@ fn has_inverse(inv_d: Vec3) -> bool {
 /// direction's sign, not found by comparing: so NaN, from 0/0 for an origin on a plane and a ray along
 /// it, stays on its own side and can be ignored there.
 ///
-/// The ray comes by value: a reference would keep the caller's ray in memory, and `1/d` in its loop over boxes.
+/// The ray comes by value: a reference would keep the caller's ray in memory, and `1/d` in its loop
+/// over boxes.
 #[cold]
 #[inline(never)]
 fn intersect_by_division(b: &Aabb, ray: Ray) -> Option<Interval> {

@@ -109,8 +109,9 @@ impl Mul<f64> for DoubleDouble {
     }
 }
 
-/// The power of two that brings `x` into [1, 2) by division; `x` must be positive and finite. Multiplying by powers of
-/// two does not round, so a kernel may work at a size where nothing overflows or underflows.
+/// The power of two that brings `x` into [1, 2) by division; `x` must be positive and finite.
+/// Multiplying by powers of two does not round, so a kernel may work at a size where nothing overflows
+/// or underflows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Scale {
     exponent: i32,

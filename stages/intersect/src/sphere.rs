@@ -8,10 +8,10 @@ use kit::{Hit, PrimId, Ray, Sphere};
 
 /// The smallest `t` in the ray's range at which `ray` crosses the surface of `s`; `None` if it does not.
 ///
-/// With `f = o - center` the crossings are the roots of `a·t² - 2·b·t + c = 0`, where `a = d·d`, `b = -f·d` and
-/// `c = f·f - r²`. The formula from school, `(b ± sqrt(b² - a·c)) / a`, loses its digits in two places: in
-/// `b² - a·c` when the sphere is small and far or hardly touched, and in `b - sqrt(..)` when the origin is near
-/// the surface.
+/// With `f = o - center` the crossings are the roots of `a·t² - 2·b·t + c = 0`, where `a = d·d`, `b =
+/// -f·d` and `c = f·f - r²`. The formula from school, `(b ± sqrt(b² - a·c)) / a`, loses its digits in
+/// two places: in `b² - a·c` when the sphere is small and far or hardly touched, and in `b - sqrt(..)`
+/// when the origin is near the surface.
 ///
 /// - The far crossing counts when the near one is out of range: the ray starts inside, or `min_t` is past it.
 /// - A tangent line meets the sphere, once. An origin on the surface meets it at `t = 0`.
@@ -25,11 +25,12 @@ pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
     // END SOLUTION(part1.task4)
 }
 
-/// The hit of `ray` with `s`, which is primitive `id`, if there is one in the ray's range; `ray.max_t` becomes its `t`.
+/// The hit of `ray` with `s`, which is primitive `id`, if there is one in the ray's range; `ray.max_t`
+/// becomes its `t`.
 ///
-/// `n` and `ng` are the unit vector from the centre to the hit point: outward, also when the ray comes from inside.
-/// `p` is the centre plus `r` times that, which brings `o + t·d` back onto the surface. `uv` is (0, 0). On
-/// a sphere that is a point the normal is `-d`.
+/// `n` and `ng` are the unit vector from the centre to the hit point: outward, also when the ray comes
+/// from inside. `p` is the centre plus `r` times that, which brings `o + t·d` back onto the surface.
+/// `uv` is (0, 0). On a sphere that is a point the normal is `-d`.
 pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task4)
     let t = test_sphere(s, ray)?;
@@ -53,9 +54,9 @@ pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
 // BEGIN SOLUTION(part1.task4)
 /// The two crossings of the line, nearer first (equal for a tangent).
 ///
-/// Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7:
-/// `b² - a·c = a·(r² - |f + (b/a)·d|²)`, which compares the radius with the distance between centre and line and does not
-/// cancel for a sphere that is merely far.
+/// Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
+/// Gems, 2019, chapter 7: `b² - a·c = a·(r² - |f + (b/a)·d|²)`, which compares the radius with the
+/// distance between centre and line and does not cancel for a sphere that is merely far.
 #[inline]
 fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let (d, r2) = (ray.d, s.radius * s.radius);
@@ -80,8 +81,8 @@ fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     (disc >= 0.0).then(|| roots(a, b, c, (a * disc).sqrt()))
 }
 
-/// The roots of `a·t² - 2·b·t + c`, smaller first, given the root of `b² - a·c`: first the one whose terms have
-/// equal signs, then the other from their product.
+/// The roots of `a·t² - 2·b·t + c`, smaller first, given the root of `b² - a·c`: first the one whose
+/// terms have equal signs, then the other from their product.
 #[inline]
 fn roots(a: f64, b: f64, c: f64, sqrt_disc: f64) -> [f64; 2] {
     if b < 0.0 {
@@ -89,8 +90,8 @@ fn roots(a: f64, b: f64, c: f64, sqrt_disc: f64) -> [f64; 2] {
         [q / a, c / q]
     } else {
         let q = b + sqrt_disc;
-        // Only when both roots are 0: a tangent from its own point.
-        if q == 0.0 { [0.0; 2] } else { [c / q, q / a] }
+        // If both roots are 0, a tangent from its own point, c/q is NaN: in no range, so that q/a is the hit.
+        [c / q, q / a]
     }
 }
 
@@ -105,11 +106,11 @@ const SMALLEST: f64 = 1e-100;
 /// See [`SMALLEST`].
 const LARGEST: f64 = 1e100;
 
-/// The same crossings, slower: at a scale where nothing overflows or underflows, with b, c and the discriminant in
-/// double-double arithmetic.
+/// The same crossings, slower: at a scale where nothing overflows or underflows, with b, c and the
+/// discriminant in double-double arithmetic.
 ///
-/// The discriminant is `a·r² - |f x d|²`, by Lagrange's identity `(f·d)² + |f x d|² = (f·f)(d·d)`. For whole numbers up to
-/// 2^25 it is exact, so that a tangent is told from a miss by one.
+/// The discriminant is `a·r² - |f x d|²`, by Lagrange's identity `(f·d)² + |f x d|² = (f·f)(d·d)`. For
+/// whole numbers up to 2^25 it is exact, so that a tangent is told from a miss by one.
 #[cold]
 #[inline(never)]
 fn crossings_carefully(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {

@@ -9,8 +9,9 @@ use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 /// Where `ray` meets `tri`, if it does at a `t` in its range; both faces, edges and vertices count.
 ///
 /// The point that is hit is `o + t·d = b0·p0 + b1·p1 + b2·p2` with `b0 + b1 + b2 = 1` and no weight
-/// negative: equations for `t`, `b1` and `b2`. There are many ways to solve them. The assignment recommends that of
-/// Möller and Trumbore; a watertight one lets no ray slip through between two triangles of a closed mesh.
+/// negative: equations for `t`, `b1` and `b2`. There are many ways to solve them. The assignment
+/// recommends that of Möller and Trumbore; a watertight one lets no ray slip through between two
+/// triangles of a closed mesh.
 ///
 /// - A triangle without area is not hit, nor is one that the ray lies in the plane of.
 /// - A vertex or a ray with a NaN or an infinite coordinate: no hit. `d = 0`: no hit.
@@ -36,15 +37,15 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
         return None;
     }
     let det = weights.sum();
-    let scale = (det * d.z).abs();
+    let (dividend, divisor) = (weights.of(a.z, b.z, c.z), det * d.z);
     let is_sound = (agreement > 0.0)
         & (det.abs() > CANCELLATION * (cb.abs() + ac.abs() + ba.abs()))
-        & (SMALLEST < scale)
-        & (scale < LARGEST);
+        & is_ordinary(dividend)
+        & is_ordinary(divisor);
     if !is_sound {
         return test_carefully(tri, ray);
     }
-    let t = weights.of(a.z, b.z, c.z) / (det * d.z);
+    let t = dividend / divisor;
     ray.in_range(t).then(|| TriangleHit {
         t,
         b1: weights.v / det,
@@ -54,13 +55,14 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     // END SOLUTION(part1.task3)
 }
 
-/// The hit of `ray` with `tri`, which is primitive `id`, if there is one in the ray's range; `ray.max_t` becomes its `t`.
+/// The hit of `ray` with `tri`, which is primitive `id`, if there is one in the ray's range;
+/// `ray.max_t` becomes its `t`.
 ///
 /// - `p` is `p0 + b1·(p1 - p0) + b2·(p2 - p0)`. That is on the triangle however far away the ray started,
 ///   where `o + t·d` is off by a rounding error that grows with `t`.
 /// - `ng` is the unit vector along `(p1 - p0) x (p2 - p0)`.
-/// - `n` is `b0·n0 + b1·n1 + b2·n2` brought to unit length; where the three cancel (or one is not finite), `ng`.
-///   Neither normal is turned towards the ray.
+/// - `n` is `b0·n0 + b1·n1 + b2·n2` brought to unit length; where the three cancel (or one is not
+///   finite), `ng`. Neither normal is turned towards the ray.
 /// - `uv` is `(b1, b2)`.
 pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task3)
@@ -80,16 +82,19 @@ pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<H
 }
 
 // BEGIN SOLUTION(part1.task3)
-/// Below this share of the triangle's extent, the determinant is what is left after most digits cancelled, and
-/// the weights are computed again: a needle of 1000:1, or a ray within a thousandth of its plane.
-/// Above it they are good to about 2^-42.
+/// Below this share of the triangle's extent, the determinant is what is left after most digits
+/// cancelled, and the weights are computed again: a needle of 1000:1, or a ray within a thousandth of
+/// its plane. Above it they are good to about 2^-42.
 const CANCELLATION: f64 = 1.0 / 1024.0;
 
-/// Where `det·d.z` lies when no product on the way to it has underflowed or overflowed: it is a product of five
-/// factors, two coordinates and three direction components, and the square root of the smallest float is 1e-154.
-const SMALLEST: f64 = 1e-150;
-/// See [`SMALLEST`].
-const LARGEST: f64 = 1e150;
+/// Whether a product of several factors has neither underflowed nor overflowed on the way, with some room left for
+/// the digits of its terms. (The weights need no such test: their agreement underflows long before they do.)
+#[inline]
+fn is_ordinary(x: f64) -> bool {
+    const SMALLEST: f64 = 1e-290;
+    const LARGEST: f64 = 1e300;
+    (SMALLEST < x.abs()) & (x.abs() < LARGEST)
+}
 
 /// The edge functions: twice the signed areas of the triangles that the ray's line makes with each
 /// edge, seen along the ray. They are the barycentric weights times the determinant, their sum.
@@ -100,12 +105,12 @@ struct Weights {
 }
 
 impl Weights {
-    /// Negative if two of them differ in sign, positive if all have the same sign; 0 if one is 0 and the others do not
-    /// differ, or if they are too small to tell.
+    /// Negative if two of them differ in sign, positive if all have the same sign; 0 if one is 0 and
+    /// the others do not differ, or if they are too small to tell.
     #[inline]
     fn agreement(&self) -> f64 {
-        // A product, not a chain of comparisons: which of the three is negative is anyone's guess, and a branch
-        // predictor's wrong guesses would cost more than all the rest.
+        // A product, not a chain of comparisons: which of the three is negative is anyone's guess, and
+        // a branch predictor's wrong guesses would cost more than all the rest.
         let smaller = |a: f64, b: f64| if a < b { a } else { b };
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         smaller(self.u, smaller(self.v, self.w)) * larger(self.u, larger(self.v, self.w))
@@ -154,15 +159,15 @@ impl Axes {
 /// Where the line through `p` along `d` crosses the plane z = 0, times `d.z`. In that plane the ray is the
 /// origin and the triangle is flat; no division, so that small whole numbers stay exact.
 ///
-/// Neighbours that share a vertex get the same two numbers for it, whatever was rounded: the mesh in the plane has
-/// no gaps, and from here on only exact signs are needed.
+/// Neighbours that share a vertex get the same two numbers for it, whatever was rounded: the mesh in
+/// the plane has no gaps, and from here on only exact signs are needed.
 #[inline]
 fn sheared(p: Vec3, d: Vec3) -> Vec2 {
     Vec2::new(p.x * d.z - d.x * p.z, p.y * d.z - d.y * p.z)
 }
 
-/// The same test, slower: at a scale where nothing overflows or underflows, with edge functions whose signs are
-/// exact and which keep all their digits when products cancel.
+/// The same test, slower: at a scale where nothing overflows or underflows, with edge functions whose
+/// signs are exact and which keep all their digits when products cancel.
 #[cold]
 #[inline(never)]
 fn test_carefully(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
@@ -202,8 +207,7 @@ fn geometric_normal(tri: &Triangle) -> Vec3 {
     let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
     let normal = e1.cross(e2);
     let length = normal.length();
-    if length > CANCELLATION * (e1.length() * e2.length()) && length > SMALLEST && length < LARGEST
-    {
+    if length > CANCELLATION * (e1.length() * e2.length()) && is_ordinary(normal.length_squared()) {
         return normal / length;
     }
     let space = Scale::of(e1.abs().max(e2.abs()).max_element());

@@ -21,7 +21,7 @@ pub fn generate_ray(camera: &Camera, sensor: Vec2) -> Ray {
     // BEGIN SOLUTION(part1.task2)
     let half_width = tan((0.5 * camera.h_fov).to_radians());
     let half_height = tan((0.5 * camera.v_fov).to_radians());
-    // 2s - 1 is exactly 0 in the centre, where interpolating between the corners would leave a rounding error.
+    // 2s - 1 is exactly 0 in the centre.
     let in_camera_space = Vec3::new(
         (2.0 * sensor.x - 1.0) * half_width,
         (2.0 * sensor.y - 1.0) * half_height,

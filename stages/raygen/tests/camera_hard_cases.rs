@@ -2,7 +2,7 @@
 // BEGIN SOLUTION(part1.task2)
 use kit::camera::PlaceError;
 use kit::{Camera, FilmSize, Mat3, PixelSampler, Ray, Spectrum, Vec2, Vec3};
-use proptest::prelude::*;
+use proptest::{prelude::*, test_runner::RngSeed};
 use raygen::generate_ray;
 
 fn camera(h_fov: f64, v_fov: f64) -> Camera {
@@ -16,21 +16,26 @@ fn camera(h_fov: f64, v_fov: f64) -> Camera {
     }
 }
 
-/// Hard case 1. Interpolating between the corners, `left + s·(right - left)`, leaves a rounding error in the middle.
+/// Hard case 1. Moving the point on the sensor into world space and taking the camera's position off
+/// again leaves a rounding error.
 #[test]
 fn centre_pixel_of_an_odd_film_looks_exactly_ahead() {
     for h_fov in [0.1, 35.0, 50.0, 90.0, 120.0, 179.0] {
         for width in (1..2000_u32).step_by(2) {
             let centre = (f64::from(width / 2) + 0.5) / f64::from(width);
-            let ray = generate_ray(&camera(h_fov, 0.7 * h_fov), Vec2::splat(centre));
+            let camera = Camera {
+                pos: Vec3::new(0.1, 1e6, -3.3),
+                ..camera(h_fov, 0.7 * h_fov)
+            };
+            let ray = generate_ray(&camera, Vec2::splat(centre));
             // -0 is equal to 0 here.
             assert_eq!(ray.d, Vec3::NEG_Z, "{h_fov} degrees, {width} pixels");
         }
     }
 }
 
-/// Hard case 3. The tangent of half of 180 degrees has no bound; in floating point it is 1.6e16, and the square of
-/// that still fits.
+/// Hard case 3. The tangent of half of 180 degrees has no bound; in floating point it is 1.6e16, and
+/// the square of that still fits.
 #[test]
 fn field_of_view_near_180_degrees_is_finite() {
     for fov in [179.0, 179.999_999, 180.0_f64.next_down(), 180.0] {
@@ -110,6 +115,9 @@ fn the_only_pixel_looks_ahead() {
 }
 
 proptest! {
+    // The same cases on every run.
+    #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+
     #[test]
     fn ray_goes_through_its_point_of_the_sensor(
         (h_fov, v_fov) in (1.0..179.0_f64, 1.0..179.0_f64),

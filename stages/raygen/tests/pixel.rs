@@ -4,7 +4,8 @@ use kit::{FilmSize, PixelSampler, Ray, Spectrum, Vec2, Vec3};
 
 const FILM: FilmSize = FilmSize { w: 8, h: 4 };
 
-/// The film points that `raytrace_pixel` asked the camera for, and its estimate, when every ray's radiance is its x.
+/// The film points that `raytrace_pixel` asked the camera for, and its estimate, when every ray's
+/// radiance is its x.
 fn sample(x: u32, y: u32, ns_aa: u32) -> (Vec<Vec2>, kit::PixelEstimate) {
     let mut asked = Vec::new();
     let estimate = raygen::raytrace_pixel(

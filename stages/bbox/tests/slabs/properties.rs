@@ -1,5 +1,6 @@
 //! What holds for every box and ray, against exact arithmetic.
 // BEGIN SOLUTION(part2.task2)
+use crate::cases;
 use bbox::intersect_bbox;
 use kit::{Aabb, Ray, Vec3};
 use num_rational::BigRational;
@@ -68,7 +69,7 @@ fn pair() -> impl Strategy<Value = (Aabb, Ray)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(10_000))]
+    #![proptest_config(cases(10_000))]
 
     #[test]
     fn agrees_with_exact_arithmetic((b, ray) in pair()) {

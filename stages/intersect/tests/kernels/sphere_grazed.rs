@@ -7,7 +7,8 @@ use kit::{Ray, Sphere, Vec3};
 /// The relative error that a root may have: a few roundings, far from where the two roots meet.
 const FEW_ULP: f64 = 8.0 * f64::EPSILON;
 
-/// Hard case 36. `b² - a·c` of a tangent is exactly 0 here, and its terms are large: one rounding error decides.
+/// Hard case 36. `b² - a·c` of a tangent is exactly 0 here, and its terms are large: one rounding error
+/// decides.
 #[test]
 fn tangent_in_whole_numbers_is_one_hit() {
     // Points on spheres of whole radius, and directions at right angles to them.
@@ -69,8 +70,8 @@ fn grazing_by_a_millionth_is_decided() {
     }
 }
 
-/// Hard case 38. `b²` and `a·c` are the square of the distance, their difference that of the radius: at 1e8 radii nothing is
-/// left of it in f64, at 1e4 radii in f32.
+/// Hard case 38. `b²` and `a·c` are the square of the distance, their difference that of the radius: at
+/// 1e8 radii nothing is left of it in f64, at 1e4 radii in f32.
 #[test]
 fn far_sphere_is_hit() {
     for distance in [1e3, 1e4, 1e5, 1e6, 1e9, 1e12] {

@@ -21,7 +21,8 @@ fn from_inside_the_far_root_is_hit() {
     assert_eq!(test_sphere(&BALL, &along_x(1.0)), Some(1.0));
 }
 
-/// Hard case 41. At the centre `b` is 0: with `signum(0) = 0` in `q = b + signum(b)·sqrt(..)` both roots collapse.
+/// Hard case 41. At the centre `b` is 0: with `signum(0) = 0` in `q = b + signum(b)·sqrt(..)` both
+/// roots collapse.
 #[test]
 fn from_the_centre_the_radius_is_hit() {
     assert_eq!(test_sphere(&BALL, &along_x(0.0)), Some(2.0));
@@ -45,9 +46,13 @@ fn from_the_surface_outward_there_is_no_positive_root() {
         ..outward
     };
     assert_eq!(test_sphere(&BALL, &beyond), None);
+    // Both roots are 0: (b + sqrt(b² - a·c)) is 0, and the other root c divided by it is 0/0.
+    let tangent = Ray::new(Vec3::new(2.0, 0.0, 0.0), Vec3::Y);
+    assert_eq!(test_sphere(&BALL, &tangent), Some(0.0));
 }
 
-/// Hard case 43. The crossing at the origin of the ray must not come out as a tiny positive `t` in place of the other side.
+/// Hard case 43. The crossing at the origin of the ray must not come out as a tiny positive `t` in
+/// place of the other side.
 #[test]
 fn from_the_surface_inward_the_chord_is_hit() {
     let inward = Ray {
@@ -151,7 +156,8 @@ fn negative_or_nan_numbers_are_a_miss() {
     assert_eq!(test_sphere(&BALL, &Ray::new(Vec3::ZERO, Vec3::ZERO)), None);
 }
 
-/// Hard case 49. `o + t·d` is off by the rounding error of `t`; a ray that leaves from there starts inside or outside.
+/// Hard case 49. `o + t·d` is off by the rounding error of `t`; a ray that leaves from there starts
+/// inside or outside.
 #[test]
 fn hit_point_is_on_the_sphere() {
     for distance in [1.0, 1e3, 1e6, 1e9] {

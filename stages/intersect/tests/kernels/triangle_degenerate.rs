@@ -19,7 +19,8 @@ fn askew() -> Triangle {
     Triangle::flat(turn * tri.p0, turn * tri.p1, turn * tri.p2)
 }
 
-/// Hard case 12. The determinant of a parallel ray is 0 or what rounding left of it; divided by that, anything is a hit.
+/// Hard case 12. The determinant of a parallel ray is 0 or what rounding left of it; divided by that,
+/// anything is a hit.
 #[test]
 fn parallel_ray_above_the_plane_misses() {
     for tri in [flat_on_z(), askew()] {
@@ -35,7 +36,8 @@ fn parallel_ray_above_the_plane_misses() {
     }
 }
 
-/// Hard case 13. A ray in the plane meets a whole stretch of the triangle, not a point: a miss, by convention.
+/// Hard case 13. A ray in the plane meets a whole stretch of the triangle, not a point: a miss, by
+/// convention.
 #[test]
 fn coplanar_ray_through_the_triangle_misses() {
     for d in [Vec3::X, Vec3::new(1.0, 0.5, 0.0), Vec3::Y] {

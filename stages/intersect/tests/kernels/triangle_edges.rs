@@ -1,5 +1,6 @@
 //! Rays at the edges and vertices of a single triangle: they count.
 // BEGIN SOLUTION(part1.task3)
+use crate::cases;
 use crate::truth::Crossing;
 use intersect::test_triangle;
 use kit::{Ray, Triangle, Vec3};
@@ -15,7 +16,7 @@ fn whole_triangle() -> impl Strategy<Value = Triangle> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(cases(2000))]
 
     /// Hard case 9. With a division by `d.z`, or with `<` for `<=`, a ray at the middle of an edge is lost
     /// now and then. Here nothing need be rounded, so it must always hit, at exactly t = 1/2.
@@ -59,7 +60,8 @@ proptest! {
     }
 }
 
-/// Hard case 10. Two small triangles meet a large one along its edge, their common vertex in the middle of it.
+/// Hard case 10. Two small triangles meet a large one along its edge, their common vertex in the middle
+/// of it.
 #[test]
 fn t_junction_is_hit_only_if_exactly_on_the_edge() {
     let large = Triangle::flat(

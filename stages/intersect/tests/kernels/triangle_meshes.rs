@@ -1,5 +1,6 @@
 //! Rays at the seams of meshes: no ray slips through.
 // BEGIN SOLUTION(part1.task3)
+use crate::cases;
 use intersect::test_triangle;
 use kit::{Ray, Triangle, Vec3};
 use proptest::prelude::*;
@@ -8,8 +9,8 @@ fn point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-1.0..1.0_f64).prop_map(Vec3::from_array)
 }
 
-/// A closed surface around the origin: an octahedron with every edge halved `levels` times, its vertices on the unit
-/// sphere. Convex.
+/// A closed surface around the origin: an octahedron with every edge halved `levels` times, its
+/// vertices on the unit sphere. Convex.
 fn ball(levels: u32) -> Vec<[Vec3; 3]> {
     let mut faces = Vec::new();
     for x in [Vec3::X, Vec3::NEG_X] {
@@ -30,7 +31,8 @@ fn ball(levels: u32) -> Vec<[Vec3; 3]> {
     faces
 }
 
-/// Moves every vertex along its own direction by a factor in [1/2, 3/2) that depends on nothing but the vertex.
+/// Moves every vertex along its own direction by a factor in [1/2, 3/2) that depends on nothing but the
+/// vertex.
 fn dented(v: Vec3) -> Vec3 {
     let mixed = v.to_array().into_iter().fold(0_u64, |h, x| {
         // -0 and +0 are one vertex.
@@ -58,10 +60,10 @@ fn assert_closed(mesh: &[[Vec3; 3]], origin: Vec3, along: f64) -> Result<(), Tes
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
-    /// Hard case 7. Möller-Trumbore rounds the same edge differently from its two sides: of rays at shared edges
-    /// about one in ten slips through.
+    /// Hard case 7. Möller-Trumbore rounds the same edge differently from its two sides: of rays at
+    /// shared edges about one in ten slips through.
     #[test]
     fn shared_edge_lets_no_ray_through(
         (a, b, c) in (point(), point(), point()),
@@ -96,7 +98,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(cases(12))]
 
     #[test]
     fn closed_mesh_never_leaks(from in point(), along in 0.0..1.0_f64) {
@@ -105,8 +107,8 @@ proptest! {
         assert_closed(&dented, Vec3::ZERO, along)?;
     }
 
-    /// Hard case 21. Every face of a ball that is stretched a millionfold is a needle. A test that drops a hit because its `t` is
-    /// uncertain makes holes here: both neighbours are uncertain.
+    /// Hard case 21. Every face of a ball that is stretched a millionfold is a needle. A test that
+    /// drops a hit because its `t` is uncertain makes holes here: both neighbours are uncertain.
     #[test]
     fn closed_mesh_of_needles_never_leaks(
         from in point(),

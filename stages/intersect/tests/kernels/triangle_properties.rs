@@ -1,5 +1,6 @@
 //! What holds for every triangle and ray.
 // BEGIN SOLUTION(part1.task3)
+use crate::cases;
 use crate::triangle_scales::distance_bound;
 use crate::truth::Crossing;
 use intersect::{intersect_triangle, test_triangle};
@@ -32,7 +33,7 @@ fn pair() -> impl Strategy<Value = (Triangle, Ray)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(cases(2000))]
 
     #[test]
     fn agrees_with_exact_arithmetic((tri, ray) in pair()) {

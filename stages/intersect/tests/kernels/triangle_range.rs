@@ -20,7 +20,8 @@ fn ranged(min_t: f64, max_t: f64) -> Ray {
     }
 }
 
-/// Hard cases 26 and 27. A fixed `t > 1e-4` loses rays that start on a surface on purpose, with a range that says so.
+/// Hard cases 26 and 27. A fixed `t > 1e-4` loses rays that start on a surface on purpose, with a range
+/// that says so.
 #[test]
 fn origin_on_the_plane_hits_at_zero_if_the_range_has_it() {
     let vertices = [wall().p0, wall().p1, wall().p2];
@@ -39,7 +40,8 @@ fn origin_on_the_plane_hits_at_zero_if_the_range_has_it() {
     }
 }
 
-/// Hard cases 28 and 29. `t < max_t` loses the hit that another ray's range ends at: of two equal surfaces, the second one.
+/// Hard cases 28 and 29. `t < max_t` loses the hit that another ray's range ends at: of two equal
+/// surfaces, the second one.
 #[test]
 fn ends_of_the_range_count() {
     let t = |ray: Ray| test_triangle(&wall(), &ray).map(|hit| hit.t);
@@ -57,7 +59,8 @@ fn hit_in_a_range_of_negative_distances_counts() {
     assert_eq!(test_triangle(&wall(), &ray).map(|hit| hit.t), Some(-3.0));
 }
 
-/// Hard case 30. A test that shortens the ray before it has looked at the edges hides everything behind the miss.
+/// Hard case 30. A test that shortens the ray before it has looked at the edges hides everything behind
+/// the miss.
 #[test]
 fn only_a_hit_shortens_the_ray() {
     let beside = Ray::new(Vec3::new(2.5, 2.5, 0.0), Vec3::NEG_Z);

@@ -1,12 +1,14 @@
 //! Triangles that are very small, large, thin or far: no fixed epsilon fits all of them.
 // BEGIN SOLUTION(part1.task3)
+use crate::cases;
 use crate::truth::{Crossing, distance_from_plane};
 use intersect::{intersect_triangle, test_triangle};
-use kit::{PrimId, Ray, Triangle, Vec3};
+use kit::{PrimId, Ray, Triangle, TriangleHit, Vec3};
 use proptest::prelude::*;
 
-/// How far a float `t` may be from the truth: the bound on the rounding errors of the watertight test, doubled as the
-/// grader does. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.7. For unit `d`.
+/// How far a float `t` may be from the truth: the bound on the rounding errors of the watertight test,
+/// doubled as the grader does. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition,
+/// section 6.8.7. For unit `d`.
 pub(crate) fn distance_bound(tri: &Triangle, ray: &Ray) -> f64 {
     let gamma = |n: f64| n * 0.5 * f64::EPSILON / (1.0 - n * 0.5 * f64::EPSILON);
     let longest = ray.d.abs().max_position();
@@ -74,32 +76,65 @@ fn scaled(tri: &Triangle, s: f64) -> Triangle {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(cases(300))]
 
-    /// Hard cases 17, 18 and 19. `if det.abs() < 1e-8 { miss }` loses every triangle of a small scene. In f32 the products of
-    /// coordinates underflow at 1e-15 and overflow at 1e15; in f64 they do at 1e-100 and 1e100.
+    /// Hard cases 17, 18 and 19. `if det.abs() < 1e-8 { miss }` loses every triangle of a small scene. In
+    /// f32 the products of coordinates underflow at 1e-15 and overflow at 1e15; in f64 they do at 1e-100
+    /// and 1e100.
     #[test]
-    fn size_of_the_scene_does_not_matter((tri, ray) in fair_hit(), exponent in -300..300_i32) {
+    fn size_of_the_scene_does_not_matter((tri, ray) in fair_hit(), exponent in -900..900_i32) {
         let reference = test_triangle(&tri, &ray).unwrap();
-        for exponent in [exponent, -20, -50, 50, -170, 170, -300, 300] {
+        for exponent in [exponent, -20, -50, 50, -500, 500] {
             // Powers of two, so that the scaled scene is the same scene.
-            let s = 2.0_f64.powi(3 * exponent);
+            let s = 2.0_f64.powi(exponent);
             let hit = test_triangle(&scaled(&tri, s), &Ray::new(s * ray.o, ray.d));
-            let hit = hit.map(|hit| (hit.t / s, hit.b1, hit.b2));
             prop_assert!(hit.is_some(), "missed at a scale of {s:e}");
-            let (t, b1, b2) = hit.unwrap();
-            prop_assert!((t - reference.t).abs() <= 4.0 * f64::EPSILON * reference.t);
-            prop_assert!((b1 - reference.b1).abs() < 1e-14 && (b2 - reference.b2).abs() < 1e-14);
+            let TriangleHit { t, b1, b2 } = hit.unwrap();
+            prop_assert!((t / s - reference.t).abs() <= distance_bound(&tri, &ray));
+            prop_assert!((b1 - reference.b1).abs() < 1e-12 && (b2 - reference.b2).abs() < 1e-12);
         }
     }
 
-    /// Hard case 31. A direction that is not unit is right, too: `t` counts its lengths.
+    /// Hard case 31. A direction that is not unit is right, too: `t` counts its lengths. Far beyond any scene,
+    /// products of coordinates and direction leave the range of floats in every way there is.
     #[test]
-    fn t_is_measured_in_lengths_of_d((tri, ray) in fair_hit(), exponent in -300..300_i32) {
-        let s = 2.0_f64.powi(3 * exponent);
+    fn t_is_measured_in_lengths_of_d(
+        (tri, ray) in fair_hit(),
+        size in -900..900_i32,
+        speed in -900..900_i32,
+    ) {
         let reference = test_triangle(&tri, &ray).unwrap().t;
-        let t = test_triangle(&tri, &Ray::new(ray.o, s * ray.d)).map(|hit| hit.t * s);
-        prop_assert!(t.is_some_and(|t| (t - reference).abs() <= 4.0 * f64::EPSILON * reference), "{t:?}");
+        for (size, speed) in [(0, speed), (0, 3), (size, speed)] {
+            let (size, speed) = (2.0_f64.powi(size), 2.0_f64.powi(speed));
+            let unit = size / speed;
+            prop_assume!(unit.is_normal() && (reference * unit).is_normal());
+            let hit = test_triangle(&scaled(&tri, size), &Ray::new(size * ray.o, speed * ray.d));
+            prop_assert!(hit.is_some(), "missed");
+            let t = hit.unwrap().t / unit;
+            prop_assert!((t - reference).abs() <= distance_bound(&tri, &ray), "{t} {reference}");
+        }
+    }
+
+    /// The signs of the weights are right without further care, but where their products cancel their digits are noise. Seen
+    /// along an axis nothing else is rounded, so `t` can be right to the last few.
+    #[test]
+    fn needle_across_the_line_of_sight_keeps_its_depth(
+        (a, b) in (point(), point()),
+        along in 0.1..0.9_f64,
+        width in 8.0..13.0_f64,
+    ) {
+        let thin = kit::math::pow(10.0, -width);
+        let side = thin * Vec3::new(b.y - a.y, a.x - b.x, 0.0);
+        let middle = a.lerp(b, along);
+        let middle = Vec3::new(middle.x, middle.y, 0.0);
+        let needle = Triangle::flat(a - middle, b - middle, side);
+        let ray = Ray { min_t: -9.0, ..Ray::new(Vec3::ZERO, Vec3::NEG_Z) };
+        let truth = Crossing::of(&needle, &ray);
+        prop_assume!(truth.as_ref().is_some_and(Crossing::is_inside));
+        let hit = test_triangle(&needle, &ray);
+        prop_assert!(hit.is_some());
+        let error = truth.unwrap().error_of(hit.unwrap().t);
+        prop_assert!(error <= 4.0 * f64::EPSILON, "{error:e}");
     }
 
     /// Hard case 20.
@@ -113,7 +148,8 @@ proptest! {
         assert_hit_within_bound(&sliver, &ray)?;
     }
 
-    /// Hard case 22. `if t <= delta_t { miss }`, meant against hits behind the origin, loses hits in front of it.
+    /// Hard case 22. `if t <= delta_t { miss }`, meant against hits behind the origin, loses hits in
+    /// front of it.
     #[test]
     fn pancake_is_hit((tri, ray) in fair_hit(), flat in 3.0..6.0_f64) {
         let thin = kit::math::pow(10.0, -flat);
@@ -124,7 +160,8 @@ proptest! {
         prop_assert!(test_triangle(&pancake, &Ray::new(o, target - o)).is_some());
     }
 
-    /// Hard case 23. Far from the origin coordinates are coarse, and the input is another triangle than meant: that one is to be hit.
+    /// Hard case 23. Far from the origin coordinates are coarse, and the input is another triangle than
+    /// meant: that one is to be hit.
     #[test]
     fn offset_of_a_million_is_exact_on_the_rounded_input((tri, ray) in fair_hit(), offset in point()) {
         let offset = 1e6 * offset;
@@ -134,9 +171,14 @@ proptest! {
         assert_hit_within_bound(&far, &Ray::new(o, (target - o).normalize()))?;
     }
 
-    /// Hard cases 24 and 35. At an angle of 1e-4 and less to the plane the determinant is small against its terms.
+    /// Hard cases 24 and 35. At an angle of 1e-4 and less to the plane the determinant is small against
+    /// its terms.
     #[test]
-    fn grazing_ray_is_within_the_bound((tri, _) in fair_hit(), grazing in 4.0..7.0_f64, turn in 0.0..std::f64::consts::TAU) {
+    fn grazing_ray_is_within_the_bound(
+        (tri, _) in fair_hit(),
+        grazing in 4.0..7.0_f64,
+        turn in 0.0..std::f64::consts::TAU,
+    ) {
         let normal = (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).normalize();
         let along = (tri.p1 - tri.p0).normalize();
         let along = kit::math::cos(turn) * along + kit::math::sin(turn) * normal.cross(along);
@@ -145,7 +187,8 @@ proptest! {
         assert_hit_within_bound(&tri, &Ray::new(target - 3.0 * d, d))?;
     }
 
-    /// Hard case 25. `o + t·d` is off by the rounding error of `t`, a millionth of a unit at t = 1e10; the vertices are not.
+    /// Hard case 25. `o + t·d` is off by the rounding error of `t`, a millionth of a unit at t = 1e10;
+    /// the vertices are not.
     #[test]
     fn hit_point_is_on_the_plane_however_far_the_origin((tri, ray) in fair_hit(), distance in 0.0..9.0_f64) {
         let target = 0.4 * tri.p0 + 0.3 * tri.p1 + 0.3 * tri.p2;

@@ -100,7 +100,8 @@ pub(crate) fn distance_from_plane(tri: &Triangle, p: Vec3) -> f64 {
     to_f64(&dot(&normal, &minus(&p, &p0))).abs() / to_f64(&dot(&normal, &normal)).sqrt()
 }
 
-/// `b² - a·c` of the quadratic equation of ray and sphere, its sign exact: negative for a line that misses, 0 for a tangent.
+/// `b² - a·c` of the quadratic equation of ray and sphere, its sign exact: negative for a line that
+/// misses, 0 for a tangent.
 pub(crate) fn discriminant(s: &Sphere, ray: &Ray) -> f64 {
     let [center, o, d] = [s.center, ray.o, ray.d].map(exact_vec);
     let f = minus(&o, &center);

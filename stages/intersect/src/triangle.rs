@@ -37,15 +37,14 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
         return None;
     }
     let det = weights.sum();
-    let (dividend, divisor) = (weights.of(a.z, b.z, c.z), det * d.z);
+    let scale_is_ordinary = is_ordinary(weights.of(a.z, b.z, c.z)) & is_ordinary(det * d.z);
     let is_sound = (agreement > 0.0)
         & (det.abs() > CANCELLATION * (cb.abs() + ac.abs() + ba.abs()))
-        & is_ordinary(dividend)
-        & is_ordinary(divisor);
+        & scale_is_ordinary;
     if !is_sound {
         return test_carefully(tri, ray);
     }
-    let t = dividend / divisor;
+    let t = weights.of(a.z, b.z, c.z) / (det * d.z);
     ray.in_range(t).then(|| TriangleHit {
         t,
         b1: weights.v / det,

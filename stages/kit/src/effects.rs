@@ -71,13 +71,14 @@ impl Effect {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EffectCounts([u64; Effect::ALL.len()]);
 
-impl EffectCounts {
-    /// One more operation.
-    #[inline]
-    pub fn add(&mut self, effect: Effect) {
-        self.0[effect as usize] += 1;
+impl From<[u64; Effect::ALL.len()]> for EffectCounts {
+    /// In the order of [`Effect::ALL`].
+    fn from(counts: [u64; Effect::ALL.len()]) -> EffectCounts {
+        EffectCounts(counts)
     }
+}
 
+impl EffectCounts {
     /// How many operations there were.
     pub fn of(&self, effect: Effect) -> u64 {
         self.0[effect as usize]

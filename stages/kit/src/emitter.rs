@@ -118,12 +118,17 @@ impl Emitter {
             }),
             Emitter::Mesh(mesh) => {
                 let (q, front) = mesh.sample(u);
-                let (wi, distance) = towards(p, q)?;
-                let cos = -wi.dot(front);
-                let pdf = distance * distance / (cos * mesh.area());
-                // Not `cos <= 0.0`: a NaN has no place in a picture either.
-                (cos > 0.0 && pdf.is_finite() && pdf > 0.0).then_some(LightSample {
-                    wi,
+                let d = q - p;
+                let height = -d.dot(front);
+                if height <= 0.0 {
+                    return None;
+                }
+                let distance2 = d.length_squared();
+                let distance = distance2.sqrt();
+                // distance² / (cos · area), where cos = height / distance.
+                let pdf = distance2 * distance / (height * mesh.area());
+                (pdf.is_finite() && pdf > 0.0).then(|| LightSample {
+                    wi: d / distance,
                     distance,
                     pdf,
                     radiance: mesh.radiance,

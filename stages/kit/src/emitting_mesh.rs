@@ -9,6 +9,8 @@ pub struct EmittingMesh {
     triangles: Vec<EmittingTriangle>,
     /// Area of the triangles up to and with this one.
     area_up_to: Vec<f64>,
+    /// For each triangle, one over its area.
+    inverse_areas: Vec<f64>,
     /// Emitted radiance.
     pub radiance: Spectrum,
 }
@@ -40,7 +42,9 @@ impl EmittingMesh {
                 sum
             })
             .collect();
+        let inverse_areas = triangles.iter().map(|t| 1.0 / area(t)).collect();
         (sum > 0.0 && sum.is_finite()).then_some(EmittingMesh {
+            inverse_areas,
             triangles,
             area_up_to,
             radiance,
@@ -60,7 +64,7 @@ impl EmittingMesh {
             .partition_point(|&a| a <= target)
             .min(self.triangles.len() - 1);
         let before = if i == 0 { 0.0 } else { self.area_up_to[i - 1] };
-        let within = (target - before) / (self.area_up_to[i] - before);
+        let within = (target - before) * self.inverse_areas[i];
         let b = warp::uniform_triangle(Vec2::new(within.min(1.0), u.y));
         let t = &self.triangles[i];
         (t.p0 + b.x * t.e1 + b.y * t.e2, t.front)

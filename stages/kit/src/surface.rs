@@ -22,8 +22,8 @@ pub struct Surface<'a> {
 /// How far the coordinates of a hit point may be off, in units of the largest coordinate of its primitive.
 ///
 /// A barycentric combination `b0·p0 + b1·p1 + b2·p2` rounds 7 times, and a point put back on a sphere about as
-/// often, so `7·2⁻⁵³` would do (Higham's γ₇; PBRT 4th ed., section 6.8). Eight times as much leaves room for
-/// kernels that are less careful than the reference.
+/// often, so `7·2⁻⁵³` would do (Higham's γ₇; PBRT 4th ed., section 6.8). Nine times as much leaves room for
+/// the rounding of [`Surface::leave`] itself and for kernels that are less careful than the reference.
 pub const POSITION_ERROR: f64 = 64.0 * (0.5 * f64::EPSILON);
 
 /// A shadow ray ends this share of its length before the light, so that the light does not block itself.
@@ -34,6 +34,7 @@ pub const SHADOW_GAP: f64 = 1e-10;
 
 impl<'a> Surface<'a> {
     /// The surface at `hit`, on `primitive`, made of `material`.
+    #[inline]
     pub fn new(hit: &Hit, primitive: Primitive<'_>, material: &'a Material) -> Surface<'a> {
         let (largest, side) = match primitive {
             Primitive::Triangle(t) => (
@@ -80,23 +81,8 @@ impl<'a> Surface<'a> {
         } else {
             distance * self.ng
         };
-        let o = self.p + offset;
-        // The sum rounds once more: a step in the direction of the offset makes up for it.
-        let away = |x: f64, by: f64| {
-            if by > 0.0 {
-                x.next_up()
-            } else if by < 0.0 {
-                x.next_down()
-            } else {
-                x
-            }
-        };
-        let o = Vec3::new(
-            away(o.x, offset.x),
-            away(o.y, offset.y),
-            away(o.z, offset.z),
-        );
-        Ray::new(o, w)
+        // The sum rounds, too, by a 64th of the offset at most: see POSITION_ERROR.
+        Ray::new(self.p + offset, w)
     }
 
     /// The ray from here to the sampled point of a light. Something lies between if anything is in its range;

@@ -1,14 +1,7 @@
 //! Noise from an integer hash.
 
 use kit::Vec3;
-
-/// The finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
-pub(super) fn hash(x: u64) -> u64 {
-    let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
-}
+use kit::sampler::mix as hash;
 
 /// A number in [0, 1) that depends on nothing but `key`.
 pub(super) fn uniform(key: u64) -> f64 {

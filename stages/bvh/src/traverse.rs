@@ -1,7 +1,7 @@
 //! Task 3: walking the tree with a ray, for the closest hit and for any hit.
 
 // BEGIN SOLUTION(part2.task3)
-use kit::{BvhNode, NodeKind, PrimId};
+use kit::{NodeKind, PrimId};
 use std::ops::ControlFlow;
 // END SOLUTION(part2.task3)
 use kit::{Bvh, Hit, Ray, World};
@@ -80,7 +80,7 @@ fn visit_leaves<W: World>(
     world: &mut W,
     mut leaf: impl FnMut(&[PrimId], &mut Ray, &mut W) -> ControlFlow<()>,
 ) {
-    let Some(mut node) = bvh.nodes.first() else {
+    let Some(root) = bvh.nodes.first() else {
         return;
     };
     // Boxes get a ray of their own that nothing else can change: so the compiler divides by `d` once a ray.
@@ -89,17 +89,16 @@ fn visit_leaves<W: World>(
         max_t: with_slack(ray.max_t),
         ..*ray
     };
-    if world.hit_box(&node.bounds, &probe).is_none() {
+    if world.hit_box(&root.bounds, &probe).is_none() {
         return;
     }
-    let mut later = Stack::new(node);
+    let mut later = Stack::new();
+    let mut node = 0;
     loop {
-        let next = match node.kind {
+        let next = match bvh.nodes[node as usize].kind {
             NodeKind::Interior { left, right } => {
-                let left = &bvh.nodes[left as usize];
-                let right = &bvh.nodes[right as usize];
-                let in_left = world.hit_box(&left.bounds, &probe);
-                let in_right = world.hit_box(&right.bounds, &probe);
+                let in_left = world.hit_box(&bvh.nodes[left as usize].bounds, &probe);
+                let in_right = world.hit_box(&bvh.nodes[right as usize].bounds, &probe);
                 match (in_left, in_right) {
                     (Some(l), Some(r)) if l.min <= r.min => {
                         later.push(right, r.min);
@@ -131,28 +130,27 @@ fn visit_leaves<W: World>(
 
 /// A node to visit later, and where the ray enters its box.
 #[derive(Clone, Copy)]
-struct Later<'a> {
-    node: &'a BvhNode,
+struct Later {
+    node: u32,
     entry: f64,
 }
 
 /// Nodes to visit later, last in first out. Only a tree deeper than any that [`construct_bvh`](crate::construct_bvh)
 /// builds from an ordinary mesh reaches beyond the array, and so to the heap.
-struct Stack<'a> {
-    first: [Later<'a>; Stack::NEAR],
+struct Stack {
+    first: [Later; Stack::NEAR],
     len: usize,
-    beyond: Vec<Later<'a>>,
+    beyond: Vec<Later>,
 }
 
-impl<'a> Stack<'a> {
+impl Stack {
     /// Places that need no heap.
     const NEAR: usize = 32;
 
-    /// An empty stack; `any` fills the places that nobody reads.
-    fn new(any: &'a BvhNode) -> Stack<'a> {
+    fn new() -> Stack {
         let unread = Later {
-            node: any,
-            entry: f64::INFINITY,
+            node: 0,
+            entry: 0.0,
         };
         Stack {
             first: [unread; Stack::NEAR],
@@ -162,7 +160,7 @@ impl<'a> Stack<'a> {
     }
 
     #[inline]
-    fn push(&mut self, node: &'a BvhNode, entry: f64) {
+    fn push(&mut self, node: u32, entry: f64) {
         match self.first.get_mut(self.len) {
             Some(place) => {
                 *place = Later { node, entry };
@@ -173,7 +171,7 @@ impl<'a> Stack<'a> {
     }
 
     #[inline]
-    fn pop(&mut self) -> Option<Later<'a>> {
+    fn pop(&mut self) -> Option<Later> {
         if self.len == Stack::NEAR
             && let Some(later) = self.beyond.pop()
         {
@@ -185,7 +183,7 @@ impl<'a> Stack<'a> {
 
     /// Takes nodes off until one is entered at `max_t` or before.
     #[inline]
-    fn pop_within(&mut self, max_t: f64) -> Option<&'a BvhNode> {
+    fn pop_within(&mut self, max_t: f64) -> Option<u32> {
         while let Some(later) = self.pop() {
             if later.entry <= max_t {
                 return Some(later.node);

@@ -86,13 +86,13 @@ pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<H
 /// its plane. Above it they are good to about 2^-42.
 const CANCELLATION: f64 = 1.0 / 1024.0;
 
-/// Whether a product of several factors has neither underflowed nor overflowed on the way, with some room left for
-/// the digits of its terms. (The weights need no such test: their agreement underflows long before they do.)
+/// Whether a product of several factors has neither underflowed nor overflowed on the way, with some
+/// room left for the digits of its terms. (The weights need no such test: their agreement underflows
+/// long before they do.)
 #[inline]
 fn is_ordinary(x: f64) -> bool {
     const SMALLEST: f64 = 1e-290;
-    const LARGEST: f64 = 1e300;
-    (SMALLEST < x.abs()) & (x.abs() < LARGEST)
+    (SMALLEST < x.abs()) & (x.abs() < f64::INFINITY)
 }
 
 /// The edge functions: twice the signed areas of the triangles that the ray's line makes with each

@@ -1,7 +1,8 @@
 //! What rays do at boxes.
 //!
-//! [`plain`] holds the plain cases. [`touching`] and [`extremes`] hold those where a slab test falls into 0·∞ or a
-//! rounding error, each with a line on how; [`properties`] holds the test against exact arithmetic.
+//! [`plain`] holds the plain cases. [`touching`] and [`extremes`] hold those where a slab test falls
+//! into 0·∞ or a rounding error, each with a line on how; [`properties`] holds the test against exact
+//! arithmetic.
 
 mod extremes;
 mod plain;

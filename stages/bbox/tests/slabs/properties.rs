@@ -92,6 +92,30 @@ proptest! {
         }
     }
 
+    /// Hard case 55. Of a ray that touches a box in nothing but an edge, entry and exit are the same
+    /// number, each with its own rounding errors: whoever compares them as they are loses the hit now
+    /// and then.
+    #[test]
+    fn ray_exactly_through_an_edge_is_hit(
+        o in prop::array::uniform3(-1000..1000_i64),
+        d in prop::array::uniform3(1..1_i64 << 26),
+        signs in prop::array::uniform3(any::<bool>()),
+        t in 1..1_i64 << 20,
+    ) {
+        // Whole numbers of at most 53 bits: the point at `t` is exact.
+        let d: [i64; 3] = std::array::from_fn(|i| if signs[i] { d[i] } else { -d[i] });
+        let at: [i64; 3] = std::array::from_fn(|i| o[i] + t * d[i]);
+        let [o, d, at] = [o, d, at].map(|v| Vec3::from_array(v.map(|x| x as f64)));
+        let ahead = d.signum();
+        for (enters, leaves) in [(0, 1), (1, 2), (2, 0), (1, 0), (2, 1), (0, 2)] {
+            let mut far_corner = at;
+            far_corner[enters] += ahead[enters];
+            far_corner[leaves] -= ahead[leaves];
+            let b = Aabb::of([at, far_corner]);
+            prop_assert!(intersect_bbox(&b, &Ray::new(o, d)).is_some(), "{:?} {} {}", b, o, d);
+        }
+    }
+
     /// Box tests prune: what is inside a box must never be hit where the box is not.
     #[test]
     fn box_in_a_box_is_entered_no_earlier((outer, ray) in pair(), f in prop::array::uniform2(0.0..=1.0_f64)) {

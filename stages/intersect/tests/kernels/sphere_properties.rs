@@ -35,7 +35,8 @@ proptest! {
         let Some(near) = near else { return Ok(()) };
         // What rounding moves the line by, and how much more the crossings move where it grazes the sphere.
         let half_chord = disc.sqrt() / ray.d.length();
-        let moved = 8.0 * f64::EPSILON * (ray.o - s.center).length() / ray.d.length();
+        let size = (ray.o - s.center).length() + s.radius;
+        let moved = 8.0 * f64::EPSILON * size / ray.d.length();
         let bound = moved * (s.radius / half_chord).max(1.0);
         // Where the roots nearly meet, Newton's step from one of them says little.
         if half_chord > 1e-4 * s.radius {
@@ -45,7 +46,27 @@ proptest! {
         }
     }
 
-    /// At 1e14 radii the vector from the centre to the line is mostly rounding error, if it is found from the origin.
+    /// A line that touches the sphere to sixteen digits is a hit or a miss by the seventeenth.
+    #[test]
+    fn grazing_is_decided_exactly(
+        (s, direction) in (pair().prop_map(|(s, _)| s), point()),
+        distance in 0.0..6.0_f64,
+        gap in 3.0..17.0_f64,
+        outside in any::<bool>(),
+    ) {
+        let gap = kit::math::pow(10.0, -gap) * if outside { 1.0 } else { -1.0 };
+        let d = direction.normalize_or(Vec3::X);
+        let side = d.any_orthonormal_vector() * (s.radius * (1.0 + gap));
+        let o = s.center + side - kit::math::pow(10.0, distance) * s.radius * d;
+        // The origin is rounded: the radius that makes the gap is found for it as it is.
+        let f = o - s.center;
+        let radius = f.cross(d).length() / d.length() * (1.0 - gap);
+        let (s, ray) = (Sphere { radius, ..s }, Ray::new(o, d));
+        prop_assert_eq!(test_sphere(&s, &ray).is_some(), discriminant(&s, &ray) >= 0.0);
+    }
+
+    /// At 1e14 radii the vector from the centre to the line is mostly rounding error, if it is found
+    /// from the origin.
     #[test]
     fn far_sphere_is_hit_or_missed_as_it_should(
         (s, direction) in (pair().prop_map(|(s, _)| s), point()),

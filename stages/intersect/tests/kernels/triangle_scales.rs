@@ -1,7 +1,7 @@
 //! Triangles that are very small, large, thin or far: no fixed epsilon fits all of them.
 // BEGIN SOLUTION(part1.task3)
 use crate::cases;
-use crate::truth::{Crossing, distance_from_plane};
+use crate::truth::{Crossing, distance_from_plane, unit_normal};
 use intersect::{intersect_triangle, test_triangle};
 use kit::{PrimId, Ray, Triangle, TriangleHit, Vec3};
 use proptest::prelude::*;
@@ -75,6 +75,35 @@ fn scaled(tri: &Triangle, s: f64) -> Triangle {
     Triangle::flat(s * tri.p0, s * tri.p1, s * tri.p2)
 }
 
+/// Products of coordinates and direction leave the range of floats in every way there is, denormals included.
+#[test]
+fn size_and_speed_in_every_combination() {
+    let tri = Triangle::flat(
+        Vec3::new(-0.7, -0.9, 0.1),
+        Vec3::new(0.8, -0.3, -0.2),
+        Vec3::new(0.1, 0.9, 0.3),
+    );
+    let ray = Ray::new(Vec3::new(0.3, -0.2, 3.0), Vec3::new(-0.1, 0.03, -0.9));
+    let reference = test_triangle(&tri, &ray).unwrap().t;
+    for size in (-1000..1000_i32).step_by(10) {
+        for speed in (-1000..1000)
+            .step_by(10)
+            .filter(|speed| (size - speed).abs() < 1000)
+        {
+            let (size, speed) = (2.0_f64.powi(size), 2.0_f64.powi(speed));
+            let hit = test_triangle(&scaled(&tri, size), &Ray::new(size * ray.o, speed * ray.d));
+            let t = hit.expect("a hit").t / (size / speed);
+            assert!(
+                (t - reference).abs() <= 4.0 * f64::EPSILON * reference,
+                "{size:e} {speed:e}: {t}"
+            );
+        }
+    }
+}
+
+/// A cross product is taken as it is while at most ten bits of its 53 cancel.
+const KEPT_DIGITS: f64 = 4096.0 * f64::EPSILON;
+
 proptest! {
     #![proptest_config(cases(300))]
 
@@ -95,8 +124,8 @@ proptest! {
         }
     }
 
-    /// Hard case 31. A direction that is not unit is right, too: `t` counts its lengths. Far beyond any scene,
-    /// products of coordinates and direction leave the range of floats in every way there is.
+    /// Hard case 31. A direction that is not unit is right, too: `t` counts its lengths. Far beyond any
+    /// scene, products of coordinates and direction leave the range of floats in every way there is.
     #[test]
     fn t_is_measured_in_lengths_of_d(
         (tri, ray) in fair_hit(),
@@ -115,8 +144,31 @@ proptest! {
         }
     }
 
-    /// The signs of the weights are right without further care, but where their products cancel their digits are noise. Seen
-    /// along an axis nothing else is rounded, so `t` can be right to the last few.
+    /// The normal of a needle is a small difference of products, and that of a tiny triangle underflows. With a
+    /// vertex at the origin the edges are exact, and nothing is lost.
+    #[test]
+    fn geometric_normal_is_that_of_the_plane(
+        (tri, ray) in fair_hit(),
+        width in 0.0..12.0_f64,
+        size in -900..900_i32,
+    ) {
+        let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
+        let p2 = 0.37 * e1 + kit::math::pow(10.0, -width) * e2;
+        let needle = Triangle::flat(Vec3::ZERO, e1, p2);
+        let target = (needle.p1 + needle.p2) / 3.0;
+        let s = 2.0_f64.powi(size);
+        let mut ray = Ray::new(s * (target - ray.d), ray.d);
+        let hit = intersect_triangle(&scaled(&needle, s), PrimId(0), &mut ray);
+        // The middle of the thinnest ones is rounded off them.
+        prop_assert!(hit.is_some() || width > 10.0);
+        if let Some(hit) = hit {
+            prop_assert!((hit.ng - unit_normal(&needle)).length() < KEPT_DIGITS);
+        }
+    }
+
+    /// The signs of the weights are right without further care, but where their products cancel their
+    /// digits are noise. Seen along an axis nothing else is rounded, so `t` can be right to the last
+    /// few.
     #[test]
     fn needle_across_the_line_of_sight_keeps_its_depth(
         (a, b) in (point(), point()),

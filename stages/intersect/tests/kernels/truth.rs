@@ -93,6 +93,26 @@ impl Crossing {
     }
 }
 
+/// The unit normal of the plane of `tri`, rounded.
+pub(crate) fn unit_normal(tri: &Triangle) -> Vec3 {
+    let [p0, p1, p2] = [tri.p0, tri.p1, tri.p2].map(exact_vec);
+    let normal = cross(&minus(&p1, &p0), &minus(&p2, &p0));
+    let largest = normal
+        .iter()
+        .map(|x| x.max(&-x).clone())
+        .max()
+        .expect("three numbers");
+    let zero = exact(0.0);
+    Vec3::from_array(normal.map(|x| {
+        if x == zero {
+            0.0
+        } else {
+            to_f64(&(x / &largest))
+        }
+    }))
+    .normalize()
+}
+
 /// The distance of `p` from the plane of `tri`, to first order exact.
 pub(crate) fn distance_from_plane(tri: &Triangle, p: Vec3) -> f64 {
     let [p0, p1, p2, p] = [tri.p0, tri.p1, tri.p2, p].map(exact_vec);

@@ -156,14 +156,14 @@ fn grid() -> Vec<Aabb> {
         .collect()
 }
 
-/// Box `i` reaches from `i / 2` to `3i / 2` along x, and another set likewise against it. Of all boxes up to `k`
-/// only the last lies beyond the middle, `k / 2`, with its nearer corner.
+/// Box `i` reaches from just beyond `i / 2` to `3i / 2` along x, and another set likewise against it. Of all boxes up
+/// to `k` only the last ones lie beyond the middle, `k / 2`, with their nearer corner.
 fn long_boxes() -> Vec<Aabb> {
-    let along_x = (1..=300).map(|i| {
+    let along_x = (0..300).map(|i| {
         let i = f64::from(i);
         Aabb {
-            min: Vec3::new(0.501 * i, 0.0, 0.0),
-            max: Vec3::new(1.499 * i, 1.0, 1.0),
+            min: Vec3::new(0.502 * i, 0.0, 0.0),
+            max: Vec3::new(1.498 * i, 1.0, 1.0),
         }
     });
     let back = along_x.clone().map(|b| Aabb {

@@ -17,11 +17,11 @@ pub struct TreeWork {
 pub fn tree(case: &str) -> Option<TreeWork> {
     let (cost, depth) = match case {
         "centroids_on_the_split" => (61.76, 10),
-        "long_boxes" => (93.00, 8),
+        "long_boxes" => (93.38, 8),
         "far_from_the_origin" => (35.90, 9),
-        "strip_along_x" => (14.5, 7),
-        "strip_along_y" => (14.5, 7),
-        "strip_along_z" => (14.5, 7),
+        "strip_along_x" => (14.5, 6),
+        "strip_along_y" => (14.5, 6),
+        "strip_along_z" => (14.5, 6),
         "large_mesh" => (64.09, 18),
         "halving_distances" => (4.06, 74),
         _ => return None,

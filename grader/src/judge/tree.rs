@@ -15,7 +15,7 @@ const COST_FACTOR: f64 = 2.0;
 
 /// A tree may be this many times as deep as the reference's: a leaf of one more level costs nobody anything, a
 /// list costs all.
-const DEPTH_FACTOR: u32 = 3;
+const DEPTH_FACTOR: u32 = 4;
 
 /// Judges what `construct_bvh` made of `bounds`; its work where some is recorded.
 pub(super) fn build(
@@ -278,4 +278,108 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, held: &[Aabb], record
             recorded.depth
         )
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Four unit cubes in a row along x.
+    const ROW: [[Xyz; 2]; 4] = [
+        [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]],
+        [[2.0, 0.0, 0.0], [3.0, 1.0, 1.0]],
+        [[4.0, 0.0, 0.0], [5.0, 1.0, 1.0]],
+        [[6.0, 0.0, 0.0], [7.0, 1.0, 1.0]],
+    ];
+
+    /// What the tree of [`right`] costs: 2 for the root, 2 leaves of 2 that fill 14/30 of its area each.
+    const COST: TreeWork = TreeWork {
+        cost: 2.0 + 2.0 * 2.0 * 14.0 / 30.0,
+        depth: 1,
+    };
+
+    fn leaf(first: u32, count: u32, min_x: f64, max_x: f64) -> Node {
+        Node {
+            bounds: [[min_x, 0.0, 0.0], [max_x, 1.0, 1.0]],
+            kind: NodeKind::Leaf { first, count },
+        }
+    }
+
+    /// A root and two leaves of two cubes each.
+    fn right() -> Tree {
+        let root = Node {
+            bounds: [[0.0, 0.0, 0.0], [7.0, 1.0, 1.0]],
+            kind: NodeKind::Interior { left: 1, right: 2 },
+        };
+        Tree {
+            nodes: vec![root, leaf(0, 2, 0.0, 3.0), leaf(2, 2, 4.0, 7.0)],
+            order: vec![0, 1, 2, 3],
+        }
+    }
+
+    fn failed(tree: Tree) -> Vec<Aspect> {
+        let answer = BuildAnswer {
+            tree,
+            repeatable: true,
+        };
+        let mut tally = Tally::default();
+        build(&mut tally, &ROW, 2, &answer, Some(COST));
+        let findings = tally.into_findings();
+        let failed = findings.iter().filter(|finding| !finding.passed());
+        failed.map(|finding| finding.aspect).collect()
+    }
+
+    #[test]
+    fn a_right_tree_passes() {
+        assert_eq!(failed(right()), []);
+    }
+
+    #[test]
+    fn what_is_no_tree_is_not_judged_further() {
+        let is_none = |change: fn(&mut Tree)| {
+            let mut tree = right();
+            change(&mut tree);
+            assert!(failed(tree).contains(&Aspect::Structure));
+        };
+        is_none(|tree| tree.nodes.clear());
+        is_none(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 1 });
+        is_none(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 0, right: 1 });
+        is_none(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 9 });
+        is_none(|tree| tree.nodes.push(leaf(0, 0, 0.0, 1.0)));
+        is_none(|tree| tree.nodes[2] = leaf(1, 2, 4.0, 7.0));
+        is_none(|tree| tree.nodes[2] = leaf(2, 1, 4.0, 7.0));
+        is_none(|tree| tree.nodes[2] = leaf(2, u32::MAX, 4.0, 7.0));
+        is_none(|tree| tree.order[3] = 0);
+        is_none(|tree| tree.order[3] = 4);
+        is_none(|tree| {
+            tree.order.pop();
+            tree.nodes[2] = leaf(2, 1, 4.0, 7.0);
+        });
+    }
+
+    #[test]
+    fn a_box_must_hold_what_is_below() {
+        let mut tree = right();
+        tree.nodes[1] = leaf(0, 2, 0.5, 2.5);
+        assert_eq!(failed(tree), [Aspect::Bounds]);
+        let mut tree = right();
+        tree.nodes[1] = leaf(0, 2, f64::NAN, 3.0);
+        assert!(failed(tree).contains(&Aspect::Bounds));
+    }
+
+    #[test]
+    fn a_leaf_must_not_be_too_large() {
+        let tree = Tree {
+            nodes: vec![leaf(0, 4, 0.0, 7.0)],
+            order: vec![0, 1, 2, 3],
+        };
+        assert_eq!(failed(tree), [Aspect::LeafSize]);
+    }
+
+    #[test]
+    fn loose_boxes_cost_work() {
+        let mut tree = right();
+        tree.nodes[2] = leaf(2, 2, -50.0, 7.0);
+        assert_eq!(failed(tree), [Aspect::Work]);
+    }
 }

@@ -229,6 +229,24 @@ fn depth_counts_bounces() {
     assert_eq!(back.mean(), 0.0);
 }
 
+/// A mirror shows something from the second ray on: the lamp, and what is lit.
+#[test]
+fn a_mirror_needs_a_second_ray() {
+    let mirror = Material::Mirror {
+        reflectance: Spectrum::grey(0.5),
+    };
+    let all_around = Environment::uniform(Spectrum::WHITE);
+    let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, mirror)]), Some(all_around));
+    let ray = Ray::new(3.0 * Vec3::Z, -Vec3::Z);
+    let direct = &mut |_: &Surface, _: Vec3, _: &mut PixelSampler| -> Spectrum {
+        panic!("mirrors have no direct light")
+    };
+    for (max_depth, seen) in [(0, 0.0), (1, 0.0), (2, 0.5), (9, 0.5)] {
+        let mirror = follow(&lit, &ray, max_depth, 1, direct, &mut never);
+        assert_eq!(mirror.mean(), seen, "at depth {max_depth}");
+    }
+}
+
 /// Light that `direct` has counted already must not count again when a random ray finds it.
 #[test]
 fn a_lamp_counts_once() {

@@ -119,6 +119,17 @@ fn the_sample_rate_is_written_beside_an_adaptive_picture() {
 }
 
 #[test]
+fn what_is_left_out_is_told() {
+    let folder = folder();
+    let (_, quiet) = pathtracer(folder.path(), "-f a.png -r 4 4 -H lit.dae");
+    assert_eq!(quiet, "");
+    let point = SCENE.replace("area>", "point>");
+    fs::write(folder.path().join("point.dae"), point).expect("a scene file");
+    let (_, told) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");
+    assert!(told.contains("-H never finds them"), "{told}");
+}
+
+#[test]
 fn budgets_end_a_picture() {
     let folder = folder();
     let noise = |told: &str| -> f64 {

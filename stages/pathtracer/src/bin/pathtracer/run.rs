@@ -7,9 +7,9 @@ use crate::failure::Failure;
 use crate::{progress, summary, view};
 use kit::film::Cell;
 use kit::hole;
-use kit::{Environment, LitScene, Scene};
+use kit::{Emitter, Environment, LitScene, Material, Scene};
 use pathtracer::{
-    Accel, Job, Output, layers::channels, layers::features, load_environment, render_lit,
+    Accel, Job, Looking, Output, layers::channels, layers::features, load_environment, render_lit,
     render_normals,
 };
 use std::path::{Path, PathBuf};
@@ -59,8 +59,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         None => None,
     };
     let picture = Picture::of(args, scene, environment);
-    if let Picture::Normals(_) = picture {
-        tell_idle_flags(args);
+    match &picture {
+        Picture::Normals(_) => tell_idle_flags(args),
+        Picture::Lit(lit) => tell_what_is_left_out(lit, light.looking),
     }
     let scene = picture.scene();
 
@@ -186,6 +187,24 @@ fn tell_idle_flags(args: &Args) {
             Shade::Auto | Shade::Lit => "the scene has no light, so normals are shown",
         };
         eprintln!("note: no effect: {}: {why}", idle.join(" "));
+    }
+}
+
+/// Says what of the scene the picture will not show.
+fn tell_what_is_left_out(lit: &LitScene, looking: Looking) {
+    for named in &lit.scene.materials {
+        if let Material::Glass { roughness, .. } | Material::Refraction { roughness, .. } =
+            named.material
+            && roughness > 0.0
+        {
+            let name = &named.name;
+            eprintln!("note: material {name}: rough glass is not simulated, so it is shown smooth");
+        }
+    }
+    if looking == Looking::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
+        eprintln!(
+            "note: points, spots and suns have no size, so -H never finds them: leave it out to see their light"
+        );
     }
 }
 

@@ -11,6 +11,9 @@ use std::collections::BTreeSet;
 pub struct Course {
     /// What holds everywhere, in sentences for students.
     pub conventions: Vec<String>,
+    /// Keys of tasks that have holes in the stages already, and no cases yet. Handouts carve them, too.
+    #[serde(default)]
+    pub ungraded: Vec<String>,
     /// The parts in order.
     #[serde(rename = "part")]
     pub parts: Vec<Part>,
@@ -109,7 +112,32 @@ impl Course {
         Ok(chosen)
     }
 
+    /// The keys of all tasks that have holes, graded or not, each with the number of its part.
+    pub fn holes(&self) -> impl Iterator<Item = (u32, &str)> {
+        let graded = self.tasks().map(|task| task.key.as_str());
+        let ungraded = self.ungraded.iter().map(String::as_str);
+        graded
+            .chain(ungraded)
+            .filter_map(|key| Some((part_of(key)?, key)))
+    }
+
     fn check(&self) -> Result<(), GraderError> {
+        for pair in self.parts.windows(2) {
+            ensure(pair[0].number < pair[1].number, || {
+                format!(
+                    "part {} stands after part {}",
+                    pair[1].number, pair[0].number
+                )
+            })?;
+        }
+        for key in &self.ungraded {
+            ensure(part_of(key).is_some(), || {
+                format!("`ungraded` lists `{key}`, which is no key such as `part3.task1`")
+            })?;
+            ensure(self.tasks().all(|task| task.key != *key), || {
+                format!("`{key}` is a task, so it cannot be `ungraded`, too")
+            })?;
+        }
         let mut keys = BTreeSet::new();
         for part in &self.parts {
             for task in &part.tasks {
@@ -165,6 +193,12 @@ impl Task {
             )
         })
     }
+}
+
+/// The number of the part that a task's key begins with.
+fn part_of(key: &str) -> Option<u32> {
+    let (part, _) = key.strip_prefix("part")?.split_once(".task")?;
+    part.parse().ok()
 }
 
 fn ensure(holds: bool, sentence: impl FnOnce() -> String) -> Result<(), GraderError> {

@@ -4,7 +4,7 @@ use crate::error::GraderError;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// Scratch folders that must not outlive the program.
+/// Folders and files that must not outlive the program.
 static SCRATCH: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// How often to try to remove a folder that is being written to.
@@ -23,9 +23,7 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        if let Ok(mut scratch) = SCRATCH.lock() {
-            scratch.retain(|path| path != self.0.path());
-        }
+        forget(self.0.path());
     }
 }
 
@@ -40,10 +38,45 @@ pub fn scratch_in(parent: &Path) -> Result<Scratch, GraderError> {
         .prefix(".grader-")
         .tempdir_in(parent)
         .map_err(|e| GraderError::file("write to", parent, e))?;
-    if let Ok(mut scratch) = SCRATCH.lock() {
-        scratch.push(folder.path().to_path_buf());
-    }
+    remember(folder.path());
     Ok(Scratch(folder))
+}
+
+/// A file that says that its maker is at work; goes when it is dropped, and on Ctrl-C.
+#[derive(Debug)]
+pub struct Claim(PathBuf);
+
+impl Drop for Claim {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+        forget(&self.0);
+    }
+}
+
+/// Makes the file `path`, unless somebody else has.
+pub fn claim(path: &Path) -> Result<Claim, GraderError> {
+    let made = std::fs::File::create_new(path);
+    made.map_err(|e| match e.kind() {
+        std::io::ErrorKind::AlreadyExists => GraderError::new(format!(
+            "another grader is at work here. Wait for it; if there is none (one may have been killed), remove {}",
+            path.display()
+        )),
+        _ => GraderError::file("make", path, e),
+    })?;
+    remember(path);
+    Ok(Claim(path.to_path_buf()))
+}
+
+fn remember(path: &Path) {
+    if let Ok(mut scratch) = SCRATCH.lock() {
+        scratch.push(path.to_path_buf());
+    }
+}
+
+fn forget(path: &Path) {
+    if let Ok(mut scratch) = SCRATCH.lock() {
+        scratch.retain(|kept| kept != path);
+    }
 }
 
 /// From now on Ctrl-C removes scratch folders and ends the program with exit code 2.
@@ -54,7 +87,9 @@ pub fn watch() {
             for path in scratch.iter() {
                 // The program may be writing there still.
                 for _ in 0..REMOVALS {
-                    if std::fs::remove_dir_all(path).is_ok() {
+                    let removed =
+                        std::fs::remove_file(path).or_else(|_| std::fs::remove_dir_all(path));
+                    if removed.is_ok() {
                         break;
                     }
                 }

@@ -2,16 +2,20 @@
 //!
 //! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
 //! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
-//! there is to grade), [`compile`], [`runner`] and [`workers`] (building and running the workers), [`judge`] with [`truth`]
-//! (right and wrong), [`score`] (points), [`speedup`] (times, which earn none), [`report`] (showing them). For instructors, [`handout`] carves what a
-//! student is given.
+//! there is to grade), [`compile`], [`runner`] and [`workers`] (building and running the workers), [`judge`] with
+//! [`truth`] (right and wrong), [`score`] (points), [`speedup`] (times, which earn none), [`report`] (showing them).
+//!
+//! For instructors: [`handout`] carves what a student is given, [`submission`] grades what comes back, [`check`]
+//! asks whether the course keeps its word, [`bless`] takes new goldens, [`mutants`] grades typical mistakes.
 
 pub mod bless;
 pub mod cases;
+pub mod check;
 pub mod cli;
 pub mod compile;
 pub mod convert;
 pub mod course;
+pub mod crates;
 pub mod diagnosis;
 pub mod error;
 pub mod grade;
@@ -28,6 +32,7 @@ pub mod score;
 pub mod signature;
 pub mod snapshot;
 pub mod speedup;
+pub mod submission;
 pub mod tree;
 pub mod truth;
 pub mod workers;

@@ -1,6 +1,7 @@
 //! Running a worker over cases, and telling which case ended it.
 
 use crate::error::GraderError;
+use crate::interrupt;
 use std::collections::HashMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -63,8 +64,7 @@ impl From<PathBuf> for Worker {
 
 /// Runs `cases` in the program `worker`. A case that ends the worker costs only itself.
 pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
-    let folder = tempfile::tempdir()
-        .map_err(|e| GraderError::new(format!("cannot make a temporary folder: {e}")))?;
+    let folder = interrupt::scratch()?;
     let records = folder.path().join("records");
     let mut cases_to_run = cases.to_vec();
     let mut endings: Vec<Option<Ending>> = vec![None; cases.len()];

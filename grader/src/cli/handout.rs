@@ -2,7 +2,7 @@
 
 use super::Verdict;
 use crate::error::GraderError;
-use crate::handout::{self, Handout};
+use crate::handout::{Handout, place};
 use crate::workspace::Workspace;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ pub(super) struct Arguments {
 impl Arguments {
     pub(super) fn run(&self) -> Result<Verdict, GraderError> {
         let workspace = Workspace::above(Path::new("."))?;
-        handout::check_place(&workspace, &self.out)?;
+        place::check(&workspace, &self.out)?;
         let handout = Handout::carve(&workspace, self.part)?;
         handout.write(&self.out)?;
         println!(

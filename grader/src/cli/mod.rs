@@ -7,6 +7,7 @@ mod course;
 mod grade;
 mod handout;
 mod mutants;
+mod submission;
 
 use crate::error::GraderError;
 use crate::interrupt;
@@ -27,6 +28,8 @@ struct Cli {
     command: Option<Command>,
     #[command(flatten)]
     grade: Option<grade::Grade>,
+    #[command(flatten)]
+    submission: submission::Submission,
 }
 
 #[derive(Subcommand)]
@@ -77,7 +80,7 @@ fn run(cli: Cli) -> Result<Verdict, GraderError> {
         (Some(Command::Handout(handout)), _) => handout.run(),
         (Some(Command::Course(course)), _) => course.run(),
         (Some(Command::Mutants(mutants)), _) => mutants.run(),
-        (None, Some(grade)) => grade.run(),
+        (None, Some(grade)) => grade.run(&cli.submission),
         (None, None) => Err(GraderError::new(
             "say what to grade: `grader part1`, or `grader --help` for all there is",
         )),

@@ -4,12 +4,12 @@ mod speedups;
 pub mod table;
 
 use crate::error::GraderError;
-use crate::score::Report;
+use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
 
-/// The report as one JSON object.
-pub fn json(report: &Report) -> Result<String, GraderError> {
+/// A report as one JSON object.
+pub fn json(report: &impl Serialize) -> Result<String, GraderError> {
     serde_json::to_string_pretty(report)
         .map_err(|e| GraderError::new(format!("cannot write the report as JSON: {e}")))
 }

@@ -5,7 +5,10 @@
 //! the other: the mean stays right, since the weights of a direction add up to 1, and each strategy only counts where it
 //! is good (Veach and Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 
-use kit::{Emitter, Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
+// BEGIN SOLUTION(part3.task3)
+use kit::Emitter;
+// END SOLUTION(part3.task3)
+use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
 /// The power heuristic with exponent 2: how much a sample counts that was drawn with the density `own` where the other
 /// strategy has the density `other` and as many samples. 0 if `own` is 0.
@@ -38,6 +41,7 @@ pub fn estimate_direct_lighting_mis(
     trace: &mut impl FnMut(&Ray) -> Option<Hit>,
     occluded: &mut impl FnMut(&Ray) -> bool,
 ) -> Spectrum {
+    // BEGIN SOLUTION(part3.task3)
     if surface.material.is_delta() {
         return Spectrum::BLACK;
     }
@@ -91,8 +95,11 @@ pub fn estimate_direct_lighting_mis(
         sum += seen * sample.weight();
     }
     direct + sum / f64::from(ns_area_light.max(1))
+    // STUB: kit::hole!("part3.task3", lit, surface, wo, ns_area_light, sampler, scattering, trace, occluded)
+    // END SOLUTION(part3.task3)
 }
 
+// BEGIN SOLUTION(part3.task3)
 /// What skies and environments send along `d`, each weighed against its own sampling.
 fn weighted_background(lit: &LitScene, p: Vec3, d: Vec3, own: f64) -> Spectrum {
     lit.emitters
@@ -121,3 +128,4 @@ mod tests {
         assert_eq!(power_heuristic(0.0, 0.0), 0.0);
     }
 }
+// END SOLUTION(part3.task3)

@@ -36,6 +36,9 @@ struct Dependency {
     path: Option<PathBuf>,
 }
 
+/// Folders of a crate with code that runs it: tests and the like.
+pub const TESTS: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
+
 /// All crates of the workspace at `root`.
 pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
     let output = Command::new(crate::compile::cargo())

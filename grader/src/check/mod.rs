@@ -1,0 +1,117 @@
+//! Does the course keep its word? `grader course check` asks this before anything is handed out.
+//!
+//! [`lists`]: `course.toml`, cases and goldens agree. [`leak`]: no handout says what its solutions said. [`build`]: every
+//! handout builds without a warning, is formatted, passes its tests, and its own grader finds every
+//! carved task not attempted and every kept one full. The reference scores full.
+
+pub mod build;
+pub mod leak;
+pub mod lists;
+
+use crate::cases;
+use crate::course::{Course, Part};
+use crate::error::GraderError;
+use crate::grade::{self, Order};
+use crate::handout::Handout;
+use crate::score::Report;
+use crate::workspace::Workspace;
+use std::collections::BTreeSet;
+
+/// Everything that is wrong with the course, sentence by sentence. Without `builds`, only what can be seen without
+/// building anything. `progress` is told what is being done.
+pub fn course(
+    workspace: &Workspace,
+    builds: bool,
+    mut progress: impl FnMut(&str),
+) -> Result<Vec<String>, GraderError> {
+    let course = Course::read(workspace)?;
+    progress("lists: course.toml, cases, goldens");
+    let mut complaints = lists::find(workspace, &course, &cases::all(0));
+    let mut handouts = Vec::new();
+    for part in &course.parts {
+        progress(&format!("handout of part {}: carving", part.number));
+        let handout = Handout::carve(workspace, part.number)?;
+        complaints.extend(of_texts(workspace, part, &handout)?);
+        handouts.push((part, handout));
+    }
+    if !builds {
+        return Ok(complaints);
+    }
+    progress("the reference: grading");
+    let everything = Order {
+        what: "all".into(),
+        seed: 0,
+    };
+    let graded = grade::in_place(workspace, &everything)?;
+    complaints.extend(of_reference(&course, &graded.report));
+    for (part, handout) in &handouts {
+        let found = build::find(workspace, &course, part.number, handout, &mut progress)?;
+        complaints.extend(found);
+    }
+    Ok(complaints)
+}
+
+/// What is wrong with a handout's texts.
+fn of_texts(
+    workspace: &Workspace,
+    part: &Part,
+    handout: &Handout,
+) -> Result<Vec<String>, GraderError> {
+    let here = format!("handout of part {}", part.number);
+    let mut complaints = Vec::new();
+    let again = Handout::carve(workspace, part.number)?;
+    if again.files != handout.files {
+        complaints.push(format!(
+            "{here}: carving it twice gives two different handouts"
+        ));
+    }
+    for (path, contents) in handout
+        .files
+        .iter()
+        .filter(|(path, _)| path.starts_with("stages"))
+    {
+        let text = String::from_utf8_lossy(contents);
+        if let Some(marker) = ["BEGIN SOLUTION", "END SOLUTION", "// STUB:"]
+            .iter()
+            .find(|marker| text.contains(**marker))
+        {
+            complaints.push(format!("{here}: {} still has `{marker}`", path.display()));
+        }
+    }
+    let solutions: BTreeSet<_> = handout.taken.iter().map(|taken| &taken.path).collect();
+    for path in solutions {
+        let reference = crate::tree::read(workspace.root(), path)?;
+        if handout.files.get(path) == Some(&reference) {
+            complaints.push(format!("{here}: {} is the reference's", path.display()));
+        }
+    }
+    complaints.extend(
+        leak::find(handout)
+            .into_iter()
+            .map(|leak| format!("{here}: {leak}")),
+    );
+    Ok(complaints)
+}
+
+/// What the reference lacks of full marks.
+fn of_reference(course: &Course, report: &Report) -> Vec<String> {
+    let mut complaints: Vec<String> = report
+        .tasks
+        .iter()
+        .filter(|task| task.score < task.max_score || task.robust_score < task.robust_max_score)
+        .map(|task| {
+            format!(
+                "the reference scores {} of {} and {} of {} robust points in {}",
+                task.score, task.max_score, task.robust_score, task.robust_max_score, task.key
+            )
+        })
+        .collect();
+    let [core, robust] = lists::points(course);
+    if report.max_score != core || report.robust_max_score != robust {
+        complaints.push(format!(
+            "course.toml gives {core} core and {robust} robust points, the report {} and {}",
+            report.max_score, report.robust_max_score
+        ));
+    }
+    complaints
+}

@@ -161,23 +161,31 @@ fn flags_of_later_parts_are_accepted_with_a_note() {
 }
 
 #[test]
-fn pictures_do_not_depend_on_threads_or_on_the_tree() {
+fn neither_pictures_nor_counts_depend_on_threads() {
     let folder = folder();
-    let bytes = |flags: &str| {
-        pathtracer(
-            folder.path(),
-            &format!("-f a.png -r 50 40 -s 3 {flags} square.dae"),
-        )
-        .success();
-        fs::read(folder.path().join("a.png")).expect("a picture")
+    let run = |flags: &str| {
+        let args = format!("-f a.png -r 50 40 -s 3 {flags} square.dae");
+        let run = pathtracer(folder.path(), &args).success();
+        let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+        let tests = told.lines().find(|line| line.starts_with("Tests"));
+        let picture = fs::read(folder.path().join("a.png")).expect("a picture");
+        (picture, tests.expect("the tests a ray").to_owned())
     };
-    let one = bytes("-t 1");
-    assert_eq!(bytes("-t 2"), one);
-    assert_eq!(bytes("-t 8"), one);
-    assert_eq!(bytes("-t 1 --accel brute"), one);
+    let one = run("-t 1");
+    assert_eq!(run("-t 2"), one);
+    assert_eq!(run("-t 8"), one);
+
+    let (picture, tests) = run("-t 2 --accel brute");
+    assert_eq!(picture, one.0, "the tree changes no pixel");
+    // 50 x 40 x 3 rays at two triangles.
+    assert!(
+        tests.contains("0.00 of boxes (0), 2.00 of primitives (12000)"),
+        "{tests}"
+    );
+
     assert_ne!(
-        bytes("-t 1 --seed 1"),
-        one,
+        run("-t 1 --seed 1").0,
+        one.0,
         "the edge pixels are another mixture"
     );
 }

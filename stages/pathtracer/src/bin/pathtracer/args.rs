@@ -13,7 +13,6 @@ use std::str::FromStr;
 #[command(
     name = "pathtracer",
     version,
-    about,
     max_term_width = 100,
     allow_negative_numbers = true
 )]

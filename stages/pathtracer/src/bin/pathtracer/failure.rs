@@ -40,13 +40,26 @@ impl Failure {
             Failure::Input(why) => eprintln!("error: {why}"),
             Failure::Scene(why) if stderr().is_terminal() => eprintln!("{}", why.styled()),
             Failure::Scene(why) => eprintln!("{why}"),
-            Failure::Hole(hole) => eprintln!("{hole}: this picture needs it"),
+            Failure::Hole(hole) => eprintln!("{hole}: {}", way_around(hole)),
             Failure::Panic => eprintln!("no picture: a stage panicked, see above"),
         }
         ExitCode::from(match self {
             Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,
             Failure::Hole(_) | Failure::Panic => STAGE_FAILED,
         })
+    }
+}
+
+/// What to do about a hole, other than to write it.
+fn way_around(hole: &Hole) -> &'static str {
+    let needed_for_normals = ["part1.", "part2."];
+    if needed_for_normals
+        .iter()
+        .any(|part| hole.task.starts_with(part))
+    {
+        "every picture needs it"
+    } else {
+        "light needs it; --shade normals shows the scene without"
     }
 }
 

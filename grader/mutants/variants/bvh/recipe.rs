@@ -1,0 +1,52 @@
+//! The assignment's recipe: recursion, lists split at the middle of the largest extent.
+
+pub use base::*;
+use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
+
+pub fn construct_bvh(bounds: &[Aabb], max_leaf_size: usize) -> Bvh {
+    let mut bvh = Bvh { nodes: Vec::new(), order: Vec::new() };
+    if !bounds.is_empty() {
+        let prims: Vec<u32> = (0..bounds.len() as u32).collect();
+        build(&mut bvh, bounds, prims, max_leaf_size.max(1));
+    }
+    bvh
+}
+
+fn build(bvh: &mut Bvh, bounds: &[Aabb], mut prims: Vec<u32>, max_leaf_size: usize) -> u32 {
+    let mut bb = Aabb::EMPTY;
+    let mut centroids = Aabb::EMPTY;
+    for &p in &prims {
+        let b = bounds[p as usize];
+        if !b.is_empty() {
+            bb = bb.union(b);
+            centroids = centroids.grown_by(b.centroid());
+        }
+    }
+    let node = bvh.nodes.len() as u32;
+    let first = bvh.order.len() as u32;
+    let count = prims.len() as u32;
+    bvh.nodes.push(BvhNode { bounds: bb, kind: NodeKind::Leaf { first, count } });
+    if prims.len() <= max_leaf_size {
+        bvh.order.extend(prims.iter().map(|&p| PrimId(p)));
+        return node;
+    }
+    let extent = bb.extent();
+    let axis = if extent.x >= extent.y && extent.x >= extent.z {
+        0
+    } else if extent.y >= extent.z {
+        1
+    } else {
+        2
+    };
+    let split = bb.centroid()[axis];
+    let (mut left, mut right): (Vec<u32>, Vec<u32>) =
+        prims.iter().partition(|&&p| bounds[p as usize].centroid()[axis] < split);
+    if left.is_empty() || right.is_empty() {
+        right = prims.split_off(prims.len() / 2);
+        left = prims;
+    }
+    let l = build(bvh, bounds, left, max_leaf_size);
+    let r = build(bvh, bounds, right, max_leaf_size);
+    bvh.nodes[node as usize].kind = NodeKind::Interior { left: l, right: r };
+    node
+}

@@ -46,6 +46,9 @@ const LIKELY: f64 = 0.6;
 /// Two mistakes together must explain this share of the wrong calls.
 const TOGETHER: f64 = 0.9;
 
+/// A mistake is made only if this share of what it gets wrong is wrong for the student too.
+const MADE: f64 = 0.75;
+
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
     let path = file(workspace, task);
@@ -92,7 +95,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
             says = format!("{says}; or of code that {}", twin.says.join(", and "));
         }
     }
-    let of = agreement.first + agreement.second - agreement.both;
+    let (equal, of) = student.calls_alike(&best.signature);
     let verb = if likeness >= SURE {
         "equal"
     } else {
@@ -105,44 +108,50 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
             agreement.equal
         ),
         hint: best.hints.join(" "),
-        equal: agreement.equal,
+        equal,
         of,
     })
 }
 
 /// Two mistakes that together explain what neither explains alone.
 fn two_at_once(known: &[Known], student: &Signature, alone: f64) -> Option<Diagnosis> {
-    let first = explains_most(known, student)?;
+    let first = explains_most(known, student, student)?;
     let rest = student.without(&first.signature);
-    let second = explains_most(known, &rest)?;
+    let second = explains_most(known, student, &rest)?;
     if first.mistakes == second.mistakes {
         return None;
     }
-    // A call on which both are wrong may be wrong in a third way: it counts as explained by either.
-    let explained = |known: &Known, of: &Signature| of.agreement(&known.signature).equal;
-    let both = student.agreement(&first.signature).both;
-    let equal = both + explained(second, &rest);
-    let share = equal as f64 / student.wrong().max(1) as f64;
+    let equal = student.agreement(&first.signature).equal + rest.agreement(&second.signature).equal;
+    let of = student.wrong();
+    let share = equal as f64 / of.max(1) as f64;
     (share >= TOGETHER && share > alone).then(|| Diagnosis {
         mistakes: [&first.mistakes[..], &second.mistakes[..]].concat(),
         says: format!(
-            "two mistakes at once: your answers look like those of code that {}, and that {}: together on {equal} of {} calls",
+            "two mistakes at once: your answers look like those of code that {}, and that {}: together they explain {equal} of {of} wrong values",
             first.says.join(", and "),
             second.says.join(", and "),
-            student.wrong()
         ),
         hint: [&first.hints[..], &second.hints[..]].concat().join(" "),
         equal,
-        of: student.wrong(),
+        of,
     })
 }
 
-/// The single mistake whose wrong calls are nearly all wrong for the student too, and which explains most.
-fn explains_most<'a>(known: &'a [Known], student: &Signature) -> Option<&'a Known> {
+/// The single mistake all of whose wrong values are wrong for the student too (or hidden by another mistake), and which
+/// explains most of `rest`.
+fn explains_most<'a>(
+    known: &'a [Known],
+    student: &Signature,
+    rest: &Signature,
+) -> Option<&'a Known> {
     let singles = known.iter().filter(|known| known.mistakes.len() == 1);
-    let candidates = singles.map(|known| (known, student.agreement(&known.signature)));
+    let candidates = singles.filter_map(|known| {
+        let with_student = student.agreement(&known.signature);
+        let explained = rest.agreement(&known.signature).equal;
+        let is_made = with_student.both as f64 >= MADE * with_student.second as f64;
+        (is_made && explained > 0).then_some((known, explained))
+    });
     candidates
-        .filter(|(_, a)| a.equal > 0 && a.both as f64 >= TOGETHER * a.second as f64)
-        .max_by_key(|(_, a)| a.equal)
+        .max_by_key(|(_, explained)| *explained)
         .map(|(known, _)| known)
 }

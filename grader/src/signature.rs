@@ -1,13 +1,14 @@
 //! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and compared.
 
 use crate::course::Tier;
-use crate::judge::tally::{Aspect, Class, Finding};
+use crate::judge::tally::{Class, Finding};
 use crate::score::{CaseResult, Status};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// For each case the code of each call: 0 where the answer was right, else a digest of the aspects that were
-/// wrong and their classes. The same mistake gives the same codes whatever formula it is made in.
+/// For each aspect of each case the code of each call: 0 where the answer was right, else a digest of how it was
+/// wrong. The same mistake gives the same codes whatever formula it is made in, and two mistakes in different aspects
+/// do not hide each other.
 ///
 /// Core and robust cases are apart: in robust ones formulas differ by themselves, so they only speak where all core
 /// cases are right.
@@ -17,9 +18,10 @@ pub struct Signature {
     robust: Cases,
 }
 
+/// By `case aspect`.
 type Cases = BTreeMap<String, Codes>;
 
-/// The codes of one case. Stored as text: runs of `count*code`, hexadecimal, right answers left out as `count`.
+/// The codes of one aspect of one case. Stored as text: runs of `count*code`, hexadecimal, right answers left out as `count`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(into = "String", try_from = "String")]
 struct Codes(Vec<u16>);
@@ -45,8 +47,7 @@ impl Signature {
     pub fn of(cases: &[CaseResult]) -> Signature {
         let of_tier = |tier: Tier| {
             let cases = cases.iter().filter(|case| case.tier == tier);
-            let codes = cases.map(|case| (case.name.clone(), Codes::of(case)));
-            codes.filter(|(_, codes)| codes.wrong() > 0).collect()
+            cases.flat_map(codes_of).collect()
         };
         Signature {
             core: of_tier(Tier::Core),
@@ -93,6 +94,31 @@ impl Signature {
         agreement
     }
 
+    /// On how many calls both are wrong in the same way in every aspect, and on how many either is wrong.
+    pub fn calls_alike(&self, other: &Signature) -> (usize, usize) {
+        let mut calls: BTreeMap<(&str, usize), bool> = BTreeMap::new();
+        let names: BTreeSet<&String> = self.cases().keys().chain(other.cases().keys()).collect();
+        for name in names {
+            let case = name.split(' ').next().unwrap_or_default();
+            let code = |signature: &Signature, call: usize| -> u16 {
+                let codes = signature.cases().get(name);
+                codes
+                    .and_then(|codes| codes.0.get(call).copied())
+                    .unwrap_or(0)
+            };
+            let longest = |signature: &Signature| {
+                signature.cases().get(name).map_or(0, |codes| codes.0.len())
+            };
+            for call in 0..longest(self).max(longest(other)) {
+                let (mine, theirs) = (code(self, call), code(other, call));
+                if mine != 0 || theirs != 0 {
+                    *calls.entry((case, call)).or_insert(true) &= mine == theirs;
+                }
+            }
+        }
+        (calls.values().filter(|alike| **alike).count(), calls.len())
+    }
+
     /// What is left of this signature on the calls where `other` is right.
     pub fn without(&self, other: &Signature) -> Signature {
         let mut rest = self.cases().clone();
@@ -125,32 +151,39 @@ impl Agreement {
     }
 }
 
+/// The codes of a case, by `case aspect`; right aspects are left out.
+fn codes_of(case: &CaseResult) -> Vec<(String, Codes)> {
+    if let Status::Crashed(_) = case.status {
+        return vec![(format!("{} crashed", case.name), Codes(vec![CRASHED]))];
+    }
+    let failed = case.findings.iter().filter(|finding| !finding.passed());
+    failed
+        .map(|finding| {
+            let name = format!("{} {:?}", case.name, finding.aspect);
+            (name, Codes::of(finding))
+        })
+        .collect()
+}
+
 impl Codes {
-    fn of(case: &CaseResult) -> Codes {
-        if let Status::Crashed(_) = case.status {
-            return Codes(vec![CRASHED]);
+    fn of(finding: &Finding) -> Codes {
+        let mut faults: BTreeMap<u32, Vec<Class>> = BTreeMap::new();
+        for &(call, class) in &finding.faults {
+            faults.entry(call).or_default().push(class);
         }
-        let mut faults: BTreeMap<u32, Vec<(Aspect, Class)>> = BTreeMap::new();
-        for finding in &case.findings {
-            for &(call, class) in &finding.faults {
-                faults
-                    .entry(call)
-                    .or_default()
-                    .push((finding.aspect, class));
-            }
+        let calls = faults
+            .last_key_value()
+            .map_or(0, |(call, _)| *call as usize + 1);
+        let mut codes = vec![0; calls];
+        for (call, mut classes) in faults {
+            classes.sort_unstable();
+            classes.dedup();
+            codes[call as usize] = digest(&classes);
         }
-        let mut codes = vec![
-            0;
-            faults
-                .last_key_value()
-                .map_or(0, |(call, _)| *call as usize + 1)
-        ];
-        for (call, mut faults) in faults {
-            faults.sort_unstable();
-            faults.dedup();
-            codes[call as usize] = digest(&faults);
+        if codes.is_empty() {
+            // It should have shown, and never did.
+            codes.push(digest(&[]));
         }
-        codes.extend(never_shown(&case.findings));
         Codes(codes)
     }
 
@@ -159,20 +192,9 @@ impl Codes {
     }
 }
 
-/// A code for aspects that should have shown and never did, if any; after all calls.
-fn never_shown(findings: &[Finding]) -> Option<u16> {
-    let missing = findings
-        .iter()
-        .filter(|finding| finding.wrong == 0 && !finding.passed());
-    let missing: Vec<_> = missing
-        .map(|finding| (finding.aspect, Class::Wrong))
-        .collect();
-    (!missing.is_empty()).then(|| digest(&missing))
-}
-
 /// FNV-1a over the names, folded to 16 bits; never 0 and never [`CRASHED`].
-fn digest(faults: &[(Aspect, Class)]) -> u16 {
-    let text = format!("{faults:?}");
+fn digest(classes: &[Class]) -> u16 {
+    let text = format!("{classes:?}");
     let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
     });

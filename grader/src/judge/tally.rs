@@ -89,6 +89,8 @@ impl Aspect {
 pub enum Class {
     /// Nothing more is known than that it is wrong.
     Wrong,
+    /// Off by about 2 to this power.
+    Off(i8),
     /// A hit where there is none.
     FalseHit,
     /// No hit where there is one.
@@ -122,6 +124,17 @@ impl Class {
         }
     }
 
+    /// The class of an answer that is off by `size`, in whatever unit.
+    pub fn of_size(size: f64) -> Class {
+        if size.is_nan() {
+            Class::NotANumber
+        } else if size == f64::INFINITY {
+            Class::Infinite
+        } else {
+            Class::Off(size.log2().round().clamp(-99.0, 99.0) as i8)
+        }
+    }
+
     /// The class of a wrong unit vector.
     pub fn of_direction(answered: Vec3, right: Vec3) -> Class {
         if answered.is_nan() {
@@ -131,7 +144,7 @@ impl Class {
         } else if (answered.normalize_or_zero() - right).length() < SAME {
             Class::WrongLength
         } else {
-            Class::Wrong
+            Class::of_size((answered - right).length())
         }
     }
 }
@@ -203,7 +216,7 @@ impl Tally {
         badness: f64,
         message: impl FnOnce() -> String,
     ) {
-        let class = (!right).then_some(Class::Wrong);
+        let class = (!right).then(|| Class::of_size(badness));
         self.judge_class(aspect, call, class, badness, message);
     }
 

@@ -121,6 +121,26 @@ mod tests {
         assert_eq!(estimate.samples, 12);
     }
 
+    /// The eye sees green best: that is where noise counts most.
+    #[test]
+    fn the_rule_hears_of_luminance() {
+        let colour = Spectrum::new(0.5, 2.0, 1.0);
+        let mut heard = None;
+        raytrace_pixel_adaptive(
+            (0, 0),
+            FILM,
+            budget(4, 4, 0.1),
+            &mut PixelSampler::new(0, 0, 1),
+            &mut |_| Ray::new(Vec3::ZERO, -Vec3::Z),
+            &mut |_, _| colour,
+            &mut |samples: &Tally, _| {
+                heard = Some(samples.mean());
+                true
+            },
+        );
+        assert_eq!(heard, Some(colour.luminance()));
+    }
+
     #[test]
     fn nothing_to_sample_and_nothing_in_a_batch() {
         let (none, _) = pixel(budget(0, 4, 0.1), 1, |_| 1.0, &mut |_, _| false);

@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 /// Chance that any of the tests of this file accuses a right estimate.
 const FAMILY: f64 = 1e-6;
 /// How many estimates this file compares.
-const TESTS: usize = 21;
+const TESTS: usize = 24;
 /// Samples for an estimate: enough for [`WORST_SURE_BIAS`] in the noisiest scene.
 const SAMPLES: u32 = 400_000;
 /// No estimate here is so noisy that a relative bias as large as this one could hide.
@@ -77,7 +77,44 @@ fn a_rectangle_above_the_floor() {
     assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
     assert_estimates("both", &floor.mis(SAMPLES), truth);
     // Four samples a light, a quarter of the estimates.
+    assert_estimates("4 directions", &floor.hemisphere_of(SAMPLES / 4, 4), truth);
     assert_estimates("lights, -l 4", &floor.lights(SAMPLES / 4, 4), truth);
+}
+
+/// Both sides of the floor are matte, and each gets the light of its own side.
+#[test]
+fn the_other_side_gets_the_light_below() {
+    let mut scene = area(Vec3::Y);
+    if let Light::Area { center, .. } = &mut scene.lights[0].light {
+        *center = -*center;
+    }
+    let below = Floor::under(LitScene::new(scene, None)).from_below();
+    let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
+    assert_estimates("hemisphere, below", &below.hemisphere(SAMPLES), truth);
+    assert_estimates("lights, below", &below.lights(SAMPLES, 1), truth);
+}
+
+/// Where nothing can be scattered, no ray is worth casting.
+#[test]
+fn no_ray_is_cast_in_vain() {
+    let lamp = || LitScene::new(area(-Vec3::Y), None);
+    let behind = Floor::under(lamp()).from_below();
+    assert_eq!(behind.lights(100, 1).mean(), 0.0);
+    assert_eq!(behind.rays_of_last_estimate(), 0, "the lamp is behind");
+    let mirror = Floor::under(lamp()).made_of(Material::Mirror {
+        reflectance: Spectrum::WHITE,
+    });
+    for estimate in [mirror.lights(100, 4), mirror.hemisphere_of(100, 4)] {
+        assert_eq!(estimate.mean(), 0.0);
+        assert_eq!(mirror.rays_of_last_estimate(), 0, "a mirror");
+    }
+}
+
+#[test]
+fn no_samples_are_black() {
+    let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
+    assert_eq!(floor.hemisphere_of(3, 0).mean(), 0.0);
+    assert_eq!(floor.lights(3, 0).mean(), 0.0);
 }
 
 /// Hard case 90.

@@ -55,6 +55,8 @@ impl Scattering for WithoutCosine {
 /// The floor at the origin, in a scene whose primitives are all lamps.
 pub(crate) struct Floor {
     lit: LitScene,
+    material: Material,
+    wo: Vec3,
     rays: Cell<u32>,
 }
 
@@ -62,7 +64,24 @@ impl Floor {
     pub(crate) fn under(lit: LitScene) -> Floor {
         Floor {
             lit,
+            material: Material::Diffuse {
+                reflectance: Spectrum::grey(RHO),
+            },
+            wo: Vec3::new(0.6, 0.64, 0.48),
             rays: Cell::new(0),
+        }
+    }
+
+    /// The same floor of another material.
+    pub(crate) fn made_of(self, material: Material) -> Floor {
+        Floor { material, ..self }
+    }
+
+    /// The same floor looked at from below.
+    pub(crate) fn from_below(self) -> Floor {
+        Floor {
+            wo: -self.wo,
+            ..self
         }
     }
 
@@ -79,12 +98,17 @@ impl Floor {
 
     /// Estimates of the radiance that leaves the floor, each from one hemisphere sample.
     pub(crate) fn hemisphere(&self, estimates: u32) -> Tally {
+        self.hemisphere_of(estimates, 1)
+    }
+
+    /// Estimates of the same, each from so many hemisphere samples.
+    pub(crate) fn hemisphere_of(&self, estimates: u32, samples: u32) -> Tally {
         self.estimate(estimates, |surface, wo, sampler, rays| {
             estimate_direct_lighting_hemisphere(
                 &self.lit,
                 surface,
                 wo,
-                1,
+                samples,
                 sampler,
                 &Matte,
                 &mut |ray| {
@@ -143,17 +167,13 @@ impl Floor {
         estimates: u32,
         mut one: impl FnMut(&Surface, Vec3, &mut PixelSampler, &mut u32) -> Spectrum,
     ) -> Tally {
-        let material = Material::Diffuse {
-            reflectance: Spectrum::grey(RHO),
-        };
-        let surface = self.surface(&material);
-        let wo = Vec3::new(0.6, 0.64, 0.48);
+        let surface = self.surface(&self.material);
         let mut sampler = PixelSampler::new(3, 5, 42);
         let mut rays = 0;
         let tally = (0..estimates)
             .map(|_| {
                 sampler.get_sample();
-                let radiance = one(&surface, wo, &mut sampler, &mut rays);
+                let radiance = one(&surface, self.wo, &mut sampler, &mut rays);
                 assert!(radiance.r == radiance.g && radiance.g == radiance.b);
                 radiance.r
             })

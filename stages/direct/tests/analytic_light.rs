@@ -88,7 +88,7 @@ fn the_other_side_gets_the_light_below() {
     if let Light::Area { center, .. } = &mut scene.lights[0].light {
         *center = -*center;
     }
-    let below = Floor::under(LitScene::new(scene, None)).from_below();
+    let below = Floor::under(LitScene::new(scene, None)).seen_from_below();
     let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
     assert_estimates("hemisphere, below", &below.hemisphere(SAMPLES), truth);
     assert_estimates("lights, below", &below.lights(SAMPLES, 1), truth);
@@ -98,7 +98,7 @@ fn the_other_side_gets_the_light_below() {
 #[test]
 fn no_ray_is_cast_in_vain() {
     let lamp = || LitScene::new(area(-Vec3::Y), None);
-    let behind = Floor::under(lamp()).from_below();
+    let behind = Floor::under(lamp()).seen_from_below();
     assert_eq!(behind.lights(100, 1).mean(), 0.0);
     assert_eq!(behind.rays_of_last_estimate(), 0, "the lamp is behind");
     let mirror = Floor::under(lamp()).made_of(Material::Mirror {

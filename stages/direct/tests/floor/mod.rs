@@ -78,7 +78,7 @@ impl Floor {
     }
 
     /// The same floor looked at from below.
-    pub(crate) fn from_below(self) -> Floor {
+    pub(crate) fn seen_from_below(self) -> Floor {
         Floor {
             wo: -self.wo,
             ..self

@@ -1,6 +1,6 @@
 //! Lit shading: each pixel shows the light that reaches it.
 //!
-//! One camera sample goes like this: `raygen` makes its ray, [`Walk::radiance`] follows it with the stage `global`, which
+//! One camera sample goes like this: `raygen` makes its ray, and a walk follows it with the stage `global`, which
 //! asks the stage `direct` for the light at each surface on the way. With a depth of 0 or 1 there is no way to follow,
 //! and `direct` alone does it.
 

@@ -40,14 +40,14 @@ pub(crate) fn show(speedups: &Speedups) -> String {
         );
     }
     if let Some(why) = &speedups.missing {
-        let _ = writeln!(text, "The table of speedups is not complete: {why}.");
+        let _ = writeln!(text, "\nThe table of speedups is not complete: {why}.");
     }
     text
 }
 
 fn table(rows: &[Speedup]) -> Table {
     let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([
+    table.load_style(presets::UTF8_BORDERS_ONLY).set_header([
         "mesh",
         "triangles",
         "build",
@@ -101,7 +101,7 @@ fn rate(seconds_a_ray: f64) -> String {
 
 /// Three significant figures, as far as they stand before or just behind the point.
 fn figures(x: f64) -> String {
-    let decimals = (2.0 - x.abs().log10().floor()).clamp(0.0, 6.0);
+    let decimals = (2.0 - x.abs().log10().floor()).clamp(0.0, 7.0);
     format!("{x:.*}", decimals as usize)
 }
 
@@ -126,7 +126,7 @@ mod tests {
         };
         assert_eq!(
             show(&speedups),
-            "The table of speedups is not complete: it needs part1.task3 (Intersecting triangles).\n"
+            "\nThe table of speedups is not complete: it needs part1.task3 (Intersecting triangles).\n"
         );
     }
 }

@@ -112,10 +112,12 @@ fn colour(task: &TaskResult) -> Color {
 
 fn summary(task: &TaskResult) -> String {
     let lost = |tier: Tier| {
-        let failed = |case: &&CaseResult| case.tier == tier && case.status != Status::Passed;
+        let failed = |case: &&CaseResult| {
+            case.tier == tier && !matches!(case.status, Status::Passed | Status::Needs(_))
+        };
         task.cases.iter().filter(failed).count()
     };
-    match &task.status {
+    let summary = match &task.status {
         Status::Failed if lost(Tier::Core) > 0 => {
             format!(
                 "{} of {} cases failed",
@@ -123,9 +125,33 @@ fn summary(task: &TaskResult) -> String {
                 task.cases.len()
             )
         }
-        Status::Failed => format!("passed; {} cases of extra credit open", lost(Tier::Robust)),
-        status => describe(status),
+        Status::Failed if lost(Tier::Robust) > 0 => {
+            format!("passed; {} cases of extra credit open", lost(Tier::Robust))
+        }
+        Status::Failed => "passed".into(),
+        status => return describe(status),
+    };
+    match waiting(task) {
+        Some(waiting) => format!("{summary}; {waiting}"),
+        None => summary,
     }
+}
+
+/// The cases that wait for other tasks, and for which.
+fn waiting(task: &TaskResult) -> Option<String> {
+    let mut needs = task.cases.iter().filter_map(|case| match &case.status {
+        Status::Needs(other) => Some(other),
+        _ => None,
+    });
+    let count = needs.clone().count();
+    let verb = if count == 1 {
+        "case needs"
+    } else {
+        "cases need"
+    };
+    needs
+        .next_back()
+        .map(|other| format!("{count} {verb} {other}"))
 }
 
 fn describe(status: &Status) -> String {
@@ -241,5 +267,47 @@ fn one_finding(text: &mut String, finding: &Finding, hint: Hint) {
         && let Some(worst) = &finding.worst
     {
         let _ = writeln!(text, "          {}", worst.message);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn task(statuses: &[Status]) -> TaskResult {
+        let cases = statuses.iter().map(|status| CaseResult {
+            name: "case".into(),
+            tier: Tier::Core,
+            score: 0.0,
+            max_score: 1.0,
+            status: status.clone(),
+            about: String::new(),
+            findings: Vec::new(),
+        });
+        TaskResult {
+            key: "part2.task3".into(),
+            title: String::new(),
+            score: 0.0,
+            max_score: 1.0,
+            robust_score: 0.0,
+            robust_max_score: 0.0,
+            status: Status::Failed,
+            stage: "bvh".into(),
+            diagnosis: None,
+            worst_as_test: None,
+            cases: cases.collect(),
+        }
+    }
+
+    #[test]
+    fn a_case_that_waits_for_another_task_has_not_failed() {
+        let needs = Status::Needs("part1.task3".into());
+        let waits = task(&[Status::Passed, needs.clone()]);
+        assert_eq!(summary(&waits), "passed; 1 case needs part1.task3");
+        let both = task(&[Status::Failed, needs.clone(), needs]);
+        assert_eq!(
+            summary(&both),
+            "1 of 3 cases failed; 2 cases need part1.task3"
+        );
     }
 }

@@ -21,6 +21,9 @@ const SLACK: f64 = 16.0 * U;
 /// How far an end of the interval may be off, relative to it: 7 roundings and widenings, doubled.
 const END_ERROR: f64 = 16.0 * U;
 
+/// Positions up to here can be subtracted, and numbers up to here have a reciprocal that is not denormal: 2^1000.
+const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
+
 /// All there is to say about one ray and one box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxVerdict {
@@ -37,6 +40,8 @@ pub struct BoxVerdict {
     /// Whether "hit" scores: a test for a tree may see a hit where there is none, by a few ulp, but never the
     /// other way round.
     pub hit_scores: bool,
+    /// Whether every answer scores, for the numbers leave the range in which `f64` works.
+    pub free: PerKernel<bool>,
     /// Ends of the interval as the slabs give them, near and far, also where the far one is less; `None`
     /// where the ray misses by a mile.
     pub ends: Option<(End, End)>,
@@ -107,6 +112,7 @@ impl BoxVerdict {
             gap: f64::INFINITY,
             miss_scores: PerKernel::each(|_| true),
             hit_scores: free,
+            free: PerKernel::each(|_| free),
             ends: None,
         }
     }
@@ -118,11 +124,14 @@ impl BoxVerdict {
 
     /// Whether correct code of this kind may answer either way.
     pub fn undecidable(&self, kernel: Kernel) -> bool {
-        self.hit_scores && *self.miss_scores.get(kernel)
+        *self.free.get(kernel) || (self.hit_scores && *self.miss_scores.get(kernel))
     }
 
     /// Judges an answer: the interval, or `None` for a miss.
     pub fn judge(&self, kernel: Kernel, answer: Option<Interval>) -> BoxJudgement {
+        if *self.free.get(kernel) {
+            return BoxJudgement::Either;
+        }
         let right = match self.undecidable(kernel) {
             true => BoxJudgement::Either,
             false => BoxJudgement::Right,
@@ -164,24 +173,56 @@ pub fn bbox(b: &Aabb, ray: &Ray) -> BoxVerdict {
     if let Some(why) = by_convention(b, ray) {
         return BoxVerdict::miss(why);
     }
+    BoxVerdict {
+        free: PerKernel::each(|kernel| !in_reach(kernel, b, ray)),
+        ..decide(b, ray)
+    }
+}
+
+/// The verdict on finite numbers, whether or not `f64` can work with them.
+fn decide(b: &Aabb, ray: &Ray) -> BoxVerdict {
     let (mut near, mut far) = (vec![Cut::range(ray.min_t)], vec![Cut::range(ray.max_t)]);
+    let mut runs_beside = false;
     for axis in 0..3 {
         let (o, d) = (ray.o[axis], ray.d[axis]);
         let (min, max) = (b.min[axis], b.max[axis]);
         if d == 0.0 {
-            if !(min <= o && o <= max) {
-                return BoxVerdict::miss(Miss::Beside);
-            }
+            runs_beside |= !(min <= o && o <= max);
             continue;
         }
         let (enter, leave) = if d > 0.0 { (min, max) } else { (max, min) };
         near.push(Cut::slab(axis, enter, o, d));
         far.push(Cut::slab(axis, leave, o, d));
     }
+    if runs_beside {
+        // A quotient by 0 puts the ray into the slab at infinity: where nothing else ends the interval
+        // before, plain code sees it hit there.
+        let never_leaves = far.iter().all(|cut| cut.t == f64::INFINITY);
+        let never_enters = near.iter().all(|cut| cut.t == f64::NEG_INFINITY);
+        return BoxVerdict {
+            hit_scores: never_leaves || never_enters,
+            ..BoxVerdict::miss(Miss::Beside)
+        };
+    }
     match filter(&mut near, &mut far) {
         Some(miss) => miss,
         None => Bounds::new(&near, &far).verdict(),
     }
+}
+
+/// Whether `f64` can work with these numbers: no difference of positions overflows, and `1/d` is a normal number.
+/// A robust test must know its way about the slowest directions (a denormal's reciprocal overflows).
+fn in_reach(kernel: Kernel, b: &Aabb, ray: &Ray) -> bool {
+    let is_finite = |x: &f64| x.is_finite();
+    let places = [b.min, b.max, ray.o].map(|v| v.to_array());
+    let moves = ray.d.to_array();
+    let slowest = match kernel {
+        Kernel::Textbook => LARGEST.recip(),
+        Kernel::Robust => 0.0,
+    };
+    let fits = |d: &f64| *d == 0.0 || (slowest..=LARGEST).contains(&d.abs());
+    let mut places = places.iter().flatten().filter(|x| is_finite(x));
+    places.all(|x| x.abs() <= LARGEST) && moves.iter().all(fits)
 }
 
 /// The misses that need no arithmetic.
@@ -348,6 +389,7 @@ impl Bounds {
                 robust: !hits || lost,
             },
             hit_scores: hits || lost || gap <= SLACK,
+            free: PerKernel::default(),
             ends: Some((near, far)),
         }
     }

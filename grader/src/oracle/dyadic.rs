@@ -160,6 +160,11 @@ impl Dyadic3 {
         self.m.iter().all(IBig::is_zero)
     }
 
+    /// Whether at most one component is not zero.
+    pub(super) fn is_along_an_axis(&self) -> bool {
+        self.m.iter().filter(|m| !m.is_zero()).count() <= 1
+    }
+
     /// Bits of the longest component.
     pub(super) fn bits(&self) -> usize {
         self.m.iter().map(BitTest::bit_len).max().unwrap_or(0)

@@ -2,8 +2,6 @@
 
 use kit::Vec3;
 
-use super::verdict::Kernel;
-
 /// The relative error of one rounded operation, 2^-53: `fl(a ∘ b) = (a ∘ b)(1 + δ)`, `|δ| <= U`.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
 
@@ -13,28 +11,21 @@ pub(super) fn gamma(n: f64) -> f64 {
     n * U / (1.0 - n * U)
 }
 
-/// Lengths and directions whose largest component is between 2^-k and 2^k keep every
+/// Lengths and directions whose largest component is between 2^-200 and 2^200 (about 1e60) keep every
 /// intermediate product of a kernel inside the exponents of `f64`. Outside, correct code may
 /// overflow or lose its product to 0, and the oracle accuses nobody.
 ///
-/// The textbook limit leaves room for products of five such numbers, `n · (e × P)` with the normal
-/// `n` itself a product: 5 · 200 <= 1022. The robust limit is for three: 3 · 300 <= 1022, less
-/// what the relative error of a sum still needs, 2^-53.
-fn reach(kernel: Kernel) -> f64 {
-    let k = match kernel {
-        Kernel::Textbook => 200,
-        Kernel::Robust => 300,
-    };
-    f64::from_bits((1023 + k) << 52)
-}
+/// The longest products have five factors: an edge function (two lengths) times a depth (a length over
+/// the direction), or a normal (two lengths) times a cross product (two more). 5 · 200 is less than the 1022 there
+/// are, and what underflows of a sum is then 2^-74 of its largest part at most.
+const REACH: f64 = f64::from_bits((1023 + 200) << 52);
 
-/// Whether a kernel can work with numbers of these sizes at all: see [`reach`]. A size of 0
-/// is in reach, for nothing is lost to it.
-pub(super) fn in_reach(kernel: Kernel, sizes: [f64; 2]) -> bool {
-    let limit = reach(kernel);
+/// Whether `f64` can work with numbers of these sizes at all: see [`REACH`]. A size of 0 is in
+/// reach, for nothing is lost to it.
+pub(super) fn in_reach(sizes: [f64; 2]) -> bool {
     sizes
         .iter()
-        .all(|s| *s == 0.0 || (1.0 / limit..=limit).contains(s))
+        .all(|s| *s == 0.0 || (1.0 / REACH..=REACH).contains(s))
 }
 
 /// Largest absolute component.

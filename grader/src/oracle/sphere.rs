@@ -117,9 +117,9 @@ struct Exact {
     c: Dyadic,
     /// The discriminant, `b² - a c`.
     d: Dyadic,
-    /// Bits of the longest coordinate (the radius too), and of the direction, each on its own common exponent.
+    /// Bits of the longest coordinate (the radius too), on the exponent common to all.
     place_bits: usize,
-    direction_bits: usize,
+    goes_along_an_axis: bool,
 }
 
 impl Exact {
@@ -137,7 +137,7 @@ impl Exact {
             b,
             c,
             place_bits: places.iter().map(Dyadic3::bits).max().unwrap_or(0),
-            direction_bits: direction.bits(),
+            goes_along_an_axis: direction.is_along_an_axis(),
         }
     }
 
@@ -198,7 +198,7 @@ impl Exact {
         let (b, d) = (self.b.to_f64(), self.d.to_f64());
         let errors = PerKernel::each(|kernel| {
             let errors = frame.roots(kernel, b, d, near);
-            let known = |e: f64| frame.in_reach(kernel) && !e.is_nan();
+            let known = |e: f64| frame.in_reach() && !e.is_nan();
             errors.map(|e| if known(e) { e } else { f64::INFINITY })
         });
         verdict.t_tolerance = [0, 1].map(|i| PerKernel::each(|k| errors.get(k)[i]));
@@ -207,7 +207,7 @@ impl Exact {
             .map(|t| PerKernel::each(|k| frame.position(*t.get(k))));
         verdict.answers = PerKernel::each(|kernel| {
             let in_range = |i: usize| {
-                if self.roots_are_exact(kernel, frame) {
+                if self.roots_are_exact(frame) {
                     return Sure::exactly(inside[i]);
                 }
                 Sure::in_range(near[i], errors.get(kernel)[i], (ray.min_t, ray.max_t))
@@ -223,7 +223,7 @@ impl Exact {
 
     /// Whether correct code is sure that the line meets the sphere.
     fn exists(&self, kernel: Kernel, frame: &Frame) -> Sure {
-        if !frame.in_reach(kernel) {
+        if !frame.in_reach() {
             return Sure::Open;
         }
         let (d, bound) = (self.d.to_f64(), frame.discriminant(kernel));
@@ -233,17 +233,16 @@ impl Exact {
         Sure::Open
     }
 
-    /// Whether every kernel finds the discriminant without a rounding: `(b/a) d` is a
-    /// product of a length and three of the direction over a power of two, and `D` twice that.
+    /// Whether every kernel finds the discriminant without a rounding: the direction is a power of two along an
+    /// axis, so that dividing by its length only shifts, and two short lengths are multiplied.
     fn rounds_nothing(&self) -> bool {
-        let (place, direction) = (self.place_bits + 1, self.direction_bits);
-        self.a.is_power_of_two() && 2 * place + 4 * direction + 6 <= 53
+        self.goes_along_an_axis && self.a.is_power_of_two() && 2 * (self.place_bits + 1) + 6 <= 53
     }
 
     /// Whether every kernel finds both roots without a rounding, so that an end of the range may decide.
-    fn roots_are_exact(&self, kernel: Kernel, frame: &Frame) -> bool {
+    fn roots_are_exact(&self, frame: &Frame) -> bool {
         let square = || self.d.sign() >= 0 && Real::root_parts(&self.d).1;
-        frame.in_reach(kernel) && self.rounds_nothing() && square()
+        frame.in_reach() && self.rounds_nothing() && square()
     }
 }
 

@@ -45,8 +45,8 @@ impl Frame {
         }
     }
 
-    pub(super) fn in_reach(&self, kernel: Kernel) -> bool {
-        in_reach(kernel, [self.world, self.direction])
+    pub(super) fn in_reach(&self) -> bool {
+        in_reach([self.world, self.direction])
     }
 
     /// Bounds the error of the discriminant `D`.
@@ -70,7 +70,7 @@ impl Frame {
     /// bounds are smaller.
     pub(super) fn surely_misses(&self) -> bool {
         let d = self.b * self.b - self.a * (self.ff - self.rr);
-        self.in_reach(Kernel::Textbook) && d < -2.0 * self.discriminant(Kernel::Textbook)
+        self.in_reach() && d < -2.0 * self.discriminant(Kernel::Textbook)
     }
 
     /// Bounds the error of `√D`: `δD / √D`, but never more than `√δD`.

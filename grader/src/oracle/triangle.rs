@@ -277,7 +277,7 @@ impl Exact {
 
     /// Whether correct code is sure that the line passes through the triangle.
     fn edges(&self, kernel: Kernel, frame: &Frame, robust: &Robust) -> Sure {
-        if !frame.in_reach(kernel) {
+        if !frame.in_reach() {
             return Sure::Open;
         }
         if self.rounds_nothing(kernel) {
@@ -301,45 +301,47 @@ impl Exact {
 
     /// Whether a kernel decides the edges without a single rounding, because its numbers are short.
     ///
-    /// Counted in bits on common exponents: a robust kernel multiplies two lengths and the direction twice (shear),
-    /// and a third length for `t`; a textbook one may multiply four lengths (plane and inside
-    /// test), must not have to normalise a slanted normal, and compares quotients by `det`.
+    /// Counted in bits on common exponents: a robust kernel multiplies two lengths and the direction twice
+    /// (shear), and a third length for `t`. A textbook one may multiply four lengths (plane and inside
+    /// test), compares quotients by `det`, and normalises the normal, which is exact along an axis.
     fn rounds_nothing(&self, kernel: Kernel) -> bool {
         // Seen from the origin, a coordinate may be one bit longer.
         let (place, direction) = (self.place_bits + 1, self.direction_bits);
+        let robust = self.shear_is_exact && 3 * place + 2 * direction + 3 <= 53;
         match kernel {
+            Kernel::Robust => robust,
             Kernel::Textbook => {
-                let axis_aligned = self.normal.m.iter().filter(|m| !m.is_zero()).count() <= 1;
-                let det_divides = self.det.sign() == 0 || self.det.is_power_of_two();
-                axis_aligned && det_divides && 4 * place + 2 * direction + 4 <= 53
+                robust
+                    && self.normal.is_along_an_axis()
+                    && (self.det.sign() == 0 || self.det.is_power_of_two())
+                    && 4 * place + 2 * direction + 4 <= 53
             }
-            Kernel::Robust => self.shear_is_exact && 3 * place + 2 * direction + 3 <= 53,
         }
     }
 
     /// Whether a kernel finds `t` without a rounding, so that an end of the range may decide.
     fn divides_exactly(&self, kernel: Kernel, frame: &Frame) -> bool {
-        frame.in_reach(kernel) && self.rounds_nothing(kernel) && self.det.is_power_of_two()
+        frame.in_reach() && self.rounds_nothing(kernel) && self.det.is_power_of_two()
     }
 
     fn crossing(&self, frame: &Frame, robust: &Robust) -> Crossing {
         let t = Real::ratio(&self.num, &self.det);
         let Rounded { e, det, normal } = self.rounded;
         let near = t.to_f64();
-        let bound = |kernel, value: f64| {
-            if frame.in_reach(kernel) && !value.is_nan() {
+        let bound = |value: f64| {
+            if frame.in_reach() && !value.is_nan() {
                 value
             } else {
                 f64::INFINITY
             }
         };
         let t_tolerance = PerKernel {
-            textbook: bound(Kernel::Textbook, frame.textbook_t(det, near)),
-            robust: bound(Kernel::Robust, robust.t(e, det, near)),
+            textbook: bound(frame.textbook_t(det, near)),
+            robust: bound(robust.t(e, det, near)),
         };
         let b_tolerance = PerKernel {
-            textbook: bound(Kernel::Textbook, frame.textbook_b(normal, det)),
-            robust: bound(Kernel::Robust, robust.b(det)),
+            textbook: bound(frame.textbook_b(normal, det)),
+            robust: bound(robust.b(det)),
         };
         Crossing {
             t,

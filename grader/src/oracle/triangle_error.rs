@@ -71,8 +71,8 @@ impl Frame {
     }
 
     /// See [`in_reach`].
-    pub(super) fn in_reach(&self, kernel: Kernel) -> bool {
-        in_reach(kernel, [self.world, largest(self.d)])
+    pub(super) fn in_reach(&self) -> bool {
+        in_reach([self.world, largest(self.d)])
     }
 
     /// How much thinner the triangle is than the lengths of its edges say, at least 2: the sum of
@@ -98,7 +98,7 @@ impl Frame {
     /// most `2 |d| world²`: less than half the textbook bound, so that twice that bound is enough;
     /// and robust bounds are smaller than textbook ones (doubled, `20 U · |d_z| · 4 world²` at most).
     pub(super) fn surely_misses(&self) -> bool {
-        let is_settled = self.thinness(self.normal) < THIN && self.in_reach(Kernel::Textbook);
+        let is_settled = self.thinness(self.normal) < THIN && self.in_reach();
         if !is_settled {
             return false;
         }

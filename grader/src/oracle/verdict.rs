@@ -155,7 +155,9 @@ impl Answers {
         for candidate in self.hits.iter().flatten() {
             let ulps = candidate.t.ulps(t);
             let bound = candidate.tolerance / candidate.t.ulp();
-            if (t - candidate.t.to_f64()).abs() <= candidate.tolerance || ulps <= 1.0 {
+            let is_free = candidate.tolerance == f64::INFINITY && !t.is_nan();
+            let is_close = (t - candidate.t.to_f64()).abs() <= candidate.tolerance;
+            if is_free || is_close || ulps <= 1.0 {
                 return match self.undecidable() {
                     true => Judgement::Either,
                     false => Judgement::Right { ulps },

@@ -15,13 +15,18 @@ fn tiny(r: &mut Random) -> f64 {
     kit::math::pow(10.0, -18.0 * r.unit())
 }
 
+/// Mostly 1, sometimes anything.
+fn scale(r: &mut Random) -> f64 {
+    match r.below(8) {
+        0 => kit::math::pow(10.0, 30.0 * r.signed()),
+        1 => kit::math::pow(10.0, 300.0 * r.signed()),
+        _ => 1.0,
+    }
+}
+
 /// A ray aimed close to an edge of a triangle of any shape, scale and place.
 fn at_edge(r: &mut Random) -> (Triangle, Ray) {
-    let scale = if r.below(4) == 0 {
-        kit::math::pow(10.0, 30.0 * r.signed())
-    } else {
-        1.0
-    };
+    let scale = scale(r);
     let offset = if r.below(4) == 0 {
         1e3 / tiny(r).max(1e-3)
     } else {
@@ -71,7 +76,13 @@ fn try_triangles(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     let mut let_off = 0;
     for _ in 0..count {
-        let (tri, ray) = at_edge(&mut r);
+        let (tri, ray) = match r.below(4) {
+            0 => {
+                let family = rays::family(r.bits(), 64);
+                rays::triangle(&mut r, family)
+            }
+            _ => at_edge(&mut r),
+        };
         let verdict = triangle(&tri, &ray);
         let_off += u32::from(verdict.undecidable(Kernel::Robust));
         let groups = [
@@ -95,11 +106,7 @@ fn try_triangles(seed: u64, count: u64) {
 
 /// A ray aimed close to the rim of a sphere of any scale and place.
 fn at_rim(r: &mut Random) -> (Sphere, Ray) {
-    let scale = if r.below(4) == 0 {
-        kit::math::pow(10.0, 30.0 * r.signed())
-    } else {
-        1.0
-    };
+    let scale = scale(r);
     let offset = if r.below(4) == 0 { 1e6 } else { 0.0 } * r.place();
     let radius = 1.0;
     let distance = 1.0 / tiny(r).max(1e-7);
@@ -143,7 +150,13 @@ fn no_correct_sphere_test_is_accused() {
 fn try_spheres(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     for _ in 0..count {
-        let (s, ray) = at_rim(&mut r);
+        let (s, ray) = match r.below(4) {
+            0 => {
+                let family = rays::family(r.bits(), 64);
+                rays::sphere(&mut r, family)
+            }
+            _ => at_rim(&mut r),
+        };
         let verdict = sphere(&s, &ray);
         let groups = [
             (Kernel::Textbook, &TEXTBOOK_SPHERES[..]),
@@ -189,7 +202,13 @@ fn no_correct_box_test_is_accused() {
 fn try_boxes(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     for _ in 0..count {
-        let (b, ray) = at_corner(&mut r);
+        let (b, ray) = match r.below(4) {
+            0 => {
+                let family = rays::family(r.bits(), 64);
+                rays::bounds(&mut r, family)
+            }
+            _ => at_corner(&mut r),
+        };
         let verdict = bbox(&b, &ray);
         let groups = [
             (Kernel::Textbook, &TEXTBOOK_BOXES[..]),

@@ -291,6 +291,9 @@ fn interval(min: f64, max: f64) -> Option<Interval> {
 }
 
 fn kay_kajiya(b: &Aabb, ray: &Ray) -> Option<Interval> {
+    if b.is_empty() {
+        return None;
+    }
     let (mut near, mut far) = (ray.min_t, ray.max_t);
     for i in 0..3 {
         if ray.d[i] == 0.0 {
@@ -351,20 +354,19 @@ fn min_max(b: &Aabb, ray: &Ray) -> Option<Interval> {
     interval(near, far)
 }
 
-/// Ize, *Robust BVH Ray Traversal*, JCGT 2013.
+/// Ize, *Robust BVH Ray Traversal*, JCGT 2013; divided, for the reciprocal of a denormal overflows.
 fn ize(b: &Aabb, ray: &Ray) -> Option<Interval> {
     if b.is_empty() {
         return None;
     }
-    let inv = 1.0 / ray.d;
     let (mut near, mut far) = (ray.min_t, ray.max_t);
     for i in 0..3 {
         let (low, high) = match ray.d[i].is_sign_negative() {
             true => (b.max[i], b.min[i]),
             false => (b.min[i], b.max[i]),
         };
-        let t0 = (low - ray.o[i]) * inv[i];
-        let t1 = ((high - ray.o[i]) * inv[i]).next_up().next_up();
+        let t0 = (low - ray.o[i]) / ray.d[i];
+        let t1 = ((high - ray.o[i]) / ray.d[i]).next_up().next_up();
         if t0 > near {
             near = t0;
         }

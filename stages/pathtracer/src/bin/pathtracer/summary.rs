@@ -40,7 +40,7 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
     } = rendered.counters;
     let each = |tests: u64| tests as f64 / rays.max(1) as f64;
     let mut told = format!(
-        "Rendering   {} x {} pixels, {} samples each, {threads} threads: {}\n\
+        "Rendering   {} x {} pixels, -s {} -t {threads}: {}\n\
          Rays        {rays}, {:.2} million per second\n\
          Tests       {:.2} per ray: {:.2} of boxes ({box_tests}), {:.2} of primitives ({prim_tests})",
         job.cell.x1 - job.cell.x0,

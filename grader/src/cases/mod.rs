@@ -111,3 +111,97 @@ pub fn all(seed: u64) -> Vec<Spec> {
     ]
     .concat()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::{Course, Tier};
+    use crate::judge::expected::{Decision, Expected};
+    use crate::{convert, truth};
+
+    /// What scores on each probe at a single shape of a case.
+    fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
+        match &spec.work {
+            Work::Triangles { triangles, probes } => probes
+                .iter()
+                .map(|probe| {
+                    let triangle = convert::triangle(&triangles[probe.shape as usize]);
+                    truth::triangle(tier, probe.shape, &triangle, &convert::ray(&probe.ray))
+                })
+                .collect(),
+            Work::Spheres { spheres, probes } => probes
+                .iter()
+                .map(|probe| {
+                    let sphere = convert::sphere(&spheres[probe.shape as usize]);
+                    truth::sphere(tier, probe.shape, &sphere, &convert::ray(&probe.ray))
+                })
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    #[test]
+    fn core_probes_are_decided() {
+        let course = Course::parse(include_str!("../../../stages/course.toml"))
+            .expect("the course is sound");
+        let specs = all(0);
+        let mut probed = 0;
+        for task in course.tasks() {
+            for entry in task.cases.iter().filter(|case| case.tier == Tier::Core) {
+                let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
+                let spec = spec.expect("every case of the course is there");
+                let expected = expected(spec, Tier::Core);
+                let count = |decision| expected.iter().filter(|e| e.decision() == decision).count();
+                let (hits, open) = (count(Decision::Hit), count(Decision::Either));
+                let name = format!("{} {}: {hits} hits, {open} open", task.key, entry.name);
+                // Whoever always says miss must lose points, and nobody gets them for nothing.
+                assert!(expected.is_empty() || hits > 0, "{name}");
+                assert!(open * 50 <= expected.len(), "{name} of {}", expected.len());
+                probed += expected.len();
+            }
+        }
+        assert!(probed > 3000, "{probed}");
+    }
+
+    #[test]
+    fn a_seed_changes_the_fresh_cases_of_part_1_alone() {
+        // As text, in which NaN equals itself.
+        let text = |spec: &Spec| format!("{:?}", spec.work);
+        let (all_0, again, all_1) = (all(0), all(0), all(1));
+        for ((a, b), other) in all_0.iter().zip(&again).zip(&all_1) {
+            let name = format!("{} {}", a.task, a.name);
+            assert!(text(a) == text(b), "{name}");
+            if a.task.starts_with("part1") {
+                assert_eq!(
+                    text(a) != text(other),
+                    a.name.starts_with("fresh"),
+                    "{name}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn pictures_have_an_answer_for_each_pixel() {
+        for spec in all(0) {
+            let Some([w, h]) = spec.picture else { continue };
+            let answers = match &spec.work {
+                Work::Pixels(work) => work.pixels.len(),
+                Work::CameraRays { cameras, sensor } => cameras.len() * sensor.len(),
+                Work::BruteForce { rays, .. } | Work::SceneHits { rays, .. } => rays.len(),
+                Work::Boxes { probes, .. } => probes.len(),
+                _ => 0,
+            };
+            assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
+        }
+    }
+
+    #[test]
+    fn names_are_unique_in_a_task() {
+        let mut names: Vec<_> = all(0).iter().map(|spec| (spec.task, spec.name)).collect();
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}

@@ -88,10 +88,10 @@ impl Call<'_> {
         self.judge_class(Aspect::Decision, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
-                format!("{function} says miss, but the ray hits at t = {t}")
+                format!("{function} says miss, but the ray hits at t = {t:?}")
             }
             Some(t) => format!(
-                "{function} says hit at t = {t}, but the ray misses: {}",
+                "{function} says hit at t = {t:?}, but the ray misses: {}",
                 expected.why_miss
             ),
         });
@@ -109,7 +109,7 @@ impl Call<'_> {
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {
             format!(
-                "{function} gives t = {answered}, right is {right} (off by {off:.1e}, allowed {bound:.1e})"
+                "{function} gives t = {answered:?}, right is {right:?} (off by {off:.1e}, allowed {bound:.1e})"
             )
         });
     }
@@ -128,7 +128,7 @@ impl Call<'_> {
                 let swapped = worst([b1 - right.y, b2 - right.x]) <= bound;
                 let hint = if swapped { " (they are swapped)" } else { "" };
                 format!(
-                    "{function} gives b1 = {b1}, b2 = {b2}, right is b1 = {}, b2 = {}{hint}",
+                    "{function} gives b1 = {b1:?}, b2 = {b2:?}, right is b1 = {:?}, b2 = {:?}{hint}",
                     right.x, right.y
                 )
             },
@@ -224,7 +224,7 @@ impl Call<'_> {
             } else {
                 "a miss leaves it alone"
             };
-            format!("{function} left ray.max_t = {after}, right is {right}: {why}")
+            format!("{function} left ray.max_t = {after:?}, right is {right:?}: {why}")
         });
     }
 
@@ -261,11 +261,13 @@ fn bits(r: &Ray) -> [[u64; 3]; 3] {
 }
 
 pub(super) fn show(v: Vec3) -> String {
-    format!("({}, {}, {})", v.x, v.y, v.z)
+    // Debug form: a number that is very small or large is written with an exponent.
+    format!("({:?}, {:?}, {:?})", v.x, v.y, v.z)
 }
 
 /// A ray for people.
 pub(crate) fn show_ray(ray: &Ray) -> String {
     let (o, d) = (show(Vec3::from(ray.o)), show(Vec3::from(ray.d)));
-    format!("Ray: o = {o}, d = {d}, t in [{}, {}]", ray.min_t, ray.max_t)
+    let (min_t, max_t) = (ray.min_t, ray.max_t);
+    format!("Ray: o = {o}, d = {d}, t in [{min_t:?}, {max_t:?}]")
 }

@@ -63,8 +63,9 @@ pub fn show(report: &Report, hint: Hint) -> String {
     text
 }
 
-/// How far off `t` is, task by task, where hit or miss is right and no `t` is wrong: a matter of the formula.
+/// How far off `t` is, task by task, in the cases that are right about it: a matter of the formula.
 fn rounding(text: &mut String, report: &Report) {
+    let mut lines = String::new();
     for task in &report.tasks {
         for (tier, name) in [(Tier::Core, "core"), (Tier::Robust, "extra")] {
             let cases = task.cases.iter().filter(|case| case.tier == tier);
@@ -73,17 +74,32 @@ fn rounding(text: &mut String, report: &Report) {
                 .filter(|finding| finding.aspect == Aspect::T && finding.wrong == 0)
                 .flat_map(|finding| &finding.errors);
             if let Some(spread) = ErrorSpread::of(errors) {
+                let [p50, p99, max] = [spread.p50, spread.p99, spread.max].map(ulps);
+                let of_bound = 100.0 * spread.of_bound;
                 let _ = writeln!(
-                    text,
-                    "{} {name}: t is off by {} ulp in half of the hits, by up to {} in 99 of 100 and {} in the worst; at most {:.0} % of what is allowed",
-                    task.key,
-                    number(spread.p50),
-                    number(spread.p99),
-                    number(spread.max),
-                    100.0 * spread.of_bound
+                    lines,
+                    "  {} {name:5}  half within {p50} ulp, 99 of 100 within {p99}, all within {max}: {of_bound:.0} % of what is allowed",
+                    task.key
                 );
             }
         }
+    }
+    if !lines.is_empty() {
+        let _ = write!(
+            text,
+            "\nHow far off t is, in units in the last place:\n{lines}"
+        );
+    }
+}
+
+/// Two digits; more before the point where there are more.
+fn ulps(ulps: f64) -> String {
+    if ulps < 10.0 {
+        format!("{ulps:.1}")
+    } else if ulps < 1e6 {
+        format!("{ulps:.0}")
+    } else {
+        format!("{ulps:.1e}")
     }
 }
 

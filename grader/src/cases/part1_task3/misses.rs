@@ -24,6 +24,10 @@ pub(super) fn beside() -> Work {
                 ));
             }
         }
+        // Some that it does hit, so that a kernel which never hits does not pass.
+        for b in [[0.01, 0.4], [0.4, 0.01], [0.5, 0.49]] {
+            probes.ray(dice.ray_to(&triangle, b, 1.0, 3.0));
+        }
     }
     probes.work()
 }

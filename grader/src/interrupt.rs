@@ -3,6 +3,8 @@
 use crate::error::GraderError;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 /// Folders and files that must not outlive the program.
 static SCRATCH: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -79,10 +81,24 @@ fn forget(path: &Path) {
     }
 }
 
+/// Whether Ctrl-C was pressed.
+static PRESSED: AtomicBool = AtomicBool::new(false);
+
+/// How long the handler may take to notice Ctrl-C, which programs that the grader started notice, too.
+const MOMENT: Duration = Duration::from_millis(100);
+
+/// Whether an error that came up is only the echo of Ctrl-C, such as a compiler that it ended. Then the handler is
+/// about to end the program, and there is nothing to report.
+pub fn is_the_cause() -> bool {
+    std::thread::sleep(MOMENT);
+    PRESSED.load(Ordering::SeqCst)
+}
+
 /// From now on Ctrl-C removes scratch folders and ends the program with exit code 2.
 pub fn watch() {
     // Without a handler Ctrl-C still ends the program; only scratch folders stay.
     let _ = ctrlc::set_handler(|| {
+        PRESSED.store(true, Ordering::SeqCst);
         if let Ok(scratch) = SCRATCH.lock() {
             for path in scratch.iter() {
                 // The program may be writing there still.
@@ -95,7 +111,7 @@ pub fn watch() {
                 }
             }
         }
-        eprintln!("\ninterrupted: nothing was written");
+        eprintln!("\ninterrupted: nothing half written is left");
         std::process::exit(2);
     });
 }

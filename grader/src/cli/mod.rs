@@ -68,7 +68,9 @@ pub fn main() -> ExitCode {
         Ok(Verdict::Full) => ExitCode::SUCCESS,
         Ok(Verdict::Short) => ExitCode::from(1),
         Err(error) => {
-            eprintln!("error: {error}");
+            if !interrupt::is_the_cause() {
+                eprintln!("error: {error}");
+            }
             ExitCode::from(2)
         }
     }

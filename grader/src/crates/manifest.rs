@@ -19,8 +19,10 @@ pub fn of_workspace(text: &str, left_out: &[PathBuf]) -> String {
     kept.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// A crate's `Cargo.toml` without its `[[test]]`, `[[bench]]` and `[[example]]` tables, and without criterion, which
-/// only benches use.
+/// Libraries that only tests and benches in folders of their own use, never unit tests beside the code.
+const FOR_TESTS: [&str; 3] = ["criterion", "cargo_metadata", "snapbox"];
+
+/// A crate's `Cargo.toml` without its `[[test]]`, `[[bench]]` and `[[example]]` tables, and what only they use.
 pub fn without_tests(text: &str) -> String {
     let mut dropping = false;
     let mut kept: Vec<&str> = Vec::new();
@@ -30,7 +32,7 @@ pub fn without_tests(text: &str) -> String {
                 .iter()
                 .any(|table| line.starts_with(table));
         }
-        if !dropping && !line.starts_with("criterion") {
+        if !dropping && !FOR_TESTS.iter().any(|name| line.starts_with(name)) {
             kept.push(line);
         }
     }

@@ -66,7 +66,7 @@ fn given(course: &Course, part: u32) -> String {
 /// The tasks of one part as a table.
 fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     let mut text = format!("### Part {}: {}\n\n", part.number, part.title);
-    text.push_str("| task | | write | in | core | robust |\n|---|---|---|---|--:|--:|\n");
+    text.push_str("| task | | write | in | core | extra |\n|---|---|---|---|--:|--:|\n");
     for task in &part.tasks {
         let mut found = BTreeSet::new();
         for hole in &task.holes {

@@ -1,6 +1,6 @@
 //! Looks for copies of the solutions in a handout.
 //!
-//! Both are cut into tokens, and runs of [`RUN`] tokens are compared: laying code out anew, or moving it into a
+//! Both are cut into tokens, and runs of `RUN` tokens are compared: laying code out anew, or moving it into a
 //! comment, hides nothing.
 
 use crate::handout::Handout;
@@ -50,7 +50,7 @@ fn leak(path: &Path, contents: &[u8], secret: &HashMap<String, String>) -> Optio
         })
 }
 
-/// All runs of [`RUN`] tokens, in order.
+/// All runs of `RUN` tokens, in order.
 fn runs(tokens: &[&str]) -> Vec<String> {
     tokens.windows(RUN).map(|run| run.join(" ")).collect()
 }

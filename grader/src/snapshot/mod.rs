@@ -4,7 +4,7 @@
 //! `(x,y,z)` or a range `[a,b]`. Floats are written shortest so that they read back bit for bit. Every line has
 //! the answer's main figures; evenly spread ones, [`FULL_LINES`] a case, have the question and the whole record.
 //!
-//! [`write()`] makes the text, [`parse`] reads it (and insta's header before it), [`diff`] says in words what
+//! [`write()`] makes the text, [`parse`] reads it (and insta's header before it), [`changes`] says in words what
 //! changed between two.
 
 mod diff;

@@ -3,7 +3,7 @@
 //! Plain data that knows nothing of the course's types. Numbers keep their bits: files are
 //! [postcard](https://docs.rs/postcard), so NaN, infinities and -0 arrive as they were sent.
 //!
-//! [`work`] says what the worker is asked to do, [`answer`] what it says of it, [`file`] how both
+//! [`work`] says what the worker is asked to do, [`answer`] what it says of it, [`mod@file`] how both
 //! stand in a file that is still readable after the worker was killed.
 
 pub mod answer;

@@ -11,21 +11,18 @@ pub(super) fn gamma(n: f64) -> f64 {
     n * U / (1.0 - n * U)
 }
 
-/// Lengths and directions whose largest component is between 2^-200 and 2^200 (about 1e60) keep every
+/// Positions and directions whose components are 0 or between 2^-200 and 2^200 (about 1e60) in size keep every
 /// intermediate product of a kernel inside the exponents of `f64`. Outside, correct code may
 /// overflow or lose its product to 0, and the oracle accuses nobody.
 ///
 /// The longest products have five factors: an edge function (two lengths) times a depth (a length over
-/// the direction), or a normal (two lengths) times a cross product (two more). 5 · 200 is less than the 1022 there
-/// are, and what underflows of a sum is then 2^-74 of its largest part at most.
+/// the direction), or a normal (two lengths) times a cross product (two more). 5 · 200 is less than the 1022 there are.
 const REACH: f64 = f64::from_bits((1023 + 200) << 52);
 
-/// Whether `f64` can work with numbers of these sizes at all: see [`REACH`]. A size of 0 is in
-/// reach, for nothing is lost to it.
-pub(super) fn in_reach(sizes: [f64; 2]) -> bool {
-    sizes
-        .iter()
-        .all(|s| *s == 0.0 || (1.0 / REACH..=REACH).contains(s))
+/// Whether `f64` can work with all of these numbers: see [`REACH`].
+pub(super) fn in_reach(vectors: &[Vec3]) -> bool {
+    let fits = |x: &f64| *x == 0.0 || (1.0 / REACH..=REACH).contains(&x.abs());
+    vectors.iter().all(|v| v.to_array().iter().all(fits))
 }
 
 /// Largest absolute component.

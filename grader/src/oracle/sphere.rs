@@ -198,7 +198,7 @@ impl Exact {
         let (b, d) = (self.b.to_f64(), self.d.to_f64());
         let errors = PerKernel::each(|kernel| {
             let errors = frame.roots(kernel, b, d, near);
-            let known = |e: f64| frame.in_reach() && !e.is_nan();
+            let known = |e: f64| frame.in_reach && !e.is_nan();
             errors.map(|e| if known(e) { e } else { f64::INFINITY })
         });
         verdict.t_tolerance = [0, 1].map(|i| PerKernel::each(|k| errors.get(k)[i]));
@@ -223,7 +223,7 @@ impl Exact {
 
     /// Whether correct code is sure that the line meets the sphere.
     fn exists(&self, kernel: Kernel, frame: &Frame) -> Sure {
-        if !frame.in_reach() {
+        if !frame.in_reach {
             return Sure::Open;
         }
         let (d, bound) = (self.d.to_f64(), frame.discriminant(kernel));
@@ -242,7 +242,7 @@ impl Exact {
     /// Whether every kernel finds both roots without a rounding, so that an end of the range may decide.
     fn roots_are_exact(&self, frame: &Frame) -> bool {
         let square = || self.d.sign() >= 0 && Real::root_parts(&self.d).1;
-        frame.in_reach() && self.rounds_nothing() && square()
+        frame.in_reach && self.rounds_nothing() && square()
     }
 }
 

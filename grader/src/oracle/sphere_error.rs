@@ -3,7 +3,7 @@
 //! With `f = o - center`, the ray is on the sphere where `a t² + 2 b t + c = 0`, `a = d·d`,
 //! `b = f·d`, `c = f·f - r²`; it is at all where the discriminant `D = b² - a c` is not negative.
 
-use kit::{Ray, Sphere};
+use kit::{Ray, Sphere, Vec3};
 
 use super::roundoff::{U, gamma, in_reach, largest};
 use super::verdict::Kernel;
@@ -30,6 +30,8 @@ pub(super) struct Frame {
     /// Largest coordinate of the centre or the origin, radius included; and largest component of `d`.
     world: f64,
     direction: f64,
+    /// See [`in_reach`].
+    pub(super) in_reach: bool,
 }
 
 impl Frame {
@@ -42,11 +44,8 @@ impl Frame {
             rr: s.radius * s.radius,
             world: largest(ray.o).max(largest(s.center)).max(s.radius),
             direction: largest(ray.d),
+            in_reach: in_reach(&[ray.o, s.center, ray.d, Vec3::splat(s.radius)]),
         }
-    }
-
-    pub(super) fn in_reach(&self) -> bool {
-        in_reach([self.world, self.direction])
     }
 
     /// Bounds the error of the discriminant `D`.
@@ -70,7 +69,7 @@ impl Frame {
     /// bounds are smaller.
     pub(super) fn surely_misses(&self) -> bool {
         let d = self.b * self.b - self.a * (self.ff - self.rr);
-        self.in_reach() && d < -2.0 * self.discriminant(Kernel::Textbook)
+        self.in_reach && d < -2.0 * self.discriminant(Kernel::Textbook)
     }
 
     /// Bounds the error of `√D`: `δD / √D`, but never more than `√δD`.

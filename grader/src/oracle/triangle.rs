@@ -277,7 +277,7 @@ impl Exact {
 
     /// Whether correct code is sure that the line passes through the triangle.
     fn edges(&self, kernel: Kernel, frame: &Frame, robust: &Robust) -> Sure {
-        if !frame.in_reach() {
+        if !frame.in_reach {
             return Sure::Open;
         }
         if self.rounds_nothing(kernel) {
@@ -321,7 +321,7 @@ impl Exact {
 
     /// Whether a kernel finds `t` without a rounding, so that an end of the range may decide.
     fn divides_exactly(&self, kernel: Kernel, frame: &Frame) -> bool {
-        frame.in_reach() && self.rounds_nothing(kernel) && self.det.is_power_of_two()
+        frame.in_reach && self.rounds_nothing(kernel) && self.det.is_power_of_two()
     }
 
     fn crossing(&self, frame: &Frame, robust: &Robust) -> Crossing {
@@ -329,7 +329,7 @@ impl Exact {
         let Rounded { e, det, normal } = self.rounded;
         let near = t.to_f64();
         let bound = |value: f64| {
-            if frame.in_reach() && !value.is_nan() {
+            if frame.in_reach && !value.is_nan() {
                 value
             } else {
                 f64::INFINITY

@@ -52,6 +52,8 @@ pub(super) struct Frame {
     /// Largest component of an edge, and of a position in world space.
     edge: f64,
     world: f64,
+    /// See [`in_reach`].
+    pub(super) in_reach: bool,
 }
 
 impl Frame {
@@ -67,12 +69,8 @@ impl Frame {
             normal_sizes: cross_of_sizes(longest, longest),
             edge: longest.max_element(),
             world: (outmost + ray.o.abs()).max_element(),
+            in_reach: in_reach(&[tri.p0, tri.p1, tri.p2, ray.o, ray.d]),
         }
-    }
-
-    /// See [`in_reach`].
-    pub(super) fn in_reach(&self) -> bool {
-        in_reach([self.world, largest(self.d)])
     }
 
     /// How much thinner the triangle is than the lengths of its edges say, at least 2: the sum of
@@ -98,7 +96,7 @@ impl Frame {
     /// most `2 |d| world²`: less than half the textbook bound, so that twice that bound is enough;
     /// and robust bounds are smaller than textbook ones (doubled, `20 U · |d_z| · 4 world²` at most).
     pub(super) fn surely_misses(&self) -> bool {
-        let is_settled = self.thinness(self.normal) < THIN && self.in_reach();
+        let is_settled = self.thinness(self.normal) < THIN && self.in_reach;
         if !is_settled {
             return false;
         }

@@ -27,7 +27,7 @@ pub(super) fn cases() -> Vec<Spec> {
         ),
         case(
             "exactly_max_leaf_size",
-            "max_leaf_size primitives in one place: \"at most\" counts the end, so they are one leaf.",
+            "max_leaf_size primitives in one place: \"at most\" counts the end, so they fit into one leaf.",
             vec![cube(Vec3::ONE, 0.5); 2],
             2,
         ),

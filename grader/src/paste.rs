@@ -3,11 +3,12 @@
 //! It fails on the code that gave the answer and passes on any that earns the points.
 
 use crate::cases::Spec;
+use crate::convert;
 use crate::course::Tier;
 use crate::judge::expected::{Expected, ExpectedHit};
 use crate::score::CaseResult;
 use crate::truth;
-use kit::{Sphere, Triangle, Vec3};
+use kit::{Sphere, Vec3};
 use std::fmt::Write;
 use wire::Work;
 use wire::work::{Camera, Probe, Ray, Xyz};
@@ -53,16 +54,8 @@ pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
 
 fn triangle(tier: Tier, triangles: &[[Xyz; 6]], probe: &Probe) -> Option<String> {
     let vertices = triangles.get(probe.shape as usize)?;
-    let [p0, p1, p2, n0, n1, n2] = vertices.map(Vec3::from);
-    let shape = Triangle {
-        p0,
-        p1,
-        p2,
-        n0,
-        n1,
-        n2,
-    };
-    let expected = truth::triangle(tier, probe.shape, &shape, &kit_ray(&probe.ray));
+    let shape = convert::triangle(vertices);
+    let expected = truth::triangle(tier, probe.shape, &shape, &convert::ray(&probe.ray));
     let mut text = String::from("use kit::{PrimId, Ray, Triangle, Vec3};\n");
     let _ = writeln!(text, "let tri = Triangle {{");
     for (name, p) in ["p0", "p1", "p2", "n0", "n1", "n2"]
@@ -89,7 +82,7 @@ fn sphere(tier: Tier, spheres: &[(Xyz, f64)], probe: &Probe) -> Option<String> {
         center: Vec3::from(center),
         radius,
     };
-    let expected = truth::sphere(tier, probe.shape, &shape, &kit_ray(&probe.ray));
+    let expected = truth::sphere(tier, probe.shape, &shape, &convert::ray(&probe.ray));
     let mut text = String::from("use kit::{PrimId, Ray, Sphere, Vec3};\n");
     let _ = writeln!(
         text,
@@ -252,15 +245,6 @@ fn ray(text: &mut String, ray: &Ray) {
         float(ray.min_t),
         float(ray.max_t)
     );
-}
-
-fn kit_ray(ray: &Ray) -> kit::Ray {
-    kit::Ray {
-        o: Vec3::from(ray.o),
-        d: Vec3::from(ray.d),
-        min_t: ray.min_t,
-        max_t: ray.max_t,
-    }
 }
 
 fn vec3([x, y, z]: Xyz) -> String {

@@ -14,6 +14,7 @@ pub mod check;
 pub mod cli;
 pub mod compile;
 pub mod convert;
+pub mod cost;
 pub mod course;
 pub mod crates;
 pub mod diagnosis;

@@ -17,10 +17,11 @@ fn load(name: &str) -> Scene {
 }
 
 /// File, triangles, spheres, lights, materials.
-const EXPECTED: [(&str, [usize; 4]); 7] = [
+const EXPECTED: [(&str, [usize; 4]); 8] = [
     ("cornell_mirror_glass", [12, 2, 1, 6]),
     ("cornell_spheres", [12, 2, 1, 6]),
     ("cornell_whale", [162, 0, 1, 6]),
+    ("gallery", [24, 1, 0, 10]),
     ("gems", [260, 0, 2, 8]),
     ("spheres", [0, 22, 2, 9]),
     ("stairs_sky", [240, 2, 1, 4]),
@@ -68,6 +69,15 @@ fn normals_agree(t: &Triangle) -> bool {
 fn normals_agree_with_the_winding_also_where_a_node_mirrors() {
     for (name, _) in EXPECTED {
         assert!(load(name).triangles.iter().all(normals_agree), "{name}");
+    }
+}
+
+#[test]
+fn the_pictures_of_the_gallery_hang_there() {
+    let textures = load("gallery").textures;
+    assert_eq!(textures.files.len(), 4);
+    for file in &textures.files {
+        assert!(folder().join(file).is_file(), "{file} is missing");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::limits::in_world;
 use super::transform::Affine;
-use kit::{Sphere, Triangle, Vec3};
+use kit::{Sphere, Triangle, Vec2, Vec3};
 
 /// How much the lengths of a sphere's transformed axes may differ, and how far they may be from
 /// perpendicular, relative to their length. Files write matrices with about 7 digits.
@@ -47,6 +47,13 @@ impl Placer {
             n1: turned(n1),
             n2: turned(n2),
         })
+    }
+}
+
+impl Placer {
+    /// The texture coordinates of a triangle's vertices, in the order in which they are placed.
+    pub(super) fn on_texture(&self, [a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
+        if self.mirrors { [a, c, b] } else { [a, b, c] }
     }
 }
 

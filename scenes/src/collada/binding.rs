@@ -3,9 +3,10 @@
 use super::document::{Document, Element, children, descend, describe, name_of, short, tag};
 use super::geometry::Shape;
 use super::limits::MAX_INSTANCES;
-use super::material;
+use super::material::{self, Finish};
 use crate::diagnostic::SceneError;
 use kit::scene::NamedMaterial;
+use kit::texture::TextureMap;
 use roxmltree::NodeId;
 use std::collections::HashMap;
 
@@ -13,6 +14,8 @@ use std::collections::HashMap;
 pub(super) struct Materials<'r, 'a> {
     doc: &'r Document<'a>,
     list: Vec<NamedMaterial>,
+    /// For each material, the file of its picture.
+    pictures: Vec<Option<String>>,
     /// Index in the list by the id of the `<material>`; the default grey is under `None`.
     by_element: HashMap<Option<NodeId>, u32>,
     /// How many parts got their material so far, to stop a file that asks for far too many.
@@ -24,13 +27,19 @@ impl<'r, 'a> Materials<'r, 'a> {
         Materials {
             doc,
             list: Vec::new(),
+            pictures: Vec::new(),
             by_element: HashMap::new(),
             bound: 0,
         }
     }
 
-    pub(super) fn into_list(self) -> Vec<NamedMaterial> {
-        self.list
+    /// The materials, and which pictures they carry. The coordinates are for others to add.
+    pub(super) fn into_list(self) -> (Vec<NamedMaterial>, TextureMap) {
+        let mut textures = TextureMap::default();
+        for picture in self.pictures {
+            textures.add_material(picture);
+        }
+        (self.list, textures)
     }
 
     /// The materials of a shape's parts: by the symbol that `<instance_material>` binds; a sphere and a part
@@ -94,32 +103,22 @@ impl<'r, 'a> Materials<'r, 'a> {
         if let Some(index) = self.by_element.get(&Some(element.id())) {
             return Ok(*index);
         }
-        let material = material::read(doc, element)?;
-        Ok(self.add_material(
-            Some(element.id()),
-            NamedMaterial {
-                name: name_of(element),
-                material,
-            },
-        ))
+        let finish = material::read(doc, element)?;
+        Ok(self.add_material(Some(element.id()), name_of(element), finish))
     }
 
     fn default_material(&mut self) -> u32 {
         match self.by_element.get(&None) {
             Some(index) => *index,
-            None => self.add_material(
-                None,
-                NamedMaterial {
-                    name: "grey".to_owned(),
-                    material: material::DEFAULT,
-                },
-            ),
+            None => self.add_material(None, "grey".to_owned(), Finish::DEFAULT),
         }
     }
 
-    fn add_material(&mut self, key: Option<NodeId>, material: NamedMaterial) -> u32 {
+    fn add_material(&mut self, key: Option<NodeId>, name: String, finish: Finish) -> u32 {
         let index = self.list.len() as u32;
-        self.list.push(material);
+        let material = finish.material;
+        self.list.push(NamedMaterial { name, material });
+        self.pictures.push(finish.picture);
         self.by_element.insert(key, index);
         index
     }

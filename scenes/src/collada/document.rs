@@ -20,6 +20,7 @@ pub(super) struct Document<'a> {
     xml: &'a roxmltree::Document<'a>,
     /// By tag and id. An id that stands twice means its first element.
     by_id: HashMap<(&'a str, &'a str), Element<'a>>,
+    has_textures: bool,
     warnings: RefCell<Vec<Warning>>,
     warnings_left_out: Cell<usize>,
 }
@@ -27,7 +28,9 @@ pub(super) struct Document<'a> {
 impl<'a> Document<'a> {
     pub(super) fn new(file: &'a str, xml: &'a roxmltree::Document<'a>) -> Document<'a> {
         let mut by_id = HashMap::new();
+        let mut has_textures = false;
         for element in xml.descendants().filter(|node| node.is_element()) {
+            has_textures |= tag(element) == "texture";
             if let Some(id) = element.attribute("id") {
                 by_id.entry((tag(element), id)).or_insert(element);
             }
@@ -36,9 +39,15 @@ impl<'a> Document<'a> {
             file,
             xml,
             by_id,
+            has_textures,
             warnings: RefCell::default(),
             warnings_left_out: Cell::new(0),
         }
+    }
+
+    /// Whether any material asks for a picture. Without one nobody needs texture coordinates.
+    pub(super) fn has_textures(&self) -> bool {
+        self.has_textures
     }
 
     pub(super) fn root(&self) -> Element<'a> {

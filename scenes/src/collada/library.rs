@@ -9,6 +9,7 @@ use super::optics::{self, Optics};
 use super::transform::{self, Affine};
 use crate::diagnostic::SceneError;
 use kit::scene::NamedMaterial;
+use kit::texture::TextureMap;
 use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -70,8 +71,8 @@ impl<'r, 'a> Library<'r, 'a> {
         }
     }
 
-    /// The materials that shapes were bound to.
-    pub(super) fn into_materials(self) -> Vec<NamedMaterial> {
+    /// The materials that shapes were bound to, and their pictures.
+    pub(super) fn into_materials(self) -> (Vec<NamedMaterial>, TextureMap) {
         self.materials.into_list()
     }
 

@@ -3,27 +3,49 @@
 //! The course's own materials stand in `<extra><technique profile="CGL">` of the effect:
 //! `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
 //! `glass{reflectance, transmittance, roughness, ior}`, `refraction{transmittance, roughness, ior}`.
-//! Without one of them the diffuse colour of `phong`, `lambert` or `blinn` counts.
+//! Without one of them the diffuse colour, or picture, of `phong`, `lambert` or `blinn` counts.
 
 use super::document::{
     Document, Element, child, children, course_technique, descend, describe, tag,
 };
 use super::numbers::{exactly, floats};
+use super::texture;
 use crate::diagnostic::SceneError;
 use kit::{Material, Spectrum};
 
-/// The grey of surfaces that have no usable material.
-pub(super) const DEFAULT: Material = Material::Diffuse {
-    reflectance: Spectrum::grey(0.5),
-};
+/// What a `<material>` element says of a surface.
+pub(super) struct Finish {
+    pub(super) material: Material,
+    /// The file of the picture that tints it.
+    pub(super) picture: Option<String>,
+}
+
+impl Finish {
+    /// The grey of surfaces that have no usable material.
+    pub(super) const DEFAULT: Finish = Finish {
+        material: Material::Diffuse {
+            reflectance: Spectrum::grey(0.5),
+        },
+        picture: None,
+    };
+}
+
+impl From<Material> for Finish {
+    fn from(material: Material) -> Finish {
+        Finish {
+            material,
+            picture: None,
+        }
+    }
+}
 
 /// Reads the material that a `<material>` element names.
-pub(super) fn read<'a>(doc: &Document<'a>, material: Element<'a>) -> Result<Material, SceneError> {
+pub(super) fn read<'a>(doc: &Document<'a>, material: Element<'a>) -> Result<Finish, SceneError> {
     let instance = doc.child(material, "instance_effect")?;
     let effect = doc.target(instance, "url", "effect")?;
     if let Some(technique) = course_technique(effect) {
         match children(technique).next() {
-            Some(element) => return course_material(doc, element),
+            Some(element) => return course_material(doc, element).map(Finish::from),
             None => doc.warn(|| {
                 let expected = "expected emission, mirror, glossy, glass or refraction";
                 doc.on(technique, "the technique names no material", expected)
@@ -72,13 +94,24 @@ fn course_material<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Mater
     })
 }
 
-/// The diffuse colour of the common profile.
-fn common_material<'a>(doc: &Document<'a>, effect: Element<'a>) -> Result<Material, SceneError> {
+/// The diffuse colour or picture of the common profile.
+fn common_material<'a>(doc: &Document<'a>, effect: Element<'a>) -> Result<Finish, SceneError> {
     let technique = descend(effect, &["profile_COMMON", "technique"]);
     let shader = technique.and_then(|technique| {
         children(technique).find(|shader| matches!(tag(*shader), "phong" | "lambert" | "blinn"))
     });
     let diffuse = shader.and_then(|shader| child(shader, "diffuse"));
+    if let Some(texture) = diffuse.and_then(|diffuse| child(diffuse, "texture")) {
+        return Ok(match texture::file(doc, effect, texture)? {
+            Some(file) => Finish {
+                material: Material::Diffuse {
+                    reflectance: Spectrum::WHITE,
+                },
+                picture: Some(file),
+            },
+            None => Finish::DEFAULT,
+        });
+    }
     let Some(diffuse) = diffuse.and_then(|diffuse| child(diffuse, "color")) else {
         doc.warn(|| {
             let title = format!("{} has no diffuse colour", describe(effect));
@@ -88,9 +121,9 @@ fn common_material<'a>(doc: &Document<'a>, effect: Element<'a>) -> Result<Materi
                 title,
                 "expected <color> in <diffuse> of phong, lambert or blinn",
             )
-            .help("taken as grey, 0.5 0.5 0.5; textures are not supported")
+            .help("taken as grey, 0.5 0.5 0.5")
         });
-        return Ok(DEFAULT);
+        return Ok(Finish::DEFAULT);
     };
     if let Some(emission) = shader.and_then(|shader| descend(shader, &["emission", "color"]))
         && !color(doc, emission)?.is_black()
@@ -104,9 +137,9 @@ fn common_material<'a>(doc: &Document<'a>, effect: Element<'a>) -> Result<Materi
             .help("write <extra><technique profile=\"CGL\"><emission><radiance> in the effect")
         });
     }
-    Ok(Material::Diffuse {
+    Ok(Finish::from(Material::Diffuse {
         reflectance: share(doc, diffuse)?,
-    })
+    }))
 }
 
 /// Red, green and blue, none negative. A fourth number, alpha, is passed over.

@@ -6,7 +6,7 @@ use super::normals::{SmoothNormals, face_normal};
 use super::polygon::Effort;
 use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
-use kit::{Triangle, Vec3};
+use kit::{Triangle, Vec2, Vec3};
 
 /// The triangles of a mesh that have one material.
 #[derive(Debug)]
@@ -15,6 +15,8 @@ pub(super) struct MeshPart<'a> {
     pub(super) symbol: Option<&'a str>,
     /// In the mesh's own space.
     pub(super) triangles: Vec<Triangle>,
+    /// For each triangle, the texture coordinates of its vertices; empty if the file has none.
+    pub(super) on_texture: Vec<[Vec2; 3]>,
 }
 
 /// What meshes of one file share.
@@ -25,7 +27,7 @@ pub(super) struct MeshReader<'a> {
 }
 
 impl<'a> MeshReader<'a> {
-    /// Reads a mesh. Texture coordinates and other inputs are passed over.
+    /// Reads a mesh. Inputs that mean nothing here, such as colours, are passed over.
     pub(super) fn read(
         &mut self,
         doc: &Document<'a>,
@@ -61,11 +63,21 @@ impl<'a> MeshReader<'a> {
         let mut flat = 0_usize;
         let mut finished = Vec::with_capacity(parts.len());
         for (symbol, corners) in parts {
-            let count = corners.len();
-            let finish = |corners| finish(&corners, positions, &smooth);
-            let triangles: Vec<Triangle> = corners.into_iter().filter_map(finish).collect();
-            flat += count - triangles.len();
-            finished.push(MeshPart { symbol, triangles });
+            let mut part = MeshPart {
+                symbol,
+                triangles: Vec::with_capacity(corners.len()),
+                on_texture: Vec::new(),
+            };
+            for corners in &corners {
+                match finish(corners, positions, &smooth) {
+                    Some(triangle) => {
+                        part.triangles.push(triangle);
+                        part.on_texture.extend(corners.on_texture);
+                    }
+                    None => flat += 1,
+                }
+            }
+            finished.push(part);
         }
         if flat > 0 {
             doc.warn(|| {

@@ -6,19 +6,21 @@ use super::polygon::{Effort, triangulate};
 use super::primitives::{Polygons, read_polygons};
 use super::vertices::{Sources, Vectors, Vertices};
 use crate::diagnostic::{Diagnostic, SceneError};
-use kit::Vec3;
+use kit::{Vec2, Vec3};
 use std::rc::Rc;
 
-/// A triangle whose corners are still indices into positions and, where the file has them, normals.
+/// A triangle whose corners are still indices into positions, with normals and texture coordinates where the file
+/// has them.
 pub(super) struct Corners {
     pub(super) positions: [usize; 3],
     pub(super) normals: Option<[Vec3; 3]>,
+    pub(super) on_texture: Option<[Vec2; 3]>,
 }
 
 /// Where in a group of indices one stands, and what it counts in.
-struct IndexInto<'a> {
+struct IndexInto<'a, T = Vec3> {
     offset: usize,
-    vectors: Rc<Vectors<'a>>,
+    vectors: Rc<Vectors<'a, T>>,
 }
 
 /// Everything needed to turn the index lists of a primitive element into triangles.
@@ -29,6 +31,8 @@ pub(super) struct PartReader<'r, 'a> {
     positions: IndexInto<'a>,
     /// From an input of its own or, under the same index as the positions, from `<vertices>`.
     normals: Option<IndexInto<'a>>,
+    /// The first set, if the file has textures at all.
+    on_texture: Option<IndexInto<'a, Vec2>>,
 }
 
 impl<'r, 'a> PartReader<'r, 'a> {
@@ -42,6 +46,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
         let polygons = read_polygons(doc, element)?;
         let mut vertex_offset = None;
         let mut normals = None;
+        let mut on_texture = None;
         for input in &polygons.inputs {
             let offset = input.offset;
             match doc.attribute(input.element, "semantic")? {
@@ -52,6 +57,10 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 "NORMAL" => {
                     let vectors = sources.of(doc, input.element)?;
                     normals = Some(IndexInto { offset, vectors });
+                }
+                "TEXCOORD" if on_texture.is_none() && doc.has_textures() => {
+                    let vectors = sources.pairs_of(doc, input.element)?;
+                    on_texture = Some(IndexInto { offset, vectors });
                 }
                 _ => {}
             }
@@ -79,6 +88,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
             polygons,
             positions: index_into(&vertices.positions),
             normals: normals.or_else(|| vertices.normals.as_ref().map(index_into)),
+            on_texture,
         }))
     }
 
@@ -124,10 +134,11 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 } else {
                     [a, b, c]
                 };
+                let groups = triangle.map(|corner| polygon.group(corner));
                 corners.push(Corners {
                     positions: triangle.map(|corner| positions[corner]),
-                    normals: self
-                        .normals(polygon.list, triangle.map(|corner| polygon.group(corner)))?,
+                    normals: self.at_corners(polygon.list, groups, &self.normals)?,
+                    on_texture: self.at_corners(polygon.list, groups, &self.on_texture)?,
                 });
             }
         }
@@ -142,20 +153,30 @@ impl<'r, 'a> PartReader<'r, 'a> {
             .at(place, "a polygon crosses itself or has no area", expected)
     }
 
-    /// The normals of three corners, if the file has any.
-    fn normals(&self, list: usize, groups: [usize; 3]) -> Result<Option<[Vec3; 3]>, SceneError> {
-        let Some(into) = &self.normals else {
+    /// What three corners index, if the file has it.
+    fn at_corners<T: Copy + Default>(
+        &self,
+        list: usize,
+        groups: [usize; 3],
+        into: &Option<IndexInto<'a, T>>,
+    ) -> Result<Option<[T; 3]>, SceneError> {
+        let Some(into) = into else {
             return Ok(None);
         };
-        let mut normals = [Vec3::ZERO; 3];
-        for (normal, group) in normals.iter_mut().zip(groups) {
-            *normal = into.vectors.values[self.index(list, group, into)?];
+        let mut values = [T::default(); 3];
+        for (value, group) in values.iter_mut().zip(groups) {
+            *value = into.vectors.values[self.index(list, group, into)?];
         }
-        Ok(Some(normals))
+        Ok(Some(values))
     }
 
     /// An index in a group of a `<p>`, checked against what it counts in.
-    fn index(&self, list: usize, group: usize, into: &IndexInto<'a>) -> Result<usize, SceneError> {
+    fn index<T>(
+        &self,
+        list: usize,
+        group: usize,
+        into: &IndexInto<'a, T>,
+    ) -> Result<usize, SceneError> {
         let word = group * self.polygons.stride + into.offset;
         let list = &self.polygons.lists[list];
         let index = list.indices[word] as usize;

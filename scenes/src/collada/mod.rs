@@ -4,12 +4,12 @@
 //!
 //! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are cut into triangles, concave
 //!   ones too. `NORMAL`s of the file, else the mean of the faces around a vertex, weighted by their areas. Texture
-//!   coordinates are passed over.
+//!   coordinates where a material has a picture: the first set.
 //! - The course's own shapes, materials and lights in `<extra><technique profile="CGL">`, or `CMU462`, which
 //!   means the same: `sphere{radius}`, `area{color}`, `emission{radiance}`, `mirror{reflectance}`,
 //!   `glossy{reflectance, shininess}`, `glass{reflectance, transmittance, roughness, ior}`,
-//!   `refraction{transmittance, roughness, ior}`. Without one of them, the diffuse colour of `phong`, `lambert` or
-//!   `blinn`.
+//!   `refraction{transmittance, roughness, ior}`. Without one of them, the diffuse colour, or the picture
+//!   (`<texture>`, an image file beside the scene), of `phong`, `lambert` or `blinn`. The pixels are not read here.
 //! - Lights: `area` (the unit square in x and y, shining to -z), `point`, `spot`, `directional`, and `ambient` as
 //!   an even sky. Attenuations are passed over: light falls off with the square of the distance by itself.
 //! - Perspective cameras: `xfov`, `yfov`, `aspect_ratio`, `znear`, `zfar`.
@@ -23,7 +23,7 @@
 //! |---|---|
 //! | a `matrix` with 12 to 15 numbers | the rest of its last row is 0 0 0 1 |
 //! | no `count` at an array or a primitive | what is there |
-//! | a missing or unbound material, no diffuse colour, a texture | grey, 0.5 |
+//! | a missing or unbound material, no diffuse colour, a `<texture>` that names no image | grey, 0.5 |
 //! | a symbol that is not bound, beside one that is | the one that is bound |
 //! | a reflectance or transmittance above 1; none at all | 1 |
 //! | `emission` in the common profile | no light: the course's `emission` is meant for that |
@@ -45,7 +45,7 @@
 //!
 //! Read in this order: `screen` and `document` (ids, references, errors with their place), `numbers`,
 //! `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`, `normals` and `mesh`
-//! (index lists become triangles), `geometry`, `material`, `light` and `optics` (what nodes place),
+//! (index lists become triangles), `geometry`, `material`, `texture`, `light` and `optics` (what nodes place),
 //! `transform`, `binding` and `library` (what a node holds), `bake` and `nodes` (the tree, placed in the
 //! world).
 
@@ -67,6 +67,7 @@ mod polygon;
 mod primitives;
 mod screen;
 mod source;
+mod texture;
 mod transform;
 mod vertices;
 

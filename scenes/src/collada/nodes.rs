@@ -9,8 +9,8 @@ use super::limits::{MAX_COORDINATE, MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
 use super::optics::Optics;
 use super::transform::Affine;
 use crate::diagnostic::SceneError;
-use kit::Scene;
 use kit::scene::{NamedLight, Object};
+use kit::{Scene, Vec2};
 use roxmltree::NodeId;
 use std::rc::Rc;
 
@@ -28,6 +28,8 @@ pub(super) struct Builder<'r, 'a> {
     /// many is refused before it takes up memory.
     shapes: Vec<(Rc<ShapeHere<'a>>, Affine)>,
     sphere_objects: Vec<u32>,
+    /// For each triangle, the texture coordinates of its vertices; shorter if the last ones have none.
+    on_texture: Vec<[Vec2; 3]>,
 }
 
 impl<'r, 'a> Builder<'r, 'a> {
@@ -41,6 +43,7 @@ impl<'r, 'a> Builder<'r, 'a> {
             primitives: 0,
             shapes: Vec::new(),
             sphere_objects: Vec::new(),
+            on_texture: Vec::new(),
         }
     }
 
@@ -58,7 +61,12 @@ impl<'r, 'a> Builder<'r, 'a> {
         }
         // Triangles are numbered first, then spheres.
         self.scene.object_of.append(&mut self.sphere_objects);
-        self.scene.materials = self.library.into_materials();
+        let (materials, mut textures) = self.library.into_materials();
+        self.scene.materials = materials;
+        if !textures.files.is_empty() {
+            textures.coordinates = self.on_texture;
+            self.scene.textures = textures;
+        }
         Ok(self.scene)
     }
 
@@ -138,6 +146,14 @@ impl<'r, 'a> Builder<'r, 'a> {
                 let placer = Placer::new(*to_world);
                 for (part, material) in parts.iter().zip(&here.materials) {
                     let object = self.add_object(&here.name, *material);
+                    if !part.on_texture.is_empty() {
+                        // Parts before this one may have none.
+                        let first = self.scene.triangles.len();
+                        self.on_texture.resize(first, [Vec2::ZERO; 3]);
+                        let corners = part.on_texture.iter();
+                        self.on_texture
+                            .extend(corners.map(|corners| placer.on_texture(*corners)));
+                    }
                     for local in &part.triangles {
                         let placed = placer
                             .triangle(local)

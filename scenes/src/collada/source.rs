@@ -3,13 +3,54 @@
 use super::document::{Document, Element, child, children, describe, tag};
 use super::numbers::{check_count, floats, whole_attribute};
 use crate::diagnostic::SceneError;
-use kit::Vec3;
+use kit::{Vec2, Vec3};
 
 /// Reads a source of points or directions: three numbers an entry.
 pub(super) fn vectors<'a>(
     doc: &Document<'a>,
     source: Element<'a>,
 ) -> Result<Vec<Vec3>, SceneError> {
+    let help =
+        "positions and normals have three coordinates: set stride=\"3\" and name three params";
+    let entries = entries(
+        doc,
+        source,
+        Entry {
+            of: "three",
+            params: "X, Y, Z",
+            help,
+        },
+    )?;
+    Ok(entries.into_iter().map(Vec3::from_array).collect())
+}
+
+/// Reads a source of texture coordinates: two numbers an entry, or the first two of more.
+pub(super) fn pairs<'a>(doc: &Document<'a>, source: Element<'a>) -> Result<Vec<Vec2>, SceneError> {
+    let help = "texture coordinates are pairs: set stride=\"2\" and name two params";
+    let entries = entries(
+        doc,
+        source,
+        Entry {
+            of: "two",
+            params: "S, T",
+            help,
+        },
+    )?;
+    Ok(entries.into_iter().map(Vec2::from_array).collect())
+}
+
+/// What an entry of a source is, in words.
+struct Entry {
+    of: &'static str,
+    params: &'static str,
+    help: &'static str,
+}
+
+fn entries<'a, const N: usize>(
+    doc: &Document<'a>,
+    source: Element<'a>,
+    entry: Entry,
+) -> Result<Vec<[f64; N]>, SceneError> {
     let technique = doc.child(source, "technique_common")?;
     let accessor = doc.child(technique, "accessor")?;
     let array = array_of(doc, source, accessor)?;
@@ -19,9 +60,9 @@ pub(super) fn vectors<'a>(
     let stride = whole_attribute(doc, accessor, "stride")?.unwrap_or(1);
     let offset = whole_attribute(doc, accessor, "offset")?.unwrap_or(0);
     let count = whole_attribute(doc, accessor, "count")?;
-    let [x, y, z] = coordinates(doc, accessor, stride)?;
+    let places: [usize; N] = coordinates(doc, accessor, stride, entry)?;
 
-    let last = x.max(y).max(z) as u64;
+    let last = places.into_iter().max().unwrap_or(0) as u64;
     let room = (numbers.len() as u64).saturating_sub(offset.saturating_add(last));
     let fitting = room.div_ceil(stride);
     let count = count.unwrap_or(fitting);
@@ -45,7 +86,7 @@ pub(super) fn vectors<'a>(
     let (stride, offset) = (stride as usize, offset as usize);
     let entry = |i: usize| &numbers[offset + i * stride..];
     Ok((0..count as usize)
-        .map(|i| Vec3::new(entry(i)[x], entry(i)[y], entry(i)[z]))
+        .map(|i| places.map(|place| entry(i)[place]))
         .collect())
 }
 
@@ -64,34 +105,35 @@ fn array_of<'a>(
     }
 }
 
-/// Where in an entry x, y and z stand: the first three params with a name. An accessor without any
-/// params reads the first three numbers.
-fn coordinates<'a>(
+/// Where in an entry its `N` coordinates stand: the first params with a name. An accessor without any
+/// params reads the first numbers.
+fn coordinates<'a, const N: usize>(
     doc: &Document<'a>,
     accessor: Element<'a>,
     stride: u64,
-) -> Result<[usize; 3], SceneError> {
+    entry: Entry,
+) -> Result<[usize; N], SceneError> {
     let params: Vec<Element<'a>> = children(accessor).filter(|e| tag(*e) == "param").collect();
     let named: Vec<usize> = if params.is_empty() {
-        (0..3).collect()
+        (0..N).collect()
     } else {
         let named = params
             .iter()
             .enumerate()
             .filter(|(_, p)| p.has_attribute("name"));
-        named.map(|(i, _)| i).take(3).collect()
+        named.map(|(i, _)| i).take(N).collect()
     };
-    match named[..] {
-        [x, y, z] if (z as u64) < stride => Ok([x, y, z]),
+    match <[usize; N]>::try_from(named) {
+        Ok(places) if places.iter().all(|place| (*place as u64) < stride) => Ok(places),
         _ => {
             let title = format!(
-                "{} does not read three numbers an entry",
-                describe(accessor)
+                "{} does not read {} numbers an entry",
+                describe(accessor),
+                entry.of
             );
-            Err(doc
-                .on(accessor, title, "expected params X, Y, Z and a stride of at least 3")
-                .help("positions and normals have three coordinates: set stride=\"3\" and name three params")
-                .into())
+            let params = entry.params;
+            let expected = format!("expected params {params} and a stride of at least {N}");
+            Err(doc.on(accessor, title, expected).help(entry.help).into())
         }
     }
 }

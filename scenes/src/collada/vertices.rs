@@ -1,23 +1,24 @@
 //! `<vertices>`: what a mesh binds together under one index; and the sources that inputs refer to.
 
 use super::document::{Document, Element, children, describe, tag};
-use super::source::vectors;
+use super::source::{pairs, vectors};
 use crate::diagnostic::SceneError;
-use kit::Vec3;
+use kit::{Vec2, Vec3};
 use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Points or directions, and the element they were read from.
-pub(super) struct Vectors<'a> {
+/// Points, directions or texture coordinates, and the element they were read from.
+pub(super) struct Vectors<'a, T = Vec3> {
     pub(super) element: Element<'a>,
-    pub(super) values: Vec<Vec3>,
+    pub(super) values: Vec<T>,
 }
 
 /// The sources that were read so far: several inputs may refer to one.
 #[derive(Default)]
 pub(super) struct Sources<'a> {
     read: HashMap<NodeId, Rc<Vectors<'a>>>,
+    pairs: HashMap<NodeId, Rc<Vectors<'a, Vec2>>>,
 }
 
 impl<'a> Sources<'a> {
@@ -28,14 +29,33 @@ impl<'a> Sources<'a> {
         input: Element<'a>,
     ) -> Result<Rc<Vectors<'a>>, SceneError> {
         let element = doc.target(input, "source", "source")?;
-        if let Some(vectors) = self.read.get(&element.id()) {
-            return Ok(Rc::clone(vectors));
-        }
-        let values = vectors(doc, element)?;
-        let vectors = Rc::new(Vectors { element, values });
-        self.read.insert(element.id(), Rc::clone(&vectors));
-        Ok(vectors)
+        once(&mut self.read, element, || vectors(doc, element))
     }
+
+    /// The texture coordinates that an `<input>` refers to.
+    pub(super) fn pairs_of(
+        &mut self,
+        doc: &Document<'a>,
+        input: Element<'a>,
+    ) -> Result<Rc<Vectors<'a, Vec2>>, SceneError> {
+        let element = doc.target(input, "source", "source")?;
+        once(&mut self.pairs, element, || pairs(doc, element))
+    }
+}
+
+/// What was read of `element` before, else what `read` gives now.
+fn once<'a, T>(
+    so_far: &mut HashMap<NodeId, Rc<Vectors<'a, T>>>,
+    element: Element<'a>,
+    read: impl FnOnce() -> Result<Vec<T>, SceneError>,
+) -> Result<Rc<Vectors<'a, T>>, SceneError> {
+    if let Some(vectors) = so_far.get(&element.id()) {
+        return Ok(Rc::clone(vectors));
+    }
+    let values = read()?;
+    let vectors = Rc::new(Vectors { element, values });
+    so_far.insert(element.id(), Rc::clone(&vectors));
+    Ok(vectors)
 }
 
 /// A `<vertices>` element.

@@ -4,3 +4,4 @@ mod errors;
 mod meaning;
 mod mended;
 mod small;
+mod textures;

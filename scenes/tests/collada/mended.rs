@@ -44,6 +44,12 @@ const MENDED: &[(&str, &str, &str, &str)] = &[
     (
         "<color>0.8 0.1 0.1 1</color>",
         "<texture texture=\"t\" texcoord=\"UV\"/>",
+        "the texture `t` leads to no image file",
+        "expected a sampler, or an <image> with <init_from>",
+    ),
+    (
+        "<color>0.8 0.1 0.1 1</color>",
+        "",
         "<effect id=\"red-effect\"> has no diffuse colour",
         "expected <color> in <diffuse> of phong, lambert or blinn",
     ),

@@ -21,13 +21,15 @@ pub enum Effect {
     Fresnel,
     /// Rough mirrors.
     Glossy,
+    /// Pictures on surfaces.
+    Texture,
     /// Depth of field.
     Lens,
 }
 
 impl Effect {
     /// All of them, in the order in which they are listed.
-    pub const ALL: [Effect; 8] = [
+    pub const ALL: [Effect; 9] = [
         Effect::DirectLight,
         Effect::Background,
         Effect::Bounces,
@@ -35,6 +37,7 @@ impl Effect {
         Effect::Refraction,
         Effect::Fresnel,
         Effect::Glossy,
+        Effect::Texture,
         Effect::Lens,
     ];
 
@@ -48,6 +51,7 @@ impl Effect {
             Effect::Refraction => "refraction",
             Effect::Fresnel => "glass (Fresnel)",
             Effect::Glossy => "glossy",
+            Effect::Texture => "textures",
             Effect::Lens => "lens",
         }
     }
@@ -62,6 +66,7 @@ impl Effect {
             Effect::Refraction => "refractions",
             Effect::Fresnel => "Fresnel terms",
             Effect::Glossy => "microfacet terms",
+            Effect::Texture => "texture lookups",
             Effect::Lens => "lens samples",
         }
     }
@@ -138,7 +143,8 @@ impl LitScene {
     }
 
     fn callers(&self, effect: Effect, asked: Asked) -> Vec<String> {
-        let objects = |calls: fn(&Material) -> bool| self.objects_with(calls);
+        let objects =
+            |calls: fn(&Material) -> bool| self.objects_with(|_, material| calls(material));
         let lights = |calls: fn(&crate::Light) -> bool| {
             let lights = self
                 .scene
@@ -172,13 +178,18 @@ impl LitScene {
             Effect::Fresnel => objects(|m| matches!(m, Material::Glass { .. })),
             Effect::Glossy if asked.max_depth == 0 || !self.has_light() => Vec::new(),
             Effect::Glossy => objects(|m| matches!(m, Material::Glossy { .. })),
+            Effect::Texture if asked.max_depth == 0 || !self.has_light() => Vec::new(),
+            Effect::Texture => {
+                let textures = &self.scene.textures;
+                self.objects_with(|material, _| textures.of_material(material).is_some())
+            }
             Effect::Lens if asked.lens_radius > 0.0 => vec!["flag --lens-radius".to_owned()],
             Effect::Lens => Vec::new(),
         }
     }
 
-    /// The names of the objects with such a material.
-    fn objects_with(&self, calls: fn(&Material) -> bool) -> Vec<String> {
+    /// The names of the objects whose material calls: its number, and what it is.
+    fn objects_with(&self, calls: impl Fn(u32, &Material) -> bool) -> Vec<String> {
         let scene = &self.scene;
         let mut shown = vec![false; scene.objects.len()];
         for &object in &scene.object_of {
@@ -186,7 +197,9 @@ impl LitScene {
         }
         let objects = scene.objects.iter().zip(shown);
         objects
-            .filter(|(o, shown)| *shown && calls(&scene.materials[o.material as usize].material))
+            .filter(|(o, shown)| {
+                *shown && calls(o.material, &scene.materials[o.material as usize].material)
+            })
             .map(|(o, _)| format!("object {}", o.name))
             .collect()
     }

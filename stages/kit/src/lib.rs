@@ -3,7 +3,7 @@
 //! Read in this order: [`ray`] and [`hit`] (what goes in and what comes out), [`shapes`]
 //! and [`aabb`] (what is hit), [`camera`], [`sampler`] and [`film`] (where rays come from
 //! and where their colours go), [`bvh`] and [`world`] (the tree and what it hangs in),
-//! [`scene`], [`material`] and [`light`] (what a file describes), [`lit`], [`emitter`], [`emitting_mesh`] and [`environment`]
+//! [`scene`], [`material`], [`texture`] and [`light`] (what a file describes), [`lit`], [`emitter`], [`emitting_mesh`] and [`environment`]
 //! (where light comes from), [`surface`], [`frame`] and [`bsdf`] (where it is scattered), [`warp`]
 //! (uniform points), [`effects`] (what of all this a scene needs), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
 //! (how a task that is not written yet says so).
@@ -36,6 +36,7 @@ mod sobol;
 pub mod spectrum;
 pub mod statistics;
 pub mod surface;
+pub mod texture;
 pub mod warp;
 pub mod world;
 
@@ -60,4 +61,5 @@ pub use shapes::{Sphere, Triangle};
 pub use spectrum::Spectrum;
 pub use statistics::Tally;
 pub use surface::Surface;
+pub use texture::Texture;
 pub use world::World;

@@ -1,5 +1,6 @@
 //! A scene: everything in world space, ready to be traced.
 
+use crate::texture::TextureMap;
 use crate::{Aabb, Camera, Light, Material, PrimId, Sphere, Triangle};
 
 /// Geometry, materials, lights and the camera of one file.
@@ -17,6 +18,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// The materials that objects name.
     pub materials: Vec<NamedMaterial>,
+    /// Which surfaces carry pictures.
+    pub textures: TextureMap,
     /// The lights.
     pub lights: Vec<NamedLight>,
     /// The camera that the file places, if it has a usable one.

@@ -1,5 +1,6 @@
 //! Pictures of what a scene is, beside what it looks like: for denoisers and for looking closer.
 
+use crate::textures::Textures;
 use crate::{Accel, Job, Rendered, SceneWorld};
 use kit::{Hit, Material, Scene, Spectrum, Vec2, Vec3};
 use raygen::generate_ray;
@@ -22,10 +23,11 @@ impl Feature {
     /// The number that stands for no primitive.
     pub const NOTHING: u32 = u32::MAX;
 
-    fn of(scene: &Scene, hit: Option<Hit>) -> Feature {
+    fn of(scene: &Scene, textures: &Textures, hit: Option<Hit>) -> Feature {
         match hit {
             Some(hit) => Feature {
-                albedo: albedo(scene.material_of(hit.prim)),
+                albedo: textures.at(scene, &hit).unwrap_or(Spectrum::WHITE)
+                    * albedo(scene.material_of(hit.prim)),
                 normal: hit.n,
                 depth: hit.t,
                 prim: hit.prim.0,
@@ -53,7 +55,7 @@ fn albedo(material: &Material) -> Spectrum {
 }
 
 /// The features of the pixels of `job.cell`, row by row from the top left, as files have them.
-pub fn features(scene: &Scene, accel: &Accel, job: &Job) -> Vec<Feature> {
+pub fn features(scene: &Scene, textures: &Textures, accel: &Accel, job: &Job) -> Vec<Feature> {
     let cell = job.cell;
     let size = Vec2::new(f64::from(job.film.w), f64::from(job.film.h));
     (cell.y0..cell.y1)
@@ -64,7 +66,7 @@ pub fn features(scene: &Scene, accel: &Accel, job: &Job) -> Vec<Feature> {
             (cell.x0..cell.x1).map(move |x| {
                 let center = Vec2::new(f64::from(x), f64::from(y)) + 0.5;
                 let mut ray = generate_ray(&job.camera, center / size);
-                Feature::of(scene, accel.closest(&mut ray, &mut world))
+                Feature::of(scene, textures, accel.closest(&mut ray, &mut world))
             })
         })
         .collect()

@@ -5,6 +5,7 @@
 //! and `direct` alone does it.
 
 use crate::materials::Materials;
+use crate::textures::Textures;
 use crate::{Accel, Job, Lens, Rendered, SceneWorld};
 use adaptive::{Budget, has_converged, has_surely_converged, raytrace_pixel_adaptive};
 use direct::{
@@ -16,7 +17,7 @@ use kit::effects::{Asked, Call, Effect};
 use kit::film::{self, Cell as Tile};
 use kit::{
     Camera, Emitter, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
-    Surface, Tally, Vec3,
+    Surface, Tally, Texture, Vec3,
 };
 use raygen::{generate_ray, raytrace_pixel};
 use std::cell::{Cell, RefCell};
@@ -88,9 +89,10 @@ impl LightSettings {
 /// Renders light on rayon's current thread pool.
 ///
 /// The picture depends on `lit`, `job` and `settings` alone, not on threads. `tile_done` hears of each finished tile. Once
-/// `stop` is set, the pixels that are left stay black. `accel` is built over `lit.scene`.
+/// `stop` is set, the pixels that are left stay black. `accel` is built over `lit.scene`, whose pictures are `textures`.
 pub fn render_lit(
     lit: &LitScene,
+    textures: &Textures,
     accel: &Accel,
     job: &Job,
     settings: &LightSettings,
@@ -101,7 +103,7 @@ pub fn render_lit(
         job.film,
         job.cell,
         job.sampling,
-        || Walk::new(lit, accel, settings),
+        || Walk::new(lit, textures, accel, settings),
         |walk, x, y, sampler| {
             if stop.load(Ordering::Relaxed) {
                 return PixelEstimate::default();
@@ -152,6 +154,7 @@ pub fn render_lit(
 /// What a thread needs to follow light through a scene.
 struct Walk<'a> {
     lit: &'a LitScene,
+    textures: &'a Textures,
     accel: &'a Accel,
     settings: &'a LightSettings,
     world: RefCell<SceneWorld<'a>>,
@@ -168,12 +171,18 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn new(lit: &'a LitScene, accel: &'a Accel, settings: &'a LightSettings) -> Walk<'a> {
+    fn new(
+        lit: &'a LitScene,
+        textures: &'a Textures,
+        accel: &'a Accel,
+        settings: &'a LightSettings,
+    ) -> Walk<'a> {
         let is_background =
             |e: &Emitter| matches!(e, Emitter::Sky { .. } | Emitter::Environment(_));
         let with_extent = lit.emitters.iter().filter(|e| !e.is_delta()).count() as u32;
         Walk {
             lit,
+            textures,
             accel,
             settings,
             world: RefCell::new(SceneWorld::new(&lit.scene)),
@@ -267,8 +276,26 @@ impl<'a> Walk<'a> {
         let hit = self.closest(ray);
         if let Some(hit) = &hit {
             self.at.set(Some((hit.prim, hit.ng)));
+            self.look_up_texture(hit);
         }
         hit
+    }
+
+    /// Reads what the picture on the surface shows, if it carries one and anything will light it. All that is asked
+    /// of `materials` until the path's next hit is about this surface.
+    fn look_up_texture(&self, hit: &Hit) {
+        if self.textures.is_empty() || self.max_depth == 0 {
+            if self.settings.force_effects {
+                self.materials.count(Effect::Texture);
+                black_box(Texture::uniform(Spectrum::WHITE).at(hit.uv));
+            }
+            return;
+        }
+        let tint = self.textures.at(&self.lit.scene, hit);
+        if tint.is_some() {
+            self.materials.count(Effect::Texture);
+        }
+        self.materials.set_tint(tint.unwrap_or(Spectrum::WHITE));
     }
 
     fn closest(&self, ray: &Ray) -> Option<Hit> {

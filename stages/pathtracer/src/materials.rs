@@ -8,9 +8,11 @@ use std::cell::Cell;
 use std::hint::black_box;
 
 /// The scattering functions of parts 3 and 4. `roughness` of glass and refraction is not simulated: they are smooth.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Materials {
     counts: [Cell<u64>; Effect::ALL.len()],
+    /// What the texture of the surface at hand shows there; white without one.
+    tint: Cell<Spectrum>,
     /// Whether effects run that nothing calls for. Their results are thrown away.
     forced: bool,
 }
@@ -20,6 +22,7 @@ impl Materials {
     pub fn new(forced: bool) -> Materials {
         Materials {
             counts: Default::default(),
+            tint: Cell::new(Spectrum::WHITE),
             forced,
         }
     }
@@ -33,6 +36,12 @@ impl Materials {
     #[inline]
     pub fn count(&self, effect: Effect) {
         self.counts[effect as usize].update(|count| count + 1);
+    }
+
+    /// From now on matte surfaces are tinted so, until they are told otherwise.
+    #[inline]
+    pub fn set_tint(&self, tint: Spectrum) {
+        self.tint.set(tint);
     }
 
     /// Runs what other materials would do, for nothing.
@@ -53,7 +62,7 @@ impl Scattering for Materials {
     #[inline]
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match *material {
-            Material::Diffuse { reflectance } => lambert_f(reflectance, wo, wi),
+            Material::Diffuse { reflectance } => lambert_f(self.tint.get() * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
                 shininess,
@@ -89,7 +98,9 @@ impl Scattering for Materials {
             self.run_all(wo, u, choice);
         }
         match *material {
-            Material::Diffuse { reflectance } => lambert_sample(reflectance, wo, u),
+            Material::Diffuse { reflectance } => {
+                lambert_sample(self.tint.get() * reflectance, wo, u)
+            }
             Material::Emission { .. } => None,
             Material::Mirror { reflectance } => {
                 self.count(Effect::Mirror);

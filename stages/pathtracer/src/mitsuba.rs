@@ -41,6 +41,11 @@ pub fn to_mitsuba(
         ),
     );
     push(&mut xml, &camera(job, settings, &mut problems));
+    for file in &scene.textures.files {
+        problems.push(format!(
+            "the texture {file}: pictures on surfaces are not exported"
+        ));
+    }
     for (i, named) in scene.materials.iter().enumerate() {
         match bsdf(&named.material) {
             Ok(text) => push(&mut xml, &text.replace("ID", &format!("id=\"m{i}\""))),

@@ -6,10 +6,12 @@ use kit::sampler::{Pattern, Sampling};
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::statistics::{sidak, two_sided};
 use kit::{
-    Camera, Environment, FilmSize, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally,
-    Triangle, Vec3,
+    Camera, Environment, Film, FilmSize, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally,
+    Texture, Triangle, Vec2, Vec3,
 };
-use pathtracer::{Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, render_lit};
+use pathtracer::{
+    Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, Textures, render_lit,
+};
 use std::sync::atomic::AtomicBool;
 
 const GREY: Material = Material::Diffuse {
@@ -108,7 +110,31 @@ fn job(w: u32, h: u32, samples: u32) -> Job {
     }
 }
 
+/// The texture of [`tiled`]: dark and bright in turn.
+fn tiles() -> Textures {
+    Textures::from(vec![
+        Texture::new(2, vec![Spectrum::grey(0.1), Spectrum::WHITE]).expect("one whole row"),
+    ])
+}
+
+/// The ball on a floor that carries a picture.
+fn tiled(light: Option<Light>) -> Scene {
+    let mut scene = ball(GREY, light);
+    scene.textures.add_material(Some("tiles.png".into()));
+    let corner = |u: f64, v: f64| Vec2::new(u, v);
+    scene.textures.coordinates = vec![
+        [corner(0.0, 0.0), corner(0.0, 4.0), corner(4.0, 4.0)],
+        [corner(0.0, 0.0), corner(4.0, 4.0), corner(4.0, 0.0)],
+    ];
+    scene
+}
+
 fn render_with(lit: &LitScene, job: &Job, settings: &LightSettings, threads: usize) -> Rendered {
+    let textures = if lit.scene.textures.files.is_empty() {
+        Textures::default()
+    } else {
+        tiles()
+    };
     let accel = Accel::build(AccelKind::Bvh, &lit.scene);
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
@@ -117,6 +143,7 @@ fn render_with(lit: &LitScene, job: &Job, settings: &LightSettings, threads: usi
         .install(|| {
             render_lit(
                 lit,
+                &textures,
                 &accel,
                 job,
                 settings,
@@ -186,6 +213,11 @@ fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
             vec![DirectLight, Bounces, Fresnel],
         ),
         ("glossy", sunlit(GLOSSY), vec![DirectLight, Bounces, Glossy]),
+        (
+            "tiles",
+            LitScene::new(tiled(Some(lamp())), None),
+            vec![DirectLight, Bounces, Effect::Texture],
+        ),
     ]
 }
 
@@ -283,6 +315,9 @@ fn removing_an_effect_changes_the_picture() {
         reflectance: Spectrum::grey(0.8),
     };
     assert_ne!(lamp_on(GLOSSY), lamp_on(smooth));
+    // Textures: plain floors.
+    let with_tiles = picture(tiled(Some(lamp())), &settings(5));
+    assert_ne!(with_tiles, lamp_on(GREY));
     // The lens: a pinhole.
     let blurred = LightSettings {
         lens: Lens {
@@ -301,6 +336,27 @@ fn removing_an_effect_changes_the_picture() {
         ..blurred
     };
     assert!(render(&lit, &job, &forced).film == render(&lit, &job, &blurred).film);
+}
+
+/// A white picture on a surface changes nothing; a grey one darkens direct light in proportion, exactly.
+#[test]
+fn textures_tint_what_is_reflected() {
+    let lit = LitScene::new(tiled(Some(sky())), None);
+    let plain = LitScene::new(ball(GREY, Some(sky())), None);
+    let (job, settings) = (job(24, 18, 4), settings(1));
+    let with = |lit: &LitScene, tint| {
+        let accel = Accel::build(AccelKind::Bvh, &lit.scene);
+        let textures = Textures::from(vec![Texture::uniform(tint)]);
+        let stop = AtomicBool::new(false);
+        render_lit(lit, &textures, &accel, &job, &settings, &stop, |_| ()).film
+    };
+    let untouched = with(&plain, Spectrum::grey(0.5));
+    assert!(with(&lit, Spectrum::WHITE) == untouched);
+    let halved = with(&lit, Spectrum::grey(0.5));
+    // The first row looks at the floor; in the middle stands the ball, which carries no picture.
+    let radiance = |film: &Film, y| film.get(13, y).radiance;
+    assert_eq!(radiance(&halved, 0), 0.5 * radiance(&untouched, 0));
+    assert_eq!(radiance(&halved, 8), radiance(&untouched, 8));
 }
 
 /// Means over the picture, one a pixel block, compared by z-tests: 1e-6 that any of them accuses a right estimate.

@@ -204,3 +204,37 @@ fn a_scene_is_exported_for_mitsuba() {
         "leave out --lens-radius",
     );
 }
+
+#[test]
+fn a_missing_texture_is_told_and_a_found_one_shows() {
+    let folder = folder();
+    let textured = SCENE
+        .replace(
+            "<color>0.5 0.5 0.5 1</color>",
+            "<texture texture=\"wall-image\" texcoord=\"UV\"/>",
+        )
+        .replace(
+            "<library_effects>",
+            "<library_images><image id=\"wall-image\"><init_from>wall.png</init_from></image>\
+             </library_images><library_effects>",
+        );
+    fs::write(folder.path().join("textured.dae"), textured).expect("a scene file");
+    let picture = |name: &str, scene: &str| {
+        let (_, told) = pathtracer(folder.path(), &format!("-f {name} -r 8 8 {scene}"));
+        (fs::read(folder.path().join(name)).expect("a picture"), told)
+    };
+    let (grey, told) = picture("grey.png", "lit.dae");
+    assert_eq!(told, "");
+    let (missing, told) = picture("missing.png", "textured.dae");
+    assert!(told.contains("cannot read the texture wall.png"), "{told}");
+    assert!(missing == grey, "without its picture the wall is grey");
+    // Any picture will do.
+    fs::copy(
+        folder.path().join("grey.png"),
+        folder.path().join("wall.png"),
+    )
+    .expect("a copy");
+    let (found, told) = picture("found.png", "textured.dae");
+    assert_eq!(told, "");
+    assert!(found != grey, "the wall does not show its picture");
+}

@@ -64,6 +64,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Picture::Lit(lit) => tell_what_is_left_out(lit, light.looking),
     }
     let scene = picture.scene();
+    let textures = view::load_textures(&args.scene, scene);
 
     let start = Instant::now();
     let accel = Accel::build(args.accel.into(), scene);
@@ -96,7 +97,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         let tile_done = |tile: Cell| bar.inc(tile.area());
         threads.install(|| match &picture {
             Picture::Normals(scene) => render_normals(scene, &accel, job, &stop, tile_done),
-            Picture::Lit(lit) => render_lit(lit, &accel, job, &light, &stop, tile_done),
+            Picture::Lit(lit) => render_lit(lit, &textures, &accel, job, &light, &stop, tile_done),
         })
     };
     let rendered = match &budget {
@@ -116,7 +117,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         println!("Wrote       {}", rate_path(path).display());
     }
     if let Some((path, output)) = layers_output {
-        let features = threads.install(|| features(scene, &accel, &job));
+        let features = threads.install(|| features(scene, &textures, &accel, &job));
         let channels = channels(&rendered, &features, &job);
         output.write_channels(channels, cell.x1 - cell.x0, cell.y1 - cell.y0)?;
         println!("Wrote       {}", path.display());

@@ -3,6 +3,7 @@
 use crate::args::Args;
 use crate::failure::Failure;
 use kit::{Camera, FilmSize, Scene};
+use pathtracer::Textures;
 use scenes::{CameraFile, placement};
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
@@ -18,6 +19,15 @@ pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
         }
     }
     Ok(loaded.scene)
+}
+
+/// Reads the pictures that surfaces of the scene in `file` carry, and tells which are missing.
+pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
+    let (textures, missing) = Textures::load(scene, file.parent().unwrap_or(Path::new("")));
+    for texture in missing {
+        eprintln!("warning: {texture}");
+    }
+    textures
 }
 
 /// The camera of `-c` with its angles as they are, else the scene's; and the picture's size.

@@ -35,6 +35,7 @@ pub mod shapes;
 mod sobol;
 pub mod spectrum;
 pub mod statistics;
+mod stratified;
 pub mod surface;
 pub mod texture;
 pub mod warp;

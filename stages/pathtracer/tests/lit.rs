@@ -225,7 +225,11 @@ fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
 #[test]
 fn pictures_do_not_depend_on_threads() {
     let lit = LitScene::new(ball(GLASS, Some(lamp())), None);
-    for pattern in [Pattern::Independent, Pattern::Sobol] {
+    for pattern in [
+        Pattern::Independent,
+        Pattern::Stratified { samples: 16 },
+        Pattern::Sobol,
+    ] {
         for adaptive in [None, Some((16, 0.3))] {
             let mut job = job(40, 30, 16);
             job.sampling.pattern = pattern;

@@ -81,7 +81,10 @@ fn bad_values_say_what_is_allowed() {
     refused("-f a.png -e lit.dae lit.dae", "ends in .exr or .hdr");
     refused("-f a.png -e missing.hdr lit.dae", "missing.hdr");
     refused("-f a.png -H --mis lit.dae", "--mis");
-    refused("-f a.png --sampler stars lit.dae", "independent, sobol");
+    refused(
+        "-f a.png --sampler stars lit.dae",
+        "independent, stratified, sobol",
+    );
 }
 
 #[test]

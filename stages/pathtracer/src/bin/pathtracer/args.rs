@@ -150,6 +150,8 @@ const DEFAULT_SHADE: Shade = Shade::Auto;
 pub(crate) enum SamplerName {
     /// None knows of another
     Independent,
+    /// One in each of -s cells of the pixel (jittered)
+    Stratified,
     /// Evenly (Owen-scrambled Sobol points): less noise
     Sobol,
 }
@@ -253,11 +255,12 @@ impl Args {
         })
     }
 
-    /// Where random numbers come from.
-    pub(crate) fn sampling(&self) -> Sampling {
+    /// Where random numbers come from, for so many samples a pixel.
+    pub(crate) fn sampling(&self, samples: u32) -> Sampling {
         Sampling {
             pattern: match self.sampler {
                 SamplerName::Independent => Pattern::Independent,
+                SamplerName::Stratified => Pattern::Stratified { samples },
                 SamplerName::Sobol => Pattern::Sobol,
             },
             seed: self.seed,

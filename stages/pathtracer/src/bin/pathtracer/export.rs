@@ -29,7 +29,7 @@ pub(crate) fn run(
         film,
         cell: film.whole(),
         samples: args.samples,
-        sampling: args.sampling(),
+        sampling: args.sampling(args.samples),
     };
     let lit = LitScene::new(scene, None);
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();

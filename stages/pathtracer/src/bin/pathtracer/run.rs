@@ -75,15 +75,16 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Picture::Lit(_) => Budget::of(args),
         Picture::Normals(_) => None,
     };
+    let samples = match budget {
+        Some(_) if args.samples == 1 => SAMPLES_OF_A_ROUND,
+        _ => args.samples,
+    };
     let job = Job {
         camera,
         film,
         cell,
-        samples: match budget {
-            Some(_) if args.samples == 1 => SAMPLES_OF_A_ROUND,
-            _ => args.samples,
-        },
-        sampling: args.sampling(),
+        samples,
+        sampling: args.sampling(samples),
     };
     let stop = stop_on_ctrl_c();
     let threads = rayon::ThreadPoolBuilder::new()

@@ -1,4 +1,4 @@
-//! Building the worker with the student's stages.
+//! Building the worker with the student's stages, and other programs of the workspace.
 
 use crate::error::GraderError;
 use std::ffi::OsString;
@@ -34,81 +34,19 @@ impl Build<'_> {
     /// Runs cargo. Its progress and the compiler's messages go to stderr as they come.
     pub fn run(&self) -> Result<Built, GraderError> {
         let show = !self.sealed;
-        let colours = show && std::io::stderr().is_terminal();
-        let mut child = self.command(colours).spawn().map_err(|e| {
-            GraderError::new(format!(
-                "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
-                cargo().display()
-            ))
-        })?;
-        let progress = child
-            .stderr
-            .take()
-            .map(|pipe| std::thread::spawn(move || std::io::read_to_string(pipe)));
-        let stdout = child
-            .stdout
-            .take()
-            .ok_or_else(|| GraderError::new("cargo has no output"))?;
-        let mut program = None;
-        let mut errors = String::new();
-        for line in BufReader::new(stdout).lines() {
-            let line =
-                line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
-            match Message::read(&line) {
-                Some(Message::Program(path)) => program = Some(path),
-                Some(Message::Diagnostic { is_error, text }) => {
-                    if show {
-                        eprint!("{text}");
-                    }
-                    if is_error {
-                        errors.push_str(&text);
-                    }
-                }
-                None => {}
-            }
-        }
-        let status = child
-            .wait()
-            .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
-        let said =
-            progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
-        match program {
-            Some(program) if status.success() => keep_apart(program, self.features),
-            _ if !errors.is_empty() => Ok(Built::DoesNotCompile(errors)),
-            // Nothing that the code could be blamed for: a library that is not there, a broken manifest.
-            _ => Err(GraderError::new(format!(
-                "cargo could not build the worker in {} ({status}). {}",
-                self.root.display(),
-                said.as_deref().unwrap_or("Its reason stands above.").trim()
-            ))),
+        match follow(self.command(show && has_colours()), "worker", show)? {
+            Ok(program) => keep_apart(program, self.features),
+            Err(messages) => Ok(Built::DoesNotCompile(messages)),
         }
     }
 
     fn command(&self, colours: bool) -> Command {
-        let mut command = Command::new(cargo());
-        command
-            .current_dir(self.root)
-            .args([
-                "build",
-                "--release",
-                "--package",
-                "worker",
-                "--bin",
-                "worker",
-            ])
-            .args([
-                "--no-default-features",
-                "--features",
-                &self.features.join(","),
-            ])
-            .arg("--message-format")
-            .arg(if colours {
-                "json-diagnostic-rendered-ansi"
-            } else {
-                "json"
-            })
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped());
+        let mut command = release_build(self.root, "worker", colours);
+        command.args([
+            "--no-default-features",
+            "--features",
+            &self.features.join(","),
+        ]);
         if self.sealed {
             command
                 .args(["--offline", "--locked"])
@@ -118,6 +56,91 @@ impl Build<'_> {
             command.arg("--target-dir").arg(target);
         }
         command
+    }
+}
+
+/// Builds the program of `package` as it stands in the workspace `root`, in release: the program, or the compiler's
+/// messages, which have been shown on stderr.
+pub fn program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
+    follow(release_build(root, package, has_colours()), package, true)
+}
+
+fn has_colours() -> bool {
+    std::io::stderr().is_terminal()
+}
+
+/// Cargo, told to build the program of `package`, which has the package's name.
+fn release_build(root: &Path, package: &str, colours: bool) -> Command {
+    let mut command = Command::new(cargo());
+    command
+        .current_dir(root)
+        .args(["build", "--release", "--package", package, "--bin", package])
+        .arg("--message-format")
+        .arg(if colours {
+            "json-diagnostic-rendered-ansi"
+        } else {
+            "json"
+        })
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped());
+    command
+}
+
+/// Runs cargo to its end: the program that it built, or what the compiler says against the code. `show` passes that on to
+/// stderr.
+fn follow(
+    mut command: Command,
+    package: &str,
+    show: bool,
+) -> Result<Result<PathBuf, String>, GraderError> {
+    let mut child = command.spawn().map_err(|e| {
+        GraderError::new(format!(
+            "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
+            cargo().display()
+        ))
+    })?;
+    let progress = child
+        .stderr
+        .take()
+        .map(|pipe| std::thread::spawn(move || std::io::read_to_string(pipe)));
+    let stdout = child
+        .stdout
+        .take()
+        .ok_or_else(|| GraderError::new("cargo has no output"))?;
+    let mut program = None;
+    let mut errors = String::new();
+    for line in BufReader::new(stdout).lines() {
+        let line =
+            line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
+        match Message::read(&line) {
+            Some(Message::Program(path)) => program = Some(path),
+            Some(Message::Diagnostic { is_error, text }) => {
+                if show {
+                    eprint!("{text}");
+                }
+                if is_error {
+                    errors.push_str(&text);
+                }
+            }
+            None => {}
+        }
+    }
+    let status = child
+        .wait()
+        .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
+    let said = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
+    match program {
+        Some(program) if status.success() => Ok(Ok(program)),
+        _ if !errors.is_empty() => Ok(Err(errors)),
+        // Nothing that the code could be blamed for: a library that is not there, a broken manifest.
+        _ => Err(GraderError::new(format!(
+            "cargo could not build the package {package} in {} ({status}). {}",
+            command
+                .get_current_dir()
+                .unwrap_or(Path::new("."))
+                .display(),
+            said.as_deref().unwrap_or("Its reason stands above.").trim()
+        ))),
     }
 }
 

@@ -171,7 +171,7 @@ fn one_worker(
 }
 
 /// The last bytes of what comes out of a pipe; reads on to its end, so that the writer never waits.
-fn tail(mut pipe: impl Read) -> String {
+pub(crate) fn tail(mut pipe: impl Read) -> String {
     let mut kept: Vec<u8> = Vec::new();
     let mut chunk = [0; 8192];
     while let Ok(n @ 1..) = pipe.read(&mut chunk) {

@@ -239,7 +239,7 @@ impl Growth {
 
 /// The slope of the straight line through the logarithms of the points, by least squares; `None` if they have one
 /// size only.
-fn slope(points: &[(f64, f64)]) -> Option<f64> {
+pub(crate) fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
     let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / n;

@@ -3,6 +3,7 @@
 //! Every number is finite. Counts "a million" are scaled to a million rays. Times are the machine's and differ from
 //! run to run; everything else depends on the seed alone.
 
+use super::picture::Pictures;
 use super::trees::Trees;
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +20,8 @@ pub struct Report {
     pub families: Vec<Family>,
     /// Trees, if they were asked for.
     pub bvh: Option<Trees>,
+    /// Pictures, if they were asked for.
+    pub pictures: Option<Pictures>,
 }
 
 /// What the times are times of.

@@ -14,6 +14,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("direct", &["kit"]),
     ("global", &["kit"]),
     ("adaptive", &["kit"]),
+    ("simd_bvh", &["kit"]),
     ("scenes", &["kit"]),
     (
         "pathtracer",
@@ -27,6 +28,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
             "direct",
             "global",
             "adaptive",
+            "simd_bvh",
         ],
     ),
     ("wire", &[]),

@@ -1,8 +1,9 @@
-//! How the closest hit is found: by asking every primitive, or through a tree.
+//! How the closest hit is found: by asking every primitive, or through a tree. All ways find the same, bit for bit.
 
 use crate::SceneWorld;
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Bvh, Hit, PrimId, Ray, Scene, World};
+use simd_bvh::{WideBvh, Work};
 
 /// Primitives in a leaf at most: the assignment's choice.
 pub const MAX_LEAF_SIZE: usize = 4;
@@ -14,6 +15,8 @@ pub enum AccelKind {
     Brute,
     /// The tree of stage `bvh`.
     Bvh,
+    /// The tree of stage `simd_bvh`.
+    Simd,
 }
 
 /// A way to find a hit, ready for one scene.
@@ -26,6 +29,8 @@ pub enum Accel {
     },
     /// The tree of stage `bvh`.
     Bvh(Bvh),
+    /// The tree of stage `simd_bvh`.
+    Simd(WideBvh),
 }
 
 impl Accel {
@@ -36,6 +41,7 @@ impl Accel {
                 primitives: u32::try_from(scene.len()).expect("fewer than 2^32 primitives"),
             },
             AccelKind::Bvh => Accel::Bvh(construct_bvh(&scene.primitive_bounds(), MAX_LEAF_SIZE)),
+            AccelKind::Simd => Accel::Simd(WideBvh::build(&scene.triangles, &scene.spheres)),
         }
     }
 
@@ -44,6 +50,16 @@ impl Accel {
     pub fn closest(&self, ray: &mut Ray, world: &mut SceneWorld<'_>) -> Option<Hit> {
         match self {
             Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
+            Accel::Simd(tree) => {
+                let mut work = Work::default();
+                let exact = &mut |id, ray: &Ray| world.t(id, ray);
+                let found = tree.closest(ray, world.left, exact, &mut work);
+                world.counters.add_work(work);
+                let (id, t) = found?;
+                ray.max_t = t;
+                // The same kernel on the same ray: the same hit.
+                world.record(id, ray)
+            }
             Accel::Brute { primitives } => {
                 let mut closest: Option<Hit> = None;
                 for id in (0..*primitives).map(PrimId) {
@@ -64,6 +80,13 @@ impl Accel {
     pub fn occluded(&self, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
         match self {
             Accel::Bvh(tree) => occludes_bvh(tree, ray, world),
+            Accel::Simd(tree) => {
+                let mut work = Work::default();
+                let exact = &mut |id, ray: &Ray| world.t(id, ray);
+                let blocked = tree.occluded(ray, world.left, exact, &mut work);
+                world.counters.add_work(work);
+                blocked
+            }
             Accel::Brute { primitives } => (0..*primitives)
                 .map(PrimId)
                 .any(|id| world.blocked(id, ray)),

@@ -1,6 +1,7 @@
 //! A scene as a ray meets it: every test is counted.
 
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, World};
+use simd_bvh::Work;
 use std::iter::Sum;
 use std::ops::Add;
 
@@ -13,6 +14,15 @@ pub struct Counters {
     pub box_tests: u64,
     /// Ray/primitive tests.
     pub prim_tests: u64,
+}
+
+impl Counters {
+    /// Adds what a walk through the wide tree took.
+    #[inline]
+    pub fn add_work(&mut self, work: Work) {
+        self.box_tests += work.box_tests;
+        self.prim_tests += work.prim_tests;
+    }
 }
 
 impl Add for Counters {
@@ -51,6 +61,26 @@ impl<'a> SceneWorld<'a> {
             counters: Counters::default(),
         }
     }
+
+    /// Where `ray` meets primitive `id` in its range, if it does. Does not count.
+    #[inline]
+    pub fn t(&self, id: PrimId, ray: &Ray) -> Option<f64> {
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => {
+                intersect::test_triangle(triangle, ray).map(|hit| hit.t)
+            }
+            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray),
+        }
+    }
+
+    /// The hit of `ray` with primitive `id`, if there is one in its range; shortens the ray to it. Does not count.
+    #[inline]
+    pub fn record(&self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
+            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
+        }
+    }
 }
 
 impl World for SceneWorld<'_> {
@@ -67,10 +97,7 @@ impl World for SceneWorld<'_> {
             return None;
         }
         self.counters.prim_tests += 1;
-        match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
-            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
-        }
+        self.record(id, ray)
     }
 
     #[inline]
@@ -79,9 +106,6 @@ impl World for SceneWorld<'_> {
             return false;
         }
         self.counters.prim_tests += 1;
-        match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray).is_some(),
-            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).is_some(),
-        }
+        self.t(id, ray).is_some()
     }
 }

@@ -120,7 +120,7 @@ pub(crate) struct Args {
     pub(crate) force_effects: bool,
 
     /// How hits are found
-    #[arg(long, value_enum, default_value_t = AccelName::Bvh)]
+    #[arg(long, value_enum, default_value_t = DEFAULT_ACCEL)]
     pub(crate) accel: AccelName,
 
     /// Which random numbers to take: another seed gives another noise
@@ -145,6 +145,12 @@ const DEFAULT_SHADE: Shade = Shade::Auto;
 // STUB: const DEFAULT_SHADE: Shade = Shade::Normals;
 // END SOLUTION(part2.task3)
 
+// The same hits either way; the wide tree is the last thing that a student writes.
+// BEGIN SOLUTION(part6.task1)
+const DEFAULT_ACCEL: AccelName = AccelName::Simd;
+// STUB: const DEFAULT_ACCEL: AccelName = AccelName::Bvh;
+// END SOLUTION(part6.task1)
+
 /// How the samples of a pixel lie to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SamplerName {
@@ -163,6 +169,8 @@ pub(crate) enum AccelName {
     Brute,
     /// Through a bounding volume hierarchy
     Bvh,
+    /// Through a wide one, eight boxes or triangles at a time
+    Simd,
 }
 
 impl From<AccelName> for AccelKind {
@@ -170,6 +178,7 @@ impl From<AccelName> for AccelKind {
         match name {
             AccelName::Brute => AccelKind::Brute,
             AccelName::Bvh => AccelKind::Bvh,
+            AccelName::Simd => AccelKind::Simd,
         }
     }
 }

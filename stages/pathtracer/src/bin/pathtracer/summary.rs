@@ -28,6 +28,12 @@ pub(crate) fn accel(accel: &Accel, build: Duration) -> String {
             order.len(),
             seconds(build)
         ),
+        Accel::Simd(tree) => format!(
+            "Wide BVH    {} nodes of 8 over {} blocks of triangles, built in {}",
+            tree.node_count(),
+            tree.block_count(),
+            seconds(build)
+        ),
     }
 }
 

@@ -1,0 +1,57 @@
+//! However hits are found, the picture is the same, bit for bit.
+// BEGIN SOLUTION(part6.task1)
+
+use kit::{FilmSize, LitScene};
+use pathtracer::{Accel, AccelKind, Job, LightSettings, Rendered, Textures, render_lit};
+use scenes::placement;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+/// The scenes of the course.
+fn scene_files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
+    let files = fs::read_dir(&folder).expect("the scenes of the course");
+    let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+    files.retain(|file| file.extension().is_some_and(|end| end == "dae"));
+    files.sort();
+    assert!(!files.is_empty(), "no scenes in {}", folder.display());
+    files
+}
+
+fn render(lit: &LitScene, kind: AccelKind) -> Rendered {
+    let film = FilmSize { w: 24, h: 18 };
+    let job = Job {
+        camera: placement::place(&lit.scene, film).camera,
+        film,
+        cell: film.whole(),
+        samples: 4,
+        sampling: 5.into(),
+    };
+    let settings = LightSettings {
+        max_depth: 5,
+        ..LightSettings::default()
+    };
+    let accel = Accel::build(kind, &lit.scene);
+    let (stop, textures) = (AtomicBool::new(false), Textures::default());
+    render_lit(lit, &textures, &accel, &job, &settings, &stop, |_| {})
+}
+
+#[test]
+fn pictures_do_not_depend_on_how_hits_are_found() {
+    for file in scene_files() {
+        let mut scene = scenes::load(&file).expect("a scene").scene;
+        scene.textures = Default::default();
+        let lit = LitScene::new(scene, None);
+        let [brute, bvh, simd] =
+            [AccelKind::Brute, AccelKind::Bvh, AccelKind::Simd].map(|kind| render(&lit, kind));
+        let name = file.display();
+        for (way, other) in [("bvh", &bvh), ("simd", &simd)] {
+            assert!(other.film == brute.film, "{name}: --accel {way} differs");
+            assert_eq!(other.counters.rays, brute.counters.rays, "{name}");
+            let asked = other.counters.box_tests.min(other.counters.prim_tests);
+            assert!(asked > 0, "{name}: --accel {way} counts nothing");
+        }
+    }
+}
+// END SOLUTION(part6.task1)

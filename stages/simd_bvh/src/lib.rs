@@ -1,0 +1,28 @@
+//! Part 6, the summit: a tree that is walked eight boxes and eight triangles at a time.
+//!
+//! Extra credit, and no more hints than this: [`WideBvh`] says what it has to do, the stages before it how; how fast is
+//! up to you. `cargo bench -p simd_bvh` measures it against the tree of stage `bvh`.
+//!
+// BEGIN SOLUTION(part6.task1)
+//! Read in this order: `sah` (the binary tree that is cheapest), `wide` (made eight wide), `node` and `block` (how boxes
+//! and triangles lie in memory), `ray_boxes` (eight boxes at once), `traverse` (the walk).
+//!
+//! Fast and exact at the same time: boxes are single precision and only ever too large; triangles are double precision,
+//! by the very arithmetic of the plain kernel, and where that one thinks twice it is asked. So the hits are those of
+//! asking every primitive, bit for bit. All of it is written once for every machine: `fearless_simd` compiles it for
+//! each instruction set, and the best that the machine has is chosen once a walk.
+// STUB: //! `fearless_simd` is there for the lanes; its `dispatch!` chooses the machine's instructions once a walk.
+// END SOLUTION(part6.task1)
+
+// BEGIN SOLUTION(part6.task1)
+mod block;
+mod node;
+mod ray_boxes;
+mod sah;
+// END SOLUTION(part6.task1)
+mod traverse;
+mod wide;
+
+pub use fearless_simd::Level;
+pub use traverse::Work;
+pub use wide::WideBvh;

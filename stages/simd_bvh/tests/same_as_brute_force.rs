@@ -1,0 +1,322 @@
+// BEGIN SOLUTION(part6.task1)
+//! What the wide tree says is what asking every primitive says, bit for bit.
+
+use kit::{PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle, Vec3, warp};
+use scenes::generate::{MeshKind, generate};
+use simd_bvh::{Level, WideBvh, Work};
+
+/// The plain kernels: where `ray` meets primitive `id`.
+fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<f64> {
+    match scene.primitive(id) {
+        Primitive::Triangle(t) => intersect::test_triangle(t, ray).map(|hit| hit.t),
+        Primitive::Sphere(s) => intersect::test_sphere(s, ray),
+    }
+}
+
+/// The lowest `t`, of equal ones that with the lowest id.
+fn brute_force(scene: &Scene, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, f64)> {
+    (0..scene.len() as u32)
+        .map(PrimId)
+        .filter(|&id| left != Some(id))
+        .filter_map(|id| Some((id, exact(scene, id, ray)?)))
+        .reduce(|a, b| if b.1 < a.1 { b } else { a })
+}
+
+/// The instruction sets of this machine.
+fn levels() -> Vec<Level> {
+    let mut levels = vec![Level::new(), Level::baseline()];
+    #[cfg(target_arch = "x86_64")]
+    levels.extend(Level::new().as_avx2().map(Level::Avx2));
+    levels
+}
+
+struct Checked {
+    scene: Scene,
+    /// The tree at each level of [`levels`].
+    trees: Vec<(Level, WideBvh)>,
+    /// How many rays hit.
+    hits: usize,
+}
+
+impl Checked {
+    fn new(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checked {
+        let tree = WideBvh::build(&triangles, &spheres);
+        Checked {
+            scene: Scene {
+                triangles,
+                spheres,
+                ..Scene::default()
+            },
+            trees: levels()
+                .into_iter()
+                .map(|level| (level, tree.clone().at_level(level)))
+                .collect(),
+            hits: 0,
+        }
+    }
+
+    fn check(&mut self, ray: &Ray, left: Option<PrimId>) {
+        let wanted = brute_force(&self.scene, ray, left);
+        self.hits += usize::from(wanted.is_some());
+        let bits = |hit: Option<(PrimId, f64)>| hit.map(|(id, t)| (id, t.to_bits()));
+        let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
+        let mut works = Vec::new();
+        for (level, tree) in &self.trees {
+            let mut work = Work::default();
+            let hit = tree.closest(ray, left, exact, &mut work);
+            assert_eq!(bits(hit), bits(wanted), "{level:?} {ray:?}");
+            let any = tree.occluded(ray, left, exact, &mut work);
+            assert_eq!(any, wanted.is_some(), "{level:?} {ray:?}");
+            works.push(work);
+        }
+        assert!(
+            works.iter().all(|work| *work == works[0]),
+            "what is counted does not depend on the machine: {works:?}"
+        );
+    }
+}
+
+/// Points and directions from a fixed seed.
+struct Numbers(PixelSampler);
+
+impl Numbers {
+    fn new(seed: u64) -> Numbers {
+        Numbers(PixelSampler::new(0, 0, seed))
+    }
+
+    fn one(&mut self) -> f64 {
+        self.0.next_1d()
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.one() * n as f64) as usize
+    }
+
+    /// In the cube from -1 to 1.
+    fn point(&mut self) -> Vec3 {
+        let p = self.0.next_2d();
+        2.0 * Vec3::new(p.x, p.y, self.one()) - 1.0
+    }
+
+    fn direction(&mut self) -> Vec3 {
+        warp::uniform_sphere(self.0.next_2d())
+    }
+
+    /// A corner, a point on an edge or one inside: where rays are told apart with most difficulty.
+    fn on(&mut self, t: &Triangle) -> Vec3 {
+        let s = self.one();
+        match self.below(4) {
+            0 => t.p0,
+            1 => t.p0 + s * (t.p1 - t.p0),
+            2 => t.p1 + s * (t.p2 - t.p1),
+            _ => t.p0 + 0.5 * s * (t.p1 - t.p0) + 0.5 * (1.0 - s) * (t.p2 - t.p0),
+        }
+    }
+}
+
+fn soup(numbers: &mut Numbers, count: usize, size: f64) -> Vec<Triangle> {
+    (0..count)
+        .map(|_| {
+            let p = numbers.point();
+            let corner = |numbers: &mut Numbers| p + size * numbers.point();
+            Triangle::flat(p, corner(numbers), corner(numbers))
+        })
+        .collect()
+}
+
+/// Rays from anywhere and from on the triangles at points on them, along axes, with both ends of the range cut.
+fn rays_at(checked: &mut Checked, numbers: &mut Numbers, count: usize, scale: f64) {
+    for i in 0..count {
+        let of = numbers.below(checked.scene.triangles.len());
+        let target = numbers.on(&checked.scene.triangles[of]);
+        let other = numbers.below(checked.scene.triangles.len());
+        let (o, left) = match i % 3 {
+            0 => (2.0 * scale * numbers.point(), None),
+            1 => {
+                let from = numbers.on(&checked.scene.triangles[other]);
+                (from, Some(PrimId(other as u32)))
+            }
+            _ => (target + scale * numbers.direction(), None),
+        };
+        let mut d = target - o;
+        match i % 11 {
+            0..=6 => d = d.normalize_or(Vec3::X),
+            7 => d[numbers.below(3)] = 0.0,
+            8 => d = [Vec3::X, -Vec3::Y, Vec3::Z][numbers.below(3)],
+            9 => d *= 1e-3,
+            _ => d[numbers.below(3)] *= 1e-19,
+        }
+        let mut ray = Ray::new(o, d);
+        match i % 7 {
+            0 => ray.max_t = 1.0,
+            1 => ray.min_t = -2.0 * scale,
+            2 => ray.min_t = 1.0,
+            3 => (ray.min_t, ray.max_t) = (-3.0 * scale, -0.1 * scale),
+            _ => {}
+        }
+        checked.check(&ray, left);
+    }
+}
+
+#[test]
+fn on_meshes() {
+    for kind in MeshKind::ALL {
+        let mut numbers = Numbers::new(1);
+        let mut checked = Checked::new(generate(kind, 1500), Vec::new());
+        rays_at(&mut checked, &mut numbers, 4000, 1.0);
+        assert!(checked.hits > 1000, "{} rays hit", checked.hits);
+    }
+}
+
+#[test]
+fn on_soups_of_every_size() {
+    let mut numbers = Numbers::new(2);
+    for count in (0..40).chain([100, 300]) {
+        for size in [0.01, 0.3, 2.0] {
+            let triangles = soup(&mut numbers, count.max(1), size);
+            let mut checked = Checked::new(triangles, Vec::new());
+            rays_at(&mut checked, &mut numbers, 200, 1.0);
+        }
+    }
+}
+
+/// Triangles in each other's planes, twice the same, without area: ties everywhere.
+#[test]
+fn on_ties() {
+    let mut numbers = Numbers::new(3);
+    let corner = |numbers: &mut Numbers| {
+        let mut p = (3.0 * numbers.point()).round() / 3.0;
+        p.z = p.z.abs().round();
+        p
+    };
+    let mut triangles: Vec<Triangle> = (0..60)
+        .map(|_| {
+            let mut next = || corner(&mut numbers);
+            Triangle::flat(next(), next(), next())
+        })
+        .collect();
+    triangles.extend_from_within(10..40);
+    let mut checked = Checked::new(triangles, Vec::new());
+    rays_at(&mut checked, &mut numbers, 20_000, 1.0);
+    assert!(checked.hits > 10_000, "{} rays hit", checked.hits);
+}
+
+/// From a billionth of a billionth to beyond what single precision can hold, and far from the origin.
+#[test]
+fn on_every_scale_and_far_away() {
+    let mut numbers = Numbers::new(4);
+    for (scale, offset) in [
+        (1e-300, 0.0),
+        (1e-42, 0.0),
+        (1e-30, 0.0),
+        (1e-9, 0.0),
+        (1.0, 1e6),
+        (1.0, 1e12),
+        (1e9, 0.0),
+        (1e17, 0.0),
+        (1e25, 0.0),
+        (1e60, 0.0),
+        (1e150, 0.0),
+    ] {
+        let place = |p: Vec3| scale * p + Vec3::new(offset, -0.3 * offset, 0.0);
+        let triangles: Vec<Triangle> = soup(&mut numbers, 100, 0.5)
+            .iter()
+            .map(|t| Triangle::flat(place(t.p0), place(t.p1), place(t.p2)))
+            .collect();
+        let mut checked = Checked::new(triangles, Vec::new());
+        rays_at(&mut checked, &mut numbers, 1500, scale);
+        assert!(checked.hits > 100, "{} rays hit at {scale}", checked.hits);
+    }
+}
+
+#[test]
+fn on_spheres_among_triangles() {
+    let mut numbers = Numbers::new(5);
+    for count in [1, 2, 7, 20, 90] {
+        let spheres = (0..count)
+            .map(|_| Sphere {
+                center: numbers.point(),
+                radius: 0.3 * numbers.one(),
+            })
+            .collect();
+        let mut checked = Checked::new(soup(&mut numbers, 30, 0.3), spheres);
+        rays_at(&mut checked, &mut numbers, 1000, 1.0);
+        for _ in 0..1000 {
+            let i = numbers.below(count);
+            let s = checked.scene.spheres[i];
+            let o = s.center + s.radius * numbers.direction();
+            let left = (numbers.one() < 0.5).then_some(PrimId(30 + i as u32));
+            checked.check(&Ray::new(o, numbers.direction()), left);
+            let beside = s.center + s.radius * numbers.direction();
+            let far = 3.0 * numbers.point();
+            checked.check(&Ray::new(far, beside - far), None);
+        }
+    }
+}
+
+#[test]
+fn on_nothing_and_on_what_no_ray_can_hit() {
+    let mut numbers = Numbers::new(6);
+    let ray = Ray::new(-Vec3::Z, Vec3::Z);
+    Checked::new(Vec::new(), Vec::new()).check(&ray, None);
+    let mut triangles = soup(&mut numbers, 20, 0.5);
+    for (i, triangle) in triangles.iter_mut().enumerate().step_by(3) {
+        triangle.p1[i % 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][i / 3 % 3];
+    }
+    let spheres = [-0.5, f64::NAN, 0.0, f64::INFINITY].map(|radius| Sphere {
+        center: numbers.point(),
+        radius,
+    });
+    let mut checked = Checked::new(triangles, spheres.to_vec());
+    for bad in [f64::NAN, f64::INFINITY, 0.0, 1e300, 5e-324] {
+        for axis in 0..3 {
+            let (mut o, mut d) = (ray, ray);
+            o.o[axis] = bad;
+            d.d[axis] = bad;
+            for ray in [o, d] {
+                checked.check(&ray, None);
+            }
+        }
+    }
+    for (min_t, max_t) in [(f64::NAN, 1.0), (0.0, f64::NAN), (2.0, 1.0)] {
+        checked.check(
+            &Ray {
+                min_t,
+                max_t,
+                ..ray
+            },
+            None,
+        );
+    }
+    checked.check(
+        &Ray {
+            d: Vec3::ZERO,
+            ..ray
+        },
+        None,
+    );
+    rays_at(&mut checked, &mut numbers, 1000, 1.0);
+}
+
+/// What the tree is for: few of the boxes and triangles are asked.
+#[test]
+fn few_are_asked() {
+    let mesh = generate(MeshKind::ALL[0], 50_000);
+    let tree = WideBvh::build(&mesh, &[]);
+    let mut numbers = Numbers::new(7);
+    let mut work = Work::default();
+    let rays = 2000;
+    for _ in 0..rays {
+        let target = numbers.below(mesh.len());
+        let o = 3.0 * numbers.direction();
+        let ray = Ray::new(o, numbers.on(&mesh[target]) - o);
+        let exact = &mut |id: PrimId, ray: &Ray| {
+            intersect::test_triangle(&mesh[id.0 as usize], ray).map(|hit| hit.t)
+        };
+        tree.closest(&ray, None, exact, &mut work);
+    }
+    let each = |tests: u64| tests / rays;
+    assert!(each(work.box_tests) < 100, "{work:?}");
+    assert!(each(work.prim_tests) < 30, "{work:?}");
+}
+// END SOLUTION(part6.task1)

@@ -180,7 +180,7 @@ fn surface(tier: Tier, surface: Surface, p: Vec3) -> Option<(Surface, f64)> {
 }
 
 /// Whether a loose ball around the shape is in the ray's way: shapes that fail this are beyond every bound.
-fn may_touch(shape: &Primitive<'_>, ray: &Ray) -> bool {
+pub(crate) fn may_touch(shape: &Primitive<'_>, ray: &Ray) -> bool {
     let bounds = match shape {
         Primitive::Triangle(t) => t.bounds(),
         Primitive::Sphere(s) => s.bounds(),

@@ -13,7 +13,7 @@ mod part2_meshes;
 mod part2_task1;
 mod part2_task2;
 pub(crate) mod part2_task3;
-mod probes;
+pub(crate) mod probes;
 pub mod recorded;
 
 use crate::judge::tally::Aspect;

@@ -5,11 +5,11 @@ use wire::Work;
 use wire::work::{self, Probe, Xyz};
 
 /// Random numbers that depend on a name and a seed alone.
-pub(super) struct Dice(PixelSampler);
+pub(crate) struct Dice(PixelSampler);
 
 impl Dice {
     /// The numbers of the case `name`; `seed` is 0 where they are always the same.
-    pub(super) fn new(name: &str, seed: u64) -> Dice {
+    pub(crate) fn new(name: &str, seed: u64) -> Dice {
         // FNV-1a (Fowler, Noll, Vo): any change of the name changes the numbers.
         let hash = name.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
             (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
@@ -18,28 +18,28 @@ impl Dice {
     }
 
     /// Uniform in [low, high).
-    pub(super) fn range(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn range(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.0.next_1d()
     }
 
     /// Uniform among 0..count.
-    pub(super) fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.0.next_1d() * count as f64) as usize
     }
 
     /// One of the given values.
-    pub(super) fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
+    pub(crate) fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.below(values.len())]
     }
 
     /// Uniform in the cube [-1, 1]³.
-    pub(super) fn in_cube(&mut self) -> Vec3 {
+    pub(crate) fn in_cube(&mut self) -> Vec3 {
         let [x, y, z] = [0; 3].map(|_| self.range(-1.0, 1.0));
         Vec3::new(x, y, z)
     }
 
     /// Uniform on the unit sphere.
-    pub(super) fn direction(&mut self) -> Vec3 {
+    pub(crate) fn direction(&mut self) -> Vec3 {
         loop {
             let v = self.in_cube();
             let length = v.length();
@@ -50,7 +50,7 @@ impl Dice {
     }
 
     /// Weights of `p1` and `p2` of a point inside a triangle, all three at least `margin`.
-    pub(super) fn inside(&mut self, margin: f64) -> [f64; 2] {
+    pub(crate) fn inside(&mut self, margin: f64) -> [f64; 2] {
         loop {
             let (b1, b2) = (self.range(0.0, 1.0), self.range(0.0, 1.0));
             if b1.min(b2).min(1.0 - b1 - b2) >= margin {
@@ -114,7 +114,7 @@ impl Dice {
 
     /// A ray of unit direction that passes the centre of `s` at `impact` radii (misses if that is over 1), where
     /// `t = distance`.
-    pub(super) fn ray_past(&mut self, s: &Sphere, impact: f64, distance: f64) -> Ray {
+    pub(crate) fn ray_past(&mut self, s: &Sphere, impact: f64, distance: f64) -> Ray {
         let d = self.direction();
         let aside = loop {
             let aside = self.direction().reject_from_normalized(d);
@@ -127,12 +127,12 @@ impl Dice {
 }
 
 /// The point of a triangle's plane where `p1` and `p2` have the weights `b`.
-pub(super) fn at(t: &Triangle, [b1, b2]: [f64; 2]) -> Vec3 {
+pub(crate) fn at(t: &Triangle, [b1, b2]: [f64; 2]) -> Vec3 {
     t.p0 + b1 * (t.p1 - t.p0) + b2 * (t.p2 - t.p0)
 }
 
 /// The ray from `o` through `target`, of unit direction.
-pub(super) fn through(o: Vec3, target: Vec3) -> Ray {
+pub(crate) fn through(o: Vec3, target: Vec3) -> Ray {
     Ray::new(o, (target - o).normalize())
 }
 
@@ -193,7 +193,7 @@ impl Probes {
 }
 
 /// The work of sending rays through a list of shapes.
-pub(super) fn brute_force(triangles: &[Triangle], spheres: &[Sphere], rays: &[Ray]) -> Work {
+pub(crate) fn brute_force(triangles: &[Triangle], spheres: &[Sphere], rays: &[Ray]) -> Work {
     Work::BruteForce {
         triangles: triangles.iter().map(wire_triangle).collect(),
         spheres: spheres
@@ -204,7 +204,7 @@ pub(super) fn brute_force(triangles: &[Triangle], spheres: &[Sphere], rays: &[Ra
     }
 }
 
-pub(super) fn wire_ray(ray: &Ray) -> work::Ray {
+pub(crate) fn wire_ray(ray: &Ray) -> work::Ray {
     work::Ray {
         o: ray.o.into(),
         d: ray.d.into(),
@@ -213,6 +213,6 @@ pub(super) fn wire_ray(ray: &Ray) -> work::Ray {
     }
 }
 
-fn wire_triangle(t: &Triangle) -> [Xyz; 6] {
+pub(crate) fn wire_triangle(t: &Triangle) -> [Xyz; 6] {
     [t.p0, t.p1, t.p2, t.n0, t.n1, t.n2].map(Vec3::into)
 }

@@ -3,6 +3,7 @@
 //! Each subcommand is a struct of arguments with a `run` that answers how the program ends.
 
 mod bless;
+mod cost;
 mod course;
 mod grade;
 mod handout;
@@ -34,6 +35,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Shows what accuracy costs in time: well-known kernels and yours, side by side.
+    Cost(cost::Cost),
     /// For instructors: takes what the reference answers now as golden, after showing what that changes.
     Bless(bless::Bless),
     /// For instructors: carves the project that a student is given.
@@ -79,6 +82,7 @@ pub fn main() -> ExitCode {
 fn run(cli: Cli) -> Result<Verdict, GraderError> {
     match (cli.command, cli.grade) {
         (Some(Command::Bless(bless)), _) => bless.run(),
+        (Some(Command::Cost(cost)), _) => cost.run(),
         (Some(Command::Handout(handout)), _) => handout.run(),
         (Some(Command::Course(course)), _) => course.run(),
         (Some(Command::Mutants(mutants)), _) => mutants.run(),

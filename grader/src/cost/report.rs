@@ -209,7 +209,7 @@ pub struct Row {
 
 /// Nanoseconds, and how they compare. All kernels take turns, round by round; a spread is the distance between the
 /// quartiles of the rounds.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
     /// Median of the rounds.
     pub ns_median: f64,

@@ -16,10 +16,10 @@ use super::verdict::{Kernel, Miss, PerKernel};
 /// A slab's `t = (plane - o) · (1/d)` has three roundings, on either end of the interval; a
 /// conservative test (Ize, *Robust BVH Ray Traversal*, JCGT 2013) widens the far end by 2 ulp, which is 4
 /// more at most: 10 in all, rounded up.
-const SLACK: f64 = 16.0 * U;
+pub const SLACK: f64 = 16.0 * U;
 
 /// How far an end of the interval may be off, relative to it: 7 roundings and widenings, doubled.
-const END_ERROR: f64 = 16.0 * U;
+pub const END_ERROR: f64 = 16.0 * U;
 
 /// Positions up to here can be subtracted, and numbers up to here have a reciprocal that is not denormal: 2^1000.
 const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
@@ -33,7 +33,7 @@ pub struct BoxVerdict {
     /// or the box from outside with an end of its range.
     pub touches: bool,
     /// By how much the ray misses: the far end is this much less than the near end, relative to the larger of
-    /// the two. Negative where it hits; 0 where it touches; infinite where it misses by a mile.
+    /// the two. Negative where it hits; 0 where it touches; infinite where it runs beside.
     pub gap: f64,
     /// Whether "no hit" scores.
     pub miss_scores: PerKernel<bool>,
@@ -288,7 +288,10 @@ fn filter(near: &mut Vec<Cut>, far: &mut Vec<Cut>) -> Option<BoxVerdict> {
         (1e-290..1e290).contains(&size) && b - a > 10.0 * SLACK * size
     };
     if is_before(first, last) {
-        return Some(BoxVerdict::miss(Miss::Beside));
+        return Some(BoxVerdict {
+            gap: (last - first) / last.abs().max(first.abs()),
+            ..BoxVerdict::miss(Miss::Beside)
+        });
     }
     near.retain(|cut| !is_before(cut.t, last));
     far.retain(|cut| !is_before(first, cut.t));

@@ -114,6 +114,28 @@ pub fn sphere_point(verdict: &SphereVerdict, ray: &Ray, root: usize) -> Option<P
     })
 }
 
+/// How far `p` is off the plane of the triangle, which must have an area; infinite if `p` is not finite.
+pub fn off_plane(tri: &Triangle, p: Vec3) -> f64 {
+    if !p.is_finite() {
+        return f64::INFINITY;
+    }
+    let [p0, p1, p2, p] = Dyadic3::aligned([tri.p0, tri.p1, tri.p2, p]);
+    let normal = p1.minus(&p0).cross(&p2.minus(&p0));
+    p.minus(&p0).dot(&normal).to_f64().abs() / normal.to_f64().length()
+}
+
+/// How far `p` is off the sphere; infinite if `p` is not finite.
+pub fn off_sphere(s: &Sphere, p: Vec3) -> f64 {
+    if !p.is_finite() {
+        return f64::INFINITY;
+    }
+    let [center, radius, p] = Dyadic3::aligned([s.center, Vec3::splat(s.radius), p]);
+    let from_center = p.minus(&center);
+    // |f| - r, without cancelling.
+    let difference = &from_center.dot(&from_center) - &radius.get(0).square();
+    difference.to_f64().abs() / (from_center.to_f64().length() + s.radius)
+}
+
 /// The normal at a root of the sphere (0 near, 1 far): from the centre to the hit point, at unit length.
 pub fn sphere_normal(
     verdict: &SphereVerdict,
@@ -123,4 +145,24 @@ pub fn sphere_normal(
 ) -> Option<NormalTruth> {
     let at = sphere_point(verdict, ray, root)?;
     Some(NormalTruth::along(at.p - s.center, at.tolerance))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_as_far_off_as_they_are() {
+        let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
+        let p = Vec3::new(0.1, 0.7, 1e-30);
+        assert_eq!(off_plane(&tri, p), 1e-30);
+        let s = Sphere {
+            center: Vec3::new(1.0, 2.0, 3.0),
+            radius: 5.0,
+        };
+        assert_eq!(off_sphere(&s, Vec3::new(4.0, 6.0, 3.0)), 0.0);
+        let off = off_sphere(&s, Vec3::new(1.0, 2.0, 8.0 + 1e-15));
+        assert!((off / (8.0 + 1e-15 - 8.0) - 1.0).abs() < 1e-12);
+        assert_eq!(off_sphere(&s, Vec3::NAN), f64::INFINITY);
+    }
 }

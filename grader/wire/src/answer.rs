@@ -80,6 +80,8 @@ pub enum Answer {
     Traverse(Vec<TraverseAnswer>),
     /// To [`crate::Work::Timing`].
     Timing(TimingAnswer),
+    /// To [`crate::Work::TimeTest`]: seconds of each round.
+    TestTimes(Vec<f64>),
 }
 
 /// What `raytrace_pixel` did with one pixel.

@@ -82,6 +82,8 @@ pub enum Work {
     },
     /// Time the student's tree against the student's brute force.
     Timing(TimingWork),
+    /// Time one test of the student's.
+    TimeTest(TestTiming),
 }
 
 /// A ray as its four fields.
@@ -237,4 +239,30 @@ pub struct TimingWork {
     pub brute_force_rays: u32,
     /// How often brute force and tree take turns.
     pub rounds: u32,
+}
+
+/// One test to time, over and over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TestTiming {
+    /// What rays are tested against.
+    pub shapes: Shapes,
+    /// Each is tested against the next `per_ray` of the shapes.
+    pub rays: Vec<Ray>,
+    /// How many shapes belong to a ray.
+    pub per_ray: u32,
+    /// How often all rays are gone through between two looks at the clock.
+    pub passes: u32,
+    /// How often the clock is looked at.
+    pub rounds: u32,
+}
+
+/// Shapes of one kind.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Shapes {
+    /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`. For `test_triangle`.
+    Triangles(Vec<[Xyz; 6]>),
+    /// Centre and radius. For `test_sphere`.
+    Spheres(Vec<(Xyz, f64)>),
+    /// Corners `min` and `max`. For `intersect_bbox`.
+    Boxes(Vec<[Xyz; 2]>),
 }

@@ -17,5 +17,7 @@ mod meshes;
 #[cfg(feature = "raygen")]
 mod raygen;
 pub mod run;
+#[cfg(any(feature = "intersect", feature = "bbox"))]
+mod timed;
 
 pub use run::run;

@@ -1,6 +1,9 @@
 //! From a case to its record.
 
 use crate::isolate;
+#[cfg(any(feature = "intersect", feature = "bbox"))]
+use crate::timed;
+use wire::work::Shapes;
 use wire::{Answer, Case, Record, Work};
 
 /// Runs case number `index` on the linked stages.
@@ -70,6 +73,19 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
         Work::Traverse(world) => Ok(Answer::Traverse(crate::bvh::traverse(world))),
         #[cfg(not(feature = "bvh"))]
         Work::Build { .. } | Work::Traverse(_) => not_linked("bvh"),
+
+        Work::TimeTest(timing) => match &timing.shapes {
+            #[cfg(feature = "intersect")]
+            Shapes::Triangles(triangles) => Ok(timed::triangles(triangles, timing)),
+            #[cfg(feature = "intersect")]
+            Shapes::Spheres(spheres) => Ok(timed::spheres(spheres, timing)),
+            #[cfg(not(feature = "intersect"))]
+            Shapes::Triangles(_) | Shapes::Spheres(_) => not_linked("intersect"),
+            #[cfg(feature = "bbox")]
+            Shapes::Boxes(boxes) => Ok(timed::boxes(boxes, timing)),
+            #[cfg(not(feature = "bbox"))]
+            Shapes::Boxes(_) => not_linked("bbox"),
+        },
 
         #[cfg(feature = "meshes")]
         Work::SceneHits {

@@ -1,0 +1,123 @@
+// BEGIN SOLUTION(part1.task3)
+//! Exact sums and products: numbers as unevaluated sums of floats.
+//!
+//! J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete &
+//! Computational Geometry 18, 1997. Exact as long as nothing overflows or underflows.
+
+use crate::real::Real;
+
+/// `a + b = sum + error`, exactly (Knuth's TwoSum).
+#[inline(always)]
+pub fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
+    let sum = a + b;
+    let b_in_sum = sum - a;
+    let a_in_sum = sum - b_in_sum;
+    (sum, (a - a_in_sum) + (b - b_in_sum))
+}
+
+/// `a · b = product + error`, exactly.
+#[inline(always)]
+pub fn two_product<R: Real>(a: R, b: R) -> (R, R) {
+    let product = a * b;
+    (product, a.mul_add(b, -product))
+}
+
+/// `a·b - c·d`, off by at most 1.5 ulp: so its sign is right.
+///
+/// Kahan's algorithm; the bound is in Jeannerod, Louvet, Muller, "Further analysis of Kahan's algorithm for the
+/// accurate computation of 2x2 determinants", Math. Comp. 82, 2013.
+#[inline(always)]
+pub fn difference_of_products<R: Real>(a: R, b: R, c: R, d: R) -> R {
+    let (cd, error) = two_product(c, d);
+    a.mul_add(b, -cd) - error
+}
+
+/// An exact number: the sum of its parts, which do not overlap, the smallest first.
+#[derive(Clone, Debug)]
+pub struct Expansion<R>(Vec<R>);
+
+impl<R: Real> Expansion<R> {
+    /// `a - b`.
+    pub fn difference(a: R, b: R) -> Expansion<R> {
+        let (sum, error) = two_sum(a, -b);
+        Expansion(vec![error, sum])
+    }
+
+    /// This and another number, added up part by part (Shewchuk's Grow-Expansion).
+    #[must_use]
+    pub fn plus(mut self, other: &Expansion<R>) -> Expansion<R> {
+        for part in &other.0 {
+            let mut carried = *part;
+            for own in &mut self.0 {
+                (carried, *own) = two_sum(carried, *own);
+            }
+            self.0.push(carried);
+        }
+        self.without_zeros()
+    }
+
+    /// This number times `factor` (Shewchuk's Scale-Expansion, by way of sums).
+    #[must_use]
+    pub fn scaled(&self, factor: R) -> Expansion<R> {
+        let mut scaled = Expansion(Vec::new());
+        for part in &self.0 {
+            let (product, error) = two_product(*part, factor);
+            scaled = scaled.plus(&Expansion(vec![error, product]));
+        }
+        scaled
+    }
+
+    /// This number times another.
+    #[must_use]
+    pub fn times(&self, other: &Expansion<R>) -> Expansion<R> {
+        let scaled = other.0.iter().map(|part| self.scaled(*part));
+        scaled.fold(Expansion(Vec::new()), |sum, scaled| sum.plus(&scaled))
+    }
+
+    /// The nearest float, or its neighbour; the sign is right.
+    pub fn value(&self) -> R {
+        let parts = self.0.iter();
+        parts.fold(R::of(0.0), |sum, part| sum + *part)
+    }
+
+    fn without_zeros(mut self) -> Expansion<R> {
+        self.0.retain(|part| part.wide() != 0.0);
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_rounding_loses_is_kept() {
+        let big = 2.0_f64.powi(60);
+        let one = Expansion::difference(big + 512.0, big);
+        // (2^60 + 512)(1 + 2^-30) - 2^60 = 2^30 + 512 + 2^-21.
+        let product = one
+            .plus(&Expansion::difference(big, 0.0))
+            .scaled(1.0 + 2.0_f64.powi(-30));
+        let rest = product.plus(&Expansion::difference(-big, 2.0_f64.powi(30)));
+        assert_eq!(rest.value(), 512.0 + 2.0_f64.powi(-21));
+    }
+
+    #[test]
+    fn a_determinant_that_cancels_has_its_sign() {
+        let a = 1.0 + f64::EPSILON;
+        // a² - (1 + 2ε) · 1 = ε².
+        assert_eq!(a * a - (1.0 + 2.0 * f64::EPSILON), 0.0);
+        let exact = difference_of_products(a, a, 1.0 + 2.0 * f64::EPSILON, 1.0);
+        assert_eq!(exact, f64::EPSILON * f64::EPSILON);
+    }
+
+    #[test]
+    fn products_of_differences_are_exact() {
+        let a = Expansion::difference(0.1, 0.3);
+        let b = Expansion::difference(1e17, 0.7);
+        let minus = |x: &Expansion<f64>| x.scaled(-1.0);
+        let zero = a.times(&b).plus(&minus(&b.times(&a)));
+        assert_eq!(zero.value(), 0.0);
+    }
+}
+// END SOLUTION(part1.task3)

@@ -1,0 +1,192 @@
+//! The report for people.
+
+use super::report::{Accuracy, Family, RayFamily, Report, Row, Timing};
+use comfy_table::{Cell, CellAlignment, Table, presets};
+use std::fmt::Write;
+
+/// The whole report as text.
+pub fn show(report: &Report) -> String {
+    let machine = &report.machine;
+    let mut text = String::new();
+    let _ = writeln!(
+        text,
+        "{}, {} threads (one is used), {}, built for {}\nseed {}{}",
+        machine.cpu,
+        machine.cores,
+        machine.rustc,
+        machine.target_features.join(" "),
+        report.seed,
+        if report.quick {
+            "; --quick: few rays, times are rough"
+        } else {
+            ""
+        },
+    );
+    for family in &report.families {
+        let _ = writeln!(text, "\n{}", times(family));
+        let _ = writeln!(text, "{}", decisions(family));
+        let _ = writeln!(text, "{}", bits(family));
+        if let Some(missing) = &family.student_missing {
+            let _ = writeln!(text, "No row of your own: {missing}.");
+        }
+        for column in &family.columns {
+            let _ = writeln!(text, "  {}: {}", column.family.name(), column.about);
+        }
+    }
+    text.push_str(LEGEND);
+    text
+}
+
+/// What the numbers are.
+const LEGEND: &str = "\n\
+Time is that of decision, t and hit point, by turns; ± is the distance between the quartiles; ~ is within the noise.\n\
+Wrong: false hits + false misses in a million rays, where a robust kernel in f64 would be sure. Kernels in f32 are\n\
+judged on rounded inputs. Leaks: of a million rays from inside closed meshes at their edges, those that get out.\n\
+Bits: leading bits of t that are right on half of the rays, and on all but one in a thousand. * is your own code.\n";
+
+/// Names, times, operations, leaks and what is off on ordinary rays.
+fn times(family: &Family) -> Table {
+    let has_leaks = family
+        .rows
+        .iter()
+        .any(|row| row.leaks_per_million.is_some());
+    let has_surface = family.rows.iter().any(|row| ordinary_off(row).is_some());
+    let mut header = vec![family.shape.name(), "ns", "of textbook's", "operations"];
+    if has_leaks {
+        header.push("leaks");
+    }
+    header.push("t off by ulp:\n50 %, 99.9 %, max");
+    if has_surface {
+        header.push("off surface:\nulp, 99.9 %");
+    }
+    let mut table = narrow(header);
+    for row in &family.rows {
+        let mut cells = vec![
+            name(row),
+            number(nanoseconds(&row.time)),
+            number(ratio(&row.time)),
+            number(row.operations.map_or(String::new(), |o| figures(o.total()))),
+        ];
+        if has_leaks {
+            cells.push(number(row.leaks_per_million.map_or(String::new(), count)));
+        }
+        let t = row.by_ray_family.first().and_then(|accuracy| accuracy.t);
+        cells.push(number(t.map_or(String::new(), |t| {
+            let [p50, p999, max] = [t.ulp.p50, t.ulp.p999, t.ulp.max].map(figures);
+            format!("{p50} {p999:>6} {max:>6}")
+        })));
+        if has_surface {
+            cells.push(number(ordinary_off(row).map_or(String::new(), figures)));
+        }
+        table.add_row(cells);
+    }
+    table
+}
+
+/// How far hit points of ordinary rays are off the surface.
+fn ordinary_off(row: &Row) -> Option<f64> {
+    let ordinary = row.by_ray_family.first()?;
+    Some(ordinary.off_surface?.ulp.p999)
+}
+
+/// A table with little room between its columns.
+fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Table {
+    let mut table = Table::new();
+    table
+        .load_style(presets::UTF8_BORDERS_ONLY)
+        .set_header(header.into_iter().map(Into::<Cell>::into));
+    for column in table.column_iter_mut() {
+        column.set_padding((1, 0));
+    }
+    if let Some(last) = table.column_iter_mut().last() {
+        last.set_padding((1, 1));
+    }
+    table
+}
+
+/// Wrong decisions, a family of rays a column.
+fn decisions(family: &Family) -> Table {
+    by_family(family, "wrong in a million", |accuracy| {
+        count(accuracy.false_hits_per_million + accuracy.false_misses_per_million)
+    })
+}
+
+/// Right digits, a family of rays a column.
+fn bits(family: &Family) -> Table {
+    by_family(family, "right bits of t", |accuracy| {
+        // Whole bits; the cast also makes -0 a 0.
+        let bits = |relative: f64| (-relative.log2()).clamp(0.0, 53.0) as u32;
+        accuracy.t.map_or(String::new(), |t| {
+            format!("{} {:2}", bits(t.relative.p50), bits(t.relative.p999))
+        })
+    })
+}
+
+fn by_family(family: &Family, what: &str, cell: impl Fn(&Accuracy) -> String) -> Table {
+    let columns = family.columns.iter();
+    let columns = columns.map(|column| short(column.family).to_string());
+    let corner = format!("{}: {what}", family.shape.name());
+    let mut table = narrow(std::iter::once(corner).chain(columns));
+    for row in &family.rows {
+        let cells = row
+            .by_ray_family
+            .iter()
+            .map(|accuracy| number(cell(accuracy)));
+        table.add_row(std::iter::once(name(row)).chain(cells));
+    }
+    table
+}
+
+/// A column's head, on two lines where there are two words.
+fn short(family: RayFamily) -> &'static str {
+    match family {
+        RayFamily::Ordinary => "ordi-\nnary",
+        RayFamily::FarOffset => "far\noffset",
+        RayFamily::TinyScale => "tiny\nscale",
+        RayFamily::HugeScale => "huge\nscale",
+        RayFamily::OnTheSurface => "on the\nsurface",
+        RayFamily::Grazing => "graz-\ning",
+        other => other.name(),
+    }
+}
+
+fn name(row: &Row) -> Cell {
+    let star = if row.student { "* " } else { "" };
+    Cell::new(format!("{star}{} {}", row.name, row.precision.name()))
+}
+
+fn number(text: String) -> Cell {
+    Cell::new(text).set_alignment(CellAlignment::Right)
+}
+
+fn nanoseconds(time: &Timing) -> String {
+    format!("{:.1} ±{:.1}", time.ns_median, time.ns_spread)
+}
+
+fn ratio(time: &Timing) -> String {
+    let about = if time.inside_noise { "~" } else { "" };
+    format!(
+        "{about}{:.2} ±{:.2}",
+        time.ratio_to_textbook, time.ratio_spread
+    )
+}
+
+/// A count in a million.
+fn count(per_million: f64) -> String {
+    if per_million == 0.0 {
+        "0".into()
+    } else {
+        figures(per_million)
+    }
+}
+
+/// Three figures at most; large numbers in powers of ten.
+fn figures(x: f64) -> String {
+    if x >= 1e6 {
+        format!("{x:.0e}")
+    } else if x >= 99.95 {
+        format!("{x:.0}")
+    } else {
+        format!("{x:.1}")
+    }
+}

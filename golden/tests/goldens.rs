@@ -10,7 +10,8 @@ use grader::workspace::Workspace;
 use grader::{picture, snapshot};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use wire::{Answer, Outcome};
+use wire::work::NodeKind;
+use wire::{Answer, Outcome, Work};
 
 #[test]
 fn part1_goldens_are_what_the_reference_answers() {
@@ -20,6 +21,55 @@ fn part1_goldens_are_what_the_reference_answers() {
 #[test]
 fn part2_goldens_are_what_the_reference_answers() {
     check("part2");
+}
+
+#[test]
+fn every_box_that_is_counted_is_a_visit() {
+    let specs = cases::all(0);
+    let spec = specs
+        .iter()
+        .find(|spec| spec.is("part2.task3", "mesh_in_cornell_box"));
+    let case = spec.expect("the case is there").case();
+    let Work::SceneHits {
+        scene,
+        max_leaf_size,
+        rays,
+        ..
+    } = case.work.clone()
+    else {
+        panic!("{case:?}")
+    };
+    let work = Work::Visits {
+        scene,
+        max_leaf_size,
+        rays,
+    };
+    let visits = match worker::run(
+        0,
+        &wire::Case {
+            work,
+            ..case.clone()
+        },
+    )
+    .outcome
+    {
+        Outcome::Answered(Answer::Visits(visits)) => visits,
+        // A handout: there is no tree to walk yet.
+        Outcome::NotAttempted { .. } => return,
+        outcome => panic!("{outcome:?}"),
+    };
+    let Outcome::Answered(Answer::Hits(hits)) = worker::run(0, &case).outcome else {
+        panic!("the case has an answer")
+    };
+    let count: usize = visits.rays.iter().map(Vec::len).sum();
+    assert_eq!(count as u64, hits.box_tests);
+    let tree = &visits.tree;
+    for (visits, hit) in visits.rays.iter().zip(&hits.hits) {
+        assert_eq!(visits[0].node, 0, "the root comes first");
+        // Who hits something has met the box of a leaf.
+        let is_leaf = |node: u32| matches!(tree.nodes[node as usize].kind, NodeKind::Leaf { .. });
+        assert!(hit.is_none() || visits.iter().any(|visit| visit.met && is_leaf(visit.node)));
+    }
 }
 
 fn check(part: &str) {

@@ -129,7 +129,8 @@ fn meaning(golden: &Path, new: &Path) -> Result<String, GraderError> {
     Ok(changes(&snapshot(golden)?, &snapshot(new)?).to_string())
 }
 
-fn snapshot(path: &Path) -> Result<Snapshot, GraderError> {
+/// Reads the snapshot `path`.
+pub(crate) fn snapshot(path: &Path) -> Result<Snapshot, GraderError> {
     parse(&read(path)?).map_err(|e| GraderError::file("understand", path, e))
 }
 

@@ -1,6 +1,7 @@
 //! Building the worker with the student's stages, and other programs of the workspace.
 
 use crate::error::GraderError;
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -11,9 +12,17 @@ use std::process::{Command, Stdio};
 pub enum Built {
     /// The program.
     Worker(PathBuf),
-    /// The code does not compile: the compiler's messages, which have been shown on stderr unless the build is
-    /// sealed.
-    DoesNotCompile(String),
+    /// Some of the code does not compile.
+    DoesNotCompile(Broken),
+}
+
+/// Code that does not compile.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Broken {
+    /// The crates that have errors. What depends on them was not tried.
+    pub crates: BTreeSet<String>,
+    /// The compiler's messages, which have been shown on stderr unless the build is sealed.
+    pub messages: String,
 }
 
 /// A build of the worker, in release.
@@ -21,7 +30,7 @@ pub enum Built {
 pub struct Build<'a> {
     /// The workspace's top folder.
     pub root: &'a Path,
-    /// Cargo features: the stages to link.
+    /// Cargo features: the stages to link, all of which are tried even where one does not compile.
     pub features: &'a [&'a str],
     /// Where cargo keeps what it builds, if not in the workspace.
     pub target: Option<&'a Path>,
@@ -36,13 +45,14 @@ impl Build<'_> {
         let show = !self.sealed;
         match follow(self.command(show && has_colours()), "worker", show)? {
             Ok(program) => keep_apart(program, self.features),
-            Err(messages) => Ok(Built::DoesNotCompile(messages)),
+            Err(broken) => Ok(Built::DoesNotCompile(broken)),
         }
     }
 
     fn command(&self, colours: bool) -> Command {
         let mut command = release_build(self.root, "worker", colours);
         command.args([
+            "--keep-going",
             "--no-default-features",
             "--features",
             &self.features.join(","),
@@ -62,7 +72,8 @@ impl Build<'_> {
 /// Builds the program of `package` as it stands in the workspace `root`, in release: the program, or the compiler's
 /// messages, which have been shown on stderr.
 pub fn program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
-    follow(release_build(root, package, has_colours()), package, true)
+    let followed = follow(release_build(root, package, has_colours()), package, true)?;
+    Ok(followed.map_err(|broken| broken.messages))
 }
 
 fn has_colours() -> bool {
@@ -92,7 +103,7 @@ fn follow(
     mut command: Command,
     package: &str,
     show: bool,
-) -> Result<Result<PathBuf, String>, GraderError> {
+) -> Result<Result<PathBuf, Broken>, GraderError> {
     let mut child = command.spawn().map_err(|e| {
         GraderError::new(format!(
             "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
@@ -108,21 +119,21 @@ fn follow(
         .take()
         .ok_or_else(|| GraderError::new("cargo has no output"))?;
     let mut program = None;
-    let mut errors = String::new();
+    let mut broken = Broken::default();
     for line in BufReader::new(stdout).lines() {
         let line =
             line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
         match Message::read(&line) {
             Some(Message::Program(path)) => program = Some(path),
-            Some(Message::Diagnostic { is_error, text }) => {
+            Some(Message::Warning(text)) if show => eprint!("{text}"),
+            Some(Message::Warning(_)) | None => {}
+            Some(Message::Error { text, of_crate }) => {
                 if show {
                     eprint!("{text}");
                 }
-                if is_error {
-                    errors.push_str(&text);
-                }
+                broken.messages.push_str(&text);
+                broken.crates.insert(of_crate);
             }
-            None => {}
         }
     }
     let status = child
@@ -131,7 +142,7 @@ fn follow(
     let said = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
     match program {
         Some(program) if status.success() => Ok(Ok(program)),
-        _ if !errors.is_empty() => Ok(Err(errors)),
+        _ if !broken.messages.is_empty() => Ok(Err(broken)),
         // Nothing that the code could be blamed for: a library that is not there, a broken manifest.
         _ => Err(GraderError::new(format!(
             "cargo could not build the package {package} in {} ({status}). {}",
@@ -148,8 +159,10 @@ fn follow(
 enum Message {
     /// A program was built, or was there already.
     Program(PathBuf),
-    /// The compiler said something.
-    Diagnostic { is_error: bool, text: String },
+    /// The compiler is not content.
+    Warning(String),
+    /// The compiler gave up on a crate.
+    Error { text: String, of_crate: String },
 }
 
 impl Message {
@@ -160,10 +173,12 @@ impl Message {
         }
         let diagnostic = message.get("message")?;
         let level = diagnostic.get("level")?.as_str()?;
-        Some(Message::Diagnostic {
-            is_error: level.starts_with("error"),
-            text: diagnostic.get("rendered")?.as_str()?.to_string(),
-        })
+        let text = diagnostic.get("rendered")?.as_str()?.to_string();
+        if !level.starts_with("error") {
+            return Some(Message::Warning(text));
+        }
+        let of_crate = message.get("target")?.get("name")?.as_str()?.to_string();
+        Some(Message::Error { text, of_crate })
     }
 }
 

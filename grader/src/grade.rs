@@ -1,8 +1,8 @@
 //! A whole run: build the worker, run the cases, judge, add up.
 
 use crate::cases::{self, Spec};
-use crate::compile::{Build, Built};
-use crate::course::{Course, Task, Tier};
+use crate::course::{Course, Task};
+use crate::crew::Crew;
 use crate::diagnosis;
 use crate::error::GraderError;
 use crate::judge;
@@ -10,11 +10,11 @@ use crate::paste;
 use crate::runner::Ending;
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::signature::Signature;
-use crate::speedup::{self, Speedups};
+use crate::speedup;
 use crate::workers::Workers;
 use crate::workspace::Workspace;
 use std::path::Path;
-use wire::Outcome;
+use wire::{Answer, Outcome};
 
 /// What to grade.
 #[derive(Clone, Debug)]
@@ -43,13 +43,13 @@ pub struct Site<'a> {
     pub root: &'a Path,
     /// Where cargo keeps what it builds, if not there.
     pub target: Option<&'a Path>,
-    /// As [`Build::sealed`].
+    /// As [`crate::compile::Build::sealed`].
     pub sealed: bool,
 }
 
 impl Site<'_> {
     /// The workspace itself.
-    fn of(workspace: &Workspace) -> Site<'_> {
+    pub fn of(workspace: &Workspace) -> Site<'_> {
         Site {
             root: workspace.root(),
             target: None,
@@ -58,20 +58,18 @@ impl Site<'_> {
     }
 }
 
-/// Grades the code in `workspace` in place.
-pub fn in_place(workspace: &Workspace, order: &Order) -> Result<Graded, GraderError> {
+/// Grades the code in `workspace` in place, and with `times` times it if it is about trees.
+pub fn in_place(workspace: &Workspace, order: &Order, times: bool) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&order.what)?;
-    at(workspace, &course, &tasks, order.seed, &Site::of(workspace))
-}
-
-/// Times the code in `workspace` in place; `None` if `what` is not about trees.
-pub fn times(workspace: &Workspace, what: &str) -> Result<Option<Speedups>, GraderError> {
-    let course = Course::read(workspace)?;
-    if !speedup::belongs_to(&course.select(what)?) {
-        return Ok(None);
+    let specs = cases::all(order.seed);
+    let times = times && speedup::belongs_to(&tasks);
+    let crew = crew(&Site::of(workspace), &tasks, &specs, times)?;
+    let mut graded = by(&crew, workspace, &course, &tasks, &specs)?;
+    if times {
+        graded.report.speedups = Some(speedup::measure(&course, &crew.together)?);
     }
-    speedup::measure(&course, &Site::of(workspace)).map(Some)
+    Ok(graded)
 }
 
 /// Grades `tasks` with the code that stands at `site`.
@@ -83,33 +81,49 @@ pub fn at(
     site: &Site,
 ) -> Result<Graded, GraderError> {
     let specs = cases::all(seed);
-    let mut results = Vec::new();
-    let mut printed = String::new();
-    let mut compiler = String::new();
+    let crew = crew(site, tasks, &specs, false)?;
+    by(&crew, workspace, course, tasks, &specs)
+}
+
+/// The workers for `tasks`; for whole scenes, too, if a case needs it or `together` says so.
+pub fn crew(
+    site: &Site,
+    tasks: &[&Task],
+    specs: &[Spec],
+    together: bool,
+) -> Result<Crew, GraderError> {
+    let together = together
+        || chosen(tasks, specs)?
+            .iter()
+            .any(|spec| spec.needs_neighbours());
+    Crew::build(site, &stages(tasks), together)
+}
+
+/// The stages that `tasks` are written in, each once.
+pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
     let mut stages: Vec<&str> = tasks.iter().map(|task| task.stage.as_str()).collect();
     stages.sort_unstable();
     stages.dedup();
-    for stage in stages {
-        let tasks: Vec<&Task> = tasks
-            .iter()
-            .copied()
-            .filter(|task| task.stage == stage)
-            .collect();
-        let build = Build {
-            root: site.root,
-            features: &[stage],
-            target: site.target,
-            sealed: site.sealed,
-        };
-        match build.run()? {
-            Built::DoesNotCompile(messages) => {
-                compiler.push_str(&messages);
-                results.extend(tasks.iter().map(|task| does_not_compile(task)));
-            }
-            Built::Worker(program) => {
-                let chosen = chosen(&tasks, &specs)?;
-                let workers = Workers::new(program.into(), site, &chosen)?;
-                let graded = grade_tasks(course, &tasks, &specs, &workers, &mut printed)?;
+    stages
+}
+
+/// Grades `tasks` by what `crew` answers.
+fn by(
+    crew: &Crew,
+    workspace: &Workspace,
+    course: &Course,
+    tasks: &[&Task],
+    specs: &[Spec],
+) -> Result<Graded, GraderError> {
+    let mut results = Vec::new();
+    let mut printed = String::new();
+    for stage in stages(tasks) {
+        let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
+        let of_stage: Vec<&Task> = of_stage.collect();
+        match crew.workers(stage) {
+            None => results.extend(of_stage.into_iter().map(does_not_compile)),
+            Some(workers) => {
+                let graded = grade_tasks(course, &of_stage, specs, &workers, &mut printed)?;
                 results.extend(graded);
             }
         }
@@ -117,18 +131,18 @@ pub fn at(
     results.sort_by(|a, b| a.key.cmp(&b.key));
     for result in &mut results {
         let known = diagnosis::known(workspace, &result.key)?;
-        result.worst_as_test = paste::worst(&result.cases, &specs, &result.key);
+        result.worst_as_test = paste::worst(&result.cases, specs, &result.key);
         result.diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
     }
     Ok(Graded {
         report: Report::new(results),
         printed,
-        compiler,
+        compiler: crew.compiler.clone(),
     })
 }
 
 /// The cases that `course.toml` lists for `tasks`, in its order.
-fn chosen<'a>(tasks: &[&Task], specs: &'a [Spec]) -> Result<Vec<&'a Spec>, GraderError> {
+pub(crate) fn chosen<'a>(tasks: &[&Task], specs: &'a [Spec]) -> Result<Vec<&'a Spec>, GraderError> {
     let listed = tasks
         .iter()
         .flat_map(|task| task.cases.iter().map(|entry| (&task.key, &entry.name)));
@@ -162,15 +176,9 @@ pub fn grade_tasks(
             let (spec, ending) = endings
                 .next()
                 .ok_or_else(|| GraderError::new("the worker lost a case"))?;
-            let (status, findings) = match ending {
-                Err(broken) => {
-                    let needs = format!("{broken}, which does not compile");
-                    (Status::Needs(needs), Vec::new())
-                }
-                Ok(ending) => match status_without_answer(&task.key, ending, course)? {
-                    Some(status) => (status, Vec::new()),
-                    None => (Status::Passed, judged(spec, entry.tier, ending)),
-                },
+            let (status, findings) = match answered(&task.key, ending, course)? {
+                Err(status) => (status, Vec::new()),
+                Ok(answer) => (Status::Passed, judge::judge(spec, entry.tier, answer)),
             };
             case_results.push(CaseResult::new(entry, spec.about, status, findings));
         }
@@ -179,11 +187,25 @@ pub fn grade_tasks(
     Ok(results)
 }
 
-fn judged(spec: &Spec, tier: Tier, ending: &Ending) -> Vec<judge::tally::Finding> {
-    match ending.outcome() {
-        Some(Outcome::Answered(answer)) => judge::judge(spec, tier, answer),
-        _ => Vec::new(),
-    }
+/// The answer of a case of `task`, or how the case stands without one. A case that could not run at all names the
+/// stages for want of which.
+pub(crate) fn answered<'a>(
+    task: &str,
+    ending: &'a Result<Ending, String>,
+    course: &Course,
+) -> Result<Result<&'a Answer, Status>, GraderError> {
+    let ending = match ending {
+        Ok(ending) => ending,
+        Err(broken) => {
+            let needs = format!("{broken}, which does not compile");
+            return Ok(Err(Status::Needs(needs)));
+        }
+    };
+    let without = status_without_answer(task, ending, course)?;
+    Ok(match (without, ending.outcome()) {
+        (None, Some(Outcome::Answered(answer))) => Ok(answer),
+        (status, _) => Err(status.unwrap_or(Status::Failed)),
+    })
 }
 
 fn does_not_compile(task: &Task) -> TaskResult {

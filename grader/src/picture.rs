@@ -77,12 +77,17 @@ fn tone(colour: [f64; 3]) -> Rgb<u8> {
     }))
 }
 
-/// Writes a PNG whole or not at all.
-pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), GraderError> {
+/// The bytes of a PNG.
+pub fn encode_png(picture: &RgbImage) -> Result<Vec<u8>, GraderError> {
     let mut bytes = Cursor::new(Vec::new());
     let encoded = picture.write_to(&mut bytes, image::ImageFormat::Png);
-    encoded.map_err(|e| GraderError::file("encode", path, e))?;
-    write_whole(path, bytes.get_ref())
+    encoded.map_err(|e| GraderError::new(format!("cannot encode a picture: {e}")))?;
+    Ok(bytes.into_inner())
+}
+
+/// Writes a PNG whole or not at all.
+pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), GraderError> {
+    write_whole(path, &encode_png(picture)?)
 }
 
 /// Reads a PNG.

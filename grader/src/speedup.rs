@@ -6,9 +6,7 @@
 use crate::cases::recorded::{self, RayWork};
 use crate::course::{Course, Task};
 use crate::error::GraderError;
-use crate::grade::Site;
-use crate::runner::{self, Ending};
-use crate::workers;
+use crate::runner::{self, Ending, Worker};
 use kit::Vec3;
 use serde::Serialize;
 use wire::answer::TimingAnswer;
@@ -97,10 +95,10 @@ pub fn belongs_to(tasks: &[&Task]) -> bool {
         .all(|key| tasks.iter().any(|task| task.key == *key))
 }
 
-/// Times the code that stands at `site`.
-pub fn measure(course: &Course, site: &Site) -> Result<Speedups, GraderError> {
+/// Times the code in `worker`; or says which stages there is none for.
+pub fn measure(course: &Course, worker: &Result<Worker, String>) -> Result<Speedups, GraderError> {
     let mut speedups = Speedups::default();
-    let worker = match workers::all_stages(site)? {
+    let worker = match worker {
         Ok(worker) => worker,
         Err(broken) => {
             speedups.missing = Some(format!("it needs {broken}, which does not compile"));
@@ -115,7 +113,7 @@ pub fn measure(course: &Course, site: &Site) -> Result<Speedups, GraderError> {
         .iter()
         .map(|&(mesh, size)| case(mesh, size))
         .collect();
-    let run = runner::run(&worker, &cases)?;
+    let run = runner::run(worker, &cases)?;
     for ((mesh, size), ending) in orders.into_iter().zip(&run.endings) {
         match ending.outcome() {
             Some(Outcome::Answered(Answer::Timing(times))) => {

@@ -2,9 +2,7 @@
 //! through whole scenes in one with every stage that hits something.
 
 use crate::cases::Spec;
-use crate::compile::{Build, Built};
 use crate::error::GraderError;
-use crate::grade::Site;
 use crate::runner::{self, Ending, Worker};
 
 /// The workers of a stage.
@@ -16,23 +14,7 @@ pub struct Workers {
     pub together: Result<Worker, String>,
 }
 
-/// The cargo feature of the worker that rays go through whole scenes in.
-const TOGETHER: &str = "meshes";
-
-/// The stages that it has.
-const HITTING_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
-
 impl Workers {
-    /// The stage's own worker, and the one for all stages if one of `specs` needs it.
-    pub fn new(own: Worker, site: &Site, specs: &[&Spec]) -> Result<Workers, GraderError> {
-        let together = if specs.iter().any(|spec| spec.needs_neighbours()) {
-            all_stages(site)?
-        } else {
-            Ok(own.clone())
-        };
-        Ok(Workers { own, together })
-    }
-
     /// Runs each case in its worker: its ending, or the stages for want of which it could not run. Adds what the
     /// code printed to `printed`.
     pub fn run(
@@ -63,27 +45,4 @@ impl Workers {
         })
         .collect()
     }
-}
-
-/// The worker with every stage that hits something; or the names of those that do not compile.
-pub(crate) fn all_stages(site: &Site) -> Result<Result<Worker, String>, GraderError> {
-    let build = |feature: &str| {
-        Build {
-            root: site.root,
-            features: &[feature],
-            target: site.target,
-            sealed: site.sealed,
-        }
-        .run()
-    };
-    if let Built::Worker(program) = build(TOGETHER)? {
-        return Ok(Ok(program.into()));
-    }
-    let mut broken = Vec::new();
-    for stage in HITTING_STAGES {
-        if let Built::DoesNotCompile(_) = build(stage)? {
-            broken.push(format!("`{stage}`"));
-        }
-    }
-    Ok(Err(broken.join(" and ")))
 }

@@ -37,7 +37,8 @@ pub fn find(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<Strin
     complaints
 }
 
-fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
+/// The golden that the case `spec` lacks, if it lacks one, in a sentence.
+pub(crate) fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
     let snapshot = workspace.snapshot(spec.task, spec.name);
     let picture = workspace.golden_picture(spec.task, spec.name);
     let missing = if spec.picture.is_some() && !picture.is_file() {

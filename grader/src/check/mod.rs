@@ -42,7 +42,7 @@ pub fn course(
         what: "all".into(),
         seed: 0,
     };
-    let graded = grade::in_place(workspace, &everything)?;
+    let graded = grade::in_place(workspace, &everything, false)?;
     complaints.extend(of_reference(&course, &graded.report));
     for (part, handout) in &handouts {
         let found = build::find(workspace, &course, part.number, handout, &mut progress)?;

@@ -39,10 +39,7 @@ impl Grade {
         if let Some(verdict) = submission.run(&workspace, &order, self.format, self.hint)? {
             return Ok(verdict);
         }
-        let mut graded = grade::in_place(&workspace, &order)?;
-        if !self.no_times {
-            graded.report.speedups = grade::times(&workspace, &self.what)?;
-        }
+        let graded = grade::in_place(&workspace, &order, !self.no_times)?;
         let json = report::json(&graded.report)?;
         report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
         match self.format {

@@ -8,6 +8,7 @@ mod course;
 mod grade;
 mod handout;
 mod mutants;
+mod review;
 mod submission;
 
 use crate::error::GraderError;
@@ -39,6 +40,8 @@ enum Command {
     Cost(cost::Cost),
     /// For instructors: takes what the reference answers now as golden, after showing what that changes.
     Bless(bless::Bless),
+    /// For reviewers: writes a page with every difference between the goldens and what the code answers now.
+    Review(review::Review),
     /// For instructors: carves the project that a student is given.
     Handout(handout::Arguments),
     /// For instructors: looks after the course itself.
@@ -83,6 +86,7 @@ fn run(cli: Cli) -> Result<Verdict, GraderError> {
     match (cli.command, cli.grade) {
         (Some(Command::Bless(bless)), _) => bless.run(),
         (Some(Command::Cost(cost)), _) => cost.run(),
+        (Some(Command::Review(review)), _) => review.run(),
         (Some(Command::Handout(handout)), _) => handout.run(),
         (Some(Command::Course(course)), _) => course.run(),
         (Some(Command::Mutants(mutants)), _) => mutants.run(),

@@ -10,7 +10,7 @@ pub mod errors;
 pub mod expected;
 mod hits;
 mod pixels;
-mod scene;
+pub(crate) mod scene;
 mod shapes;
 pub mod tally;
 mod traverse;

@@ -46,7 +46,7 @@ pub(super) fn hits(
 }
 
 /// The scene that the worker makes, too.
-fn load(source: &SceneSource) -> Scene {
+pub(crate) fn load(source: &SceneSource) -> Scene {
     let mesh = |name: &str, triangles: u32| {
         let kind: Result<MeshKind, _> = name.parse();
         generate(

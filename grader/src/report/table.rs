@@ -170,7 +170,8 @@ fn waiting(task: &TaskResult) -> Option<String> {
         .map(|other| format!("{count} {verb} {other}"))
 }
 
-fn describe(status: &Status) -> String {
+/// A status for people.
+pub fn describe(status: &Status) -> String {
     match status {
         Status::Passed => "passed".into(),
         Status::Failed => "failed".into(),

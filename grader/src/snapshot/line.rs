@@ -13,8 +13,8 @@ pub struct Line {
     pub answer: Vec<(String, Value)>,
 }
 
-/// A value: numbers and how they are bracketed.
-#[derive(Clone, Debug, PartialEq)]
+/// A value: numbers and how they are bracketed. Two are equal if they have the same bits, so NaN equals itself.
+#[derive(Clone, Debug)]
 pub enum Value {
     /// One number.
     Number(f64),
@@ -50,6 +50,16 @@ impl Line {
     }
 }
 
+impl PartialEq for Value {
+    fn eq(&self, other: &Value) -> bool {
+        let bits = |value: &Value| -> Vec<u64> {
+            let numbers = value.numbers().into_iter();
+            numbers.map(f64::to_bits).collect()
+        };
+        std::mem::discriminant(self) == std::mem::discriminant(other) && bits(self) == bits(other)
+    }
+}
+
 impl Value {
     /// Its numbers.
     pub fn numbers(&self) -> Vec<f64> {
@@ -78,6 +88,17 @@ impl fmt::Display for Value {
 fn shortest(number: f64) -> String {
     let text = format!("{number:?}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_string)
+}
+
+impl Line {
+    /// The question as it is written.
+    pub fn asked(&self) -> String {
+        let fields = self.question.iter();
+        let fields: Vec<String> = fields
+            .map(|(name, value)| format!("{name}={value}"))
+            .collect();
+        fields.join(" ")
+    }
 }
 
 impl fmt::Display for Line {

@@ -4,7 +4,7 @@
 //! `(x,y,z)` or a range `[a,b]`. Floats are written shortest so that they read back bit for bit. Every line has
 //! the answer's main figures; evenly spread ones, [`FULL_LINES`] a case, have the question and the whole record.
 //!
-//! [`write()`] makes the text, [`parse`] reads it (and insta's header before it), [`changes`] says in words what
+//! [`write()`] makes the text ([`full`] all that it could say), [`parse`] reads it (and insta's header before it), [`changes`] says in words what
 //! changed between two.
 
 mod diff;
@@ -15,4 +15,5 @@ mod write;
 pub use diff::{Changes, changes};
 pub use line::{Line, Value};
 pub use parse::{ParseError, Snapshot, parse};
-pub use write::{FULL_LINES, write};
+pub use write::{FULL_LINES, full, write};
+pub(crate) use write::{Fields, record};

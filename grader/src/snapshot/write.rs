@@ -1,6 +1,7 @@
 //! Writing a snapshot.
 
 use super::line::{Line, Value};
+use super::parse::Snapshot;
 use wire::answer::{Hit, HitsAnswer, TraverseAnswer};
 use wire::work::Ray;
 use wire::{Answer, Work};
@@ -36,7 +37,22 @@ pub fn write(work: &Work, answer: &Answer) -> Option<String> {
     Some(text)
 }
 
-type Fields = Vec<(String, Value)>;
+/// What a snapshot of `answer` to `work` would say if every line had its question and the whole record.
+pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
+    let (totals, lines) = content(work, answer)?;
+    let lines = (0..).zip(lines);
+    Some(Snapshot {
+        totals: Line {
+            answer: totals,
+            ..Line::default()
+        },
+        lines: lines
+            .map(|(call, (_, full))| Line { call, ..full })
+            .collect(),
+    })
+}
+
+pub(crate) type Fields = Vec<(String, Value)>;
 
 /// The short and the full form of a line.
 type Forms = (Line, Line);
@@ -174,15 +190,20 @@ fn hit_forms(shape: Option<u32>, ray: &Ray, hit: Option<&Hit>) -> Forms {
     let Some(hit) = hit else {
         return forms(question(shape, ray), Vec::new(), Vec::new());
     };
-    let short = vec![number("t", hit.t), number("prim", f64::from(hit.prim))];
-    let mut full = short.clone();
-    full.extend([
+    let full = record(hit);
+    forms(question(shape, ray), full[..2].to_vec(), full)
+}
+
+/// The fields of a hit; the first two are its main figures.
+pub(crate) fn record(hit: &Hit) -> Fields {
+    vec![
+        number("t", hit.t),
+        number("prim", f64::from(hit.prim)),
         field("uv", vector(&hit.uv)),
         field("p", vector(&hit.p)),
         field("n", vector(&hit.n)),
         field("ng", vector(&hit.ng)),
-    ]);
-    forms(question(shape, ray), short, full)
+    ]
 }
 
 fn traverse_forms(ray: &Ray, answer: &TraverseAnswer) -> Forms {

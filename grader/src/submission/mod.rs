@@ -54,9 +54,6 @@ impl Judgement {
     ) -> Result<Judgement, GraderError> {
         let course = Course::read(workspace)?;
         let tasks = course.select(&order.what)?;
-        let mut stages: Vec<&str> = tasks.iter().map(|task| task.stage.as_str()).collect();
-        stages.sort_unstable();
-        stages.dedup();
         let mut judgement = Judgement {
             report: Report::new(Vec::new()),
             together: None,
@@ -73,7 +70,7 @@ impl Judgement {
         let mut lost = Vec::new();
         let mut results = Vec::new();
         let mut sound = Vec::new();
-        for stage in stages {
+        for stage in grade::stages(&tasks) {
             let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
             let Some(sources) = submission.stages.get(stage) else {
                 judgement.missing.push(stage.to_string());

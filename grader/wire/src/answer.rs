@@ -82,6 +82,8 @@ pub enum Answer {
     Timing(TimingAnswer),
     /// To [`crate::Work::TimeTest`]: seconds of each round.
     TestTimes(Vec<f64>),
+    /// To [`crate::Work::Visits`].
+    Visits(VisitsAnswer),
 }
 
 /// What `raytrace_pixel` did with one pixel.
@@ -200,4 +202,22 @@ pub struct TimingAnswer {
     pub differing_hits: u64,
     /// Rays of the tree that hit something.
     pub tree_hits: u64,
+}
+
+/// For which boxes of a tree a traversal asks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct VisitsAnswer {
+    /// The tree.
+    pub tree: Tree,
+    /// For each ray its visits in order. Boxes that the tree does not have are left out.
+    pub rays: Vec<Vec<Visit>>,
+}
+
+/// A box that a traversal asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Visit {
+    /// Index of the node.
+    pub node: u32,
+    /// Whether the ray meets its box.
+    pub met: bool,
 }

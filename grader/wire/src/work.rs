@@ -84,6 +84,16 @@ pub enum Work {
     Timing(TimingWork),
     /// Time one test of the student's.
     TimeTest(TestTiming),
+    /// Build a tree over a scene, trace rays through it for their closest hits, and write down for which boxes the
+    /// traversal asks.
+    Visits {
+        /// The scene.
+        scene: SceneSource,
+        /// The largest number of primitives in a leaf.
+        max_leaf_size: u32,
+        /// The rays.
+        rays: Vec<Ray>,
+    },
 }
 
 /// A ray as its four fields.

@@ -61,9 +61,9 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
 }
 
 /// The corners of a box, bit for bit.
-type BoxKey = [u64; 6];
+pub(crate) type BoxKey = [u64; 6];
 
-fn box_key(b: &Aabb) -> BoxKey {
+pub(crate) fn box_key(b: &Aabb) -> BoxKey {
     let [x0, y0, z0] = b.min.to_array().map(f64::to_bits);
     let [x1, y1, z1] = b.max.to_array().map(f64::to_bits);
     [x0, y0, z0, x1, y1, z1]
@@ -126,7 +126,7 @@ impl World for Script<'_> {
     }
 }
 
-fn wire_tree(tree: &Bvh) -> Tree {
+pub(crate) fn wire_tree(tree: &Bvh) -> Tree {
     let node = |node: &BvhNode| wire::work::Node {
         bounds: convert::wire_aabb(&node.bounds),
         kind: match node.kind {

@@ -19,5 +19,7 @@ mod raygen;
 pub mod run;
 #[cfg(any(feature = "intersect", feature = "bbox"))]
 mod timed;
+#[cfg(feature = "meshes")]
+mod visits;
 
 pub use run::run;

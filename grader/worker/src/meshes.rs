@@ -49,7 +49,7 @@ const SOMETHING: Hit = Hit {
     prim: PrimId(0),
 };
 
-fn load(source: &SceneSource) -> Result<Scene, String> {
+pub(crate) fn load(source: &SceneSource) -> Result<Scene, String> {
     match source {
         SceneSource::Triangles(triangles) => Ok(Scene {
             triangles: triangles.iter().map(convert::triangle).collect(),
@@ -70,14 +70,14 @@ fn load(source: &SceneSource) -> Result<Scene, String> {
 }
 
 /// A scene, asked through the stages `bbox` and `intersect`; every test is counted.
-struct SceneWorld<'a> {
+pub(crate) struct SceneWorld<'a> {
     scene: &'a Scene,
     box_tests: u64,
     prim_tests: u64,
 }
 
 impl SceneWorld<'_> {
-    fn new(scene: &Scene) -> SceneWorld<'_> {
+    pub(crate) fn new(scene: &Scene) -> SceneWorld<'_> {
         SceneWorld {
             scene,
             box_tests: 0,

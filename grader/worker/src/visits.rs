@@ -1,0 +1,74 @@
+//! For which boxes a traversal asks: rays through a whole scene, watched.
+
+use crate::bvh::{BoxKey, box_key, wire_tree};
+use crate::meshes::{SceneWorld, load};
+use crate::{convert, isolate};
+use kit::{Aabb, Hit, Interval, PrimId, Ray, World};
+use std::collections::HashMap;
+use wire::answer::{Visit, VisitsAnswer};
+use wire::work::{self, SceneSource};
+
+/// Builds a tree over the scene, traces `rays` through it and writes down the boxes that each asks for.
+pub(crate) fn visits(
+    source: &SceneSource,
+    max_leaf_size: u32,
+    rays: &[work::Ray],
+) -> Result<VisitsAnswer, String> {
+    let scene = load(source)?;
+    let tree = bvh::construct_bvh(&scene.primitive_bounds(), max_leaf_size as usize);
+    let mut nodes_of: HashMap<BoxKey, Vec<u32>> = HashMap::new();
+    for (node, number) in tree.nodes.iter().zip(0..) {
+        let nodes = nodes_of.entry(box_key(&node.bounds)).or_default();
+        nodes.push(number);
+    }
+    let each = rays.iter().enumerate();
+    let rays = each.map(|(i, ray)| {
+        isolate::call(i);
+        let mut world = Watched {
+            world: SceneWorld::new(&scene),
+            nodes_of: &nodes_of,
+            visits: Vec::new(),
+        };
+        bvh::intersect_bvh(&tree, &mut convert::ray(ray), &mut world);
+        world.visits
+    });
+    Ok(VisitsAnswer {
+        rays: rays.collect(),
+        tree: wire_tree(&tree),
+    })
+}
+
+/// A scene that writes down which boxes it is asked for.
+struct Watched<'a> {
+    world: SceneWorld<'a>,
+    nodes_of: &'a HashMap<BoxKey, Vec<u32>>,
+    visits: Vec<Visit>,
+}
+
+impl Watched<'_> {
+    /// The node that has this box; of several, the first that was not asked for yet.
+    fn node(&self, b: &Aabb) -> Option<u32> {
+        let nodes = self.nodes_of.get(&box_key(b))?;
+        let is_new = |node: &&u32| !self.visits.iter().any(|visit| visit.node == **node);
+        nodes.iter().find(is_new).or(nodes.first()).copied()
+    }
+}
+
+impl World for Watched<'_> {
+    fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        let interval = self.world.hit_box(b, ray);
+        if let Some(node) = self.node(b) {
+            let met = interval.is_some();
+            self.visits.push(Visit { node, met });
+        }
+        interval
+    }
+
+    fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+        self.world.hit_prim(id, ray)
+    }
+
+    fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
+        self.world.blocked(id, ray)
+    }
+}

@@ -1,13 +1,14 @@
 //! `grader cost`: what accuracy costs in time.
 
 use super::{Format, Verdict};
+use crate::cost::page::page;
 use crate::cost::report::Shape;
 use crate::cost::{self, Order, Size, table};
 use crate::error::GraderError;
 use crate::report;
 use crate::workspace::Workspace;
 use clap::{Args, ValueEnum};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What to compare and how to show it.
 #[derive(Args)]
@@ -18,6 +19,9 @@ pub(super) struct Cost {
     /// How to print the report.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
+    /// Also write a page with plots, which needs nothing beside itself.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// Take few rays: rough, and done in seconds.
     #[arg(long)]
     quick: bool,
@@ -57,6 +61,9 @@ impl Cost {
             seed: self.seed,
         };
         let cost = cost::measure(Some(&workspace), &order)?;
+        if let Some(path) = &self.html {
+            report::write_whole(path, page(&cost)?.as_bytes())?;
+        }
         match self.format {
             Format::Json => println!("{}", report::json(&cost)?),
             Format::Table => print!("{}", table::show(&cost)),

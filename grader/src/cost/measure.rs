@@ -299,7 +299,7 @@ fn add_leaks(
     Ok(())
 }
 
-fn precision(of: Precision) -> report::Precision {
+pub(crate) fn precision(of: Precision) -> report::Precision {
     match of {
         Precision::F32 => report::Precision::F32,
         Precision::F64 => report::Precision::F64,

@@ -281,6 +281,13 @@ pub struct Accuracy {
     pub forward_bound: Vec<(f64, f64)>,
 }
 
+impl Accuracy {
+    /// Decisions that are wrong, either way.
+    pub fn wrong_per_million(&self) -> f64 {
+        self.false_hits_per_million + self.false_misses_per_million
+    }
+}
+
 /// An error in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
@@ -294,7 +301,7 @@ impl Errors {
     /// Leading bits that are right on half of the rays at least: `-log2` of the median relative error, and at most
     /// the 53 that there are.
     pub fn correct_bits(&self) -> f64 {
-        (-self.relative.p50.log2()).clamp(0.0, 53.0)
+        (-self.relative.p50.log2()).clamp(0.0, 53.0) + 0.0
     }
 }
 

@@ -1,5 +1,6 @@
 //! The report for people.
 
+use super::picture;
 use super::report::{Accuracy, Family, RayFamily, Report, Row, Timing};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
@@ -33,7 +34,12 @@ pub fn show(report: &Report) -> String {
             let _ = writeln!(text, "  {}: {}", column.family.name(), column.about);
         }
     }
-    text.push_str(LEGEND);
+    if !report.families.is_empty() {
+        text.push_str(LEGEND);
+    }
+    if let Some(pictures) = &report.pictures {
+        text.push_str(&picture::table::show(pictures));
+    }
     text
 }
 

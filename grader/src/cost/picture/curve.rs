@@ -26,6 +26,8 @@ pub struct Experiment {
     pub seeds: u32,
     /// What the converged picture was rendered with. There are two of it, with random numbers of their own.
     pub converged: String,
+    /// Whether the ways aim at an equal share of error in every pixel: then the relative error is what to look at.
+    pub is_relative: bool,
     /// The error that is left in the mean of the two, as a share of the picture's mean.
     pub converged_rmse: f64,
     /// A way each. Efficiency is compared to the first one's.
@@ -117,6 +119,15 @@ impl Interval {
 }
 
 impl Point {
+    /// What its error is measured by: relative to each pixel's own value, or to the picture's mean.
+    pub fn error(&self, is_relative: bool) -> Interval {
+        if is_relative {
+            self.relative_mse.sqrt()
+        } else {
+            self.rmse
+        }
+    }
+
     /// Whether other random numbers give another picture.
     pub fn is_random(&self) -> bool {
         self.variance > 0.0
@@ -125,24 +136,28 @@ impl Point {
 
 impl Curve {
     /// Samples and errors of the points where something is random: what a line can be laid through.
-    pub fn falling(points: &[Point]) -> Vec<(f64, f64)> {
-        let random = points
-            .iter()
-            .filter(|p| p.is_random() && p.rmse.value > 0.0);
-        random.map(|p| (p.samples, p.rmse.value)).collect()
+    pub fn falling(points: &[Point], is_relative: bool) -> Vec<(f64, f64)> {
+        let random = points.iter().filter(|p| p.is_random());
+        let errors = random.map(|p| (p.samples, p.error(is_relative).value));
+        errors.filter(|(_, error)| *error > 0.0).collect()
     }
 
-    /// The quantity `x` at which the error has come down to `rmse`, between the points, straight in logarithms; `None` if the
+    /// The quantity `x` at which `error` has come down to `least`, between the points, straight in logarithms; `None` if the
     /// curve does not go through it.
-    pub fn at_error(&self, rmse: f64, x: impl Fn(&Point) -> f64) -> Option<f64> {
+    pub fn at_error(
+        &self,
+        least: f64,
+        error: impl Fn(&Point) -> f64,
+        x: impl Fn(&Point) -> f64,
+    ) -> Option<f64> {
         self.points.windows(2).find_map(|pair| {
             let [a, b] = pair else { return None };
-            let (ea, eb) = (a.rmse.value, b.rmse.value);
-            if !(eb <= rmse && rmse <= ea && eb > 0.0) {
+            let (ea, eb) = (error(a), error(b));
+            if !(eb <= least && least <= ea && eb > 0.0) {
                 return None;
             }
             let share = if ea > eb {
-                (ea / rmse).ln() / (ea / eb).ln()
+                (ea / least).ln() / (ea / eb).ln()
             } else {
                 0.0
             };
@@ -190,9 +205,9 @@ mod tests {
             points: vec![point(1.0, 8.0), point(16.0, 2.0), point(64.0, 1.0)],
             slope: None,
         };
-        let samples = |p: &Point| p.samples;
-        assert!((curve.at_error(4.0, samples).unwrap() - 4.0).abs() < 1e-12);
-        assert_eq!(curve.at_error(0.5, samples), None);
-        assert_eq!(curve.at_error(9.0, samples), None);
+        let samples_at = |error| curve.at_error(error, |p| p.rmse.value, |p| p.samples);
+        assert!((samples_at(4.0).unwrap() - 4.0).abs() < 1e-12);
+        assert_eq!(samples_at(0.5), None);
+        assert_eq!(samples_at(9.0), None);
     }
 }

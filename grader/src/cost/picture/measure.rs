@@ -48,6 +48,7 @@ fn experiment(
         cell: plan.cell,
         seeds: plan.seeds,
         converged: plan.converged.clone(),
+        is_relative: plan.is_relative,
         converged_rmse: 0.0,
         curves: Vec::new(),
         missing: None,
@@ -108,7 +109,7 @@ fn experiment(
     }
     let curves = plan.ways.iter().zip(&shots);
     experiment.curves = curves
-        .filter_map(|(way, shots)| curve(&truth, way, shots))
+        .filter_map(|(way, shots)| curve(&truth, way, shots, plan.is_relative))
         .collect();
     if experiment.curves.len() < plan.ways.len() && experiment.missing.is_none() {
         experiment.missing =
@@ -118,12 +119,12 @@ fn experiment(
 }
 
 /// A way whose pictures are all there.
-fn curve(truth: &Truth, way: &Way, shots: &[Vec<Shot>]) -> Option<Curve> {
+fn curve(truth: &Truth, way: &Way, shots: &[Vec<Shot>], is_relative: bool) -> Option<Curve> {
     let steps = way.steps.iter().zip(shots);
     let points: Vec<Point> = steps
         .map(|((flags, samples), shots)| truth.judge(flags, f64::from(*samples), shots))
         .collect::<Option<_>>()?;
-    let falling = Curve::falling(&points);
+    let falling = Curve::falling(&points, is_relative);
     Some(Curve {
         name: way.name.clone(),
         flags: way.flags.clone(),

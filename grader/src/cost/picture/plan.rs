@@ -16,6 +16,8 @@ pub struct Plan {
     pub seeds: u32,
     /// Flags of each of the two converged pictures.
     pub converged: String,
+    /// Whether the ways aim at an equal share of error in every pixel.
+    pub is_relative: bool,
     /// The ways.
     pub ways: Vec<Way>,
 }
@@ -78,6 +80,7 @@ fn edges(quick: bool) -> Plan {
             "--shade normals --sampler sobol -s {}",
             if quick { 512 } else { 2048 }
         ),
+        is_relative: false,
         ways: vec![
             way("independent", "independent"),
             way("stratified", "stratified"),
@@ -105,6 +108,7 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Plan {
             "--shade lit -m 1 --sampler sobol -s {}",
             if quick { 512 } else { 2048 }
         ),
+        is_relative: false,
         ways: vec![
             way("uniform hemisphere", "-H"),
             way("light sampling", ""),
@@ -140,6 +144,7 @@ fn depth(quick: bool) -> Plan {
             "--shade lit -m 64 --sampler sobol -s {}",
             if quick { 256 } else { 1024 }
         ),
+        is_relative: false,
         ways: depths.iter().map(way).collect(),
     }
 }
@@ -153,7 +158,7 @@ fn adaptive(quick: bool) -> Plan {
         &[0.2, 0.1, 0.05]
     };
     let step = |tolerance: &f64| (format!("-s {most} -a 64 {tolerance}"), most);
-    let film = if quick { [12, 9] } else { [24, 18] };
+    let film = if quick { [12, 9] } else { [32, 24] };
     Plan {
         title: "adaptive sampling",
         scene: "cornell_spheres.dae",
@@ -162,8 +167,9 @@ fn adaptive(quick: bool) -> Plan {
         seeds: 3,
         converged: format!(
             "--shade lit -m 1 --sampler sobol -s {}",
-            if quick { 2048 } else { 8192 }
+            if quick { 2048 } else { 4096 }
         ),
+        is_relative: true,
         ways: vec![
             Way::new(
                 "fixed",
@@ -171,7 +177,7 @@ fn adaptive(quick: bool) -> Plan {
                 if quick {
                     &[256, 1024]
                 } else {
-                    &[256, 512, 1024, 2048]
+                    &[256, 512, 1024]
                 },
             ),
             Way {

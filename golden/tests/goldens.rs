@@ -72,6 +72,21 @@ fn every_box_that_is_counted_is_a_visit() {
     }
 }
 
+#[test]
+fn part3_goldens_are_what_the_reference_answers() {
+    check("part3");
+}
+
+#[test]
+fn part4_goldens_are_what_the_reference_answers() {
+    check("part4");
+}
+
+#[test]
+fn part5_goldens_are_what_the_reference_answers() {
+    check("part5");
+}
+
 fn check(part: &str) {
     let workspace =
         Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("golden is in a workspace");

@@ -13,6 +13,9 @@ mod part2_meshes;
 mod part2_task1;
 mod part2_task2;
 pub(crate) mod part2_task3;
+mod part3;
+mod part4;
+mod part5;
 pub(crate) mod probes;
 pub mod recorded;
 
@@ -108,6 +111,9 @@ pub fn all(seed: u64) -> Vec<Spec> {
         part2_task2::cases(seed),
         part2_task3::cases(),
         part2_meshes::cases(),
+        part3::cases(seed),
+        part4::cases(seed),
+        part5::cases(seed),
     ]
     .concat()
 }

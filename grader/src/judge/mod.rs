@@ -1,17 +1,27 @@
 //! Judging: from what the student's code answered to what is right and wrong about it.
 //!
 //! [`judge`] picks the judge for the kind of work: `pixels` and `camera` for the rays of Part 1, `shapes` for
-//! what they hit, with `hits` for a single hit record. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
+//! what they hit, with `hits` for a single hit record; `lambert`, `direct` (with `lamps` for what lights send), `specular`,
+//! `paths`, `roulette` and `adaptive` for light, with `chance` for what only many samples show. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
 //! form in which truth comes.
 
+mod adaptive;
 mod boxes;
 mod camera;
+mod chance;
+mod direct;
 pub mod errors;
 pub mod expected;
 mod hits;
+mod lambert;
+mod lamps;
+mod numbers;
+mod paths;
 mod pixels;
+mod roulette;
 pub(crate) mod scene;
 mod shapes;
+mod specular;
 pub mod tally;
 mod traverse;
 mod tree;
@@ -97,6 +107,24 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
         (Work::Traverse(world), Answer::Traverse(answers)) => {
             let counts_work = cases::part2_task3::counts_work(spec.name);
             traverse::traverse(&mut tally, world, answers, counts_work);
+        }
+        (Work::Lambert(probes), Answer::Lambert(answers)) => {
+            lambert::lambert(&mut tally, probes, answers);
+        }
+        (Work::Direct(work), Answer::Direct(answers)) => direct::direct(&mut tally, work, answers),
+        (Work::Specular(calls), Answer::Specular(answers)) => {
+            specular::specular(&mut tally, tier, calls, answers);
+        }
+        (Work::Paths(paths), Answer::Paths(answers)) => paths::paths(&mut tally, paths, answers),
+        (Work::Roulette(work), Answer::Roulette(answers)) => {
+            roulette::roulette(&mut tally, work, answers);
+        }
+        (Work::Stop(calls), Answer::Stop(answers)) => adaptive::stop(&mut tally, calls, answers),
+        (Work::SureStop(calls), Answer::Stop(answers)) => {
+            adaptive::sure_stop(&mut tally, calls, answers);
+        }
+        (Work::AdaptivePixels(works), Answer::AdaptivePixels(answers)) => {
+            adaptive::pixels(&mut tally, works, answers);
         }
         _ => unreachable!("the worker answers each kind of work with its own kind of answer"),
     }

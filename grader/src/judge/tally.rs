@@ -52,6 +52,28 @@ pub enum Aspect {
     Repeatable,
     /// Work done against work recorded for the reference.
     Work,
+    /// The value of a BSDF.
+    Bsdf,
+    /// A density, or the probability of a choice.
+    Pdf,
+    /// Which way a sample goes.
+    SampledDirection,
+    /// What a sample says of itself.
+    SampleRecord,
+    /// How many rays were asked for.
+    Rays,
+    /// The mean of many estimates.
+    Mean,
+    /// The share of light that a boundary reflects.
+    Fresnel,
+    /// What a path multiplies light by.
+    Throughput,
+    /// What neighbours were asked.
+    Questions,
+    /// Whether a path goes on.
+    Survival,
+    /// Whether there are samples enough.
+    Stop,
 }
 
 impl Aspect {
@@ -80,6 +102,17 @@ impl Aspect {
             Aspect::LeafSize => "leaf size",
             Aspect::Repeatable => "same tree again",
             Aspect::Work => "work",
+            Aspect::Bsdf => "BSDF",
+            Aspect::Pdf => "pdf",
+            Aspect::SampledDirection => "sampled direction",
+            Aspect::SampleRecord => "record of the sample",
+            Aspect::Rays => "number of rays",
+            Aspect::Mean => "mean of estimates",
+            Aspect::Fresnel => "reflected share",
+            Aspect::Throughput => "throughput",
+            Aspect::Questions => "what neighbours are asked",
+            Aspect::Survival => "which paths go on",
+            Aspect::Stop => "when to stop",
         }
     }
 }

@@ -107,6 +107,181 @@ const SIGNATURES: &[Signature] = &[
         parameters: &[("bvh", "&Bvh"), RAY, ("world", "&mut W")],
         returns: "bool",
     },
+    Signature {
+        stage: "direct",
+        function: "lambert_f",
+        generics: "",
+        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("wi", "Vec3")],
+        returns: "Spectrum",
+    },
+    Signature {
+        stage: "direct",
+        function: "lambert_pdf",
+        generics: "",
+        parameters: &[("wo", "Vec3"), ("wi", "Vec3")],
+        returns: "f64",
+    },
+    Signature {
+        stage: "direct",
+        function: "lambert_sample",
+        generics: "",
+        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("u", "Vec2")],
+        returns: "Option<BsdfSample>",
+    },
+    Signature {
+        stage: "direct",
+        function: "zero_bounce_radiance",
+        generics: "",
+        parameters: &[("surface", "&Surface"), ("wo", "Vec3")],
+        returns: "Spectrum",
+    },
+    Signature {
+        stage: "direct",
+        function: "estimate_direct_lighting_hemisphere",
+        generics: "",
+        parameters: &[
+            ("lit", "&LitScene"),
+            ("surface", "&Surface"),
+            ("wo", "Vec3"),
+            ("samples", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("scattering", "&impl Scattering"),
+            ("trace", "&mut impl FnMut(&Ray) -> Option<Hit>"),
+        ],
+        returns: "Spectrum",
+    },
+    Signature {
+        stage: "direct",
+        function: "estimate_direct_lighting_importance",
+        generics: "",
+        parameters: &[
+            ("lit", "&LitScene"),
+            ("surface", "&Surface"),
+            ("wo", "Vec3"),
+            ("ns_area_light", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("scattering", "&impl Scattering"),
+            ("occluded", "&mut impl FnMut(&Ray) -> bool"),
+        ],
+        returns: "Spectrum",
+    },
+    Signature {
+        stage: "global",
+        function: "fresnel_dielectric",
+        generics: "",
+        parameters: &[("cos_i", "f64"), ("eta", "f64")],
+        returns: "f64",
+    },
+    Signature {
+        stage: "global",
+        function: "reflect",
+        generics: "",
+        parameters: &[("wo", "Vec3")],
+        returns: "Vec3",
+    },
+    Signature {
+        stage: "global",
+        function: "refract",
+        generics: "",
+        parameters: &[("wo", "Vec3"), ("ior", "f64")],
+        returns: "Option<Vec3>",
+    },
+    Signature {
+        stage: "global",
+        function: "mirror_sample",
+        generics: "",
+        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3")],
+        returns: "Option<BsdfSample>",
+    },
+    Signature {
+        stage: "global",
+        function: "refraction_sample",
+        generics: "",
+        parameters: &[
+            ("transmittance", "Spectrum"),
+            ("ior", "f64"),
+            ("wo", "Vec3"),
+        ],
+        returns: "Option<BsdfSample>",
+    },
+    Signature {
+        stage: "global",
+        function: "glass_sample",
+        generics: "",
+        parameters: &[
+            ("reflectance", "Spectrum"),
+            ("transmittance", "Spectrum"),
+            ("ior", "f64"),
+            ("wo", "Vec3"),
+            ("choice", "f64"),
+        ],
+        returns: "Option<BsdfSample>",
+    },
+    Signature {
+        stage: "global",
+        function: "estimate_radiance",
+        generics: "",
+        parameters: &[
+            ("lit", "&LitScene"),
+            ("ray", "&Ray"),
+            ("max_depth", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("scattering", "&impl Scattering"),
+            ("trace", "&mut impl FnMut(&Ray) -> Option<Hit>"),
+            (
+                "direct",
+                "&mut impl FnMut(&Surface, Vec3, &mut PixelSampler) -> Spectrum",
+            ),
+            (
+                "roulette",
+                "&mut impl FnMut(Spectrum, u32, f64) -> Option<Spectrum>",
+            ),
+        ],
+        returns: "Spectrum",
+    },
+    Signature {
+        stage: "global",
+        function: "play_roulette",
+        generics: "",
+        parameters: &[("throughput", "Spectrum"), ("bounces", "u32"), ("u", "f64")],
+        returns: "Option<Spectrum>",
+    },
+    Signature {
+        stage: "adaptive",
+        function: "has_converged",
+        generics: "",
+        parameters: &[("samples", "&Tally"), ("tolerance", "f64")],
+        returns: "bool",
+    },
+    Signature {
+        stage: "adaptive",
+        function: "has_surely_converged",
+        generics: "",
+        parameters: &[
+            ("samples", "&Tally"),
+            ("tolerance", "f64"),
+            ("rule", "&mut impl FnMut(&Tally, f64) -> bool"),
+        ],
+        returns: "bool",
+    },
+    Signature {
+        stage: "adaptive",
+        function: "raytrace_pixel_adaptive",
+        generics: "",
+        parameters: &[
+            ("place", "(u32, u32)"),
+            ("film", "FilmSize"),
+            ("budget", "Budget"),
+            ("sampler", "&mut PixelSampler"),
+            ("camera_ray", "&mut impl FnMut(Vec2) -> Ray"),
+            (
+                "trace_ray",
+                "&mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum",
+            ),
+            ("stop", "&mut impl FnMut(&Tally, f64) -> bool"),
+        ],
+        returns: "PixelEstimate",
+    },
 ];
 
 /// Builds a worker whose `stage` has all of `versions`; [`CHOICE`] picks one. Other stages are the workspace's.
@@ -119,7 +294,7 @@ pub fn worker(
     write_host(&job.join("host"), stage, versions)?;
     write_job(workspace, &job, stage)?;
     let target = workspace.root().join("target/mutants/target");
-    let features = &["part1", "part2", "meshes"];
+    let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
     match (Build {
         root: &job,
         features,

@@ -8,6 +8,7 @@
 //! changed between two.
 
 mod diff;
+mod light;
 mod line;
 mod parse;
 mod write;

@@ -1,5 +1,6 @@
 //! Writing a snapshot.
 
+use super::light;
 use super::line::{Line, Value};
 use super::parse::Snapshot;
 use wire::answer::{Hit, HitsAnswer, TraverseAnswer};
@@ -52,10 +53,11 @@ pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
     })
 }
 
+/// Names and values.
 pub(crate) type Fields = Vec<(String, Value)>;
 
 /// The short and the full form of a line.
-type Forms = (Line, Line);
+pub(super) type Forms = (Line, Line);
 
 fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
     let lines = match (work, answer) {
@@ -159,7 +161,7 @@ fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
             each.map(|(scripted, answer)| traverse_forms(&scripted.ray, answer))
                 .collect()
         }
-        _ => return None,
+        _ => light::lines(work, answer)?,
     };
     Some((Vec::new(), lines))
 }
@@ -231,7 +233,7 @@ fn ray_fields(ray: &Ray) -> Fields {
     ]
 }
 
-fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
+pub(super) fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
     (
         Line {
             answer: short,
@@ -245,14 +247,14 @@ fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
     )
 }
 
-fn field(name: &str, value: Value) -> (String, Value) {
+pub(super) fn field(name: &str, value: Value) -> (String, Value) {
     (name.to_string(), value)
 }
 
-fn number(name: &str, number: f64) -> (String, Value) {
+pub(super) fn number(name: &str, number: f64) -> (String, Value) {
     field(name, Value::Number(number))
 }
 
-fn vector(numbers: &[f64]) -> Value {
+pub(super) fn vector(numbers: &[f64]) -> Value {
     Value::Vector(numbers.to_vec())
 }

@@ -1,5 +1,8 @@
 //! Records: what the student's code answered.
 
+use crate::adaptive::{AdaptiveAnswer, StopAnswer};
+use crate::direct::{DirectAnswer, LambertAnswer};
+use crate::global::{PathAnswer, SpecularAnswer};
 use crate::work::{Ray, Tree, Xyz};
 use serde::{Deserialize, Serialize};
 
@@ -84,6 +87,20 @@ pub enum Answer {
     TestTimes(Vec<f64>),
     /// To [`crate::Work::Visits`].
     Visits(VisitsAnswer),
+    /// To [`crate::Work::Lambert`].
+    Lambert(Vec<LambertAnswer>),
+    /// To [`crate::Work::Direct`].
+    Direct(Vec<DirectAnswer>),
+    /// To [`crate::Work::Specular`].
+    Specular(Vec<SpecularAnswer>),
+    /// To [`crate::Work::Paths`].
+    Paths(Vec<PathAnswer>),
+    /// To [`crate::Work::Roulette`]: for each path and each number the throughput to go on with.
+    Roulette(Vec<Option<Xyz>>),
+    /// To [`crate::Work::Stop`] and [`crate::Work::SureStop`].
+    Stop(Vec<StopAnswer>),
+    /// To [`crate::Work::AdaptivePixels`].
+    AdaptivePixels(Vec<AdaptiveAnswer>),
 }
 
 /// What `raytrace_pixel` did with one pixel.

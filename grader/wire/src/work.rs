@@ -1,5 +1,8 @@
 //! Cases: what the worker is asked to do with the student's code.
 
+use crate::adaptive::{AdaptivePixel, StopCall};
+use crate::direct::{DirectWork, LambertProbe};
+use crate::global::{RouletteWork, ScriptedPath, SpecularCall};
 use serde::{Deserialize, Serialize};
 
 /// Three coordinates, world space.
@@ -94,6 +97,22 @@ pub enum Work {
         /// The rays.
         rays: Vec<Ray>,
     },
+    /// Call `lambert_f`, `lambert_pdf` and `lambert_sample` for every probe.
+    Lambert(Vec<LambertProbe>),
+    /// Estimate direct light in a world that writes down what it is asked.
+    Direct(DirectWork),
+    /// Call the functions of mirrors and glass.
+    Specular(Vec<SpecularCall>),
+    /// Call `estimate_radiance` for paths whose every turn is written down.
+    Paths(Vec<ScriptedPath>),
+    /// Call `play_roulette` many times.
+    Roulette(RouletteWork),
+    /// Call `has_converged`.
+    Stop(Vec<StopCall>),
+    /// Call `has_surely_converged` with a plain rule whose answer is written down.
+    SureStop(Vec<StopCall>),
+    /// Call `raytrace_pixel_adaptive` with samples that are written down.
+    AdaptivePixels(Vec<AdaptivePixel>),
 }
 
 /// A ray as its four fields.

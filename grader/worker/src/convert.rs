@@ -3,7 +3,12 @@
 #[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 use wire::work::Xyz;
 
-#[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
+#[cfg(any(
+    feature = "intersect",
+    feature = "bbox",
+    feature = "bvh",
+    feature = "global"
+))]
 pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
     kit::Ray {
         o: kit::Vec3::from(r.o),
@@ -13,7 +18,13 @@ pub(crate) fn ray(r: &wire::work::Ray) -> kit::Ray {
     }
 }
 
-#[cfg(any(feature = "raygen", feature = "intersect", feature = "bvh"))]
+#[cfg(any(
+    feature = "raygen",
+    feature = "intersect",
+    feature = "bvh",
+    feature = "direct",
+    feature = "global"
+))]
 pub(crate) fn wire_ray(r: &kit::Ray) -> wire::work::Ray {
     wire::work::Ray {
         o: r.o.into(),
@@ -67,4 +78,14 @@ pub(crate) fn aabb([min, max]: &[Xyz; 2]) -> kit::Aabb {
 #[cfg(feature = "bvh")]
 pub(crate) fn wire_aabb(b: &kit::Aabb) -> [Xyz; 2] {
     [b.min.into(), b.max.into()]
+}
+
+#[cfg(any(feature = "direct", feature = "global"))]
+pub(crate) fn wire_sample(s: &kit::BsdfSample) -> wire::light::BsdfSample {
+    wire::light::BsdfSample {
+        wi: s.wi.into(),
+        f: s.f.to_array(),
+        pdf: s.pdf,
+        delta: s.delta,
+    }
 }

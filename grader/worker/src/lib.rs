@@ -2,18 +2,28 @@
 //!
 //! The worker says what the code computed and judges nothing: truth is out of its sight, in the grader.
 //! [`run()`] takes a case to its record; a file per stage does the work (`raygen`, `intersect`, `bbox`,
-//! `bvh`), each behind the cargo feature of its name; [`isolate`] turns panics and holes into outcomes.
+//! `bvh`, `direct`, `global`, `adaptive`), each behind the cargo feature of its name; [`isolate`] turns panics and holes into outcomes.
 
+#[cfg(feature = "adaptive")]
+mod adaptive;
 #[cfg(feature = "bbox")]
 mod bbox;
 #[cfg(feature = "bvh")]
 mod bvh;
 mod convert;
+#[cfg(feature = "direct")]
+mod direct;
+#[cfg(feature = "global")]
+mod global;
 #[cfg(feature = "intersect")]
 mod intersect;
 pub mod isolate;
+#[cfg(any(feature = "direct", feature = "global"))]
+mod light;
 #[cfg(feature = "meshes")]
 mod meshes;
+#[cfg(feature = "direct")]
+mod panels;
 #[cfg(feature = "raygen")]
 mod raygen;
 pub mod run;

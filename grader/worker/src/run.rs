@@ -87,6 +87,31 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
             Shapes::Boxes(_) => not_linked("bbox"),
         },
 
+        #[cfg(feature = "direct")]
+        Work::Lambert(probes) => Ok(Answer::Lambert(crate::direct::lambert(probes))),
+        #[cfg(feature = "direct")]
+        Work::Direct(work) => Ok(Answer::Direct(crate::direct::direct(work))),
+        #[cfg(not(feature = "direct"))]
+        Work::Lambert(_) | Work::Direct(_) => not_linked("direct"),
+
+        #[cfg(feature = "global")]
+        Work::Specular(calls) => Ok(Answer::Specular(crate::global::specular(calls))),
+        #[cfg(feature = "global")]
+        Work::Paths(paths) => Ok(Answer::Paths(crate::global::paths(paths))),
+        #[cfg(feature = "global")]
+        Work::Roulette(work) => Ok(Answer::Roulette(crate::global::roulette(work))),
+        #[cfg(not(feature = "global"))]
+        Work::Specular(_) | Work::Paths(_) | Work::Roulette(_) => not_linked("global"),
+
+        #[cfg(feature = "adaptive")]
+        Work::Stop(calls) => Ok(Answer::Stop(crate::adaptive::stop(calls))),
+        #[cfg(feature = "adaptive")]
+        Work::SureStop(calls) => Ok(Answer::Stop(crate::adaptive::sure_stop(calls))),
+        #[cfg(feature = "adaptive")]
+        Work::AdaptivePixels(pixels) => Ok(Answer::AdaptivePixels(crate::adaptive::pixels(pixels))),
+        #[cfg(not(feature = "adaptive"))]
+        Work::Stop(_) | Work::SureStop(_) | Work::AdaptivePixels(_) => not_linked("adaptive"),
+
         #[cfg(feature = "meshes")]
         Work::SceneHits {
             scene,

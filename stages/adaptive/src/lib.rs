@@ -8,6 +8,6 @@ pub mod pixel;
 pub mod rate;
 pub mod stop;
 
-pub use pixel::{Budget, raytrace_pixel_adaptive};
+pub use pixel::raytrace_pixel_adaptive;
 pub use rate::rate_colour;
 pub use stop::{has_converged, has_surely_converged};

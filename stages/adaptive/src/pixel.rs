@@ -1,17 +1,6 @@
 //! Part 5, task 1: the sample loop that stops when it may.
 
-use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
-
-/// How many samples a pixel gets.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Budget {
-    /// The most samples of a pixel (the flag `-s`).
-    pub ns_aa: u32,
-    /// Samples between two looks at the rule (the first number of `-a`); 0 counts as 1.
-    pub batch: u32,
-    /// Error that is good enough, as a share of the mean (the second number of `-a`).
-    pub tolerance: f64,
-}
+use kit::{Budget, FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
 
 /// The mean radiance of the pixel in column `x` and row `y` (from the bottom left), from as many samples as `stop` asks
 /// for.

@@ -28,17 +28,30 @@ pub fn p_value(
     mut sample: impl FnMut(Vec2, f64) -> Option<Vec3>,
     pdf: impl Fn(Vec3) -> f64,
 ) -> f64 {
-    let mut counted = vec![0.0; ROWS * COLUMNS + 1];
     let mut numbers = crate::PixelSampler::new(0, 0, seed);
-    for _ in 0..samples {
+    let directions = (0..samples).map(|_| {
         let u = numbers.get_sample();
         let choice = numbers.next_1d();
-        counted[sample(u, choice).map_or(ROWS * COLUMNS, cell_of)] += 1.0;
+        sample(u, choice)
+    });
+    p_value_of(directions, pdf)
+}
+
+/// The same for directions that were drawn already, from points that do not depend on them.
+pub fn p_value_of(
+    directions: impl IntoIterator<Item = Option<Vec3>>,
+    pdf: impl Fn(Vec3) -> f64,
+) -> f64 {
+    let mut counted = vec![0.0; ROWS * COLUMNS + 1];
+    let mut samples = 0.0;
+    for direction in directions {
+        counted[direction.map_or(ROWS * COLUMNS, cell_of)] += 1.0;
+        samples += 1.0;
     }
     let mut expected: Vec<f64> = (0..ROWS * COLUMNS)
-        .map(|cell| integrate(cell, &pdf) * f64::from(samples))
+        .map(|cell| integrate(cell, &pdf) * samples)
         .collect();
-    let lost = f64::from(samples) - expected.iter().sum::<f64>();
+    let lost = samples - expected.iter().sum::<f64>();
     expected.push(lost.max(0.0));
     test_counts(&counted, &expected)
 }

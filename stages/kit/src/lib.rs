@@ -2,7 +2,7 @@
 //!
 //! Read in this order: [`ray`] and [`hit`] (what goes in and what comes out), [`shapes`]
 //! and [`aabb`] (what is hit), [`camera`], [`sampler`] and [`film`] (where rays come from
-//! and where their colours go), [`bvh`] and [`world`] (the tree and what it hangs in),
+//! and where their colours go), [`budget`] (how many samples a pixel may take), [`bvh`] and [`world`] (the tree and what it hangs in),
 //! [`scene`], [`material`], [`texture`] and [`light`] (what a file describes), [`lit`], [`emitter`], [`emitting_mesh`] and [`environment`]
 //! (where light comes from), [`surface`], [`frame`] and [`bsdf`] (where it is scattered), [`warp`]
 //! (uniform points), [`effects`] (what of all this a scene needs), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
@@ -13,6 +13,7 @@
 
 pub mod aabb;
 pub mod bsdf;
+pub mod budget;
 pub mod bvh;
 pub mod camera;
 pub mod chi_square;
@@ -43,6 +44,7 @@ pub mod world;
 
 pub use aabb::Aabb;
 pub use bsdf::{BsdfSample, Scattering};
+pub use budget::Budget;
 pub use bvh::{Bvh, BvhNode, NodeKind};
 pub use camera::Camera;
 pub use emitter::{Emitter, LightSample};

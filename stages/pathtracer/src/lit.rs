@@ -7,7 +7,7 @@
 use crate::materials::Materials;
 use crate::textures::Textures;
 use crate::{Accel, Job, Lens, Rendered, SceneWorld};
-use adaptive::{Budget, has_converged, has_surely_converged, raytrace_pixel_adaptive};
+use adaptive::{has_converged, has_surely_converged, raytrace_pixel_adaptive};
 use direct::{
     estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
     estimate_direct_lighting_mis, zero_bounce_radiance,
@@ -16,8 +16,8 @@ use global::{estimate_radiance, play_roulette};
 use kit::effects::{Asked, Call, Effect};
 use kit::film::{self, Cell as Tile};
 use kit::{
-    Camera, Emitter, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
-    Surface, Tally, Texture, Vec3,
+    Budget, Camera, Emitter, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering,
+    Spectrum, Surface, Tally, Texture, Vec3,
 };
 use raygen::{generate_ray, raytrace_pixel};
 use std::cell::{Cell, RefCell};

@@ -1,0 +1,91 @@
+//! Judging random answers: how often a right one would look this wrong.
+
+use super::tally::{Aspect, Class, Tally};
+use kit::chi_square;
+use kit::statistics::{self, sidak, smallest_sure_bias, two_sided};
+use kit::{Tally as Numbers, Vec3};
+
+/// Chance that a whole run accuses right code because of its luck.
+const FAMILY: f64 = 1e-6;
+
+/// A run makes no more tests by chance than this.
+pub(super) const TESTS: usize = 100;
+
+/// Estimates below this number are not tested: a mean of few is not normally distributed.
+pub(super) const MANY: usize = 500;
+
+/// Chance of a false alarm of each test.
+fn alarm() -> f64 {
+    sidak(FAMILY, TESTS)
+}
+
+/// Whether the mean of `numbers` is `truth`, as far as their spread lets one tell.
+pub(super) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64) {
+    let z = numbers.z_against(truth);
+    let wrong = two_sided(z).is_nan() || two_sided(z) < alarm();
+    let class = wrong.then(|| Class::of_number(numbers.mean(), truth));
+    tally.expect(Aspect::Mean);
+    tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
+        let sure = smallest_sure_bias(numbers.standard_error(), alarm()) / truth.abs();
+        format!(
+            "the mean of {} {what} is {:.5} ± {:.5}, right is {truth:.5}: {:.1} standard errors off, where {:.1} are allowed (a bias of {:.1} % is sure to be seen)",
+            numbers.count(),
+            numbers.mean(),
+            numbers.standard_error(),
+            z.abs(),
+            statistics::z_of_alarm(alarm()),
+            100.0 * sure
+        )
+    });
+}
+
+/// Whether `directions` fall where the density `pdf` says.
+pub(super) fn spread(
+    tally: &mut Tally,
+    directions: &[Option<Vec3>],
+    pdf: impl Fn(Vec3) -> f64,
+    right: &str,
+) {
+    tally.expect(Aspect::Spread);
+    let p = chi_square::p_value_of(directions.iter().copied(), pdf);
+    let badness = -p.max(1e-300).log10();
+    tally.judge(Aspect::Spread, 0, p >= alarm(), badness, || {
+        format!(
+            "{} directions are not distributed {right}: a right sample looks so uneven with a chance of {p:.0e}",
+            directions.len()
+        )
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases;
+    use wire::Work;
+
+    #[test]
+    fn a_family_has_room_for_all_tests_of_a_run() {
+        // No case makes more than two tests by chance.
+        let by_chance = cases::all(0).into_iter().filter(|spec| {
+            matches!(
+                spec.work,
+                Work::Lambert(_) | Work::Direct(_) | Work::Specular(_) | Work::Roulette(_)
+            )
+        });
+        assert!(2 * by_chance.count() <= TESTS);
+    }
+
+    #[test]
+    fn a_bias_that_is_sure_to_be_seen_is_seen() {
+        let numbers: Numbers = (0..10_000).map(|i| f64::from(i % 2)).collect();
+        let sure = smallest_sure_bias(numbers.standard_error(), alarm());
+        let wrong = |truth: f64| {
+            let mut tally = Tally::default();
+            mean(&mut tally, "numbers", &numbers, truth);
+            !tally.into_findings()[0].passed()
+        };
+        assert!(!wrong(0.5));
+        assert!(wrong(0.5 + sure) && wrong(0.5 - sure) && wrong(f64::NAN));
+        assert!(!wrong(0.5 + 0.4 * sure));
+    }
+}

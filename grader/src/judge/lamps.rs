@@ -1,0 +1,213 @@
+//! What arrives at a point from the lights of a scripted world.
+
+use kit::{Emitter, Frame, LightSample, Surface, Vec2, Vec3, math};
+use std::f64::consts::{PI, TAU};
+use wire::direct::ShadedPoint;
+use wire::light::{Light, LitWorld, MEAN_F, Material, Panel, scripted_f};
+use wire::work::Xyz;
+
+/// A point with the local space of its surface.
+pub(super) struct Place {
+    pub(super) p: Vec3,
+    pub(super) frame: Frame,
+    pub(super) wo: Vec3,
+    reflectance: Xyz,
+    error: f64,
+}
+
+/// Steps of the midpoint rule along each side of a lamp: its error is far below that of any estimate here.
+const STEPS: u32 = 160;
+
+impl Place {
+    pub(super) fn of(point: &ShadedPoint) -> Place {
+        let frame = Frame::around(point.n.into());
+        Place {
+            p: point.p.into(),
+            wo: frame.to_local(point.wo.into()),
+            frame,
+            reflectance: match point.material {
+                Material::Diffuse(reflectance) => reflectance,
+                _ => [0.0; 3],
+            },
+            error: point.error,
+        }
+    }
+
+    /// `f · |cos θ|` for light from the world direction `d`.
+    pub(super) fn scattered(&self, d: Vec3) -> Vec3 {
+        let wi = self.frame.to_local(d);
+        Vec3::from(scripted_f(self.reflectance, self.wo.into(), wi.into())) * wi.z.abs()
+    }
+
+    /// Where a ray along `d` has to start.
+    pub(super) fn start(&self, d: Vec3) -> Vec3 {
+        let material = kit::Material::Diffuse {
+            reflectance: kit::Spectrum::BLACK,
+        };
+        let surface = Surface {
+            p: self.p,
+            frame: self.frame,
+            ng: self.frame.n,
+            error: Vec3::splat(self.error),
+            material: &material,
+            prim: kit::PrimId(0),
+        };
+        surface.leave(d).o
+    }
+
+    /// Which part of a lamp shines here and is scattered on.
+    pub(super) fn sees(&self, panel: &Panel) -> Part {
+        let towards = panel.corners().map(|corner| Vec3::from(corner) - self.p);
+        let front = Vec3::from(panel.front());
+        if towards[0].dot(front) >= 0.0 {
+            return Part::None;
+        }
+        let lit = towards
+            .iter()
+            .filter(|d| self.scattered(d.normalize()) != Vec3::ZERO);
+        match lit.count() {
+            0 => Part::None,
+            4 => Part::All,
+            _ => Part::Some,
+        }
+    }
+
+    /// The radiance that panels which emit, skies and an environment give, if nothing is in between.
+    pub(super) fn lit_by(&self, world: &LitWorld) -> Vec3 {
+        let lamps = world.panels.iter().map(|panel| self.lit_by_panel(panel));
+        let all_around = Vec3::from(self.reflectance) * (MEAN_F * PI);
+        let around = world.environment.map(Vec3::from).unwrap_or_default();
+        let skies = world.lights.iter().map(|light| match light {
+            Light::Sky(radiance) => Vec3::from(*radiance),
+            _ => Vec3::ZERO,
+        });
+        lamps.sum::<Vec3>() + all_around * (around + skies.sum::<Vec3>())
+    }
+
+    /// `∫ f · L · cos θ · cos θ' / r² dA` over the lamp.
+    fn lit_by_panel(&self, panel: &Panel) -> Vec3 {
+        let Material::Emission(radiance) = panel.material else {
+            return Vec3::ZERO;
+        };
+        let middle = |i: u32, side: usize| {
+            let share = (f64::from(i) + 0.5) / f64::from(STEPS);
+            panel.min[side] + share * (panel.max[side] - panel.min[side])
+        };
+        let front = Vec3::from(panel.front());
+        let cells = (0..STEPS).flat_map(|i| (0..STEPS).map(move |j| (i, j)));
+        let sum: Vec3 = cells
+            .map(|(i, j)| {
+                let towards = Vec3::from(panel.point([middle(i, 0), middle(j, 1)])) - self.p;
+                let d = towards.normalize();
+                let facing = (-d.dot(front)).max(0.0);
+                self.scattered(d) * (facing / towards.length_squared())
+            })
+            .sum();
+        Vec3::from(radiance) * sum * (panel.area() / f64::from(STEPS * STEPS))
+    }
+}
+
+/// How much of a lamp.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    None,
+    Some,
+    All,
+}
+
+/// What a light without extent sends to `p`; `None` for a sky.
+pub(super) fn arrives(light: &Light, p: Vec3) -> Option<Option<LightSample>> {
+    let emitter = match *light {
+        Light::Point {
+            position,
+            intensity,
+        } => Emitter::Point {
+            position: position.into(),
+            intensity: intensity.into(),
+        },
+        Light::Spot {
+            position,
+            direction,
+            intensity,
+            falloff_angle,
+            falloff_exponent,
+        } => Emitter::Spot {
+            position: position.into(),
+            direction: direction.into(),
+            intensity: intensity.into(),
+            cos_edge: math::cos((0.5 * falloff_angle).to_radians()),
+            falloff_exponent,
+        },
+        Light::Directional {
+            direction,
+            irradiance,
+        } => Emitter::Directional {
+            direction: direction.into(),
+            irradiance: irradiance.into(),
+        },
+        Light::Sky(_) => return None,
+    };
+    Some(emitter.sample(p, Vec2::ZERO))
+}
+
+/// Density of directions to a sky.
+pub(super) const SKY_PDF: f64 = 1.0 / TAU;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A corner of the lamp is straight above the point (any catalogue of view factors).
+    #[test]
+    fn the_sum_over_a_lamp_is_its_form_factor() {
+        let (a, b) = (0.75_f64, 1.5_f64);
+        let lamp = |material| Panel {
+            axis: 1,
+            at: 1.0,
+            min: [0.0, 0.0],
+            max: [b, a],
+            faces: -1.0,
+            material,
+        };
+        let place = |wo: Vec3| {
+            Place::of(&ShadedPoint {
+                p: [0.0; 3],
+                n: [0.0, 1.0, 0.0],
+                error: 0.0,
+                material: Material::Diffuse([1.0; 3]),
+                wo: wo.into(),
+            })
+        };
+        let world = |faces: f64| LitWorld {
+            panels: vec![
+                Panel {
+                    faces,
+                    ..lamp(Material::Emission([2.0; 3]))
+                };
+                1
+            ],
+            ..LitWorld::default()
+        };
+        // Four lamps around the point: what the stand-in adds to its mean cancels out.
+        let around = |u: [f64; 2], v: [f64; 2]| LitWorld {
+            panels: vec![Panel {
+                min: [u[0], v[0]],
+                max: [u[1], v[1]],
+                ..lamp(Material::Emission([2.0; 3]))
+            }],
+            ..LitWorld::default()
+        };
+        let (ra, rb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
+        let factor = 4.0 * (a / ra * (b / ra).atan() + b / rb * (a / rb).atan()) / (2.0 * PI);
+        let truth = 2.0 * PI * MEAN_F * factor;
+        let lit = place(Vec3::Y).lit_by(&around([-b, b], [-a, a]));
+        assert!((lit.x / truth - 1.0).abs() < 1e-4, "{} {truth}", lit.x);
+        assert_eq!(place(Vec3::Y).lit_by(&world(1.0)), Vec3::ZERO);
+        assert_eq!(place(Vec3::NEG_Y).lit_by(&world(-1.0)), Vec3::ZERO);
+        let sky = LitWorld {
+            lights: vec![Light::Sky([1.0; 3])],
+            ..LitWorld::default()
+        };
+        assert!((place(Vec3::Y).lit_by(&sky).x - MEAN_F * PI).abs() < 1e-12);
+    }
+}

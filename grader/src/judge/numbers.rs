@@ -1,0 +1,89 @@
+//! Comparing colours and vectors of answers.
+
+use super::hits::show;
+use super::tally::{Aspect, Class, Tally};
+use kit::Vec3;
+use wire::work::Xyz;
+
+/// Whether every channel is within `bound`, a share of the largest right one.
+pub(super) fn same_colour(answered: Xyz, right: Xyz, bound: f64) -> bool {
+    let scale = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let pairs = answered.iter().zip(right);
+    pairs
+        .into_iter()
+        .all(|(a, b)| (a - b).abs() <= bound * scale)
+}
+
+/// The class of a wrong colour: that of its first wrong channel.
+fn class_of(answered: Xyz, right: Xyz) -> Class {
+    let wrong = (0..3).max_by(|&a, &b| {
+        let off = |i: usize| (answered[i] - right[i]).abs();
+        off(a).total_cmp(&off(b))
+    });
+    let channel = wrong.unwrap_or(0);
+    if right == [0.0; 3] && answered[channel].is_finite() {
+        return Class::FalseHit;
+    }
+    if answered == [0.0; 3] {
+        return Class::FalseMiss;
+    }
+    Class::of_number(answered[channel], right[channel])
+}
+
+/// Judges a colour.
+pub(super) fn colour(
+    tally: &mut Tally,
+    aspect: Aspect,
+    call: usize,
+    answered: Xyz,
+    right: Xyz,
+    bound: f64,
+    about: impl FnOnce() -> String,
+) {
+    let off = (Vec3::from(answered) - Vec3::from(right)).length();
+    let class = (!same_colour(answered, right, bound)).then(|| class_of(answered, right));
+    tally.judge_class(aspect, call, class, off, || {
+        format!("it is {answered:?}, right is {right:?}. {}", about())
+    });
+}
+
+/// Judges a number.
+pub(super) fn number(
+    tally: &mut Tally,
+    aspect: Aspect,
+    call: usize,
+    answered: f64,
+    right: f64,
+    bound: f64,
+    about: impl FnOnce() -> String,
+) {
+    let off = (answered - right).abs();
+    let is_right = off <= bound * right.abs() || answered == right;
+    let class = (!is_right).then(|| Class::of_number(answered, right));
+    tally.judge_class(aspect, call, class, off, || {
+        format!("it is {answered}, right is {right}. {}", about())
+    });
+}
+
+/// Judges a unit vector.
+pub(super) fn direction(
+    tally: &mut Tally,
+    aspect: Aspect,
+    call: usize,
+    answered: Xyz,
+    right: Vec3,
+    bound: f64,
+    about: impl FnOnce() -> String,
+) {
+    let answered = Vec3::from(answered);
+    let off = (answered - right).length();
+    let class = (off.is_nan() || off > bound).then(|| Class::of_direction(answered, right));
+    tally.judge_class(aspect, call, class, off, || {
+        format!(
+            "it is {}, right is {}. {}",
+            show(answered),
+            show(right),
+            about()
+        )
+    });
+}

@@ -1,0 +1,75 @@
+//! Judging Russian roulette.
+
+use super::chance::{self, MANY};
+use super::numbers;
+use super::tally::{Aspect, Class, Tally};
+use kit::Tally as Numbers;
+use wire::global::RouletteWork;
+use wire::work::Xyz;
+
+/// Bounces that every path makes before it plays.
+const FREE_BOUNCES: u32 = 3;
+
+/// A division and its rounding.
+const BOUND: f64 = 1e-12;
+
+/// Judges each game, and over many of them their mean.
+pub(super) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option<Xyz>]) {
+    let games = answers.chunks(work.numbers.len().max(1));
+    for (path, (&(throughput, bounces), answers)) in work.paths.iter().zip(games).enumerate() {
+        for (i, (u, answer)) in work.numbers.iter().zip(answers).enumerate() {
+            let call = path * work.numbers.len() + i;
+            one(tally, call, throughput, bounces, *u, *answer);
+        }
+        let channel = (0..3).find(|&c| throughput[c] > 0.0);
+        if let (Some(channel), true) = (channel, answers.len() >= MANY) {
+            let counts = answers.iter().map(|a| a.map_or(0.0, |t| t[channel]));
+            let numbers: Numbers = counts.collect();
+            chance::mean(
+                tally,
+                "throughputs, 0 for paths that ended,",
+                &numbers,
+                throughput[channel],
+            );
+        }
+    }
+}
+
+fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, answer: Option<Xyz>) {
+    let brightest = throughput.into_iter().fold(0.0, f64::max);
+    let chance = match bounces {
+        0..=FREE_BOUNCES if brightest > 0.0 => 1.0,
+        _ => brightest.min(1.0),
+    };
+    let lives = u < chance;
+    let about = || format!("play_roulette({throughput:?}, {bounces}, {u:?})");
+    tally.expect(Aspect::Survival);
+    let class = match (answer, lives) {
+        (Some(_), false) => Some(Class::FalseHit),
+        (None, true) => Some(Class::FalseMiss),
+        _ => None,
+    };
+    tally.judge_class(Aspect::Survival, call, class, 1.0, || {
+        format!(
+            "{} gives {answer:?}; the path goes on with the probability {chance:?}, here {}",
+            about(),
+            if lives { "it does" } else { "it does not" }
+        )
+    });
+    if !lives {
+        return;
+    }
+    tally.expect(Aspect::Throughput);
+    if let Some(answered) = answer {
+        let right = throughput.map(|channel| channel / chance);
+        numbers::colour(
+            tally,
+            Aspect::Throughput,
+            call,
+            answered,
+            right,
+            BOUND,
+            about,
+        );
+    }
+}

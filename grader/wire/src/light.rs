@@ -1,0 +1,146 @@
+//! Light in numbers: what scenes of Parts 3 and 4 are made of.
+
+use crate::work::Xyz;
+use serde::{Deserialize, Serialize};
+
+/// What a surface is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Material {
+    /// Matte, with this reflectance.
+    Diffuse(Xyz),
+    /// Emits this radiance on its front side.
+    Emission(Xyz),
+    /// A mirror with this reflectance.
+    Mirror(Xyz),
+    /// White glass with this index of refraction.
+    Glass(f64),
+}
+
+/// A light without extent, or a sky.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Light {
+    /// A point that shines the same everywhere.
+    Point {
+        /// Position.
+        position: Xyz,
+        /// Radiant intensity.
+        intensity: Xyz,
+    },
+    /// A point that shines into a cone.
+    Spot {
+        /// Position.
+        position: Xyz,
+        /// Unit axis of the cone.
+        direction: Xyz,
+        /// Radiant intensity on the axis.
+        intensity: Xyz,
+        /// Full opening angle in degrees.
+        falloff_angle: f64,
+        /// Exponent of the cosine to the axis.
+        falloff_exponent: f64,
+    },
+    /// A sun.
+    Directional {
+        /// Unit direction in which light travels.
+        direction: Xyz,
+        /// Irradiance on a surface that faces it.
+        irradiance: Xyz,
+    },
+    /// The same radiance from every direction of the upper half.
+    Sky(Xyz),
+}
+
+/// A rectangle at right angles to an axis: found with one division, by nobody's intersection code.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Panel {
+    /// The axis that it is at right angles to: 0, 1 or 2 for x, y or z.
+    pub axis: usize,
+    /// Its place on that axis.
+    pub at: f64,
+    /// Its least coordinates on the next axis and the one after (of y: z and x).
+    pub min: [f64; 2],
+    /// Its greatest coordinates there.
+    pub max: [f64; 2],
+    /// 1 if its front is the side towards +axis, -1 if it is the other.
+    pub faces: f64,
+    /// What it is made of.
+    pub material: Material,
+}
+
+impl Panel {
+    /// The point with these coordinates on the two axes in its plane.
+    pub fn point(&self, [u, v]: [f64; 2]) -> Xyz {
+        let mut point = [0.0; 3];
+        point[self.axis] = self.at;
+        point[(self.axis + 1) % 3] = u;
+        point[(self.axis + 2) % 3] = v;
+        point
+    }
+
+    /// Its corners, counter-clockwise as seen from +axis.
+    pub fn corners(&self) -> [Xyz; 4] {
+        let ([u0, v0], [u1, v1]) = (self.min, self.max);
+        [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|place| self.point(place))
+    }
+
+    /// The unit normal of its front.
+    pub fn front(&self) -> Xyz {
+        let mut front = [0.0; 3];
+        front[self.axis] = self.faces;
+        front
+    }
+
+    /// Its area.
+    pub fn area(&self) -> f64 {
+        (self.max[0] - self.min[0]) * (self.max[1] - self.min[1])
+    }
+
+    /// Where the line from `o` along `d` meets it: the distance in lengths of `d`, and the place as shares of both
+    /// sides.
+    pub fn meets(&self, o: Xyz, d: Xyz) -> Option<(f64, [f64; 2])> {
+        let t = (self.at - o[self.axis]) / d[self.axis];
+        let share = [0, 1].map(|side| {
+            let along = (self.axis + 1 + side) % 3;
+            (o[along] + t * d[along] - self.min[side]) / (self.max[side] - self.min[side])
+        });
+        let inside = share.iter().all(|share| (0.0..=1.0).contains(share));
+        (inside && t.is_finite()).then_some((t, share))
+    }
+}
+
+/// A world of rectangles and lights.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct LitWorld {
+    /// What rays hit. Those that emit are lights.
+    pub panels: Vec<Panel>,
+    /// Further lights.
+    pub lights: Vec<Light>,
+    /// The radiance that comes from everywhere behind the panels.
+    pub environment: Option<Xyz>,
+}
+
+/// What the stand-in for scattering answers for a matte surface, directions in its local space. It is no Lambertian: it
+/// shows which directions it was asked for, and in which order and space.
+pub fn scripted_f(reflectance: Xyz, wo: Xyz, wi: Xyz) -> Xyz {
+    if wo[2] * wi[2] <= 0.0 {
+        return [0.0; 3];
+    }
+    let seen = MEAN_F + 0.1 * wi[0] + 0.05 * wo[1] * wi[1];
+    reflectance.map(|channel| channel * seen)
+}
+
+/// The mean of [`scripted_f`] over the azimuth of `wi`, for a reflectance of 1.
+pub const MEAN_F: f64 = 0.25;
+
+/// A direction drawn for incoming light: `BsdfSample` in numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BsdfSample {
+    /// Direction, in local space.
+    pub wi: Xyz,
+    /// Value of the BSDF.
+    pub f: Xyz,
+    /// Density, or chance of the choice.
+    pub pdf: f64,
+    /// Whether the direction is one of finitely many.
+    pub delta: bool,
+}

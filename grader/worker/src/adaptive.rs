@@ -1,0 +1,104 @@
+//! Part 5: stopping rules, and pixels whose samples are written down.
+
+use crate::isolate;
+use kit::{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3};
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
+
+pub(crate) fn stop(calls: &[StopCall]) -> Vec<StopAnswer> {
+    answers(calls, |samples, call, _| {
+        adaptive::has_converged(samples, call.tolerance)
+    })
+}
+
+pub(crate) fn sure_stop(calls: &[StopCall]) -> Vec<StopAnswer> {
+    answers(calls, |samples, call, asked| {
+        let rule = &mut |samples: &Tally, tolerance| {
+            asked.push((samples.count(), samples.mean(), tolerance));
+            call.rule
+        };
+        adaptive::has_surely_converged(samples, call.tolerance, rule)
+    })
+}
+
+fn answers(
+    calls: &[StopCall],
+    ask: impl Fn(&Tally, &StopCall, &mut Vec<(u64, f64, f64)>) -> bool,
+) -> Vec<StopAnswer> {
+    let each = calls.iter().enumerate();
+    each.map(|(i, call)| {
+        isolate::call(i);
+        let runs = call.runs.iter();
+        let samples: Tally = runs
+            .flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
+            .collect();
+        let mut asked = Vec::new();
+        let stop = ask(&samples, call, &mut asked);
+        StopAnswer { stop, asked }
+    })
+    .collect()
+}
+
+pub(crate) fn pixels(pixels: &[AdaptivePixel]) -> Vec<AdaptiveAnswer> {
+    let each = pixels.iter().enumerate();
+    each.map(|(i, pixel)| {
+        isolate::call(i);
+        sample(pixel)
+    })
+    .collect()
+}
+
+fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
+    let [x, y] = work.pixel;
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    let (mut traced, mut foreign) = (0, 0);
+    let mut looks = Vec::new();
+    let estimate = adaptive::raytrace_pixel_adaptive(
+        (x, y),
+        FilmSize {
+            w: work.film[0],
+            h: work.film[1],
+        },
+        Budget {
+            ns_aa: work.ns_aa,
+            batch: work.batch,
+            tolerance: work.tolerance,
+        },
+        &mut PixelSampler::new(x, y, work.seed),
+        &mut |point| {
+            points.push(point.into());
+            from_camera(point)
+        },
+        &mut |ray, _| {
+            let point = Vec2::new(ray.o.x, ray.o.y);
+            foreign += u32::from(*ray != from_camera(point));
+            let radiance = work.stream[traced as usize % work.stream.len()];
+            traced += 1;
+            Spectrum::from(radiance)
+        },
+        &mut |samples, tolerance| {
+            looks.push((
+                samples.count(),
+                samples.mean(),
+                samples.variance(),
+                tolerance,
+            ));
+            match work.rule {
+                StopRule::From(count) => samples.count() >= count,
+                StopRule::Plain => adaptive::has_converged(samples, tolerance),
+            }
+        },
+    );
+    AdaptiveAnswer {
+        points,
+        traced,
+        foreign,
+        looks,
+        radiance: estimate.radiance.to_array(),
+        samples: estimate.samples,
+    }
+}
+
+/// A ray that tells which point of the film it was made for.
+fn from_camera(point: Vec2) -> Ray {
+    Ray::new(Vec3::new(point.x, point.y, 1.0), Vec3::NEG_Z)
+}

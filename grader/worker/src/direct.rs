@@ -1,0 +1,95 @@
+//! Part 3: matte surfaces, and direct light in worlds that write down what they are asked.
+
+use crate::{convert, isolate, light, panels};
+use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};
+use wire::direct::{
+    AskedRay, DirectAnswer, DirectWork, LambertAnswer, LambertProbe, ShadedPoint, Strategy,
+};
+
+pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
+    let each = probes.iter().enumerate();
+    each.map(|(i, probe)| {
+        isolate::call(i);
+        let reflectance = Spectrum::from(probe.reflectance);
+        let [wo, wi] = [probe.wo, probe.wi].map(Vec3::from);
+        let sample = direct::lambert_sample(reflectance, wo, Vec2::from(probe.u));
+        LambertAnswer {
+            f: direct::lambert_f(reflectance, wo, wi).to_array(),
+            pdf: direct::lambert_pdf(wo, wi),
+            sample: sample.as_ref().map(convert::wire_sample),
+        }
+    })
+    .collect()
+}
+
+pub(crate) fn direct(work: &DirectWork) -> Vec<DirectAnswer> {
+    let lit = panels::lit_scene(&work.world);
+    let each = work.points.iter().enumerate();
+    each.map(|(i, point)| {
+        isolate::call(i);
+        estimate(work, &lit, i as u32, point)
+    })
+    .collect()
+}
+
+fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -> DirectAnswer {
+    let material = light::material(&point.material);
+    let n = Vec3::from(point.n);
+    let surface = Surface {
+        p: point.p.into(),
+        frame: Frame::around(n),
+        ng: n,
+        error: Vec3::splat(point.error),
+        material: &material,
+        prim: PrimId(u32::MAX),
+    };
+    let wo = Vec3::from(point.wo);
+    let mut asked = Vec::new();
+    let mut sampler = PixelSampler::new(call, 0, work.seed);
+    sampler.get_sample();
+    let radiance = match work.strategy {
+        Strategy::ZeroBounce => direct::zero_bounce_radiance(&surface, wo),
+        Strategy::Hemisphere => direct::estimate_direct_lighting_hemisphere(
+            lit,
+            &surface,
+            wo,
+            work.samples,
+            &mut sampler,
+            &panels::Script,
+            &mut |ray| {
+                let hit = panels::first_hit(&work.world, ray);
+                let seen = match &hit {
+                    Some(hit) => lit.surface(hit).emitted(-ray.d),
+                    None => lit.background(ray.d),
+                };
+                asked.push(note(ray, seen, hit.is_some()));
+                hit
+            },
+        ),
+        Strategy::Lights => direct::estimate_direct_lighting_importance(
+            lit,
+            &surface,
+            wo,
+            work.samples,
+            &mut sampler,
+            &panels::Script,
+            &mut |ray| {
+                let blocked = panels::first_hit(&work.world, ray).is_some();
+                asked.push(note(ray, Spectrum::BLACK, blocked));
+                blocked
+            },
+        ),
+    };
+    DirectAnswer {
+        radiance: radiance.to_array(),
+        asked,
+    }
+}
+
+fn note(ray: &Ray, seen: Spectrum, hit: bool) -> AskedRay {
+    AskedRay {
+        ray: convert::wire_ray(ray),
+        seen: seen.to_array(),
+        hit,
+    }
+}

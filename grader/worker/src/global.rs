@@ -1,0 +1,193 @@
+//! Part 4: mirrors and glass, and paths whose every turn is written down.
+
+use crate::{convert, isolate, light};
+use kit::{
+    BsdfSample, Hit, LitScene, Material, PixelSampler, PrimId, Scattering, Spectrum, Surface,
+    Triangle, Vec2, Vec3,
+};
+use std::cell::{Cell, RefCell};
+use wire::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, SpecularCall, Step};
+use wire::work::Xyz;
+
+pub(crate) fn specular(calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
+    let each = calls.iter().enumerate();
+    each.map(|(i, call)| {
+        isolate::call(i);
+        specular_call(call)
+    })
+    .collect()
+}
+
+fn specular_call(call: &SpecularCall) -> SpecularAnswer {
+    let direction = |d: Option<Vec3>| SpecularAnswer::Direction(d.map(Into::into));
+    let sample =
+        |s: Option<BsdfSample>| SpecularAnswer::Sample(s.as_ref().map(convert::wire_sample));
+    match *call {
+        SpecularCall::Fresnel { cos_i, eta } => {
+            SpecularAnswer::Share(global::fresnel_dielectric(cos_i, eta))
+        }
+        SpecularCall::Reflect { wo } => direction(Some(global::reflect(wo.into()))),
+        SpecularCall::Refract { wo, ior } => direction(global::refract(wo.into(), ior)),
+        SpecularCall::Mirror { reflectance, wo } => {
+            sample(global::mirror_sample(reflectance.into(), wo.into()))
+        }
+        SpecularCall::Refraction {
+            transmittance,
+            ior,
+            wo,
+        } => sample(global::refraction_sample(
+            transmittance.into(),
+            ior,
+            wo.into(),
+        )),
+        SpecularCall::Glass {
+            reflectance,
+            transmittance,
+            ior,
+            wo,
+            choice,
+        } => sample(global::glass_sample(
+            reflectance.into(),
+            transmittance.into(),
+            ior,
+            wo.into(),
+            choice,
+        )),
+    }
+}
+
+pub(crate) fn paths(paths: &[ScriptedPath]) -> Vec<PathAnswer> {
+    let each = paths.iter().enumerate();
+    each.map(|(i, path)| {
+        isolate::call(i);
+        follow(i as u32, path)
+    })
+    .collect()
+}
+
+/// The scene of a path's surfaces: a small triangle each, which nobody intersects.
+fn lit_scene(path: &ScriptedPath) -> LitScene {
+    let objects: Vec<_> = path
+        .steps
+        .iter()
+        .map(|step| (vec![facing(step)], light::material(&step.material)))
+        .collect();
+    let is_black = path.background == [0.0; 3];
+    let environment = (!is_black).then(|| light::environment(path.background));
+    LitScene::new(light::scene(&objects), environment)
+}
+
+/// A triangle around the step's point, with its normal.
+fn facing(step: &Step) -> Triangle {
+    let frame = kit::Frame::around(step.n.into());
+    let p = Vec3::from(step.p);
+    let corner = |x: f64, y: f64| p + x * frame.s + y * frame.t;
+    Triangle {
+        n0: frame.n,
+        n1: frame.n,
+        n2: frame.n,
+        ..Triangle::flat(corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0))
+    }
+}
+
+fn follow(call: u32, path: &ScriptedPath) -> PathAnswer {
+    let lit = lit_scene(path);
+    let notes = RefCell::new(PathAnswer::default());
+    let script = Script {
+        path,
+        notes: &notes,
+        at: Cell::new(0),
+    };
+    let mut sampler = PixelSampler::new(call, 0, path.seed);
+    sampler.get_sample();
+    let radiance = global::estimate_radiance(
+        &lit,
+        &convert::ray(&path.ray),
+        path.max_depth,
+        &mut sampler,
+        &script,
+        &mut |ray| script.trace(ray),
+        &mut |surface: &Surface, wo, _: &mut PixelSampler| {
+            let prim = surface.prim.0;
+            notes.borrow_mut().direct.push((prim, wo.into()));
+            script.step(prim as usize).direct.into()
+        },
+        &mut |throughput, bounces, u| {
+            let games = &mut notes.borrow_mut().games;
+            games.push((throughput.to_array(), bounces, u));
+            Some(throughput * script.step(script.at.get()).roulette?)
+        },
+    );
+    let mut answer = notes.take();
+    answer.radiance = radiance.to_array();
+    answer
+}
+
+/// The turns of a path. It only moves on when a ray is traced.
+struct Script<'a> {
+    path: &'a ScriptedPath,
+    notes: &'a RefCell<PathAnswer>,
+    /// The step that was hit last.
+    at: Cell<usize>,
+}
+
+impl Script<'_> {
+    fn step(&self, i: usize) -> &Step {
+        &self.path.steps[i.min(self.path.steps.len() - 1)]
+    }
+
+    fn trace(&self, ray: &kit::Ray) -> Option<Hit> {
+        let rays = &mut self.notes.borrow_mut().rays;
+        // Steps count from 0, and so do rays.
+        let i = rays.len();
+        rays.push(convert::wire_ray(ray));
+        let step = self.path.steps.get(i)?;
+        self.at.set(i);
+        Some(Hit {
+            t: 1.0,
+            p: step.p.into(),
+            n: step.n.into(),
+            ng: step.n.into(),
+            uv: Vec2::splat(0.25),
+            prim: PrimId(i as u32),
+        })
+    }
+}
+
+impl Scattering for Script<'_> {
+    fn f(&self, _: &Material, _: Vec3, _: Vec3) -> Spectrum {
+        Spectrum::BLACK
+    }
+
+    fn pdf(&self, _: &Material, _: Vec3, _: Vec3) -> f64 {
+        0.0
+    }
+
+    fn sample(&self, _: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
+        let i = self.at.get();
+        let numbers: Xyz = [u.x, u.y, choice];
+        let samples = &mut self.notes.borrow_mut().samples;
+        samples.push((i as u32, wo.into(), numbers));
+        let sample = self.step(i).sample?;
+        Some(BsdfSample {
+            wi: sample.wi.into(),
+            f: sample.f.into(),
+            pdf: sample.pdf,
+            delta: sample.delta,
+        })
+    }
+}
+
+pub(crate) fn roulette(work: &RouletteWork) -> Vec<Option<Xyz>> {
+    let calls = work
+        .paths
+        .iter()
+        .flat_map(|path| work.numbers.iter().map(move |u| (path, u)));
+    calls
+        .enumerate()
+        .map(|(i, (&(throughput, bounces), &u))| {
+            isolate::call(i);
+            global::play_roulette(throughput.into(), bounces, u).map(Spectrum::to_array)
+        })
+        .collect()
+}

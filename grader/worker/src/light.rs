@@ -1,0 +1,49 @@
+//! What surfaces are made of, and scenes of them.
+
+use kit::scene::{NamedMaterial, Object};
+use kit::{Environment, Material, Scene, Spectrum, Triangle};
+use wire::work::Xyz;
+
+pub(crate) fn material(m: &wire::light::Material) -> Material {
+    match *m {
+        wire::light::Material::Diffuse(reflectance) => Material::Diffuse {
+            reflectance: reflectance.into(),
+        },
+        wire::light::Material::Emission(radiance) => Material::Emission {
+            radiance: radiance.into(),
+        },
+        wire::light::Material::Mirror(reflectance) => Material::Mirror {
+            reflectance: reflectance.into(),
+        },
+        wire::light::Material::Glass(ior) => Material::Glass {
+            reflectance: Spectrum::WHITE,
+            transmittance: Spectrum::WHITE,
+            roughness: 0.0,
+            ior,
+        },
+    }
+}
+
+/// The scene of shapes given by their triangles and material, an object each.
+pub(crate) fn scene(objects: &[(Vec<Triangle>, Material)]) -> Scene {
+    let mut scene = Scene::default();
+    for (number, (triangles, material)) in (0..).zip(objects) {
+        let name = format!("object {number}");
+        scene.objects.push(Object {
+            name: name.clone(),
+            material: number,
+        });
+        scene.materials.push(NamedMaterial {
+            name,
+            material: *material,
+        });
+        scene.triangles.extend(triangles);
+        scene.object_of.resize(scene.triangles.len(), number);
+    }
+    scene
+}
+
+/// The same radiance from all around.
+pub(crate) fn environment(radiance: Xyz) -> Environment {
+    Environment::uniform(radiance.into())
+}

@@ -1,0 +1,113 @@
+//! Worlds of rectangles and lights, and scattering whose answers are written down.
+
+use crate::light::{environment, material, scene};
+use kit::scene::NamedLight;
+use kit::{
+    BsdfSample, Hit, LitScene, Material, PrimId, Ray, Scattering, Spectrum, Triangle, Vec2, Vec3,
+};
+use wire::light::{Light, LitWorld, Panel, scripted_f};
+
+/// The world as a scene with its light. Panel `i` is the triangles `2i` and `2i + 1`.
+pub(crate) fn lit_scene(world: &LitWorld) -> LitScene {
+    let panels = world.panels.iter();
+    let objects: Vec<_> = panels
+        .map(|panel| (halves(panel).to_vec(), material(&panel.material)))
+        .collect();
+    let mut scene = scene(&objects);
+    scene.lights = world
+        .lights
+        .iter()
+        .map(|light| NamedLight {
+            name: "light".into(),
+            light: kit_light(light),
+        })
+        .collect();
+    LitScene::new(scene, world.environment.map(environment))
+}
+
+/// The first panel in the ray's range.
+pub(crate) fn first_hit(world: &LitWorld, ray: &Ray) -> Option<Hit> {
+    let hits = world.panels.iter().enumerate().filter_map(|(i, panel)| {
+        let (t, share) = panel.meets(ray.o.into(), ray.d.into())?;
+        let half = u32::from(share[0] < share[1]);
+        ray.in_range(t)
+            .then(|| (t, PrimId(2 * i as u32 + half), panel.front()))
+    });
+    let (t, prim, front) = hits.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Hit {
+        t,
+        p: ray.at(t),
+        n: front.into(),
+        ng: front.into(),
+        uv: Vec2::ZERO,
+        prim,
+    })
+}
+
+/// Both triangles of a panel: the one below its diagonal, and the one above. Their normals are on its front.
+fn halves(panel: &Panel) -> [Triangle; 2] {
+    let [a, b, c, d] = panel.corners().map(Vec3::from);
+    let halves = if panel.faces > 0.0 {
+        [[a, b, c], [a, c, d]]
+    } else {
+        [[a, c, b], [a, d, c]]
+    };
+    halves.map(|[p0, p1, p2]| Triangle::flat(p0, p1, p2))
+}
+
+fn kit_light(light: &Light) -> kit::Light {
+    match *light {
+        Light::Point {
+            position,
+            intensity,
+        } => kit::Light::Point {
+            position: position.into(),
+            intensity: intensity.into(),
+        },
+        Light::Spot {
+            position,
+            direction,
+            intensity,
+            falloff_angle,
+            falloff_exponent,
+        } => kit::Light::Spot {
+            position: position.into(),
+            direction: direction.into(),
+            intensity: intensity.into(),
+            falloff_angle,
+            falloff_exponent,
+        },
+        Light::Directional {
+            direction,
+            irradiance,
+        } => kit::Light::Directional {
+            direction: direction.into(),
+            irradiance: irradiance.into(),
+        },
+        Light::Sky(radiance) => kit::Light::Hemisphere {
+            radiance: radiance.into(),
+        },
+    }
+}
+
+/// Scattering whose answers are written down: matte surfaces by [`scripted_f`], all others black.
+pub(crate) struct Script;
+
+impl Scattering for Script {
+    fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
+        match material {
+            Material::Diffuse { reflectance } => {
+                scripted_f(reflectance.to_array(), wo.into(), wi.into()).into()
+            }
+            _ => Spectrum::BLACK,
+        }
+    }
+
+    fn pdf(&self, _: &Material, _: Vec3, _: Vec3) -> f64 {
+        0.0
+    }
+
+    fn sample(&self, _: &Material, _: Vec3, _: Vec2, _: f64) -> Option<BsdfSample> {
+        None
+    }
+}

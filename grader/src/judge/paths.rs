@@ -7,7 +7,7 @@ use kit::{Frame, Vec3};
 use std::collections::BTreeSet;
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::{BsdfSample, Material};
-use wire::work::Ray;
+use wire::work::{Ray, Xyz};
 
 /// How far a sum may be off, as a share; a few roundings a bounce.
 const SUM_BOUND: f64 = 1e-11;
@@ -226,6 +226,9 @@ fn direct(
     });
 }
 
+/// What roulette hears: throughput, bounces, random number.
+type Game = (Xyz, u32, f64);
+
 /// Roulette hears of the throughput with the new bounce in it.
 fn games(
     tally: &mut Tally,
@@ -244,7 +247,7 @@ fn games(
         .filter_map(|(step, weight)| Some(*weight * factor(&step.sample?)))
         .collect();
     tally.expect(Aspect::Throughput);
-    let same = |(i, (game, right)): (usize, (&([f64; 3], u32, f64), &Vec3))| {
+    let same = |(i, (game, right)): (usize, (&Game, &Vec3))| {
         game.1 as usize == i + 1 && same_colour(game.0, (*right).into(), SUM_BOUND)
     };
     let all = answer.games.len() == wanted.len()

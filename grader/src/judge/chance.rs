@@ -47,7 +47,12 @@ pub(super) fn spread(
     right: &str,
 ) {
     tally.expect(Aspect::Spread);
-    let p = chi_square::p_value_of(directions.iter().copied(), pdf);
+    // Too few are none: whoever asks for next to nothing is not even.
+    let p = if directions.len() < MANY {
+        0.0
+    } else {
+        chi_square::p_value_of(directions.iter().copied(), pdf)
+    };
     let badness = -p.max(1e-300).log10();
     tally.judge(Aspect::Spread, 0, p >= alarm(), badness, || {
         format!(

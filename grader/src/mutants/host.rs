@@ -213,7 +213,7 @@ const SIGNATURES: &[Signature] = &[
             ("transmittance", "Spectrum"),
             ("ior", "f64"),
             ("wo", "Vec3"),
-            ("choice", "f64"),
+            ("chosen", "f64"),
         ],
         returns: "Option<BsdfSample>",
     },

@@ -41,7 +41,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             "Seen from below, light from below counts: directions are drawn on the side of wo.",
             same(around(1.0), ceiling(), 2000, 4),
         )
-        .only(&[Direction, Spread, Radiance]),
+        .only(&[Rays, Direction, Spread, Mean]),
         case(
             "tilted_surfaces",
             "Surfaces with normals in all directions: f is asked for local directions, rays are \

@@ -4,7 +4,7 @@ use super::super::probes::Dice;
 use kit::Vec3;
 use wire::Work;
 use wire::direct::{DirectWork, ShadedPoint, Strategy};
-use wire::light::{LitWorld, Material, Panel};
+use wire::light::{Light, LitWorld, Material, Panel};
 use wire::work::Xyz;
 
 /// How far the coordinates of points here may be off: far more than rounding, so that it shows whether rays leave
@@ -77,7 +77,7 @@ pub(super) fn anywhere(dice: &mut Dice) -> ShadedPoint {
     }
 }
 
-/// A room of six panels around the origin, some of which emit, with a hole in its roof.
+/// A room of six panels around the origin, some of which emit, with a hole in its roof through which the sky is seen.
 pub(super) fn room() -> LitWorld {
     let side = |axis: usize, sign: f64, material: Material| Panel {
         axis,
@@ -106,7 +106,8 @@ pub(super) fn room() -> LitWorld {
                 ..side(2, -1.0, Material::Emission([9.0; 3]))
             },
         ],
-        lights: Vec::new(),
+        // Only upwards: whoever looks the wrong way does not see it.
+        lights: vec![Light::Sky([6.0, 2.0, 1.0])],
         environment: Some([0.5, 1.0, 2.0]),
     }
 }

@@ -29,6 +29,8 @@ pub struct Handout {
     pub files: Files,
     /// The solutions that were taken out.
     pub taken: Vec<Taken>,
+    /// The files that hold a solution of a part before, which the student is given.
+    pub solved: BTreeSet<PathBuf>,
 }
 
 /// A solution that was taken out.
@@ -53,6 +55,7 @@ impl Handout {
         let mut handout = Handout {
             files: Files::new(),
             taken: Vec::new(),
+            solved: BTreeSet::new(),
         };
         for path in tree::paths(root)? {
             if plan.takes(&path) {
@@ -112,12 +115,16 @@ impl Handout {
             return Ok(());
         }
         let text = text(&path, contents)?;
+        let is_marked = text.contains("// BEGIN SOLUTION(");
         let carved = knife.carve(&path.to_string_lossy(), &text)?;
         let text = if carved.taken.is_empty() || carved.text.is_empty() {
             carved.text
         } else {
             formatted(root, &path, &carved.text)?
         };
+        if is_marked && carved.taken.is_empty() {
+            self.solved.insert(path.clone());
+        }
         let taken = carved.taken.into_iter().map(|(key, text)| Taken {
             path: path.clone(),
             key,

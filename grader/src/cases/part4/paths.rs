@@ -17,7 +17,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "depth_0",
             "-m 0 shows what emits and nothing else: direct light is not even asked for.",
-            every(&["D", "L", "M L", ""], &[0]),
+            every(&["D", "L", "B", "M L", ""], &[0]),
         )
         .only(&[Radiance, Rays, Questions]),
         case(
@@ -48,8 +48,12 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "lamp_in_a_mirror",
-            "Mirrors and glass get no direct light: what is seen in them counts where it emits.",
-            every(&["M L", "G L", "M M L", "D M L", "G G L"], &[2, 3, 5]),
+            "Mirrors and glass get no direct light: what is seen in them counts where it emits, on \
+             the front of a lamp and not on its back.",
+            every(
+                &["M L", "G L", "M M L", "D M L", "G G L", "M B"],
+                &[2, 3, 5],
+            ),
         )
         .only(&[Radiance]),
         case(
@@ -111,7 +115,8 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
     Spec::new("part4.task2", name, about, Work::Paths(paths))
 }
 
-/// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a lamp.
+/// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a lamp, B for the back
+/// of one.
 fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     let first = dice.direction();
     let mut d = first;
@@ -136,13 +141,15 @@ fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     }
 }
 
-/// A surface that is met along `d`, from the side of its normal; glass from either side.
+/// A surface that is met along `d` from the side of its normal; glass from either side, the back of a lamp from the
+/// other.
 fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
     let mut n = dice.direction();
     while n.dot(d).abs() < 0.2 {
         n = dice.direction();
     }
-    if n.dot(d) > 0.0 && (letter != "G" || dice.below(2) == 0) {
+    let from_behind = letter == "B" || letter == "G" && dice.below(2) == 0;
+    if from_behind != (n.dot(d) > 0.0) {
         n = -n;
     }
     let wo = Frame::around(n).to_local(-d);
@@ -160,7 +167,7 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
             (Material::Mirror(tint), Some(delta(wi, tint)))
         }
         "G" => (Material::Glass(1.5), Some(delta(-wo, share(dice)))),
-        "L" => {
+        "L" | "B" => {
             let radiance = [5.0, 4.0, 3.0].map(|most| dice.range(1.0, most));
             (Material::Emission(radiance), None)
         }
@@ -181,7 +188,7 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
             (Material::Diffuse(tint), Some(sample))
         }
     };
-    let is_lamp = letter == "L";
+    let is_lamp = matches!(material, Material::Emission(_));
     Step {
         p: (3.0 * dice.in_cube()).into(),
         n: n.into(),
@@ -255,7 +262,7 @@ fn fresh(seed: u64) -> Vec<ScriptedPath> {
     let mut dice = Dice::new("fresh_paths", seed);
     let fresh = (0..60).map(|_| {
         let letters: Vec<&str> = (0..dice.below(7))
-            .map(|_| dice.one_of(&["D", "D", "M", "G", "L"]))
+            .map(|_| dice.one_of(&["D", "D", "M", "G", "L", "B"]))
             .collect();
         let depth = dice.below(8) as u32;
         ScriptedPath {

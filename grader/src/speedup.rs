@@ -147,7 +147,7 @@ fn case(mesh: &str, size: u32) -> wire::Case {
 
 /// From an eye beside the mesh, which fills the cube from -1 to 1, through points spread evenly over a square in its
 /// middle that faces the eye.
-fn rays() -> Vec<Ray> {
+pub(crate) fn rays() -> Vec<Ray> {
     const SIDE: u32 = 128;
     let eye = Vec3::new(1.6, 1.4, 2.4);
     let backward = eye.normalize();

@@ -4,17 +4,21 @@ use grader::cost::report::{Accuracy, Family, Precision, RayFamily, Report, Row, 
 use grader::cost::{Order, Size, measure};
 
 /// Few rays, hardly any time.
+const SMALL: Size = Size {
+    rays: 3_000,
+    leak_rays: 2_000,
+    turns: 1,
+    rounds: 1,
+    mesh: 1_000,
+    builds: 1,
+};
+
 fn small(shape: Shape, seed: u64) -> Report {
-    let size = Size {
-        rays: 3_000,
-        leak_rays: 2_000,
-        turns: 1,
-        rounds: 1,
-    };
     let order = Order {
         shapes: vec![shape],
+        trees: false,
         pictures: false,
-        size,
+        size: SMALL,
         seed,
     };
     measure(None, &order).expect("kernels need nothing from outside")
@@ -173,4 +177,39 @@ fn operations_are_those_of_the_formulas() {
     assert_eq!((q.sqrt, q.fma), (naive.sqrt, 0.0));
     let reprojected = operations("q form, reprojected");
     assert!(reprojected.sqrt > q.sqrt && reprojected.total() > q.total());
+}
+
+#[test]
+fn a_walk_needs_slack_to_find_what_brute_force_finds() {
+    let order = Order {
+        shapes: Vec::new(),
+        trees: true,
+        pictures: false,
+        size: Size {
+            rays: 24_000,
+            ..SMALL
+        },
+        seed: 0,
+    };
+    let trees = measure(None, &order).unwrap().bvh.expect("trees");
+    let wrong: Vec<f64> = trees
+        .by_slack
+        .iter()
+        .map(|walk| walk.trace.wrong_per_million)
+        .collect();
+    assert!(wrong[0] > 1_000.0 && wrong[0] > 3.0 * wrong[1], "{wrong:?}");
+    assert_eq!(wrong[2], 0.0);
+    let of = |name: &str| {
+        let mut trees = trees.by_build.iter();
+        trees.find(|tree| tree.name == name).expect("such a tree")
+    };
+    let (median, sah) = (of("median"), of("SAH, 16 bins"));
+    assert!(sah.trace.box_tests < median.trace.box_tests);
+    assert!(
+        trees
+            .by_build
+            .iter()
+            .all(|tree| tree.trace.wrong_per_million == 0.0)
+    );
+    assert!(trees.by_build.iter().all(|tree| tree.nodes > Some(500)));
 }

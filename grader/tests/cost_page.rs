@@ -130,7 +130,7 @@ fn trees() -> Trees {
         student: false,
         build_s,
         build_spread_s: 1e-4,
-        nodes: 100,
+        nodes: Some(100),
         trace: trace(ns, 0.0),
         pays_after_rays,
     };
@@ -145,6 +145,7 @@ fn trees() -> Trees {
             tree("midpoint", 5e-3, 400.0, Some(0.0)),
             tree("SAH", 15e-3, 300.0, Some(1e5)),
         ],
+        student_missing: None,
     }
 }
 

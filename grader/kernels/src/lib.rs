@@ -8,6 +8,8 @@
 //!   Woop, Woop with fused edges (everywhere, at zero), a filter with an exact fallback
 //! - `sphere`: the quadratic formula, its q form, Haines's discriminant; each with and without reprojection
 //! - `bbox`: naive slabs, NaN-safe slabs, Williams, Ize
+//! - `build`: trees split at the midpoint, at the median, and by the surface area heuristic
+//! - `walk`: closest hits through a tree, with a choice of slack
 //!
 //! In a handout those are missing that solve a task of its own.
 
@@ -15,6 +17,7 @@ mod counted;
 pub mod kernel;
 pub mod real;
 pub mod shapes;
+pub mod tree;
 
 // BEGIN SOLUTION(part1.task3)
 pub mod exact;
@@ -26,10 +29,17 @@ mod sphere;
 // BEGIN SOLUTION(part2.task2)
 mod bbox;
 // END SOLUTION(part2.task2)
+// BEGIN SOLUTION(part2.task1)
+mod build;
+// END SOLUTION(part2.task1)
+// BEGIN SOLUTION(part2.task3)
+mod walk;
+// END SOLUTION(part2.task3)
 
 pub use counted::{Count, Counted};
 pub use kernel::{Bundle, Found, Kernel, Pass};
 pub use real::{Precision, Real};
+pub use tree::{Builder, Closest, Walker, brute_force};
 
 /// The triangle tests, the textbook's in double first; none where they would give a task away.
 pub fn triangles() -> Vec<Kernel<kit::Triangle, Found>> {
@@ -53,4 +63,12 @@ pub fn boxes() -> Vec<Kernel<kit::Aabb, kit::Interval>> {
     bbox::kernels()
     // STUB: Vec::new()
     // END SOLUTION(part2.task2)
+}
+
+/// The ways to build a tree, the simplest first; none where they would give a task away.
+pub fn builders() -> Vec<Builder> {
+    // BEGIN SOLUTION(part2.task1)
+    build::builders()
+    // STUB: Vec::new()
+    // END SOLUTION(part2.task1)
 }

@@ -39,6 +39,8 @@ enum What {
     Sphere,
     /// Tests of rays against boxes.
     Box,
+    /// Trees, and walks through them.
+    Bvh,
     /// Pictures, by the program of the workspace.
     Picture,
 }
@@ -56,6 +58,7 @@ impl Cost {
         });
         let order = Order {
             shapes: shapes.collect(),
+            trees: wants(What::Bvh),
             pictures: wants(What::Picture),
             size: if self.quick { Size::QUICK } else { Size::FULL },
             seed: self.seed,

@@ -54,6 +54,11 @@ impl Rounds {
         self.ns.push(ns);
     }
 
+    /// Nanoseconds by thing, then by round.
+    pub(crate) fn ns(&self) -> &[Vec<f64>] {
+        &self.ns
+    }
+
     /// The times of each thing, the first of them being the textbook's.
     pub(crate) fn timings(&self) -> Vec<Timing> {
         let textbook = self.ns.first().map_or(&[][..], |ns| ns);

@@ -6,7 +6,7 @@ use super::leaks::Closed;
 use super::report::{self, Accuracy, Column, Family, Operations, RayFamily, Report, Row, Shape};
 use super::student::{Asked, Missing, Student};
 use super::truth::Answer;
-use super::{machine, picture, rays};
+use super::{machine, measure_trees, picture, rays};
 use crate::error::GraderError;
 use crate::workspace::Workspace;
 use kernels::{Bundle, Count, Found, Kernel, Pass, Precision};
@@ -18,6 +18,8 @@ use rayon::prelude::*;
 pub struct Order {
     /// The shapes whose kernels to compare.
     pub shapes: Vec<Shape>,
+    /// Whether to compare trees.
+    pub trees: bool,
     /// Whether to render pictures with the program of the workspace.
     pub pictures: bool,
     /// How much of it.
@@ -37,6 +39,10 @@ pub struct Size {
     pub turns: usize,
     /// Rounds in each turn.
     pub rounds: usize,
+    /// Triangles of the mesh that trees are built over.
+    pub mesh: usize,
+    /// How often each tree is built.
+    pub builds: usize,
 }
 
 impl Size {
@@ -46,6 +52,8 @@ impl Size {
         leak_rays: 60_000,
         turns: 6,
         rounds: 15,
+        mesh: 200_000,
+        builds: 5,
     };
 
     /// Some seconds.
@@ -54,6 +62,8 @@ impl Size {
         leak_rays: 6_000,
         turns: 2,
         rounds: 10,
+        mesh: 20_000,
+        builds: 3,
     };
 }
 
@@ -86,7 +96,11 @@ pub fn measure(workspace: Option<&Workspace>, order: &Order) -> Result<Report, G
         seed: order.seed,
         quick: is_quick,
         families,
-        bvh: None,
+        bvh: if order.trees {
+            measure_trees::measure(workspace, order.seed, size)?
+        } else {
+            None
+        },
         pictures: match workspace.filter(|_| order.pictures) {
             Some(workspace) => Some(picture::measure(workspace, order.seed, is_quick)?),
             None => None,
@@ -101,7 +115,7 @@ fn family<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
     seed: u64,
     size: Size,
 ) -> Result<Family, GraderError> {
-    let student = student::<S>(workspace)?;
+    let student = Student::of::<S>(workspace)?;
     let accuracies = accuracies(&kernels, &student, seed, size.rays)?;
     let bundles = rays::bundles::<S>(seed, TESTS);
     let (rounds, missing) = times(&kernels, student, &bundles, size)?;
@@ -146,15 +160,6 @@ fn family<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
         rows,
         student_missing,
     })
-}
-
-fn student<S: Asked>(
-    workspace: Option<&Workspace>,
-) -> Result<Result<Student, Missing>, GraderError> {
-    match workspace {
-        Some(workspace) => Student::of::<S>(workspace),
-        None => Ok(Err("nobody asked for it".into())),
-    }
 }
 
 fn columns<S: Asked>() -> Vec<Column> {
@@ -291,7 +296,7 @@ fn add_leaks(
         row.leaks_per_million = leaks;
     }
     if let Some(row) = family.rows.iter_mut().find(|row| row.student)
-        && let Ok(student) = student::<Triangle>(workspace)?
+        && let Ok(student) = Student::of::<Triangle>(workspace)?
         && let Ok(leaks) = student.leaks(&closed[0])?
     {
         row.leaks_per_million = Some(leaks);

@@ -2,6 +2,7 @@
 
 use super::picture;
 use super::report::{Accuracy, Family, RayFamily, Report, Row, Timing};
+use super::trees_table;
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -36,6 +37,9 @@ pub fn show(report: &Report) -> String {
     }
     if !report.families.is_empty() {
         text.push_str(LEGEND);
+    }
+    if let Some(trees) = &report.bvh {
+        text.push_str(&trees_table::show(trees));
     }
     if let Some(pictures) = &report.pictures {
         text.push_str(&picture::table::show(pictures));
@@ -96,7 +100,7 @@ fn ordinary_off(row: &Row) -> Option<f64> {
 }
 
 /// A table with little room between its columns.
-fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Table {
+pub(super) fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Table {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_BORDERS_ONLY)
@@ -161,15 +165,15 @@ fn name(row: &Row) -> Cell {
     Cell::new(format!("{star}{} {}", row.name, row.precision.name()))
 }
 
-fn number(text: String) -> Cell {
+pub(super) fn number(text: String) -> Cell {
     Cell::new(text).set_alignment(CellAlignment::Right)
 }
 
-fn nanoseconds(time: &Timing) -> String {
+pub(super) fn nanoseconds(time: &Timing) -> String {
     format!("{:.1} ±{:.1}", time.ns_median, time.ns_spread)
 }
 
-fn ratio(time: &Timing) -> String {
+pub(super) fn ratio(time: &Timing) -> String {
     let about = if time.inside_noise { "~" } else { "" };
     format!(
         "{about}{:.2} ±{:.2}",
@@ -178,7 +182,7 @@ fn ratio(time: &Timing) -> String {
 }
 
 /// A count in a million.
-fn count(per_million: f64) -> String {
+pub(super) fn count(per_million: f64) -> String {
     if per_million == 0.0 {
         "0".into()
     } else {
@@ -187,7 +191,7 @@ fn count(per_million: f64) -> String {
 }
 
 /// Three figures at most; large numbers in powers of ten.
-fn figures(x: f64) -> String {
+pub(super) fn figures(x: f64) -> String {
     if x >= 1e6 {
         format!("{x:.0e}")
     } else if x >= 99.95 {

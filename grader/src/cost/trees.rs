@@ -14,6 +14,8 @@ pub struct Trees {
     pub by_slack: Vec<Walk>,
     /// The same walk of trees that were built in different ways.
     pub by_build: Vec<Tree>,
+    /// Why there is no tree of the student's, if there is none.
+    pub student_missing: Option<String>,
 }
 
 /// One way to walk a tree.
@@ -38,8 +40,8 @@ pub struct Tree {
     pub build_s: f64,
     /// Distance between the quartiles of the rounds.
     pub build_spread_s: f64,
-    /// Nodes, leaves among them.
-    pub nodes: usize,
+    /// Nodes, leaves among them; not known of a student's.
+    pub nodes: Option<usize>,
     /// What it costs and gives.
     pub trace: Trace,
     /// Rays after which building it has paid for itself against the midpoint tree; 0 if it is built faster, `None` if

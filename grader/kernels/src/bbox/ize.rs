@@ -10,7 +10,7 @@ use crate::kernel::About;
 use crate::real::Real;
 use crate::shapes::{Aabb, Ray};
 
-pub(super) struct Ize;
+pub(crate) struct Ize;
 
 impl BoxTest for Ize {
     const ABOUT: About = About {
@@ -21,10 +21,13 @@ impl BoxTest for Ize {
 
     #[inline(always)]
     fn meet<R: Real>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
-        let [x, y, z] = [0, 1, 2].map(|axis| slab(b, ray, axis));
+        let x = slab(b.min.x, b.max.x, ray.o.x, ray.d.x);
+        let y = slab(b.min.y, b.max.y, ray.o.y, ray.d.y);
+        let z = slab(b.min.z, b.max.z, ray.o.z, ray.d.z);
         let widening = R::of(1.0 + 2.0 * R::PRECISION.epsilon());
-        let near = z[0].or_larger(y[0].or_larger(x[0].or_larger(ray.min_t)));
-        let leaves = z[1].or_smaller(y[1].or_smaller(x[1].or_smaller(R::of(f64::INFINITY))));
+        let near = z.0.or_larger(y.0.or_larger(x.0.or_larger(ray.min_t)));
+        let leaves =
+            z.1.or_smaller(y.1.or_smaller(x.1.or_smaller(R::of(f64::INFINITY))));
         let far = (leaves * widening).or_smaller(ray.max_t);
         (near <= far).then_some(Interval { near, far })
     }

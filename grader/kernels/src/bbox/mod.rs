@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part2.task2)
 //! Rays and boxes: the interval of the ray between the last entry and the first exit of three slabs.
 
-mod ize;
+pub(crate) mod ize;
 mod kay_kajiya;
 mod nan_safe;
 mod williams;
@@ -14,8 +14,8 @@ use std::marker::PhantomData;
 /// Where a ray is inside a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval<R> {
-    near: R,
-    far: R,
+    pub(crate) near: R,
+    pub(crate) far: R,
 }
 
 impl<R: Real> Widen for Interval<R> {

@@ -23,7 +23,8 @@ impl BoxTest for Williams {
     fn meet<R: Real>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
         let (mut near, mut far) = (ray.min_t, ray.max_t);
         for axis in 0..3 {
-            let [enters, leaves] = slab(b, ray, axis);
+            let (min, max) = (b.min.on(axis), b.max.on(axis));
+            let (enters, leaves) = slab(min, max, ray.o.on(axis), ray.d.on(axis));
             // A NaN compares false, and cuts nothing.
             if enters > far || leaves < near {
                 return None;
@@ -35,16 +36,15 @@ impl BoxTest for Williams {
     }
 }
 
-/// Where the ray enters and leaves a slab.
+/// Where the ray enters and leaves the slab from `min` to `max`, on one axis.
 #[inline(always)]
-pub(super) fn slab<R: Real>(b: &Aabb<R>, ray: &Ray<R>, axis: usize) -> [R; 2] {
-    let inv_d = R::of(1.0) / ray.d.on(axis);
-    let (min, max) = (b.min.on(axis), b.max.on(axis));
-    let planes = if inv_d < R::of(0.0) {
-        [max, min]
+pub(super) fn slab<R: Real>(min: R, max: R, o: R, d: R) -> (R, R) {
+    let inv_d = R::of(1.0) / d;
+    let (at_min, at_max) = ((min - o) * inv_d, (max - o) * inv_d);
+    if inv_d < R::of(0.0) {
+        (at_max, at_min)
     } else {
-        [min, max]
-    };
-    planes.map(|plane| (plane - ray.o.on(axis)) * inv_d)
+        (at_min, at_max)
+    }
 }
 // END SOLUTION(part2.task2)

@@ -10,7 +10,7 @@ mod filtered;
 mod moller_trumbore;
 mod plane;
 mod plucker;
-mod woop;
+pub(crate) mod woop;
 mod woop_fused;
 
 use crate::kernel::{About, Found, Hit, Kernel, Test};
@@ -22,7 +22,7 @@ use std::marker::PhantomData;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Meeting<R> {
     /// Distance along the ray in lengths of its direction.
-    t: R,
+    pub(crate) t: R,
     /// Barycentric weights of `p1` and `p2`.
     b1: R,
     b2: R,

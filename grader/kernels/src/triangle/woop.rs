@@ -10,7 +10,7 @@ use crate::kernel::About;
 use crate::real::Real;
 use crate::shapes::{Ray, Triangle, V3};
 
-pub(super) struct Woop;
+pub(crate) struct Woop;
 
 impl TriangleTest for Woop {
     const ABOUT: About = About {

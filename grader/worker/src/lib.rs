@@ -2,7 +2,8 @@
 //!
 //! The worker says what the code computed and judges nothing: truth is out of its sight, in the grader.
 //! [`run()`] takes a case to its record; a file per stage does the work (`raygen`, `intersect`, `bbox`,
-//! `bvh`, `direct`, `global`, `adaptive`), each behind the cargo feature of its name; [`isolate`] turns panics and holes into outcomes.
+//! `bvh`, `direct`, `global`, `adaptive`), each behind the cargo feature of its name; [`isolate`] turns panics and
+//! holes into outcomes, [`clock`] says how long a case has worked.
 
 #[cfg(feature = "adaptive")]
 mod adaptive;
@@ -10,6 +11,7 @@ mod adaptive;
 mod bbox;
 #[cfg(feature = "bvh")]
 mod bvh;
+pub mod clock;
 mod convert;
 #[cfg(feature = "direct")]
 mod direct;

@@ -11,6 +11,7 @@ use std::path::Path;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
 use wire::{Case, Frame, Record, file};
+use worker::clock::{self, Stopwatch};
 use worker::isolate;
 
 #[global_allocator]
@@ -18,6 +19,9 @@ static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
 /// Enough for honest recursion over a deep tree; endless recursion overflows it soon.
 const STACK_BYTES: usize = 64 << 20;
+
+/// The clock is looked at no more often than so.
+const LOOK_AGAIN: Duration = Duration::from_millis(1);
 
 fn main() {
     if let Err(message) = work() {
@@ -61,6 +65,7 @@ fn watch(cases: Vec<Case>, first: u32, mut out: File) -> Result<(), String> {
     let (to_runner, orders) = mpsc::channel::<u32>();
     let (to_watch, finished) = mpsc::channel::<Record>();
     let run_all = move || {
+        clock::start();
         for index in orders {
             if to_watch
                 .send(worker::run(index, &cases[index as usize]))
@@ -82,17 +87,26 @@ fn watch(cases: Vec<Case>, first: u32, mut out: File) -> Result<(), String> {
     };
     for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
         write(&Frame::Started { case })?;
+        let stopwatch = Stopwatch::start();
         to_runner.send(case).map_err(|e| e.to_string())?;
-        match finished.recv_timeout(*limit) {
-            Ok(record) => write(&Frame::Done(record))?,
-            Err(RecvTimeoutError::Timeout) => {
+        loop {
+            let Some(left) = stopwatch.left(*limit) else {
                 write(&Frame::TimedOut {
                     case,
                     call: isolate::current_call(),
                 })?;
                 std::process::exit(0);
+            };
+            match finished.recv_timeout(left.max(LOOK_AGAIN)) {
+                Ok(record) => {
+                    write(&Frame::Done(record))?;
+                    break;
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err("the student's thread ended".into());
+                }
             }
-            Err(RecvTimeoutError::Disconnected) => return Err("the student's thread ended".into()),
         }
     }
     Ok(())

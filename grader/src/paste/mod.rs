@@ -1,0 +1,76 @@
+//! The worst answer as a Rust test: to paste into a stage's `tests/` folder, run in a debugger, keep.
+//!
+//! It fails on the code that gave the answer and passes on any that earns the points. One file for each kind of work:
+//! [`camera`] and [`pixel`], [`hits`] (triangles and spheres), [`boxes`], [`tree`].
+
+mod boxes;
+mod camera;
+mod hits;
+mod numbers;
+mod pixel;
+mod tree;
+
+use crate::cases::Spec;
+use crate::course::Tier;
+use crate::judge::tally::Aspect;
+use crate::score::CaseResult;
+use std::fmt::Write;
+use wire::Work;
+
+/// A test for the worst answer of a task's failed cases, core points first. `None` if none of them can be said in
+/// a few lines.
+pub fn worst(cases: &[CaseResult], specs: &[Spec], task: &str) -> Option<String> {
+    let mut failed: Vec<&CaseResult> = cases.iter().filter(|case| case.worst().is_some()).collect();
+    failed.sort_by_key(|case| case.tier == Tier::Robust);
+    failed.into_iter().find_map(|case| {
+        let spec = specs.iter().find(|spec| spec.is(task, &case.name))?;
+        let worst = case
+            .findings
+            .iter()
+            .filter_map(|finding| finding.worst.as_ref().map(|worst| (finding.aspect, worst)));
+        worst
+            .into_iter()
+            .filter(|(aspect, _)| can_show(&spec.work, *aspect))
+            .find_map(|(_, worst)| test(spec, case.tier, worst.call as usize))
+    })
+}
+
+/// Whether a test of such work asks for the aspect: none of a tree asks what it costs.
+fn can_show(work: &Work, aspect: Aspect) -> bool {
+    !(matches!(work, Work::Build { .. }) && aspect == Aspect::Work)
+}
+
+/// A test for one call of a case.
+pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
+    let body = match &spec.work {
+        Work::Triangles { triangles, probes } => {
+            hits::triangle(tier, triangles, probes.get(call)?)?
+        }
+        Work::Spheres { spheres, probes } => hits::sphere(tier, spheres, probes.get(call)?)?,
+        Work::CameraRays { cameras, sensor } if !sensor.is_empty() => camera::ray(
+            cameras.get(call / sensor.len())?,
+            sensor[call % sensor.len()],
+        ),
+        Work::Pixels(work) => pixel::samples(work, *work.pixels.get(call)?),
+        Work::Boxes { boxes, probes } => boxes::interval(tier, boxes, probes.get(call)?)?,
+        Work::BruteForce {
+            triangles,
+            spheres,
+            rays,
+        } => hits::first_of(tier, triangles, spheres, rays.get(call)?)?,
+        Work::Build {
+            bounds,
+            max_leaf_size,
+        } => tree::over(bounds, *max_leaf_size)?,
+        _ => return None,
+    };
+    let mut text = format!(
+        "/// {}\n#[test]\nfn {}_{call}() {{\n",
+        spec.about, spec.name
+    );
+    body.lines().for_each(|line| {
+        let _ = writeln!(text, "    {line}");
+    });
+    text.push_str("}\n");
+    Some(text)
+}

@@ -1,0 +1,40 @@
+//! Numbers, vectors and rays as Rust writes them.
+
+use std::fmt::Write;
+use wire::work::{Ray, Xyz};
+
+/// Adds the line that defines `ray`.
+pub(super) fn ray(text: &mut String, ray: &Ray) {
+    let _ = writeln!(
+        text,
+        "let ray = Ray {{\n    o: {},\n    d: {},",
+        vec3(ray.o),
+        vec3(ray.d)
+    );
+    let _ = writeln!(
+        text,
+        "    min_t: {},\n    max_t: {},\n}};",
+        float(ray.min_t),
+        float(ray.max_t)
+    );
+}
+
+/// A vector, bit for bit.
+pub(super) fn vec3([x, y, z]: Xyz) -> String {
+    format!("Vec3::new({}, {}, {})", float(x), float(y), float(z))
+}
+
+/// A float, bit for bit.
+pub(super) fn float(number: f64) -> String {
+    if number.is_nan() {
+        "f64::NAN".into()
+    } else if number.is_infinite() {
+        if number > 0.0 {
+            "f64::INFINITY".into()
+        } else {
+            "f64::NEG_INFINITY".into()
+        }
+    } else {
+        format!("{number:?}")
+    }
+}

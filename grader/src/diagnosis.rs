@@ -4,7 +4,7 @@
 //! the mutants. A student's signature is compared with all of them.
 
 use crate::error::GraderError;
-use crate::signature::{Agreement, Signature};
+use crate::signature::{Agreement, Alone, Signature};
 use crate::workspace::Workspace;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -43,11 +43,17 @@ const SURE: f64 = 0.95;
 /// From this likeness on, the mistake is named as what it looks like.
 const LIKELY: f64 = 0.6;
 
-/// Two mistakes together must explain this share of the wrong calls.
-const TOGETHER: f64 = 0.9;
+/// Two mistakes together must explain this share of the wrong values.
+const TOGETHER: f64 = 0.8;
 
-/// A mistake is made only if this share of what it gets wrong is wrong for the student too.
+/// Of what the likeliest single mistake leaves unexplained, two together may leave this share.
+const LEFT: f64 = 0.5;
+
+/// A mistake is one of two only if this share of what it alone gets wrong is wrong for the student too.
 const MADE: f64 = 0.75;
+
+/// Pairs are made of mistakes that share at least this part of what they get wrong with the student.
+const CANDIDATE: f64 = 0.2;
 
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
@@ -76,25 +82,13 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
     let &(best, agreement) = ranked.first()?;
     let likeness = agreement.likeness();
-    if likeness < SURE
-        && let Some(pair) = two_at_once(known, student, likeness)
-    {
+    if let Some(pair) = two_at_once(&ranked, student, likeness) {
         return Some(pair);
     }
     if likeness < LIKELY {
         return None;
     }
-    let mut mistakes = best.mistakes.clone();
-    let mut says = best.says.join(", and ");
-    for (twin, theirs) in &ranked[1..] {
-        let same = *theirs == agreement
-            && twin.mistakes.len() == 1
-            && !mistakes.contains(&twin.mistakes[0]);
-        if same && best.signature == twin.signature {
-            mistakes.extend(twin.mistakes.iter().cloned());
-            says = format!("{says}; or of code that {}", twin.says.join(", and "));
-        }
-    }
+    let (mistakes, says) = with_twins(&ranked, best);
     let (equal, of) = student.calls_alike(&best.signature);
     let verb = if likeness >= SURE {
         "equal"
@@ -103,55 +97,79 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     };
     Some(Diagnosis {
         mistakes,
-        says: format!(
-            "your answers {verb} those of code that {says}: on {} of {of} calls",
-            agreement.equal
-        ),
+        says: format!("your answers {verb} those of code that {says}: on {equal} of {of} calls"),
         hint: best.hints.join(" "),
         equal,
         of,
     })
 }
 
-/// Two mistakes that together explain what neither explains alone.
-fn two_at_once(known: &[Known], student: &Signature, alone: f64) -> Option<Diagnosis> {
-    let first = explains_most(known, student, student)?;
-    let rest = student.without(&first.signature);
-    let second = explains_most(known, student, &rest)?;
-    if first.mistakes == second.mistakes {
-        return None;
+/// The names of a mistake and of those that cannot be told from it, and how the sentence about them ends.
+fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String) {
+    let mut mistakes = best.mistakes.clone();
+    let mut says = best.says.join(", and ");
+    let twins = ranked.iter().map(|(twin, _)| twin).filter(|twin| {
+        let single = twin.mistakes.len() == 1;
+        single && twin.signature == best.signature
+    });
+    for twin in twins {
+        if !mistakes.contains(&twin.mistakes[0]) {
+            mistakes.extend(twin.mistakes.iter().cloned());
+            says = format!("{says}; or of code that {}", twin.says.join(", and "));
+        }
     }
-    let equal = student.agreement(&first.signature).equal + rest.agreement(&second.signature).equal;
-    let of = student.wrong();
-    let share = equal as f64 / of.max(1) as f64;
-    (share >= TOGETHER && share > alone).then(|| Diagnosis {
-        mistakes: [&first.mistakes[..], &second.mistakes[..]].concat(),
-        says: format!(
-            "two mistakes at once: your answers look like those of code that {}, and that {}: together they explain {equal} of {of} wrong values",
-            first.says.join(", and "),
-            second.says.join(", and "),
-        ),
-        hint: [&first.hints[..], &second.hints[..]].concat().join(" "),
-        equal,
-        of,
-    })
+    (mistakes, says)
 }
 
-/// The single mistake all of whose wrong values are wrong for the student too (or hidden by another mistake), and which
-/// explains most of `rest`.
-fn explains_most<'a>(
-    known: &'a [Known],
+/// Two mistakes that together explain what neither explains alone.
+fn two_at_once(
+    ranked: &[(&Known, Agreement)],
     student: &Signature,
-    rest: &Signature,
-) -> Option<&'a Known> {
-    let singles = known.iter().filter(|known| known.mistakes.len() == 1);
-    let candidates = singles.filter_map(|known| {
-        let with_student = student.agreement(&known.signature);
-        let explained = rest.agreement(&known.signature).equal;
-        let is_made = with_student.both as f64 >= MADE * with_student.second as f64;
-        (is_made && explained > 0).then_some((known, explained))
-    });
-    candidates
-        .max_by_key(|(_, explained)| *explained)
-        .map(|(known, _)| known)
+    alone: f64,
+) -> Option<Diagnosis> {
+    let candidates: Vec<&Known> = ranked
+        .iter()
+        .filter(|(known, agreement)| {
+            let shares = agreement.equal as f64 >= CANDIDATE * agreement.second as f64;
+            known.mistakes.len() == 1 && agreement.equal > 0 && shares
+        })
+        .map(|(known, _)| *known)
+        .collect();
+    let pairs = candidates
+        .iter()
+        .enumerate()
+        .flat_map(|(i, first)| {
+            candidates[i + 1..]
+                .iter()
+                .map(move |second| (*first, *second))
+        })
+        .filter(|(first, second)| first.mistakes != second.mistakes)
+        .map(|(first, second)| {
+            let together = student.agreement_with_both(&first.signature, &second.signature);
+            (first, second, together)
+        });
+    let (first, second, together) = pairs
+        .filter(|(.., together)| {
+            let is_made =
+                |alone: &Alone| alone.shown > 0 && alone.shown as f64 >= MADE * alone.of as f64;
+            together.alone.iter().all(is_made)
+        })
+        .max_by(|a, b| a.2.likeness().total_cmp(&b.2.likeness()))?;
+    let likeness = together.likeness();
+    let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
+    (explains && likeness > alone).then(|| {
+        let [(mut mistakes, says), (others, and_says)] =
+            [first, second].map(|known| with_twins(ranked, known));
+        mistakes.extend(others);
+        Diagnosis {
+            mistakes,
+            says: format!(
+                "two mistakes at once: your answers look like those of code that {says}, and that {and_says}: together they explain {} of {} wrong values",
+                together.equal, together.either,
+            ),
+            hint: [&first.hints[..], &second.hints[..]].concat().join(" "),
+            equal: together.equal,
+            of: together.either,
+        }
+    })
 }

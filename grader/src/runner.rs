@@ -51,6 +51,8 @@ pub struct Worker {
     pub program: PathBuf,
     /// Environment variables that it is given.
     pub environment: Vec<(&'static str, String)>,
+    /// No case may take longer, whatever it may by itself.
+    pub longest_ms: u64,
 }
 
 impl From<PathBuf> for Worker {
@@ -58,6 +60,7 @@ impl From<PathBuf> for Worker {
         Worker {
             program,
             environment: Vec::new(),
+            longest_ms: u64::MAX,
         }
     }
 }
@@ -67,6 +70,9 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let folder = interrupt::scratch()?;
     let records = folder.path().join("records");
     let mut cases_to_run = cases.to_vec();
+    for case in &mut cases_to_run {
+        case.limit_ms = case.limit_ms.min(worker.longest_ms);
+    }
     let mut endings: Vec<Option<Ending>> = vec![None; cases.len()];
     let mut timeouts: HashMap<&str, u32> = HashMap::new();
     let mut printed = String::new();
@@ -85,7 +91,7 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
                 }
                 Frame::TimedOut { case, call } => {
                     let case = case as usize;
-                    let limit_ms = cases[case].limit_ms;
+                    let limit_ms = cases_to_run[case].limit_ms;
                     if endings[case]
                         .replace(Ending::TimedOut { call, limit_ms })
                         .is_none()

@@ -1,14 +1,14 @@
 //! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and compared.
 
 use crate::course::Tier;
-use crate::judge::tally::{Class, Finding};
+use crate::judge::tally::Class;
 use crate::score::{CaseResult, Status};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// For each aspect of each case the code of each call: 0 where the answer was right, else a digest of how it was
 /// wrong. The same mistake gives the same codes whatever formula it is made in, and two mistakes in different aspects
-/// do not hide each other.
+/// do not hide each other; nor do faults that have a name of their own, which stand beside the aspect's others.
 ///
 /// Core and robust cases are apart: in robust ones formulas differ by themselves, so they only speak where all core
 /// cases are right.
@@ -18,7 +18,7 @@ pub struct Signature {
     robust: Cases,
 }
 
-/// By `case aspect`.
+/// By `case aspect`, or `case aspect name` for faults that have a name.
 type Cases = BTreeMap<String, Codes>;
 
 /// The codes of one aspect of one case. Stored as text: runs of `count*code`, hexadecimal, right answers left out as `count`.
@@ -119,23 +119,95 @@ impl Signature {
         (calls.values().filter(|alike| **alike).count(), calls.len())
     }
 
-    /// What is left of this signature on the calls where `other` is right.
-    pub fn without(&self, other: &Signature) -> Signature {
-        let mut rest = self.cases().clone();
-        for (name, codes) in &mut rest {
-            let Some(others) = other.cases().get(name) else {
-                continue;
-            };
-            let pairs = codes.0.iter_mut().zip(&others.0);
-            for (mine, _) in pairs.filter(|(_, theirs)| **theirs != 0) {
-                *mine = 0;
+    /// How this signature agrees with that of code which makes two mistakes, `first` and `second`. Where both would
+    /// show in one value either may; where one says miss or crashes, the other may not show at all.
+    pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
+        let mut together = Together::default();
+        let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {
+            true => &signature.robust,
+            false => &signature.core,
+        });
+        let names: BTreeSet<&String> = of_tier.iter().flat_map(|cases| cases.keys()).collect();
+        for name in names {
+            let [student, one, other] = of_tier.map(|cases| {
+                let codes = cases.get(name);
+                codes.map_or(&[][..], |codes| &codes.0)
+            });
+            let hidden_by = [of_tier[2], of_tier[1]].map(|cases| Hiding::of(cases, name));
+            for call in 0..student.len().max(one.len()).max(other.len()) {
+                let at = |codes: &[u16]| codes.get(call).copied().unwrap_or(0);
+                let made = [at(one), at(other)];
+                let seen = at(student);
+                for i in [0, 1] {
+                    if made[i] != 0 && made[1 - i] == 0 && !(seen == 0 && hidden_by[i].at(call)) {
+                        together.alone[i].of += 1;
+                        together.alone[i].shown += usize::from(seen == made[i]);
+                    }
+                }
+                let explained = made.contains(&seen);
+                together.equal += usize::from(seen != 0 && explained);
+                together.either += usize::from(match (seen, made) {
+                    (0, [0, 0]) => false,
+                    (0, [_, 0]) => !hidden_by[0].at(call),
+                    (0, [0, _]) => !hidden_by[1].at(call),
+                    // Something else shows where both do: each spoils it for the other.
+                    (_, [a, b]) => seen == 0 || explained || a == b || a == 0 || b == 0,
+                });
             }
         }
-        rest.retain(|_, codes| codes.wrong() > 0);
-        Signature {
-            core: rest,
-            robust: Cases::new(),
+        together
+    }
+}
+
+/// How a signature agrees with those of two mistakes together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Together {
+    /// Values that are wrong as one of the two has them.
+    pub equal: usize,
+    /// Values that are wrong, or should be if both are made.
+    pub either: usize,
+    /// What the first and the second make wrong alone.
+    pub alone: [Alone; 2],
+}
+
+/// Values that one of two mistakes alone makes wrong.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Alone {
+    /// How many there are.
+    pub of: usize,
+    /// How many of them are wrong in that way.
+    pub shown: usize,
+}
+
+impl Together {
+    /// Share of all wrong values that are wrong in the same way.
+    pub fn likeness(&self) -> f64 {
+        self.equal as f64 / self.either.max(1) as f64
+    }
+}
+
+/// What keeps another mistake from showing in an aspect of a case.
+struct Hiding<'a> {
+    crashed: bool,
+    /// Calls decided wrongly: nothing else is judged there.
+    decisions: &'a [u16],
+}
+
+impl Hiding<'_> {
+    fn of<'a>(cases: &'a Cases, name: &str) -> Hiding<'a> {
+        let case = name.split(' ').next().unwrap_or_default();
+        let is_decision = name.ends_with(" Decision");
+        let decisions = cases
+            .get(&format!("{case} Decision"))
+            .filter(|_| !is_decision);
+        Hiding {
+            crashed: cases.contains_key(&format!("{case} crashed")),
+            decisions: decisions.map_or(&[], |codes| &codes.0),
         }
+    }
+
+    fn at(&self, call: usize) -> bool {
+        self.crashed || self.decisions.get(call).is_some_and(|code| *code != 0)
     }
 }
 
@@ -157,18 +229,34 @@ fn codes_of(case: &CaseResult) -> Vec<(String, Codes)> {
         return vec![(format!("{} crashed", case.name), Codes(vec![CRASHED]))];
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
+    // Where something is wrong, that is why other aspects never showed.
+    let shows_nothing = case.findings.iter().all(|finding| finding.wrong == 0);
     failed
-        .map(|finding| {
-            let name = format!("{} {:?}", case.name, finding.aspect);
-            (name, Codes::of(finding))
+        .flat_map(|finding| {
+            let mut kinds: BTreeMap<Option<&str>, Vec<(u32, Class)>> = BTreeMap::new();
+            for &(call, class) in &finding.faults {
+                let name = match class {
+                    Class::Named(name) => Some(name),
+                    _ => None,
+                };
+                kinds.entry(name).or_default().push((call, class));
+            }
+            if kinds.is_empty() && shows_nothing {
+                kinds.entry(Some("never shown")).or_default();
+            }
+            kinds.into_iter().map(|(name, faults)| {
+                let aspect = format!("{} {:?}", case.name, finding.aspect);
+                let name = name.map_or(aspect.clone(), |name| format!("{aspect} {name}"));
+                (name, Codes::of(&faults))
+            })
         })
         .collect()
 }
 
 impl Codes {
-    fn of(finding: &Finding) -> Codes {
+    fn of(all: &[(u32, Class)]) -> Codes {
         let mut faults: BTreeMap<u32, Vec<Class>> = BTreeMap::new();
-        for &(call, class) in &finding.faults {
+        for &(call, class) in all {
             faults.entry(call).or_default().push(class);
         }
         let calls = faults
@@ -181,7 +269,6 @@ impl Codes {
             codes[call as usize] = digest(&classes);
         }
         if codes.is_empty() {
-            // It should have shown, and never did.
             codes.push(digest(&[]));
         }
         Codes(codes)
@@ -268,10 +355,37 @@ mod tests {
     }
 
     #[test]
-    fn what_another_signature_explains_can_be_taken_away() {
+    fn two_mistakes_explain_what_neither_does_alone() {
+        let (first, second) = (signature("1 2*a 1*b"), signature("3 1*d 2*f"));
+        let both = signature("1 2*a 1*c 2*f").agreement_with_both(&first, &second);
+        let alone = |shown, of| Alone { of, shown };
         assert_eq!(
-            signature("1 2*a 1*b").without(&signature("1 2*f")).wrong(),
-            1
+            both,
+            Together {
+                equal: 4,
+                either: 4,
+                alone: [alone(2, 2), alone(2, 2)]
+            }
         );
+        let not_made = signature("1 2*a 1*b").agreement_with_both(&first, &second);
+        assert_eq!(not_made.alone[1], alone(0, 2));
+        assert!(not_made.likeness() < 1.0);
+    }
+
+    #[test]
+    fn a_miss_hides_what_else_is_wrong() {
+        let with_miss = |codes: &str| {
+            let mut signature = signature(codes);
+            let case = signature.core.remove("case").unwrap();
+            signature.core.insert("case T".to_string(), case);
+            signature
+        };
+        let mut miss = Signature::default();
+        let decision = Codes::try_from("1 1*e".to_string()).unwrap();
+        miss.core.insert("case Decision".to_string(), decision);
+        let mut both = with_miss("1*a");
+        both.core.extend(miss.core.clone());
+        let together = both.agreement_with_both(&with_miss("2*a"), &miss);
+        assert!((together.likeness() - 1.0).abs() < 1e-12);
     }
 }

@@ -20,6 +20,8 @@ pub(crate) mod probes;
 pub mod recorded;
 
 use crate::judge::tally::Aspect;
+use crate::oracle::closest::Closest;
+use std::sync::{Arc, OnceLock};
 use wire::Work;
 
 /// One case of one task.
@@ -40,6 +42,9 @@ pub struct Spec {
     /// The aspects that the case is about and gives its points for; empty: all that its answers show. What goes
     /// wrong everywhere is then told where it belongs, and not in every case.
     pub about_aspects: &'static [Aspect],
+    /// What its rays truly hit, once somebody has asked: that takes seconds in a large scene, and many versions of the
+    /// code are judged by the same.
+    pub(crate) truths: Arc<OnceLock<Vec<Closest>>>,
 }
 
 /// Milliseconds after which a case has failed. Sound code needs a few.
@@ -64,6 +69,7 @@ impl Spec {
             picture: None,
             enclosed: false,
             about_aspects: &[],
+            truths: Arc::default(),
         }
     }
 

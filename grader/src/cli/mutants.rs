@@ -2,7 +2,7 @@
 
 use super::Verdict;
 use crate::course::Course;
-use crate::diagnosis;
+use crate::diagnosis::{self, Known};
 use crate::error::GraderError;
 use crate::mutants::corpus::Corpus;
 use crate::mutants::run;
@@ -10,7 +10,7 @@ use crate::mutants::table::Table;
 use crate::report::write_whole;
 use crate::workspace::Workspace;
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Which mutants to grade.
 #[derive(Args)]
@@ -18,8 +18,8 @@ pub(super) struct Mutants {
     /// What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`.
     #[arg(default_value = "all")]
     what: String,
-    /// Grade with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
-    #[arg(long, default_value_t = 1)]
+    /// Grade the correct versions with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "bless")]
     seeds: u64,
     /// Store the tables and the signatures that the diagnosis uses.
     #[arg(long)]
@@ -30,36 +30,50 @@ impl Mutants {
     pub(super) fn run(&self) -> Result<Verdict, GraderError> {
         let workspace = Workspace::above(Path::new("."))?;
         let course = Course::read(&workspace)?;
-        let seeds: Vec<u64> = (0..self.seeds).collect();
         let mut verdict = Verdict::Full;
         for task in course.select(&self.what)? {
             let corpus = Corpus::read(&workspace, task)?;
-            let graded = run::task(&workspace, &course, task, &seeds)?;
+            let graded = run::task(&workspace, &course, task, self.seeds)?;
             let known = run::known(&corpus, &graded);
             let table = Table::of(&graded, &known);
-            let accused: Vec<&run::Graded> = graded
-                .iter()
-                .filter(|g| matches!(g.kind, run::Kind::Correct) && !g.is_as_it_should_be())
-                .collect();
+            let accused: Vec<&run::Graded> =
+                graded.iter().filter(|graded| graded.is_accused()).collect();
             show(&task.key, &table, &accused);
             if !accused.is_empty() || !table.survivors().is_empty() {
                 verdict = Verdict::Short;
             }
             if self.bless {
                 store(&diagnosis::file(&workspace, &task.key), &known)?;
-                store(&table_file(&workspace, &task.key), &table)?;
+                store(&Table::file(&workspace, &task.key), &table)?;
+            } else if self.seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
+                verdict = Verdict::Short;
             }
         }
         Ok(verdict)
     }
 }
 
-/// Where the table of a task is stored.
-fn table_file(workspace: &Workspace, task: &str) -> PathBuf {
-    workspace
-        .root()
-        .join("golden/mutants")
-        .join(format!("{task}.json"))
+/// Says what differs from the stored table, if anything does.
+fn same_as_stored(
+    workspace: &Workspace,
+    task: &str,
+    table: &Table,
+    known: &[Known],
+) -> Result<bool, GraderError> {
+    let stored = Table::read(workspace, task)?;
+    let differences = stored.differences(table);
+    for name in &differences {
+        println!("  DIFFERS from what is stored: {name}");
+    }
+    let same_signatures = diagnosis::known(workspace, task)? == known;
+    if !same_signatures {
+        println!("  DIFFERS from what is stored: the signatures");
+    }
+    let same = differences.is_empty() && same_signatures && stored == *table;
+    if !same {
+        println!("  If that is meant, `grader mutants {task} --bless` stores it.");
+    }
+    Ok(same)
 }
 
 fn store(path: &Path, value: &impl serde::Serialize) -> Result<(), GraderError> {
@@ -117,6 +131,11 @@ fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
             println!("    {}: {why}", case.name);
         }
     }
+    println!(
+        "  named rightly: {} of {}",
+        table.mutants.len() - table.misnamed().len(),
+        table.mutants.len()
+    );
     let (recognised, held_out) = table.recognised;
     if held_out > 0 {
         println!("  recognised in other clothes: {recognised} of {held_out}");

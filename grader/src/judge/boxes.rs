@@ -2,10 +2,11 @@
 
 use super::hits;
 use super::tally::{Aspect, Tally};
+use crate::convert;
 use crate::course::Tier;
 use crate::oracle::{self, BoxJudgement, Kernel};
 use kit::{Aabb, Interval, Vec3};
-use wire::work::{Probe, Ray, Xyz};
+use wire::work::{Probe, Xyz};
 
 /// Judges the answers of `intersect_bbox` by the exact oracle.
 ///
@@ -25,7 +26,7 @@ pub(super) fn boxes(
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         let [min, max] = boxes[probe.shape as usize].map(Vec3::from);
         let b = Aabb { min, max };
-        let verdict = oracle::bbox(&b, &kit_ray(&probe.ray));
+        let verdict = oracle::bbox(&b, &convert::ray(&probe.ray));
         let judgement = verdict.judge(kernel, answer.map(|[min, max]| Interval { min, max }));
         tally.expect(Aspect::Decision);
         if verdict.hits() && !verdict.undecidable(kernel) {
@@ -40,7 +41,8 @@ pub(super) fn boxes(
                 hits::show_ray(&probe.ray)
             )
         };
-        tally.judge(Aspect::Decision, call, decided, 1.0, || match *answer {
+        let class = hits::decision_class(decided, answer.is_some());
+        tally.judge_class(Aspect::Decision, call, class, 1.0, || match *answer {
             None => {
                 let [from, to] = verdict
                     .ends
@@ -74,18 +76,10 @@ pub(super) fn boxes(
     }
 }
 
-fn kit_ray(ray: &Ray) -> kit::Ray {
-    kit::Ray {
-        o: ray.o.into(),
-        d: ray.d.into(),
-        min_t: ray.min_t,
-        max_t: ray.max_t,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wire::work::Ray;
 
     const UNIT: [[Xyz; 2]; 1] = [[[0.0; 3], [1.0; 3]]];
 

@@ -1,7 +1,7 @@
 //! Judging camera rays.
 
 use super::hits::show;
-use super::tally::{Aspect, Tally};
+use super::tally::{Aspect, Class, Tally};
 use crate::course::Tier;
 use kit::{Vec3, math};
 use wire::work::{Camera, Ray, Xyz};
@@ -90,18 +90,23 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
             asked()
         )
     });
-    let range = |min_t: f64, max_t: f64| [min_t.to_bits(), max_t.to_bits()];
-    let right = range(ray.min_t, ray.max_t) == range(camera.n_clip, camera.f_clip);
-    tally.judge(Aspect::Range, call, right, 1.0, || {
-        format!(
-            "generate_ray gives t in [{}, {}], right is n_clip to f_clip, [{}, {}]. {}",
-            ray.min_t,
-            ray.max_t,
-            camera.n_clip,
-            camera.f_clip,
-            asked()
-        )
-    });
+    for (name, given, right) in [
+        ("min_t", ray.min_t, camera.n_clip),
+        ("max_t", ray.max_t, camera.f_clip),
+    ] {
+        let is_right = given.to_bits() == right.to_bits();
+        let class = (!is_right).then_some(Class::Named(name));
+        tally.judge_class(Aspect::Range, call, class, 1.0, || {
+            format!(
+                "generate_ray gives t in [{}, {}], right is n_clip to f_clip, [{}, {}]. {}",
+                ray.min_t,
+                ray.max_t,
+                camera.n_clip,
+                camera.f_clip,
+                asked()
+            )
+        });
+    }
 }
 
 /// The unit direction in world space: the sensor stands one unit in front of the camera, and its half extents are

@@ -2,7 +2,7 @@
 
 use super::errors::NumberError;
 use super::expected::{Decision, Expected, ExpectedHit};
-use super::tally::{Aspect, Class, Tally};
+use super::tally::{Aspect, Class, SAME, Tally};
 use kit::Vec3;
 use wire::answer::Hit;
 use wire::work::Ray;
@@ -81,10 +81,7 @@ impl Call<'_> {
             Decision::Hit => answered.is_some(),
             Decision::Miss => answered.is_none(),
         };
-        let class = wrong_unless(right, || match answered {
-            Some(_) => Class::FalseHit,
-            None => Class::FalseMiss,
-        });
+        let class = decision_class(right, answered.is_some());
         self.judge_class(Aspect::Decision, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
@@ -120,19 +117,19 @@ impl Call<'_> {
             return;
         };
         let off = worst([b1 - right.x, b2 - right.y]);
-        self.judge(
-            Aspect::Barycentrics,
-            off <= bound,
-            off / bound,
-            |function| {
-                let swapped = worst([b1 - right.y, b2 - right.x]) <= bound;
-                let hint = if swapped { " (they are swapped)" } else { "" };
-                format!(
-                    "{function} gives b1 = {b1:?}, b2 = {b2:?}, right is b1 = {:?}, b2 = {:?}{hint}",
-                    right.x, right.y
-                )
-            },
-        );
+        let swapped = worst([b1 - right.y, b2 - right.x]) <= bound;
+        let class = wrong_unless(off <= bound, || match [b1, b2] {
+            _ if swapped => Class::Swapped,
+            [0.0, 0.0] => Class::Zero,
+            _ => Class::of_size(off),
+        });
+        self.judge_class(Aspect::Barycentrics, class, off / bound, |function| {
+            let hint = if swapped { " (they are swapped)" } else { "" };
+            format!(
+                "{function} gives b1 = {b1:?}, b2 = {b2:?}, right is b1 = {:?}, b2 = {:?}{hint}",
+                right.x, right.y
+            )
+        });
     }
 
     /// Which primitive.
@@ -161,7 +158,8 @@ impl Call<'_> {
     fn position(&mut self, expected: &ExpectedHit, p: Vec3) {
         let (right, bound) = (expected.p, expected.p_bound);
         let off = worst((p - right).to_array());
-        self.judge(Aspect::Position, off <= bound, off / bound, |function| {
+        let class = wrong_unless(off <= bound, || self.position_class(expected, p));
+        self.judge_class(Aspect::Position, class, off / bound, |function| {
             format!(
                 "{function} gives p = {}, right is {} (off by {off:.1e}, allowed {bound:.1e})",
                 show(p),
@@ -176,6 +174,20 @@ impl Call<'_> {
                     show(p)
                 )
             });
+        }
+    }
+
+    /// The class of a wrong hit point: how far along the ray it lies, or how far from the right one if beside the ray.
+    fn position_class(&self, expected: &ExpectedHit, p: Vec3) -> Class {
+        let (o, d) = (Vec3::from(self.ray.o), Vec3::from(self.ray.d));
+        let t = (p - o).dot(d) / d.length_squared();
+        let beside = (o + t * d - p).length();
+        if beside <= SAME * (expected.p - o).length() {
+            // A point at the origin is off it by rounding.
+            let t = if t.abs() <= SAME * expected.t { 0.0 } else { t };
+            Class::of_number(t, expected.t)
+        } else {
+            Class::of_size((p - expected.p).length())
         }
     }
 
@@ -208,7 +220,8 @@ impl Call<'_> {
             ..*after
         };
         let rest_untouched = bits(&rest) == bits(&before);
-        self.judge(Aspect::RayAfter, rest_untouched, 2.0, |function| {
+        let class = wrong_unless(rest_untouched, || Class::Named("o, d or min_t"));
+        self.judge_class(Aspect::RayAfter, class, 2.0, |function| {
             format!("{function} changed the ray's o, d or min_t")
         });
         self.max_t_after(hit_t, after.max_t);
@@ -217,8 +230,14 @@ impl Call<'_> {
     /// `max_t` after the call.
     pub(super) fn max_t_after(&mut self, hit_t: Option<f64>, after: f64) {
         let right = hit_t.unwrap_or(self.ray.max_t);
-        let same = after.to_bits() == right.to_bits();
-        self.judge(Aspect::RayAfter, same, 1.0, |function| {
+        let class = wrong_unless(after.to_bits() == right.to_bits(), || {
+            if after.to_bits() == self.ray.max_t.to_bits() {
+                Class::Named("max_t as before")
+            } else {
+                Class::Wrong
+            }
+        });
+        self.judge_class(Aspect::RayAfter, class, 1.0, |function| {
             let why = if hit_t.is_some() {
                 "a hit shortens the ray to the t that it gives"
             } else {
@@ -239,6 +258,17 @@ impl Call<'_> {
             )
         });
     }
+}
+
+/// The class of the answer "hit" or "miss", if it is wrong.
+pub(super) fn decision_class(right: bool, hit: bool) -> Option<Class> {
+    wrong_unless(right, || {
+        if hit {
+            Class::FalseHit
+        } else {
+            Class::FalseMiss
+        }
+    })
 }
 
 fn wrong_unless(right: bool, class: impl FnOnce() -> Class) -> Option<Class> {

@@ -103,7 +103,10 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
                 ..
             },
             Answer::Hits(answer),
-        ) => scene::hits(&mut tally, tier, scene, rays, *any_hit, answer),
+        ) => {
+            let truths = spec.truths.get_or_init(|| scene::truths(scene, rays));
+            scene::hits(&mut tally, tier, truths, rays, *any_hit, answer);
+        }
         (Work::Traverse(world), Answer::Traverse(answers)) => {
             let counts_work = cases::part2_task3::counts_work(spec.name);
             traverse::traverse(&mut tally, world, answers, counts_work);

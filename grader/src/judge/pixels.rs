@@ -3,7 +3,7 @@
 //! How samples spread is judged by z-tests over all pixels of a case, so that every sound way of sampling passes:
 //! independent, jittered, a low-discrepancy set, in any order.
 
-use super::tally::{Aspect, Tally};
+use super::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
@@ -115,7 +115,11 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
     let off = [0, 1, 2].map(|channel| (answer.radiance[channel] - mean[channel]).abs());
     let right = [0, 1, 2].map(|channel| off[channel] <= RADIANCE_BOUND * brightest(channel));
     let worst = off.into_iter().fold(0.0, f64::max);
-    tally.judge(Aspect::Radiance, call, right == [true; 3], worst, || {
+    let class = right.iter().position(|right| !right).map(|channel| {
+        // A sum for a mean is so many times too much, wherever the samples fell.
+        Class::of_number(answer.radiance[channel], mean[channel])
+    });
+    tally.judge_class(Aspect::Radiance, call, class, worst, || {
         format!(
             "the radiance is {:?}, the mean of the {samples} radiances that trace_ray gave is {mean:?}. Pixel ({x}, {y})",
             answer.radiance

@@ -2,20 +2,27 @@
 
 use super::hits;
 use super::tally::{Aspect, Tally};
+use crate::convert;
 use crate::course::Tier;
 use crate::oracle::closest::{Closest, ClosestJudgement, closest};
 use crate::oracle::verdict::{Judgement, Kernel};
-use kit::{PrimId, Primitive, Scene, Triangle, Vec3};
+use kit::{PrimId, Primitive, Scene};
 use rayon::prelude::*;
 use scenes::generate::{MeshKind, cornell_with, generate};
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::{Ray, SceneSource};
 
+/// What each of `rays` truly hits.
+pub(super) fn truths(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
+    let scene = load(source);
+    rays.par_iter().map(|ray| truth(&scene, ray)).collect()
+}
+
 /// Judges closest hits, or where `any_hit` whether there is one.
 pub(super) fn hits(
     tally: &mut Tally,
     tier: Tier,
-    source: &SceneSource,
+    truths: &[Closest],
     rays: &[Ray],
     any_hit: bool,
     answer: &HitsAnswer,
@@ -24,10 +31,8 @@ pub(super) fn hits(
         Tier::Core => Kernel::Textbook,
         Tier::Robust => Kernel::Robust,
     };
-    let scene = load(source);
-    let truths: Vec<Closest> = rays.par_iter().map(|ray| truth(&scene, ray)).collect();
     let answers = answer.hits.iter().zip(&answer.max_t);
-    for (call, ((ray, truth), (hit, &max_t))) in rays.iter().zip(&truths).zip(answers).enumerate() {
+    for (call, ((ray, truth), (hit, &max_t))) in rays.iter().zip(truths).zip(answers).enumerate() {
         if any_hit {
             blocked(tally, call, kernel, truth, hit.is_some(), ray);
         } else {
@@ -56,7 +61,7 @@ pub(crate) fn load(source: &SceneSource) -> Scene {
     };
     match source {
         SceneSource::Triangles(triangles) => Scene {
-            triangles: triangles.iter().map(triangle).collect(),
+            triangles: triangles.iter().map(convert::triangle).collect(),
             ..Scene::default()
         },
         SceneSource::Generated(name, triangles) => Scene {
@@ -67,28 +72,10 @@ pub(crate) fn load(source: &SceneSource) -> Scene {
     }
 }
 
-fn triangle(numbers: &[[f64; 3]; 6]) -> Triangle {
-    let [p0, p1, p2, n0, n1, n2] = numbers.map(Vec3::from);
-    Triangle {
-        p0,
-        p1,
-        p2,
-        n0,
-        n1,
-        n2,
-    }
-}
-
 fn truth(scene: &Scene, ray: &Ray) -> Closest {
-    let ray = kit::Ray {
-        o: ray.o.into(),
-        d: ray.d.into(),
-        min_t: ray.min_t,
-        max_t: ray.max_t,
-    };
     let triangles = scene.triangles.iter().map(Primitive::Triangle);
     let spheres = scene.spheres.iter().map(Primitive::Sphere);
-    closest(triangles.chain(spheres), &ray)
+    closest(triangles.chain(spheres), &convert::ray(ray))
 }
 
 fn one(
@@ -116,7 +103,8 @@ fn one(
         Some((id, t)) => format!("primitive {} is hit at t = {}", id.0, t.to_f64()),
         None => "nothing is hit".to_string(),
     };
-    tally.judge(Aspect::Decision, call, decided, 1.0, || {
+    let class = hits::decision_class(decided, given.is_some());
+    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
         let says = match given {
             Some((id, t)) => format!("primitive {} at t = {t}", id.0),
             None => "miss".into(),
@@ -164,7 +152,8 @@ fn blocked(
 ) {
     tally.expect(Aspect::Decision);
     let right = truth.judge_any(kernel, answer);
-    tally.judge(Aspect::Decision, call, right, 1.0, || {
+    let class = hits::decision_class(right, answer);
+    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
         let (says, is) = match truth.nearest {
             Some((id, t)) => (
                 "no",
@@ -213,7 +202,8 @@ mod tests {
             prim_tests: 1,
         };
         let mut tally = Tally::default();
-        hits(&mut tally, Tier::Core, &walls(), &[RAY], any_hit, &answer);
+        let truths = truths(&walls(), &[RAY]);
+        hits(&mut tally, Tier::Core, &truths, &[RAY], any_hit, &answer);
         let findings = tally.into_findings();
         let failed = findings.iter().filter(|finding| !finding.passed());
         failed.map(|finding: &Finding| finding.aspect).collect()

@@ -138,6 +138,12 @@ pub enum Class {
     Ratio(i8),
     /// An infinite number.
     Infinite,
+    /// 0 where the right number is another.
+    Zero,
+    /// The right numbers in each other's places.
+    Swapped,
+    /// A fault with a name of its own; several of them stand beside each other, whatever else is wrong.
+    Named(&'static str),
 }
 
 impl Class {
@@ -148,6 +154,8 @@ impl Class {
             Class::NotANumber
         } else if answered.is_infinite() {
             Class::Infinite
+        } else if answered == 0.0 {
+            Class::Zero
         } else if (ratio + 1.0).abs() < SAME {
             Class::Negated
         } else if ratio.is_finite() && ratio > 0.0 {
@@ -182,8 +190,8 @@ impl Class {
     }
 }
 
-/// Wrong answers this close to the right one, but for sign or length, are of that class.
-const SAME: f64 = 1e-6;
+/// Wrong answers this close to the right one, but for sign or length or place, are of that class.
+pub(super) const SAME: f64 = 1e-6;
 
 /// What was found about one aspect in one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]

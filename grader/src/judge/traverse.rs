@@ -47,7 +47,8 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
         tally.expect(Aspect::Primitive);
     }
     let decided = right.is_some() == answer.hit.is_some();
-    tally.judge(Aspect::Decision, call, decided, 1.0, || {
+    let class = hits::decision_class(decided, answer.hit.is_some());
+    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
         let said = match right {
             Some((id, t)) => format!("intersect_bvh says miss; primitive {id} is hit at t = {t}"),
             None => "intersect_bvh says hit; nothing is hit".into(),
@@ -85,7 +86,8 @@ fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Traverse
     let blocker = in_range(scripted).next();
     tally.expect(Aspect::Decision);
     let decided = blocker.is_some() == answer.hit.is_some();
-    tally.judge(Aspect::Decision, call, decided, 1.0, || {
+    let class = hits::decision_class(decided, answer.hit.is_some());
+    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
         let said = match blocker {
             Some((id, t)) => {
                 format!("occludes_bvh says no; primitive {id} is in the way at t = {t}")

@@ -3,7 +3,7 @@
 //! The tree comes from code under test: nothing about it is taken for granted, neither that its indices point
 //! somewhere nor that it has an end.
 
-use super::tally::{Aspect, Tally};
+use super::tally::{Aspect, Class, Tally};
 use crate::cases::recorded::TreeWork;
 use kit::{Aabb, Vec3};
 use wire::answer::BuildAnswer;
@@ -44,7 +44,8 @@ pub(super) fn build(
     let walk = match walk(tree, bounds.len()) {
         Ok(walk) => walk,
         Err(fault) => {
-            tally.judge(Aspect::Structure, 0, false, 1.0, || fault);
+            let class = Some(Class::Named(fault.name));
+            tally.judge_class(Aspect::Structure, 0, class, 1.0, || fault.says);
             return;
         }
     };
@@ -57,6 +58,20 @@ pub(super) fn build(
     }
 }
 
+/// Why what was built is no tree over the primitives.
+struct Fault {
+    /// For comparing with others.
+    name: &'static str,
+    /// For people.
+    says: String,
+}
+
+impl Fault {
+    fn new(name: &'static str, says: String) -> Fault {
+        Fault { name, says }
+    }
+}
+
 /// The nodes in an order in which parents come before their children, and how deep each is (the root is at 0).
 struct Walk {
     parents_first: Vec<usize>,
@@ -64,7 +79,7 @@ struct Walk {
 }
 
 /// Goes through the tree once, and says what is wrong with it if it is none or does not hold each primitive once.
-fn walk(tree: &Tree, primitives: usize) -> Result<Walk, String> {
+fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     let mut walk = Walk {
         parents_first: Vec::new(),
         depth: vec![0; tree.nodes.len()],
@@ -72,15 +87,19 @@ fn walk(tree: &Tree, primitives: usize) -> Result<Walk, String> {
     let mut reached = vec![false; tree.nodes.len()];
     let mut placed_by = vec![None; tree.order.len()];
     if tree.nodes.is_empty() && primitives > 0 {
-        return Err(format!(
-            "the tree has no nodes, but there are {primitives} primitives"
+        return Err(Fault::new(
+            "no nodes",
+            format!("the tree has no nodes, but there are {primitives} primitives"),
         ));
     }
     let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
     while let Some(at) = next.pop() {
         if std::mem::replace(&mut reached[at], true) {
-            return Err(format!(
-                "node {at} has two parents or is its own ancestor: each node must be reached once from node 0"
+            return Err(Fault::new(
+                "two parents",
+                format!(
+                    "node {at} has two parents or is its own ancestor: each node must be reached once from node 0"
+                ),
             ));
         }
         walk.parents_first.push(at);
@@ -88,9 +107,12 @@ fn walk(tree: &Tree, primitives: usize) -> Result<Walk, String> {
             NodeKind::Interior { left, right } => {
                 for child in [left as usize, right as usize] {
                     if child >= tree.nodes.len() {
-                        return Err(format!(
-                            "node {at} names the child {child}, but the tree has {} nodes",
-                            tree.nodes.len()
+                        return Err(Fault::new(
+                            "no such child",
+                            format!(
+                                "node {at} names the child {child}, but the tree has {} nodes",
+                                tree.nodes.len()
+                            ),
                         ));
                     }
                     walk.depth[child] = walk.depth[at] + 1;
@@ -101,14 +123,18 @@ fn walk(tree: &Tree, primitives: usize) -> Result<Walk, String> {
         }
     }
     if let Some(lost) = reached.iter().position(|reached| !reached) {
-        return Err(format!(
-            "node {lost} is below no other: it cannot be reached from node 0"
+        return Err(Fault::new(
+            "unreachable",
+            format!("node {lost} is below no other: it cannot be reached from node 0"),
         ));
     }
     if let Some(place) = placed_by.iter().position(Option::is_none) {
-        return Err(format!(
-            "no leaf holds order[{place}] (primitive {}): no ray will ever find it",
-            tree.order[place]
+        return Err(Fault::new(
+            "in no leaf",
+            format!(
+                "no leaf holds order[{place}] (primitive {}): no ray will ever find it",
+                tree.order[place]
+            ),
         ));
     }
     each_once(&tree.order, primitives)?;
@@ -121,19 +147,25 @@ fn take_run(
     at: usize,
     first: u32,
     count: u32,
-) -> Result<(), String> {
+) -> Result<(), Fault> {
     let (first, count) = (first as usize, count as usize);
     let length = placed_by.len();
     let run = placed_by.get_mut(first..first + count).ok_or_else(|| {
-        format!(
-            "leaf {at} holds order[{first} .. {}], but order has {length} entries",
-            first + count
+        Fault::new(
+            "beyond order",
+            format!(
+                "leaf {at} holds order[{first} .. {}], but order has {length} entries",
+                first + count
+            ),
         )
     })?;
     for (place, holder) in (first..).zip(run) {
         if let Some(other) = holder.replace(at) {
-            return Err(format!(
-                "leaves {other} and {at} both hold order[{place}]: leaves must not overlap"
+            return Err(Fault::new(
+                "overlap",
+                format!(
+                    "leaves {other} and {at} both hold order[{place}]: leaves must not overlap"
+                ),
             ));
         }
     }
@@ -141,16 +173,22 @@ fn take_run(
 }
 
 /// Whether `order` names each of the primitives once.
-fn each_once(order: &[u32], primitives: usize) -> Result<(), String> {
+fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
     let mut seen = vec![false; primitives];
     for &id in order {
         match seen.get_mut(id as usize) {
             None => {
-                return Err(format!(
-                    "the tree holds primitive {id}, but there are only {primitives}"
+                return Err(Fault::new(
+                    "no such primitive",
+                    format!("the tree holds primitive {id}, but there are only {primitives}"),
                 ));
             }
-            Some(seen) if *seen => return Err(format!("the tree holds primitive {id} twice")),
+            Some(seen) if *seen => {
+                return Err(Fault::new(
+                    "twice",
+                    format!("the tree holds primitive {id} twice"),
+                ));
+            }
             Some(seen) => *seen = true,
         }
     }
@@ -158,8 +196,15 @@ fn each_once(order: &[u32], primitives: usize) -> Result<(), String> {
         0 => Ok(()),
         lost => {
             let id = seen.iter().position(|seen| !seen).unwrap_or_default();
-            Err(format!(
-                "{lost} of {primitives} primitives are lost, primitive {id} for one: does every one go left or right, also a centroid that lies on the split?"
+            Err(Fault::new(
+                if id + lost == primitives {
+                    "last ones lost"
+                } else {
+                    "lost"
+                },
+                format!(
+                    "{lost} of {primitives} primitives are lost, primitive {id} for one: does every one go left or right, also a centroid that lies on the split?"
+                ),
             ))
         }
     }
@@ -196,7 +241,12 @@ fn judge_bounds(tally: &mut Tally, tree: &Tree, held: &[Aabb]) {
         let missing = (given.min - held.min)
             .max(held.max - given.max)
             .max_element();
-        tally.judge(Aspect::Bounds, 0, right, missing, || {
+        let class = (!right).then_some(Class::Named(match node.kind {
+            _ if at == 0 => "root",
+            NodeKind::Interior { .. } => "inner node",
+            NodeKind::Leaf { .. } => "leaf",
+        }));
+        tally.judge_class(Aspect::Bounds, 0, class, missing, || {
             format!(
                 "node {at} has the box {}, but the primitives below it reach over {}",
                 show(&given),
@@ -227,10 +277,16 @@ fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size
         };
         let too_many = count > max_leaf_size;
         let for_nothing = count == 0 && primitives > 0;
-        tally.judge(
+        let class = match count {
+            0 if for_nothing => Some(Class::Named("empty")),
+            _ if count == max_leaf_size + 1 => Some(Class::Named("one too many")),
+            _ if too_many => Some(Class::Named("too many")),
+            _ => None,
+        };
+        tally.judge_class(
             Aspect::LeafSize,
             0,
-            !too_many && !for_nothing,
+            class,
             f64::from(count),
             || {
                 if for_nothing {
@@ -259,20 +315,45 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, held: &[Aabb], record
         .map(|node| tests(node) * aabb(&node.bounds).surface_area() / scene)
         .sum();
     let cheap = cost <= COST_FACTOR * recorded.cost;
-    tally.judge(Aspect::Work, 0, cheap, cost / recorded.cost, || {
+    let ratio = cost / recorded.cost;
+    let why = looseness(tree, held);
+    let class = (!cheap).then_some(Class::Named(why));
+    tally.judge_class(Aspect::Work, 0, class, ratio, || {
         format!(
             "a line through this tree makes {cost:.1} tests on average, through the reference's {:.1} (up to {COST_FACTOR} times that is fine): is each node split along its longest axis, and is its box no larger than needed?",
             recorded.cost
         )
     });
+    if !cheap && why == COSTLY_SPLITS {
+        // How much they cost tells them from each other.
+        let class = Class::of_size(ratio);
+        tally.judge_class(Aspect::Work, 0, Some(class), ratio, String::new);
+    }
     let depth = walk.depth.iter().copied().max().unwrap_or(0);
     let flat = depth <= DEPTH_FACTOR * recorded.depth;
-    tally.judge(Aspect::Work, 0, flat, f64::from(depth) / f64::from(recorded.depth), || {
+    let class = (!flat).then_some(Class::Named("deep"));
+    tally.judge_class(Aspect::Work, 0, class, f64::from(depth) / f64::from(recorded.depth), || {
         format!(
             "the tree is {depth} levels deep, the reference's {} (up to {DEPTH_FACTOR} times that is fine): do the splits leave a fair share on both sides?",
             recorded.depth
         )
     });
+}
+
+/// What costs in a tree whose boxes are as small as they can be.
+const COSTLY_SPLITS: &str = "costly splits";
+
+/// What costs in a tree: boxes that are larger than what they hold, or how it was split.
+fn looseness(tree: &Tree, held: &[Aabb]) -> &'static str {
+    let boxes = || tree.nodes.iter().map(|node| aabb(&node.bounds)).zip(held);
+    let to_origin = |held: &Aabb| held.grown_by(Vec3::ZERO);
+    if boxes().all(|(given, held)| given == *held) {
+        COSTLY_SPLITS
+    } else if boxes().all(|(given, held)| given == to_origin(held)) {
+        "boxes that reach to the origin"
+    } else {
+        "loose boxes"
+    }
 }
 
 #[cfg(test)]

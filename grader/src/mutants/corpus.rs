@@ -29,6 +29,9 @@ pub struct Mistake {
     pub says: String,
     /// Where to look, without giving the solution away.
     pub hint: String,
+    /// Its numbers in the list of mistakes that students were seen to make, such as `P1T3-01`.
+    #[serde(default)]
+    pub seen: Vec<String>,
 }
 
 /// Code that makes one mistake, or two at once.
@@ -68,9 +71,14 @@ fn reference() -> String {
 pub type Sources = BTreeMap<PathBuf, String>;
 
 impl Corpus {
+    /// Where the mutants of a task are.
+    pub fn file(workspace: &Workspace, task: &Task) -> PathBuf {
+        folder(workspace).join(format!("{}.toml", task.key))
+    }
+
     /// Reads the mutants of a task.
     pub fn read(workspace: &Workspace, task: &Task) -> Result<Corpus, GraderError> {
-        let path = folder(workspace).join(format!("{}.toml", task.key));
+        let path = Corpus::file(workspace, task);
         let text =
             std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
         let corpus: Corpus =
@@ -94,6 +102,15 @@ impl Corpus {
             .find(|mistake| !ids.insert(&mistake.id))
         {
             return Err(format!("two mistakes are called `{}`", twice.id));
+        }
+        let mut names = BTreeSet::new();
+        if let Some(twice) = self
+            .mutants
+            .iter()
+            .map(Mutant::name)
+            .find(|name| !names.insert(name.clone()))
+        {
+            return Err(format!("two mutants are called `{twice}`"));
         }
         for mutant in &self.mutants {
             if let Some(unknown) = mutant.mistakes.iter().find(|id| !ids.contains(id)) {

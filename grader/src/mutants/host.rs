@@ -417,6 +417,17 @@ fn write_job(workspace: &Workspace, job: &Path, stage: &str) -> Result<(), Grade
         };
         *path = toml::Value::from(place.display().to_string());
     }
+    // A hundred versions build faster so, and floats come out the same.
+    if let Some(release) = manifest
+        .get_mut("profile")
+        .and_then(|profile| profile.get_mut("release"))
+        .and_then(toml::Value::as_table_mut)
+    {
+        let light = toml::Table::from_iter([("opt-level".to_string(), 1.into())]);
+        let packages = toml::Table::from_iter([(stage.to_string(), light.into())]);
+        release.insert("debug".into(), false.into());
+        release.insert("package".into(), packages.into());
+    }
     write(&job.join("Cargo.toml"), &manifest.to_string())?;
     copy(&root.join("Cargo.lock"), &job.join("Cargo.lock"))?;
     copy(

@@ -2,7 +2,7 @@
 
 use super::corpus::{Corpus, Mutant, REFERENCE, Sources, reference_sources, variants};
 use super::host::{self, CHOICE};
-use crate::cases;
+use crate::cases::{self, Spec};
 use crate::course::{Course, Task};
 use crate::diagnosis::Known;
 use crate::error::GraderError;
@@ -13,7 +13,8 @@ use crate::signature::Signature;
 use crate::workers::Workers;
 use crate::workspace::Workspace;
 use rayon::prelude::*;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use wire::Work;
 
 /// A version of a task's code and how the grader scored it.
 #[derive(Clone, Debug)]
@@ -36,59 +37,127 @@ pub enum Kind {
 }
 
 impl Graded {
-    /// Whether the grader was right about it: mutants lose points, correct code keeps every core point.
-    pub fn is_as_it_should_be(&self) -> bool {
-        let result = &self.result;
-        match self.kind {
-            Kind::Correct => result.score >= result.max_score,
-            Kind::Mutant(_) => {
-                result.score + result.robust_score < result.max_score + result.robust_max_score
-            }
-        }
+    /// Whether this is correct code that lost a core point: the grader is wrong about it.
+    pub fn is_accused(&self) -> bool {
+        matches!(self.kind, Kind::Correct) && self.result.score < self.result.max_score
     }
 }
 
-/// Grades the reference, all variants and all mutants of `task` for each of `seeds`, in that order.
+/// Milliseconds that a case of a mutant may take. Sound code needs a few; one that never comes back should not cost
+/// the corpus minutes. Correct code has the time that students have.
+const MUTANT_LIMIT_MS: u64 = 1500;
+
+/// Grades the reference, all variants and all mutants of `task`, in that order. Then the correct ones again with the
+/// cases that `seeds` seeds make otherwise than the first one, 0: of these, only those that are accused are given.
 pub fn task(
     workspace: &Workspace,
     course: &Course,
     task: &Task,
-    seeds: &[u64],
+    seeds: u64,
 ) -> Result<Vec<Graded>, GraderError> {
     let corpus = Corpus::read(workspace, task)?;
     let (kinds, versions) = versions(workspace, task, corpus)?;
-    let program = host::worker(workspace, &task.stage, &versions)?;
-    let orders: Vec<(usize, u64)> = (0..kinds.len())
-        .flat_map(|version| seeds.iter().map(move |seed| (version, *seed)))
-        .collect();
-    orders
-        .into_par_iter()
-        .map(|(version, seed)| {
-            let environment = vec![(CHOICE, version.to_string())];
-            let worker = Worker {
-                program: program.clone(),
-                environment,
-            };
-            let specs = cases::all(seed);
-            // The host is built with every stage.
-            let workers = Workers {
-                together: Ok(worker.clone()),
-                own: worker,
-            };
-            let mut results = grade_tasks(course, &[task], &specs, &workers, &mut String::new())?;
-            let result = results
-                .pop()
-                .ok_or_else(|| GraderError::new("the grader lost a task"))?;
-            let (name, kind) = kinds[version].clone();
-            Ok(Graded { name, kind, result })
-        })
-        .collect()
+    let has_own = |version: &usize| *version == 0 || solves(task, &versions[*version]);
+    let host = Host {
+        program: host::worker(workspace, &task.stage, &versions)?,
+        course,
+        versions: kinds,
+    };
+    let everything = 0..host.versions.len();
+    let specs = cases::all(0);
+    let mut graded = host.grade(task, &specs, everything.clone())?;
+    let is_correct = |version: &usize| matches!(host.versions[*version].1, Kind::Correct);
+    for seed in 1..seeds {
+        let others = cases::all(seed);
+        let fresh = changed(task, &specs, &others);
+        if fresh.cases.is_empty() {
+            break;
+        }
+        let correct = everything.clone().filter(is_correct).filter(has_own);
+        let again = host.grade(&fresh, &others, correct)?;
+        graded.extend(again.into_iter().filter(Graded::is_accused));
+    }
+    Ok(graded)
 }
 
-type Named = (String, Kind);
+/// Whether a variant solves `task` in a way of its own: others of its stage have the reference's.
+fn solves(task: &Task, variant: &Sources) -> bool {
+    let own = variant.get(Path::new("lib.rs"));
+    let defines = |text: &String, hole: &String| {
+        [format!("fn {hole}("), format!("fn {hole}<")]
+            .iter()
+            .any(|start| text.contains(start))
+    };
+    own.is_some_and(|text| task.holes.iter().any(|hole| defines(text, hole)))
+}
 
-/// All versions of a task's stage: name and kind, and sources.
-fn versions(
+/// The part of `task` whose cases are not the same in `others` as in `specs`.
+fn changed(task: &Task, specs: &[Spec], others: &[Spec]) -> Task {
+    let of = |specs: &[Spec], name: &str| -> Option<Work> {
+        let spec = specs.iter().find(|spec| spec.is(&task.key, name));
+        spec.map(|spec| spec.work.clone())
+    };
+    let mut task = task.clone();
+    task.cases
+        .retain(|case| of(specs, &case.name) != of(others, &case.name));
+    task
+}
+
+/// A worker that holds all versions of a stage.
+struct Host<'a> {
+    program: PathBuf,
+    course: &'a Course,
+    versions: Vec<Named>,
+}
+
+impl Host<'_> {
+    /// Grades some of the versions, by their numbers.
+    fn grade(
+        &self,
+        task: &Task,
+        specs: &[Spec],
+        versions: impl Iterator<Item = usize>,
+    ) -> Result<Vec<Graded>, GraderError> {
+        let versions: Vec<usize> = versions.collect();
+        let each = versions.into_par_iter();
+        each.map(|version| self.grade_one(task, specs, version))
+            .collect()
+    }
+
+    fn grade_one(
+        &self,
+        task: &Task,
+        specs: &[Spec],
+        version: usize,
+    ) -> Result<Graded, GraderError> {
+        let (name, kind) = self.versions[version].clone();
+        let worker = Worker {
+            program: self.program.clone(),
+            environment: vec![(CHOICE, version.to_string())],
+            longest_ms: match kind {
+                Kind::Correct => u64::MAX,
+                Kind::Mutant(_) => MUTANT_LIMIT_MS,
+            },
+        };
+        // The host is built with every stage.
+        let workers = Workers {
+            together: Ok(worker.clone()),
+            own: worker,
+        };
+        let mut results = grade_tasks(self.course, &[task], specs, &workers, &mut String::new())?;
+        let result = results
+            .pop()
+            .ok_or_else(|| GraderError::new("the grader lost a task"))?;
+        Ok(Graded { name, kind, result })
+    }
+}
+
+/// A version's name, and what it is.
+pub type Named = (String, Kind);
+
+/// All versions of a task's stage: the reference, the variants, the mutants; and their sources. Fails if an edit does
+/// not fit its code.
+pub fn versions(
     workspace: &Workspace,
     task: &Task,
     corpus: Corpus,

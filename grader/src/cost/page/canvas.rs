@@ -104,7 +104,7 @@ pub(crate) fn svg(
     // As wide as its place on the page, and no wider than it was made for.
     let size = format!("width=\"{units_w}\" height=\"{units_h}\"");
     let fluid = format!(
-        "role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto\"",
+        "role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto;background:#fff\"",
         escape(says)
     );
     Ok(text.replacen(&size, &fluid, 1))

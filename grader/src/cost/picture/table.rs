@@ -85,6 +85,15 @@ fn milliseconds(point: &Point) -> String {
 }
 
 fn share(error: Interval) -> String {
-    let [value, low, high] = [error.value, error.low, error.high].map(|e| 100.0 * e);
-    format!("{value:.2} [{low:.2}, {high:.2}]")
+    let [value, low, high] = [error.value, error.low, error.high].map(|e| percent(100.0 * e));
+    format!("{value} [{low}, {high}]")
+}
+
+/// Two decimals, one from ten on.
+fn percent(number: f64) -> String {
+    if number < 9.995 {
+        format!("{number:.2}")
+    } else {
+        format!("{number:.1}")
+    }
 }

@@ -1,7 +1,7 @@
 //! `grader cost`: what accuracy costs in time.
 //!
 //! Well-known kernels and the student's own, side by side: how long each takes, and how right it is on ordinary and
-//! on hard rays. Read [`report`] first: it is all that is said. Then [`measure`] (one run), `rays` (what kernels are
+//! on hard rays. Read [`report`] first: it is all that is said. Then [`measure()`] (one run), `rays` (what kernels are
 //! asked), `truth` and `accuracy` (how right the answers are), `leaks`, `clock` (times), `student` (the same through the
 //! worker), `measure_trees` and `overlaps` (trees), [`picture`] (what better pictures cost), [`table`] and [`page`]
 //! (showing it).

@@ -3,6 +3,7 @@
 //! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with the same
 //! writer that checks them; blessing compares the pairs, and renames.
 
+use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::picture::read_png;
 use crate::report::write_whole;
@@ -25,6 +26,12 @@ pub struct Change {
 
 /// Runs the goldens' test for `key` (`all`, a part, a task) and lists what would change.
 pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderError> {
+    let course = Course::read(workspace)?;
+    let tasks = course.select(key)?;
+    // What an earlier run left, `cargo test` or one that was interrupted, is of another reference.
+    for (_, stale) in new_files(workspace, &tasks)? {
+        remove(&stale)?;
+    }
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
         .current_dir(workspace.root())
@@ -43,10 +50,7 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
             String::from_utf8_lossy(&output.stdout).trim()
         )));
     }
-    let mut found = Vec::new();
-    new_files(&workspace.root().join("golden"), &mut found)?;
-    found.sort();
-    found
+    new_files(workspace, &tasks)?
         .into_iter()
         .map(|(golden, new)| {
             Ok(Change {
@@ -98,22 +102,31 @@ fn read(path: &Path) -> Result<String, GraderError> {
     std::fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))
 }
 
-/// Pairs of a golden and the new file beside it.
-fn new_files(folder: &Path, found: &mut Vec<(PathBuf, PathBuf)>) -> Result<(), GraderError> {
-    for entry in std::fs::read_dir(folder).map_err(|e| GraderError::file("read", folder, e))? {
-        let path = entry
-            .map_err(|e| GraderError::file("read", folder, e))?
-            .path();
-        let name = path.display().to_string();
-        if path.is_dir() {
-            new_files(&path, found)?;
-        } else if let Some(golden) = name.strip_suffix(".new") {
-            found.push((PathBuf::from(golden), path));
-        } else if let Some(stem) = name.strip_suffix(".new.png") {
-            found.push((PathBuf::from(format!("{stem}.png")), path));
+/// Pairs of a golden of `tasks` and the new file beside it.
+fn new_files(
+    workspace: &Workspace,
+    tasks: &[&Task],
+) -> Result<Vec<(PathBuf, PathBuf)>, GraderError> {
+    let mut found = Vec::new();
+    for task in tasks {
+        let folder = workspace.root().join("golden").join(&task.key);
+        // A task whose goldens are all new has no folder yet.
+        if !folder.is_dir() {
+            continue;
+        }
+        let failed = |e| GraderError::file("read", &folder, e);
+        for entry in std::fs::read_dir(&folder).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            let name = path.display().to_string();
+            if let Some(golden) = name.strip_suffix(".new") {
+                found.push((PathBuf::from(golden), path));
+            } else if let Some(stem) = name.strip_suffix(".new.png") {
+                found.push((PathBuf::from(format!("{stem}.png")), path));
+            }
         }
     }
-    Ok(())
+    found.sort();
+    Ok(found)
 }
 
 fn meaning(golden: &Path, new: &Path) -> Result<String, GraderError> {
@@ -196,4 +209,60 @@ fn fnv(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COURSE: &str = r#"
+conventions = []
+[[part]]
+number = 1
+title = "One"
+[[part.task]]
+key = "part1.task1"
+title = "Mine"
+stage = "bbox"
+holes = []
+cases = [{ name = "a", tier = "core", points = 1 }]
+[[part.task]]
+key = "part1.task2"
+title = "Another"
+stage = "bbox"
+holes = []
+cases = [{ name = "a", tier = "core", points = 1 }]
+"#;
+
+    #[test]
+    fn what_waits_for_another_task_is_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        for (path, text) in [
+            ("stages/course.toml", COURSE),
+            ("stages/bbox/src/lib.rs", ""),
+            ("golden/part1.task1/a.snap.new", ""),
+            ("golden/part1.task1/a.new.png", ""),
+            ("golden/part1.task1/a.snap", ""),
+            ("golden/part1.task2/a.snap.new", ""),
+        ] {
+            crate::tree::write(&root.join(path), text.as_bytes()).unwrap();
+        }
+        let workspace = Workspace::above(root).unwrap();
+        let course = Course::read(&workspace).unwrap();
+        let found = new_files(&workspace, &course.select("part1.task1").unwrap()).unwrap();
+        let goldens: Vec<&Path> = found.iter().map(|(golden, _)| golden.as_path()).collect();
+        let folder = workspace.root().join("golden/part1.task1");
+        assert_eq!(goldens, [folder.join("a.png"), folder.join("a.snap")]);
+    }
+
+    #[test]
+    fn a_task_without_a_stage_is_refused_with_the_stages_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("stages/course.toml");
+        crate::tree::write(&file, COURSE.as_bytes()).unwrap();
+        let workspace = Workspace::above(folder.path()).unwrap();
+        let error = Course::read(&workspace).unwrap_err().to_string();
+        assert!(error.contains("there is no stages/bbox"), "{error}");
+    }
 }

@@ -195,6 +195,10 @@ fn keep_apart(program: PathBuf, features: &[&str]) -> Result<Built, GraderError>
     // Written beside and renamed: a worker that still runs from the old file is not disturbed.
     let fresh = copy.with_extension(format!("new{}", std::process::id()));
     let copied = std::fs::copy(&program, &fresh).and_then(|_| std::fs::rename(&fresh, &copy));
-    copied.map_err(|e| GraderError::file("write", &copy, e))?;
+    copied.map_err(|e| {
+        // Half a program is of no use to anybody.
+        let _ = std::fs::remove_file(&fresh);
+        GraderError::file("write", &copy, e)
+    })?;
     Ok(Built::Worker(copy))
 }

@@ -76,7 +76,17 @@ impl Course {
         let path = workspace.course_toml();
         let text =
             std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
-        Course::parse(&text).map_err(|e| GraderError::new(format!("{}: {e}", path.display())))
+        let refused = |e| GraderError::new(format!("{}: {e}", path.display()));
+        let course = Course::parse(&text).map_err(refused)?;
+        for task in course.tasks() {
+            let stage = workspace.root().join("stages").join(&task.stage);
+            ensure(stage.is_dir(), || {
+                let (key, stage) = (&task.key, &task.stage);
+                format!("`{key}` is written in the stage `{stage}`, but there is no stages/{stage}")
+            })
+            .map_err(refused)?;
+        }
+        Ok(course)
     }
 
     /// Reads a course from the text of a `course.toml` and refuses one that contradicts itself.

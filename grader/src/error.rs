@@ -19,6 +19,12 @@ impl GraderError {
     }
 }
 
+/// What went wrong with a temporary file, without its name, which tells nobody anything.
+pub fn without_path(error: &std::io::Error) -> String {
+    let inner = error.get_ref().and_then(std::error::Error::source);
+    inner.map_or_else(|| error.to_string(), ToString::to_string)
+}
+
 impl fmt::Display for GraderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)

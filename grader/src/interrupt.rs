@@ -1,6 +1,6 @@
 //! Ctrl-C: what was half written goes, and the program says so.
 
-use crate::error::GraderError;
+use crate::error::{GraderError, without_path};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -39,7 +39,7 @@ pub fn scratch_in(parent: &Path) -> Result<Scratch, GraderError> {
     let folder = tempfile::Builder::new()
         .prefix(".grader-")
         .tempdir_in(parent)
-        .map_err(|e| GraderError::file("write to", parent, e))?;
+        .map_err(|e| GraderError::file("write to", parent, without_path(&e)))?;
     remember(folder.path());
     Ok(Scratch(folder))
 }

@@ -2,11 +2,13 @@
 //!
 //! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
 //! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
-//! there is to grade), [`crew`] with [`compile`], [`workers`] with [`runner`] (building and running the workers), [`judge`] with
-//! [`truth`] (right and wrong), [`score`] (points), [`speedup`] (times, which earn none), [`report`] (showing them).
+//! there is to grade), [`crew`] with [`compile`], [`workers`] with [`runner`] (building and running the workers),
+//! [`judge`] with [`truth`] (right and wrong), [`score`] (points), [`speedup`] (times, which earn none), [`report`]
+//! (showing them).
 //!
 //! For instructors: [`handout`] carves what a student is given, [`submission`] grades what comes back, [`check`]
-//! asks whether the course keeps its word, [`bless`] takes new goldens, [`review`] shows what changed, [`mutants`] grades typical mistakes.
+//! asks whether the course keeps its word, [`bless`] takes new goldens, [`review`] shows what changed, [`mutants`]
+//! grades typical mistakes.
 
 pub mod bless;
 pub mod cases;

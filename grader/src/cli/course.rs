@@ -30,7 +30,10 @@ impl Course {
             println!("The course holds together.");
             return Ok(Verdict::Full);
         }
-        println!("{} complaints.", complaints.len());
+        match complaints.len() {
+            1 => println!("1 complaint."),
+            many => println!("{many} complaints."),
+        }
         Ok(Verdict::Short)
     }
 }

@@ -84,7 +84,15 @@ impl Review {
             )));
         }
         let folder = out.parent().filter(|folder| !folder.as_os_str().is_empty());
-        interrupt::scratch_in(folder.unwrap_or(Path::new(".")))?;
+        let folder = folder.unwrap_or(Path::new("."));
+        if !folder.is_dir() {
+            return Err(GraderError::new(format!(
+                "cannot write the page to {}: there is no folder {}. Make it first",
+                out.display(),
+                folder.display()
+            )));
+        }
+        interrupt::scratch_in(folder)?;
         Ok(out.clone())
     }
 

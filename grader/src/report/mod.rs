@@ -3,7 +3,7 @@
 mod speedups;
 pub mod table;
 
-use crate::error::GraderError;
+use crate::error::{GraderError, without_path};
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
@@ -20,13 +20,13 @@ pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
-    let failed = |e: &dyn std::fmt::Display| GraderError::file("write", path, e);
+    let failed = |e: &std::io::Error| GraderError::file("write", path, without_path(e));
     let mut file = tempfile::Builder::new();
     // Temporary files are the owner's alone, reports are as other files are.
     #[cfg(unix)]
     file.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = file.tempfile_in(folder).map_err(|e| failed(&e))?;
     file.write_all(text).map_err(|e| failed(&e))?;
-    file.persist(path).map_err(|e| failed(&e))?;
+    file.persist(path).map_err(|e| failed(&e.error))?;
     Ok(())
 }

@@ -75,6 +75,7 @@ pub enum Emitter {
 impl Emitter {
     /// Whether light comes from a single direction at every point, so that one sample says it all and no ray
     /// that is cast at random ever finds it.
+    #[inline]
     pub fn is_delta(&self) -> bool {
         matches!(
             self,
@@ -87,6 +88,7 @@ impl Emitter {
     ///
     /// `None` where the drawn part of the light shines nothing to `p`: seen from behind or edge-on, outside the cone
     /// of a spot, or from the very place of the light.
+    #[inline]
     pub fn sample(&self, p: Vec3, u: Vec2) -> Option<LightSample> {
         match self {
             Emitter::Point {

@@ -52,11 +52,13 @@ impl EmittingMesh {
     }
 
     /// Area of all triangles.
+    #[inline]
     pub fn area(&self) -> f64 {
         *self.area_up_to.last().expect("a light has a triangle")
     }
 
     /// A point uniform over the area and the normal there, from `u` in [0, 1)².
+    #[inline]
     pub(crate) fn sample(&self, u: Vec2) -> (Vec3, Vec3) {
         let target = u.x * self.area();
         let i = self

@@ -99,6 +99,7 @@ impl Scene {
     }
 
     /// The material of primitive `id`. Panics if the scene has no objects.
+    #[inline]
     pub fn material_of(&self, id: PrimId) -> &Material {
         let object = &self.objects[self.object_of[id.0 as usize] as usize];
         &self.materials[object.material as usize].material

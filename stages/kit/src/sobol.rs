@@ -27,17 +27,18 @@ pub(crate) fn point(index: u32, key: u64) -> [u32; 2] {
 }
 
 /// The second dimension: each bit of the index adds, without carry, a row of Pascal's triangle modulo 2.
+///
+/// There a number is odd if the digits of its column are among those of its row (Lucas, 1878). So bit `j` of the sum is
+/// the sum of the index's bits whose numbers have all the digits of `j`, and five steps add up all 32, a digit each.
 #[inline]
 fn second_dimension(index: u32) -> u32 {
-    let (mut rest, mut row, mut sum) = (index, 1_u32 << 31, 0);
-    while rest != 0 {
-        if rest & 1 == 1 {
-            sum ^= row;
-        }
-        rest >>= 1;
-        row ^= row >> 1;
-    }
-    sum
+    let mut sum = index;
+    sum ^= sum >> 1 & 0x5555_5555;
+    sum ^= sum >> 2 & 0x3333_3333;
+    sum ^= sum >> 4 & 0x0f0f_0f0f;
+    sum ^= sum >> 8 & 0x00ff_00ff;
+    sum ^= sum >> 16;
+    sum.reverse_bits()
 }
 
 /// Flips every binary digit of the fraction `x` or not, depending on `seed` and the digits before it, and on nothing
@@ -86,6 +87,20 @@ mod tests {
     fn the_second_dimension_is_sobols() {
         let eighths: Vec<u32> = (0..8).map(|i| second_dimension(i) >> 29).collect();
         assert_eq!(eighths, [0, 4, 6, 2, 5, 1, 3, 7]);
+    }
+
+    #[test]
+    fn the_rows_are_those_of_pascals_triangle() {
+        for index in [1, 2, 3, 0x8000_0000, 0xdead_beef, 0x0123_4567, u32::MAX] {
+            let (mut row, mut sum) = (1_u32 << 31, 0);
+            for bit in 0..32 {
+                if index >> bit & 1 == 1 {
+                    sum ^= row;
+                }
+                row ^= row >> 1;
+            }
+            assert_eq!(second_dimension(index), sum, "{index:x}");
+        }
     }
 
     #[test]

@@ -4,8 +4,8 @@
 //! up to you. `cargo bench -p simd_bvh` measures it against the tree of stage `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
-//! Read in this order: `sah` (the binary tree that is cheapest), `wide` (made eight wide), `node` and `block` (how boxes
-//! and triangles lie in memory), `ray_boxes` (eight boxes at once), `traverse` (the walk).
+//! Read in this order: `sah` (the binary tree that is cheapest), `wide` (made eight wide), `node`, `block` and
+//! `sphere_block` (how boxes, triangles and spheres lie in memory), `ray_boxes` (eight boxes at once), `traverse` (the walk).
 //!
 //! Fast and exact at the same time: boxes are single precision and only ever too large; triangles are double precision,
 //! by the very arithmetic of the plain kernel, and where that one thinks twice it is asked. So the hits are those of
@@ -19,6 +19,7 @@ mod block;
 mod node;
 mod ray_boxes;
 mod sah;
+mod sphere_block;
 // END SOLUTION(part6.task1)
 mod traverse;
 mod wide;

@@ -2,7 +2,7 @@
 //! A node of eight children: their boxes in single precision, and what is below.
 
 use crate::sah::LANES;
-use kit::{Aabb, PrimId, Vec3};
+use kit::{Aabb, Vec3};
 
 /// The boxes of up to eight children, one a lane, and the children.
 ///
@@ -80,13 +80,15 @@ pub(crate) enum Below {
     Node(u32),
     /// A block of triangles, by its number.
     Block(u32),
-    /// A sphere.
-    Sphere(PrimId),
+    /// A block of spheres, by its number.
+    Spheres(u32),
 }
 
 impl Child {
+    /// The first node.
+    pub(crate) const ROOT: Child = Child(0);
     const BLOCK: u32 = 1 << 30;
-    const SPHERE: u32 = 1 << 31;
+    const SPHERES: u32 = 1 << 31;
     const NUMBER: u32 = Child::BLOCK - 1;
 
     pub(crate) fn node(number: u32) -> Child {
@@ -97,8 +99,8 @@ impl Child {
         Child(Child::checked(number) | Child::BLOCK)
     }
 
-    pub(crate) fn sphere(id: PrimId) -> Child {
-        Child(Child::checked(id.0) | Child::SPHERE)
+    pub(crate) fn spheres(number: u32) -> Child {
+        Child(Child::checked(number) | Child::SPHERES)
     }
 
     fn checked(number: u32) -> u32 {
@@ -114,7 +116,7 @@ impl Child {
         } else if self.0 & Child::BLOCK != 0 {
             Below::Block(number)
         } else {
-            Below::Sphere(PrimId(number))
+            Below::Spheres(number)
         }
     }
 }
@@ -139,7 +141,7 @@ mod tests {
     fn children_keep_what_they_are() {
         assert_eq!(Child::node(7).below(), Below::Node(7));
         assert_eq!(Child::block(0).below(), Below::Block(0));
-        assert_eq!(Child::sphere(PrimId(9)).below(), Below::Sphere(PrimId(9)));
+        assert_eq!(Child::spheres(9).below(), Below::Spheres(9));
     }
 }
 // END SOLUTION(part6.task1)

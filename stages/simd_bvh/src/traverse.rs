@@ -1,9 +1,10 @@
 //! Walking: the closest hit and any hit, the same that asking every primitive would give.
 
 // BEGIN SOLUTION(part6.task1)
-use crate::block::BlockRay;
+use crate::block::{Block, BlockRay};
 use crate::node::{Below, Child, Node};
 use crate::ray_boxes::{Boxes, Lanes, Plain};
+use crate::sphere_block::SphereBlock;
 use fearless_simd::{Simd, dispatch};
 // END SOLUTION(part6.task1)
 use crate::wide::WideBvh;
@@ -33,13 +34,9 @@ impl WideBvh {
         work: &mut Work,
     ) -> Option<(PrimId, f64)> {
         // BEGIN SOLUTION(part6.task1)
-        let search = Search {
-            tree: self,
-            left,
-            exact,
-            work,
-        };
-        dispatch!(self.level, simd => search.closest(simd, ray))
+        dispatch!(self.level, simd => {
+            Search::<_, _, false>::new(simd, self, ray, left, exact, work).run()
+        })
         // STUB: kit::hole!("part6.task1", self, ray, left, exact, work)
         // END SOLUTION(part6.task1)
     }
@@ -55,107 +52,76 @@ impl WideBvh {
         work: &mut Work,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
-        let search = Search {
-            tree: self,
-            left,
-            exact,
-            work,
-        };
-        dispatch!(self.level, simd => search.any(simd, ray))
+        dispatch!(self.level, simd => {
+            Search::<_, _, true>::new(simd, self, ray, left, exact, work).run()
+        })
+        .is_some()
         // STUB: kit::hole!("part6.task1", self, ray, left, exact, work)
         // END SOLUTION(part6.task1)
     }
 }
 
 // BEGIN SOLUTION(part6.task1)
-/// One walk: the tree, whom to ask, and what it took.
-struct Search<'a, E> {
+/// One search: the ray, whom to ask, and what was found. `ANY` ends it with the first hit, whichever that is.
+struct Search<'a, S: Simd, E, const ANY: bool> {
+    simd: S,
     tree: &'a WideBvh,
     left: Option<PrimId>,
     exact: &'a mut E,
     work: &'a mut Work,
+    /// Shortened to the closest hit so far.
+    ray: Ray,
+    lanes: BlockRay<S>,
+    found: Option<(PrimId, f64)>,
 }
 
-impl<E: FnMut(PrimId, &Ray) -> Option<f64>> Search<'_, E> {
+impl<'a, S: Simd, E, const ANY: bool> Search<'a, S, E, ANY>
+where
+    E: FnMut(PrimId, &Ray) -> Option<f64>,
+{
     #[inline(always)]
-    fn closest<S: Simd>(self, simd: S, ray: &Ray) -> Option<(PrimId, f64)> {
-        match Lanes::new(simd, ray) {
-            Some(boxes) => self.closest_by(simd, ray, boxes),
-            None => self.closest_by(simd, ray, Plain::new(ray)),
-        }
-    }
-
-    #[inline(always)]
-    fn any<S: Simd>(self, simd: S, ray: &Ray) -> bool {
-        match Lanes::new(simd, ray) {
-            Some(boxes) => self.any_by(simd, ray, boxes),
-            None => self.any_by(simd, ray, Plain::new(ray)),
-        }
-    }
-
-    #[inline(always)]
-    fn closest_by<S: Simd>(
-        self,
+    fn new(
         simd: S,
+        tree: &'a WideBvh,
         ray: &Ray,
-        mut boxes: impl Boxes,
-    ) -> Option<(PrimId, f64)> {
-        let mut ray = *ray;
-        let triangles = BlockRay::new(simd, &ray);
-        let mut best: Option<(PrimId, f64)> = None;
-        let mut later = Stack::new();
-        let mut next = self.tree.root();
-        while let Some(child) = next {
-            next = match child.below() {
-                Below::Node(number) => {
-                    let node = &self.tree.nodes[number as usize];
-                    self.work.box_tests += u64::from(node.count);
-                    nearest_first(node, &boxes, &mut later)
-                }
-                Below::Block(number) => {
-                    let block = &self.tree.blocks[number as usize];
-                    self.work.prim_tests += u64::from(block.len());
-                    let tested = triangles.test(simd, block, ray.max_t);
-                    let mut lanes = tested.hit | tested.unsure;
-                    while lanes != 0 {
-                        let lane = lanes.trailing_zeros() as usize;
-                        lanes &= lanes - 1;
-                        let id = block.id(lane);
-                        if self.left == Some(id) {
-                            continue;
-                        }
-                        let t = if tested.hit >> lane & 1 == 1 {
-                            Some(tested.t[lane])
-                        } else {
-                            (self.exact)(id, &ray)
-                        };
-                        keep(&mut best, &mut ray, id, t);
-                    }
-                    boxes.shorten(ray.max_t);
-                    None
-                }
-                Below::Sphere(id) => {
-                    if self.left != Some(id) {
-                        self.work.prim_tests += 1;
-                        let t = (self.exact)(id, &ray);
-                        keep(&mut best, &mut ray, id, t);
-                        boxes.shorten(ray.max_t);
-                    }
-                    None
-                }
-            };
-            if next.is_none() {
-                next = later.pop_within(&boxes);
-            }
+        left: Option<PrimId>,
+        exact: &'a mut E,
+        work: &'a mut Work,
+    ) -> Self {
+        Search {
+            simd,
+            tree,
+            left,
+            exact,
+            work,
+            ray: *ray,
+            lanes: BlockRay::new(simd, ray),
+            found: None,
         }
-        best
     }
 
     #[inline(always)]
-    fn any_by<S: Simd>(self, simd: S, ray: &Ray, boxes: impl Boxes) -> bool {
-        let triangles = BlockRay::new(simd, ray);
+    fn run(mut self) -> Option<(PrimId, f64)> {
+        if self.tree.nodes.is_empty() {
+            self.ask_all();
+        } else if let Some(boxes) = Lanes::new(self.simd, &self.ray) {
+            self.walk(boxes);
+        } else {
+            self.walk(Plain::new(&self.ray));
+        }
+        self.found
+    }
+
+    #[inline(always)]
+    fn is_over(&self) -> bool {
+        ANY && self.found.is_some()
+    }
+
+    /// Through the nodes, nearer ones first.
+    #[inline(always)]
+    fn walk(&mut self, mut boxes: impl Boxes) {
         let mut later = Stack::new();
-        let mut next = self.tree.root();
+        let mut next = Some(Child::ROOT);
         while let Some(child) = next {
             next = match child.below() {
                 Below::Node(number) => {
@@ -164,49 +130,90 @@ impl<E: FnMut(PrimId, &Ray) -> Option<f64>> Search<'_, E> {
                     nearest_first(node, &boxes, &mut later)
                 }
                 Below::Block(number) => {
-                    let block = &self.tree.blocks[number as usize];
-                    self.work.prim_tests += u64::from(block.len());
-                    let tested = triangles.test(simd, block, ray.max_t);
-                    let mut lanes = tested.hit | tested.unsure;
-                    while lanes != 0 {
-                        let lane = lanes.trailing_zeros() as usize;
-                        lanes &= lanes - 1;
-                        let id = block.id(lane);
-                        if self.left == Some(id) {
-                            continue;
-                        }
-                        if tested.hit >> lane & 1 == 1 || (self.exact)(id, ray).is_some() {
-                            return true;
-                        }
-                    }
+                    self.ask_block(&self.tree.blocks[number as usize]);
                     None
                 }
-                Below::Sphere(id) => {
-                    if self.left != Some(id) {
-                        self.work.prim_tests += 1;
-                        if (self.exact)(id, ray).is_some() {
-                            return true;
-                        }
-                    }
+                Below::Spheres(number) => {
+                    self.ask_spheres(&self.tree.spheres[number as usize]);
                     None
                 }
             };
             if next.is_none() {
+                if self.is_over() {
+                    return;
+                }
+                boxes.shorten(self.ray.max_t);
                 next = later.pop_within(&boxes);
             }
         }
-        false
     }
-}
 
-/// Takes in a hit at `t`, which is in the ray's range: it counts unless an equal one has a lower id.
-#[inline(always)]
-fn keep(best: &mut Option<(PrimId, f64)>, ray: &mut Ray, id: PrimId, t: Option<f64>) {
-    if let Some(t) = t
-        && best.is_none_or(|(best_id, best_t)| (t, id) < (best_t, best_id))
-    {
-        *best = Some((id, t));
-        ray.max_t = t;
+    /// Without nodes: a few blocks are asked sooner than any box.
+    #[inline(always)]
+    fn ask_all(&mut self) {
+        for block in &self.tree.blocks {
+            self.ask_block(block);
+            if self.is_over() {
+                return;
+            }
+        }
+        for spheres in &self.tree.spheres {
+            self.ask_spheres(spheres);
+        }
+    }
+
+    #[inline(always)]
+    fn ask_block(&mut self, block: &Block) {
+        self.work.prim_tests += u64::from(block.len());
+        let tested = self.lanes.test(self.simd, block, self.ray.max_t);
+        let mut lanes = tested.hit | tested.unsure;
+        while lanes != 0 && !self.is_over() {
+            let lane = lanes.trailing_zeros() as usize & 7;
+            lanes &= lanes - 1;
+            let id = block.id(lane);
+            if self.left == Some(id) {
+                continue;
+            }
+            if tested.hit >> lane & 1 == 1 {
+                self.keep(id, tested.t[lane]);
+            } else {
+                self.ask(id);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn ask_spheres(&mut self, spheres: &SphereBlock) {
+        self.work.prim_tests += u64::from(spheres.len());
+        let mut lanes = spheres.candidates(self.simd, &self.ray);
+        while lanes != 0 && !self.is_over() {
+            let lane = lanes.trailing_zeros() as usize & 7;
+            lanes &= lanes - 1;
+            let id = spheres.id(lane);
+            if self.left != Some(id) {
+                self.ask(id);
+            }
+        }
+    }
+
+    /// Asks the plain kernel.
+    #[inline(always)]
+    fn ask(&mut self, id: PrimId) {
+        if let Some(t) = (self.exact)(id, &self.ray) {
+            self.keep(id, t);
+        }
+    }
+
+    /// Takes in a hit at `t`, which is in the ray's range: it counts unless an equal one has a lower id.
+    #[inline(always)]
+    fn keep(&mut self, id: PrimId, t: f64) {
+        if self
+            .found
+            .is_none_or(|(best_id, best_t)| (t, id) < (best_t, best_id))
+        {
+            self.found = Some((id, t));
+            self.ray.max_t = t;
+        }
     }
 }
 
@@ -247,13 +254,6 @@ fn nearest_first(node: &Node, boxes: &impl Boxes, later: &mut Stack) -> Option<C
     }
 }
 
-impl WideBvh {
-    #[inline(always)]
-    fn root(&self) -> Option<Child> {
-        (!self.nodes.is_empty()).then_some(Child(0))
-    }
-}
-
 /// A child to visit later: where the ray enters it in the upper half, so that numbers are in that order, and which it is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Later(u64);
@@ -284,7 +284,7 @@ struct Stack {
 
 impl Stack {
     /// Places that need no heap.
-    const NEAR: usize = 64;
+    const NEAR: usize = 32;
 
     #[inline(always)]
     fn new() -> Stack {

@@ -4,6 +4,7 @@
 use crate::block::Block;
 use crate::node::{Child, Node};
 use crate::sah::{self, LANES};
+use crate::sphere_block::SphereBlock;
 use kit::{Aabb, Bvh, NodeKind, PrimId};
 // END SOLUTION(part6.task1)
 use fearless_simd::Level;
@@ -16,10 +17,12 @@ use kit::{Sphere, Triangle};
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)
-    /// The root is the first one; none if there is nothing to hit.
+    /// The root is the first one. None if all that there is to hit is a few blocks.
     pub(crate) nodes: Vec<Node>,
     /// The triangles, eight at a time.
     pub(crate) blocks: Vec<Block>,
+    /// The spheres, eight at a time.
+    pub(crate) spheres: Vec<SphereBlock>,
     /// The instructions that it is walked with.
     pub(crate) level: Level,
     // STUB: // Whatever you need.
@@ -32,22 +35,32 @@ impl WideBvh {
         // BEGIN SOLUTION(part6.task1)
         let boxes = triangles.iter().map(Triangle::bounds);
         let bounds: Vec<Aabb> = boxes.chain(spheres.iter().map(Sphere::bounds)).collect();
-        let binary = sah::build(&bounds);
         let mut builder = Builder {
-            binary: &binary,
             bounds: &bounds,
             triangles,
-            nodes: Vec::new(),
-            blocks: Vec::new(),
+            spheres,
+            tree: WideBvh {
+                nodes: Vec::new(),
+                blocks: Vec::new(),
+                spheres: Vec::new(),
+                level: Level::new(),
+            },
         };
-        if let Some(root) = binary.nodes.first() {
-            builder.widen(vec![Part::of(root)]);
+        let has_box = |id: &PrimId| !bounds[id.0 as usize].is_empty();
+        let prims: Vec<PrimId> = (0..bounds.len() as u32)
+            .map(PrimId)
+            .filter(has_box)
+            .collect();
+        let (triangles, spheres) = builder.by_kind(&prims);
+        if triangles.len() <= FEW_TRIANGLES && spheres.len() <= LANES {
+            for block in triangles.chunks(LANES).chain(spheres.chunks(LANES)) {
+                builder.block(block);
+            }
+        } else {
+            let binary = sah::build(&bounds);
+            builder.widen(&binary, vec![Part::of(&binary.nodes[0])]);
         }
-        WideBvh {
-            nodes: builder.nodes,
-            blocks: builder.blocks,
-            level: Level::new(),
-        }
+        builder.tree
         // STUB: kit::hole!("part6.task1", triangles, spheres)
         // END SOLUTION(part6.task1)
     }
@@ -70,16 +83,19 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// How many blocks of up to eight triangles there are.
+    /// How many blocks there are, of up to eight triangles or spheres.
     pub fn block_count(&self) -> usize {
         // BEGIN SOLUTION(part6.task1)
-        self.blocks.len()
+        self.blocks.len() + self.spheres.len()
         // STUB: kit::hole!("part6.task1", self)
         // END SOLUTION(part6.task1)
     }
 }
 
 // BEGIN SOLUTION(part6.task1)
+/// So many triangles are asked one block after the other, without nodes: a box costs about as much as a block.
+const FEW_TRIANGLES: usize = 2 * LANES;
+
 /// What may become a child of a wide node.
 #[derive(Clone, Copy)]
 struct Part {
@@ -97,92 +113,80 @@ impl Part {
 }
 
 struct Builder<'a> {
-    binary: &'a Bvh,
     bounds: &'a [Aabb],
     triangles: &'a [Triangle],
-    nodes: Vec<Node>,
-    blocks: Vec<Block>,
+    spheres: &'a [Sphere],
+    tree: WideBvh,
 }
 
 impl Builder<'_> {
-    /// Makes a node with `parts` as its children, as long as there is room with those that rays meet most opened up:
+    /// Makes a node with `parts` of `binary` as its children; as long as there is room, those that rays meet most are opened:
     /// the ones with the largest surfaces. Returns its number.
-    fn widen(&mut self, mut parts: Vec<Part>) -> u32 {
-        loop {
+    fn widen(&mut self, binary: &Bvh, mut parts: Vec<Part>) -> u32 {
+        while parts.len() < LANES {
+            let area = |i: &usize| parts[*i].bounds.surface_area();
             let widest = (0..parts.len())
-                .filter(|&i| self.can_be_opened(&parts[i]))
-                .max_by(|&a, &b| {
-                    let area = |i: usize| parts[i].bounds.surface_area();
-                    area(a).total_cmp(&area(b))
-                });
-            let Some(widest) = widest.filter(|_| parts.len() < LANES) else {
-                break;
-            };
-            let [left, right] = self.opened(&parts[widest]);
-            parts[widest] = left;
-            parts.push(right);
+                .filter(|&i| self.opened(binary, &parts[i]).is_some())
+                .max_by(|a, b| area(a).total_cmp(&area(b)));
+            let Some(widest) = widest else { break };
+            let halves = self.opened(binary, &parts[widest]);
+            parts.splice(widest..=widest, halves.into_iter().flatten());
         }
-        let number = self.nodes.len();
-        self.nodes.push(Node::EMPTY);
+        let number = self.tree.nodes.len();
+        self.tree.nodes.push(Node::EMPTY);
         let mut node = Node::EMPTY;
         for part in &parts {
-            let child = self.child(part);
+            let child = match part.kind {
+                NodeKind::Leaf { first, count } if self.opened(binary, part).is_none() => {
+                    self.block(binary.leaf(first, count))
+                }
+                _ => Child::node(self.widen(binary, vec![*part])),
+            };
             node.push(&part.bounds, child);
         }
-        self.nodes[number] = node;
+        self.tree.nodes[number] = node;
         number as u32
     }
 
-    fn child(&mut self, part: &Part) -> Child {
-        let prims = match part.kind {
-            NodeKind::Leaf { first, count } => self.binary.leaf(first, count),
-            NodeKind::Interior { .. } => return Child::node(self.widen(vec![*part])),
-        };
-        match *prims {
-            [id] if self.is_sphere(id) => Child::sphere(id),
-            _ if prims.iter().any(|&id| self.is_sphere(id)) => Child::node(self.widen(vec![*part])),
-            _ => {
-                self.blocks.push(Block::of(self.triangles, prims));
-                Child::block(self.blocks.len() as u32 - 1)
-            }
-        }
-    }
-
-    fn is_sphere(&self, id: PrimId) -> bool {
-        id.0 as usize >= self.triangles.len()
-    }
-
-    /// Whether a part is two: a node of the binary tree, or a leaf that is not triangles alone or one sphere.
-    fn can_be_opened(&self, part: &Part) -> bool {
-        match part.kind {
-            NodeKind::Interior { .. } => true,
-            NodeKind::Leaf { first, count } => {
-                let prims = self.binary.leaf(first, count);
-                prims.len() > 1 && prims.iter().any(|&id| self.is_sphere(id))
-            }
-        }
-    }
-
-    /// The two halves of a part that can be opened. Of a leaf: its triangles and its spheres, or half of its spheres.
-    fn opened(&self, part: &Part) -> [Part; 2] {
-        match part.kind {
+    /// The two halves of a part: of a node its children, of a leaf its triangles and its spheres. `None` for a leaf of
+    /// one kind.
+    fn opened(&self, binary: &Bvh, part: &Part) -> Option<[Part; 2]> {
+        let (first, count) = match part.kind {
             NodeKind::Interior { left, right } => {
-                [left, right].map(|child| Part::of(&self.binary.nodes[child as usize]))
+                return Some([left, right].map(|child| Part::of(&binary.nodes[child as usize])));
             }
-            NodeKind::Leaf { first, count } => {
-                let prims = self.binary.leaf(first, count);
-                // Ids ascend, and triangles come first.
-                let triangles = prims.iter().take_while(|&&id| !self.is_sphere(id)).count() as u32;
-                let middle = if triangles == 0 { count / 2 } else { triangles };
-                [(first, middle), (first + middle, count - middle)].map(|(first, count)| Part {
-                    bounds: self
-                        .binary
-                        .leaf(first, count)
-                        .iter()
-                        .fold(Aabb::EMPTY, |all, id| all.union(self.bounds[id.0 as usize])),
-                    kind: NodeKind::Leaf { first, count },
-                })
-            }
+            NodeKind::Leaf { first, count } => (first, count),
+        };
+        let prims = binary.leaf(first, count);
+        let triangles = self.by_kind(prims).0.len() as u32;
+        let halves = [(first, triangles), (first + triangles, count - triangles)];
+        let part = |(first, count)| Part {
+            bounds: self.bounds_of(binary.leaf(first, count)),
+            kind: NodeKind::Leaf { first, count },
+        };
+        (0 < triangles && triangles < count).then(|| halves.map(part))
+    }
+
+    fn bounds_of(&self, prims: &[PrimId]) -> Aabb {
+        let boxes = prims.iter().map(|id| self.bounds[id.0 as usize]);
+        boxes.fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    /// The triangles and the spheres of a list whose ids ascend.
+    fn by_kind<'p>(&self, prims: &'p [PrimId]) -> (&'p [PrimId], &'p [PrimId]) {
+        prims.split_at(prims.partition_point(|id| (id.0 as usize) < self.triangles.len()))
+    }
+
+    /// A block of up to eight primitives of one kind.
+    fn block(&mut self, prims: &[PrimId]) -> Child {
+        let first = self.triangles.len();
+        if (prims[0].0 as usize) < first {
+            self.tree.blocks.push(Block::of(self.triangles, prims));
+            Child::block(self.tree.blocks.len() as u32 - 1)
+        } else {
+            let block = SphereBlock::of(self.spheres, first, prims);
+            self.tree.spheres.push(block);
+            Child::spheres(self.tree.spheres.len() as u32 - 1)
         }
     }
 }

@@ -1,0 +1,108 @@
+// BEGIN SOLUTION(part6.task1)
+//! Eight spheres at once: which of them a ray surely misses.
+
+use crate::sah::LANES;
+use fearless_simd::{Simd, f64x8, prelude::*};
+use kit::{PrimId, Ray, Sphere, Vec3};
+
+/// Up to eight spheres, one a lane.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct SphereBlock {
+    /// Centres by axis. Lanes without a sphere repeat the first one.
+    centers: [[f64; LANES]; 3],
+    /// Squared radii.
+    r2: [f64; LANES],
+    ids: [u32; LANES],
+    count: u32,
+}
+
+/// A ray misses for certain if it passes the centre at more than this, squared and in squared radii. The margin is 2⁻⁸.
+const BESIDE: f64 = 1.0 + 1.0 / 256.0;
+
+/// Up to so many radii away, squared (2²⁰), the squares of the distances are known to 2⁻¹² of the squared radius.
+const FAR: f64 = (1_u64 << 40) as f64;
+
+/// Products of four lengths above have not underflowed.
+const SMALLEST: f64 = 1e-200;
+
+impl SphereBlock {
+    /// The spheres `prims` of `spheres`, one to eight; the first sphere of all is primitive number `first`.
+    pub(crate) fn of(spheres: &[Sphere], first: usize, prims: &[PrimId]) -> SphereBlock {
+        let id = |lane: usize| prims.get(lane).unwrap_or(&prims[0]).0;
+        let sphere = |lane: usize| &spheres[id(lane) as usize - first];
+        SphereBlock {
+            centers: std::array::from_fn(|axis| {
+                std::array::from_fn(|lane| sphere(lane).center[axis])
+            }),
+            r2: std::array::from_fn(|lane| sphere(lane).radius * sphere(lane).radius),
+            ids: std::array::from_fn(id),
+            count: prims.len() as u32,
+        }
+    }
+
+    /// How many spheres there are.
+    #[inline(always)]
+    pub(crate) fn len(&self) -> u32 {
+        self.count
+    }
+
+    #[inline(always)]
+    pub(crate) fn id(&self, lane: usize) -> PrimId {
+        PrimId(self.ids[lane])
+    }
+
+    /// The lanes that the ray may hit within its range, one bit each. It misses the others for certain, by a margin that is
+    /// far beyond any rounding here or in a kernel that is worth asking.
+    ///
+    /// With `f = o - center` the line passes the centre at the squared distance `(|f|²|d|² - (f·d)²) / |d|²`. And a ray that
+    /// starts outside and goes away meets nothing at positive `t`.
+    #[inline(always)]
+    pub(crate) fn candidates<S: Simd>(&self, simd: S, ray: &Ray) -> u32 {
+        let Ray { o, d, .. } = *ray;
+        let a = f64x8::splat(simd, d.dot(d));
+        let f = Lanes3 {
+            x: f64x8::splat(simd, o.x) - f64x8::load_array_ref(simd, &self.centers[0]),
+            y: f64x8::splat(simd, o.y) - f64x8::load_array_ref(simd, &self.centers[1]),
+            z: f64x8::splat(simd, o.z) - f64x8::load_array_ref(simd, &self.centers[2]),
+        };
+        let d = Lanes3::splat(simd, d);
+        let r2 = f64x8::load_array_ref(simd, &self.r2);
+        let (along, f2) = (f.dot(d), f.dot(f));
+        let beside = r2 * BESIDE;
+        let is_beside = (a * beside).simd_lt(a * f2 - along * along);
+        let goes_away = f64x8::splat(simd, 0.0).simd_lt(along) & beside.simd_lt(f2);
+        let looks_ahead = if ray.min_t >= 0.0 { u32::MAX } else { 0 };
+        let is_sound = f2.simd_lt(r2 * FAR)
+            & f64x8::splat(simd, SMALLEST).simd_lt(a * a * (r2 * r2))
+            & (a * f2).simd_lt(f64x8::splat(simd, f64::INFINITY));
+        let misses = is_beside.to_bitmask() as u32 | goes_away.to_bitmask() as u32 & looks_ahead;
+        let filled = (1 << self.count) - 1;
+        filled & !(misses & is_sound.to_bitmask() as u32)
+    }
+}
+
+/// A vector a lane.
+#[derive(Clone, Copy)]
+struct Lanes3<S: Simd> {
+    x: f64x8<S>,
+    y: f64x8<S>,
+    z: f64x8<S>,
+}
+
+impl<S: Simd> Lanes3<S> {
+    #[inline(always)]
+    fn splat(simd: S, v: Vec3) -> Lanes3<S> {
+        Lanes3 {
+            x: f64x8::splat(simd, v.x),
+            y: f64x8::splat(simd, v.y),
+            z: f64x8::splat(simd, v.z),
+        }
+    }
+
+    #[inline(always)]
+    fn dot(self, other: Lanes3<S>) -> f64x8<S> {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+}
+// END SOLUTION(part6.task1)

@@ -58,7 +58,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "lamp_overhead",
             "A lamp above the floor: f · L · |cos θ| / pdf of each sample, and their mean is the \
-             form factor. A bias of 4 % is sure to be seen.",
+             form factor. A bias of 12 % is sure to be seen.",
             same(vec![lamp(1.0, [5.0; 3])], Vec::new(), floor(), 1),
         )
         .only(&[Radiance, Mean]),
@@ -88,13 +88,13 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "half_below_the_horizon",
             "A lamp that reaches below the horizon: samples of its lower part count as 0 in the \
-             mean, they do not drop out of it. A bias of 8 % is sure to be seen.",
+             mean, they do not drop out of it. A bias of 16 % is sure to be seen.",
             same(vec![half_below()], Vec::new(), floor(), 2),
         )
         .only(&[Radiance, Mean]),
         case(
             "sky",
-            "A sky shines from the whole upper half. A bias of 5 % is sure to be seen.",
+            "A sky shines from the whole upper half. A bias of 7 % is sure to be seen.",
             same(Vec::new(), vec![Light::Sky([1.0, 1.5, 2.0])], floor(), 3),
         )
         .only(&[Radiance, Mean]),

@@ -123,7 +123,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf, SampledDirection]),
         case(
             "how_often",
-            "Over many choices glass reflects as often as Fresnel says. A bias of 15 % is sure to \
+            "Over many choices glass reflects as often as Fresnel says. A bias of 25 % is sure to \
              be seen.",
             how_often(),
         )

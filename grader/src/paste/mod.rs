@@ -1,7 +1,7 @@
 //! The worst answer as a Rust test: to paste into a stage's `tests/` folder, run in a debugger, keep.
 //!
 //! It fails on the code that gave the answer and passes on any that earns the points. One file for each kind of work:
-//! [`camera`] and [`pixel`], [`hits`] (triangles and spheres), [`boxes`], [`tree`].
+//! `camera` and `pixel`, `hits` (triangles and spheres), `boxes`, `tree`.
 
 mod boxes;
 mod camera;

@@ -4,8 +4,8 @@
 //! Every figure has a paragraph below it that is computed from the numbers, as the figure is. Colours are told apart by the
 //! colour-blind; what they say is said by shapes, signs and dashes, too.
 //!
-//! Read [`document`] (the page), then the figures: [`pareto`], [`heat`], [`cdf`], [`leaks`], [`trees`], [`convergence`]; they are drawn
-//! with [`plot`], [`look`] and [`canvas`].
+//! Read `document` (the page), then the figures: `pareto`, `heat`, `cdf`, `leaks`, `trees`, `convergence`; they are drawn
+//! with `plot`, `look` and `canvas`.
 
 mod canvas;
 mod cdf;

@@ -125,8 +125,8 @@ impl Cell {
 
 /// Fills the pixels of `cell` in parallel on rayon's current thread pool.
 ///
-/// Each worker thread makes itself a `state` (counters, say) with `new_state`; `pixel` gets it with the
-/// column, the row and that pixel's own sampler; `tile_done` hears of each finished tile. Pixels do not
+/// Each tile gets itself a `state` (counters, say) with `new_state`; `pixel` gets it with the column, the
+/// row and that pixel's own sampler; `tile_done` hears of each finished tile and its state. Pixels do not
 /// depend on threads or on the order of tiles. Returns the film and the states.
 pub fn render<S: Send>(
     size: FilmSize,
@@ -134,7 +134,7 @@ pub fn render<S: Send>(
     sampling: impl Into<Sampling>,
     new_state: impl Fn() -> S + Sync,
     pixel: impl Fn(&mut S, u32, u32, &mut PixelSampler) -> PixelEstimate + Sync,
-    tile_done: impl Fn(Cell, &[PixelEstimate]) + Sync,
+    tile_done: impl Fn(Cell, &S) + Sync,
 ) -> (Film, Vec<S>) {
     let sampling = sampling.into();
     let tiles: Vec<(Cell, Vec<PixelEstimate>, S)> = cell
@@ -146,7 +146,7 @@ pub fn render<S: Send>(
                 .pixels()
                 .map(|(x, y)| pixel(&mut state, x, y, &mut PixelSampler::new(x, y, sampling)))
                 .collect();
-            tile_done(tile, &pixels);
+            tile_done(tile, &state);
             (tile, pixels, state)
         })
         .collect();

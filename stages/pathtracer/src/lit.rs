@@ -88,7 +88,7 @@ impl LightSettings {
 
 /// Renders light on rayon's current thread pool.
 ///
-/// The picture depends on `lit`, `job` and `settings` alone, not on threads. `tile_done` hears of each finished tile. Once
+/// The picture depends on `lit`, `job` and `settings` alone, not on threads. `tile_done` hears of each finished tile and its rays. Once
 /// `stop` is set, the pixels that are left stay black. `accel` is built over `lit.scene`, whose pictures are `textures`.
 pub fn render_lit(
     lit: &LitScene,
@@ -97,7 +97,7 @@ pub fn render_lit(
     job: &Job,
     settings: &LightSettings,
     stop: &AtomicBool,
-    tile_done: impl Fn(Tile) + Sync,
+    tile_done: impl Fn(Tile, u64) + Sync,
 ) -> Rendered {
     let (film, walks) = film::render(
         job.film,
@@ -137,7 +137,7 @@ pub fn render_lit(
             walk.luminance.push(((x, y), luminance));
             estimate
         },
-        |cell, _| tile_done(cell),
+        |cell, walk| tile_done(cell, walk.world.borrow().counters.rays),
     );
     let mut luminance = vec![Tally::default(); film.pixels().len()];
     for ((x, y), tally) in walks.iter().flat_map(|w| &w.luminance) {
@@ -201,6 +201,7 @@ impl<'a> Walk<'a> {
     }
 
     /// The pinhole's ray, sent through the lens if there is one.
+    #[inline]
     fn through_lens(&self, camera: &Camera, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
         let lens = &self.settings.lens;
         if lens.radius > 0.0 {
@@ -216,6 +217,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Radiance that arrives along a camera ray.
+    #[inline]
     fn radiance(&self, ray: &Ray, sampler: &mut PixelSampler) -> Spectrum {
         self.at.set(None);
         if self.max_depth <= 1 {
@@ -272,6 +274,7 @@ impl<'a> Walk<'a> {
     }
 
     /// The next surface on the path, from which the path goes on.
+    #[inline]
     fn next(&self, ray: &Ray) -> Option<Hit> {
         let hit = self.closest(ray);
         if let Some(hit) = &hit {
@@ -283,6 +286,7 @@ impl<'a> Walk<'a> {
 
     /// Reads what the picture on the surface shows, if it carries one and anything will light it. All that is asked
     /// of `materials` until the path's next hit is about this surface.
+    #[inline]
     fn look_up_texture(&self, hit: &Hit) {
         if self.textures.is_empty() || self.max_depth == 0 {
             if self.settings.force_effects {
@@ -298,6 +302,7 @@ impl<'a> Walk<'a> {
         self.materials.set_tint(tint.unwrap_or(Spectrum::WHITE));
     }
 
+    #[inline]
     fn closest(&self, ray: &Ray) -> Option<Hit> {
         let mut world = self.world.borrow_mut();
         world.counters.rays += 1;
@@ -309,6 +314,7 @@ impl<'a> Walk<'a> {
         hit
     }
 
+    #[inline]
     fn occluded(&self, ray: &Ray) -> bool {
         let mut world = self.world.borrow_mut();
         world.counters.rays += 1;
@@ -317,12 +323,14 @@ impl<'a> Walk<'a> {
     }
 
     /// The primitive that `ray` leaves for good. A triangle is flat; a sphere is met again by a ray that goes in.
+    #[inline]
     fn left_by(&self, ray: &Ray) -> Option<PrimId> {
         let (prim, ng) = self.at.get()?;
         let is_flat = (prim.0 as usize) < self.lit.scene.triangles.len();
         (is_flat || ray.d.dot(ng) > 0.0).then_some(prim)
     }
 
+    #[inline]
     fn direct(&self, surface: &Surface, wo: Vec3, sampler: &mut PixelSampler) -> Spectrum {
         if !self.lit.has_light() {
             if self.settings.force_effects {

@@ -15,14 +15,14 @@ pub fn normal_color(n: Vec3) -> Spectrum {
 
 /// Renders normals on rayon's current thread pool. What is not hit is black.
 ///
-/// The picture depends on `scene` and `job` alone, not on threads. `tile_done` hears of each finished tile.
+/// The picture depends on `scene` and `job` alone, not on threads. `tile_done` hears of each finished tile and its rays.
 /// Once `stop` is set, the pixels that are left stay black.
 pub fn render_normals(
     scene: &Scene,
     accel: &Accel,
     job: &Job,
     stop: &AtomicBool,
-    tile_done: impl Fn(Cell) + Sync,
+    tile_done: impl Fn(Cell, u64) + Sync,
 ) -> Rendered {
     let (film, worlds) = film::render(
         job.film,
@@ -49,7 +49,7 @@ pub fn render_normals(
                 },
             )
         },
-        |cell, _| tile_done(cell),
+        |cell, world| tile_done(cell, world.counters.rays),
     );
     Rendered {
         film,

@@ -110,9 +110,9 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Plan {
         ),
         is_relative: false,
         ways: vec![
-            way("uniform hemisphere", "-H"),
-            way("light sampling", ""),
-            way("MIS", "--mis"),
+            way("uniform hemisphere", "-H --sampler independent"),
+            way("light sampling", "--sampler independent"),
+            way("MIS", "--mis --sampler independent"),
             way("MIS, Sobol", "--mis --sampler sobol"),
         ],
     }

@@ -71,7 +71,8 @@ pub(crate) struct Args {
     pub(crate) no_roulette: bool,
 
     /// How the samples of a pixel lie to each other
-    #[arg(long, value_enum, default_value_t = SamplerName::Independent)]
+    // At equal noise Sobol points take less than half of the time of independent ones.
+    #[arg(long, value_enum, default_value_t = SamplerName::Sobol)]
     pub(crate) sampler: SamplerName,
 
     /// Environment map (.exr or .hdr) that lights the scene

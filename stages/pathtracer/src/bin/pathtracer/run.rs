@@ -4,8 +4,8 @@ use crate::args::{Args, Shade};
 use crate::budget::{Budget, SAMPLES_OF_A_ROUND};
 use crate::export;
 use crate::failure::Failure;
-use crate::{progress, summary, view};
-use kit::film::Cell;
+use crate::progress::Progress;
+use crate::{summary, view};
 use kit::hole;
 use kit::{Emitter, Environment, LitScene, Material, Scene};
 use pathtracer::{
@@ -91,11 +91,11 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         .num_threads(args.threads)
         .build()
         .map_err(|why| Failure::Input(format!("cannot start {} threads: {why}", args.threads)))?;
-    let bar = progress::bar(cell.area());
+    let progress = Progress::new(cell.area());
     let start = Instant::now();
     let round = |job: &Job| {
-        bar.set_position(0);
-        let tile_done = |tile: Cell| bar.inc(tile.area());
+        progress.next_round();
+        let tile_done = |tile, rays| progress.tile_done(tile, rays);
         threads.install(|| match &picture {
             Picture::Normals(scene) => render_normals(scene, &accel, job, &stop, tile_done),
             Picture::Lit(lit) => render_lit(lit, &textures, &accel, job, &light, &stop, tile_done),
@@ -106,7 +106,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Some(budget) => budget.spend(&job, &stop, round),
     };
     let time = start.elapsed();
-    bar.finish_and_clear();
+    progress.finish();
     println!(
         "{}",
         summary::rendering(&job, &rendered, args.threads, time)

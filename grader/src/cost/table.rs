@@ -25,6 +25,15 @@ pub fn show(report: &Report) -> String {
         },
     );
     for family in &report.families {
+        // A handout before this task has no kernels to compare with: they would give it away.
+        if family.rows.is_empty() {
+            let missing = family
+                .student_missing
+                .as_deref()
+                .unwrap_or("nothing to measure");
+            let _ = writeln!(text, "\n{}: no rows: {missing}.", family.shape.name());
+            continue;
+        }
         let _ = writeln!(text, "\n{}", times(family));
         let _ = writeln!(text, "{}", decisions(family));
         let _ = writeln!(text, "{}", bits(family));
@@ -35,7 +44,7 @@ pub fn show(report: &Report) -> String {
             let _ = writeln!(text, "  {}: {}", column.family.name(), column.about);
         }
     }
-    if !report.families.is_empty() {
+    if report.families.iter().any(|family| !family.rows.is_empty()) {
         text.push_str(LEGEND);
     }
     if let Some(trees) = &report.bvh {

@@ -1,5 +1,9 @@
 //! What pages that need nothing but themselves are made of.
 
+use crate::error::GraderError;
+use crate::picture::encode_png;
+use image::RgbImage;
+
 /// `text` where HTML stands for itself, in attributes, too.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
@@ -34,6 +38,12 @@ pub fn base64(bytes: &[u8]) -> String {
         }
     }
     text
+}
+
+/// The picture as the address of an `<img>`: a PNG in a data URI.
+pub fn png_address(picture: &RgbImage) -> Result<String, GraderError> {
+    let png = base64(&encode_png(picture)?);
+    Ok(format!("data:image/png;base64,{png}"))
 }
 
 /// JSON for a `<script>` element: nothing in it ends the element.

@@ -4,11 +4,10 @@
 //! there must stop it. Where neither does, one looks through the mesh. Other rays of a picture hit edges so rarely that
 //! nothing would be seen; in a film of many frames they are the dots that flicker.
 
-use super::data_uri;
 use super::words::{name, percent};
 use crate::cost::report::{Family, Row};
 use crate::error::GraderError;
-use crate::html::escape;
+use crate::html::{escape, png_address};
 use image::{Rgb, RgbImage};
 use kernels::{Found, Kernel};
 use kit::{Ray, Triangle, Vec3};
@@ -81,7 +80,7 @@ pub(crate) fn figure(family: &Family) -> Result<Option<(String, String)>, Grader
         drawn += &format!(
             "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {through} leaks in magenta\">\
              <figcaption>{}</figcaption></figure>",
-            data_uri::png(&picture)?,
+            png_address(&picture)?,
             escape(&name(row)),
         );
         said += &match through {

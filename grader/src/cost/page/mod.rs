@@ -10,7 +10,6 @@
 mod canvas;
 mod cdf;
 mod convergence;
-mod data_uri;
 mod document;
 mod heat;
 mod leaks;

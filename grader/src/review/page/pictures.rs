@@ -3,8 +3,7 @@
 use super::rows::rows;
 use super::words;
 use crate::error::GraderError;
-use crate::html::{base64, escape, json_in_script};
-use crate::picture::encode_png;
+use crate::html::{base64, escape, json_in_script, png_address};
 use crate::review::case::Case;
 use crate::review::cause::Cause;
 use crate::review::picture::{Picture, Pixels};
@@ -21,8 +20,8 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
     );
     let image = |who: &str, picture: &RgbImage| -> Result<String, GraderError> {
         Ok(format!(
-            "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"data:image/png;base64,{}\">",
-            base64(&encode_png(picture)?)
+            "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
+            png_address(picture)?
         ))
     };
     let (w, h) = picture.actual.dimensions();

@@ -46,7 +46,6 @@ impl Accel {
     }
 
     /// The closest hit of `ray` in `world`, the one with the lowest id at equal `t`; shortens the ray to it.
-    #[inline]
     pub fn closest(&self, ray: &mut Ray, world: &mut SceneWorld<'_>) -> Option<Hit> {
         match self {
             Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
@@ -76,7 +75,6 @@ impl Accel {
     }
 
     /// Whether anything in `world` is in the range of `ray`.
-    #[inline]
     pub fn occluded(&self, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
         match self {
             Accel::Bvh(tree) => occludes_bvh(tree, ray, world),

@@ -97,7 +97,7 @@ pub fn render_lit(
     job: &Job,
     settings: &LightSettings,
     stop: &AtomicBool,
-    tile_done: impl Fn(Tile, u64) + Sync,
+    tile_done: &(dyn Fn(Tile, u64) + Sync),
 ) -> Rendered {
     let (film, walks) = film::render(
         job.film,

@@ -22,7 +22,7 @@ pub fn render_normals(
     accel: &Accel,
     job: &Job,
     stop: &AtomicBool,
-    tile_done: impl Fn(Cell, u64) + Sync,
+    tile_done: &(dyn Fn(Cell, u64) + Sync),
 ) -> Rendered {
     let (film, worlds) = film::render(
         job.film,

@@ -34,7 +34,7 @@ fn render(lit: &LitScene, kind: AccelKind) -> Rendered {
     };
     let accel = Accel::build(kind, &lit.scene);
     let (stop, textures) = (AtomicBool::new(false), Textures::default());
-    render_lit(lit, &textures, &accel, &job, &settings, &stop, |_, _| {})
+    render_lit(lit, &textures, &accel, &job, &settings, &stop, &|_, _| {})
 }
 
 #[test]

@@ -148,7 +148,7 @@ fn render_with(lit: &LitScene, job: &Job, settings: &LightSettings, threads: usi
                 job,
                 settings,
                 &AtomicBool::new(false),
-                |_: Cell, _| (),
+                &|_: Cell, _| (),
             )
         })
 }
@@ -352,7 +352,7 @@ fn textures_tint_what_is_reflected() {
         let accel = Accel::build(AccelKind::Bvh, &lit.scene);
         let textures = Textures::from(vec![Texture::uniform(tint)]);
         let stop = AtomicBool::new(false);
-        render_lit(lit, &textures, &accel, &job, &settings, &stop, |_, _| ()).film
+        render_lit(lit, &textures, &accel, &job, &settings, &stop, &|_, _| ()).film
     };
     let untouched = with(&plain, Spectrum::grey(0.5));
     assert!(with(&lit, Spectrum::WHITE) == untouched);

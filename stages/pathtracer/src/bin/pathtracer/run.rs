@@ -95,7 +95,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let start = Instant::now();
     let round = |job: &Job| {
         progress.next_round();
-        let tile_done = |tile, rays| progress.tile_done(tile, rays);
+        let tile_done = &|tile, rays| progress.tile_done(tile, rays);
         threads.install(|| match &picture {
             Picture::Normals(scene) => render_normals(scene, &accel, job, &stop, tile_done),
             Picture::Lit(lit) => render_lit(lit, &textures, &accel, job, &light, &stop, tile_done),

@@ -29,7 +29,7 @@ pub(crate) fn accel(accel: &Accel, build: Duration) -> String {
             seconds(build)
         ),
         Accel::Simd(tree) => format!(
-            "Wide BVH    {} nodes of 8 over {} blocks of triangles, built in {}",
+            "Wide BVH    {} nodes of 8 over {} blocks of up to 8 primitives, built in {}",
             tree.node_count(),
             tree.block_count(),
             seconds(build)

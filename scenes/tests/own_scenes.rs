@@ -17,12 +17,13 @@ fn load(name: &str) -> Scene {
 }
 
 /// File, triangles, spheres, lights, materials.
-const EXPECTED: [(&str, [usize; 4]); 8] = [
+const EXPECTED: [(&str, [usize; 4]); 9] = [
     ("cornell_mirror_glass", [12, 2, 1, 6]),
     ("cornell_spheres", [12, 2, 1, 6]),
     ("cornell_whale", [162, 0, 1, 6]),
     ("gallery", [24, 1, 0, 10]),
     ("gems", [260, 0, 2, 8]),
+    ("sphereflake", [2, 825, 3, 7]),
     ("spheres", [0, 22, 2, 9]),
     ("stairs_sky", [240, 2, 1, 4]),
     ("stones_sun", [278, 0, 1, 2]),

@@ -121,6 +121,26 @@ fn the_sample_rate_is_written_beside_an_adaptive_picture() {
     assert_eq!(rate.get_pixel(0, 0).0, [255, 0, 0]);
 }
 
+/// The wall is matte: a mirror is not called for, and costs something only if it is forced on.
+#[test]
+fn an_explanation_says_what_effects_would_take_if_they_were_forced_on() {
+    let folder = folder();
+    let (told, _) = pathtracer(
+        folder.path(),
+        "-f a.png -r 20 20 -s 4 -m 2 --explain lit.dae",
+    );
+    let line = |effect: &str| -> Vec<String> {
+        let line = told.lines().find(|line| line.starts_with(effect));
+        let columns = line.unwrap_or_else(|| panic!("no {effect} in\n{told}"));
+        columns.split_whitespace().map(str::to_owned).collect()
+    };
+    let mirror = line("mirror");
+    assert_eq!(mirror[1..3], ["no", "0"]);
+    assert!(mirror[3].parse::<u64>().unwrap() > 0, "{told}");
+    let lens = line("lens");
+    assert_eq!(lens[1..4], ["no", "0", "1600"], "one a camera ray");
+}
+
 #[test]
 fn what_is_left_out_is_told() {
     let folder = folder();

@@ -112,7 +112,8 @@ pub(crate) struct Args {
     #[arg(long)]
     pub(crate) stats: bool,
 
-    /// Tell which effects the scene calls for, why, and what they took
+    /// Tell which effects the scene calls for, why, what they took, and what they would take if all were forced on: the
+    /// picture is made once more, to count
     #[arg(long)]
     pub(crate) explain: bool,
 

@@ -2,6 +2,7 @@
 
 mod args;
 mod budget;
+mod explain;
 mod export;
 mod failure;
 mod progress;

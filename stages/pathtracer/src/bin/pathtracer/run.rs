@@ -2,6 +2,7 @@
 
 use crate::args::{Args, Shade};
 use crate::budget::{Budget, SAMPLES_OF_A_ROUND};
+use crate::explain;
 use crate::export;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -9,8 +10,8 @@ use crate::{summary, view};
 use kit::hole;
 use kit::{Emitter, Environment, LitScene, Material, Scene};
 use pathtracer::{
-    Accel, Job, Looking, Output, layers::channels, layers::features, load_environment, render_lit,
-    render_normals,
+    Accel, Job, LightSettings, Looking, Output, layers::channels, layers::features,
+    load_environment, render_lit, render_normals,
 };
 use std::path::{Path, PathBuf};
 use std::process::{self, ExitCode};
@@ -129,7 +130,28 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     if args.explain {
         match &picture {
             Picture::Normals(_) => println!("No light is simulated: nothing to explain"),
-            Picture::Lit(lit) => println!("{}", summary::effects(&light.effects(lit), &rendered)),
+            Picture::Lit(lit) => {
+                let all = LightSettings {
+                    force_effects: true,
+                    ..light
+                };
+                let whole = Job {
+                    samples: match budget {
+                        Some(_) => (rendered.samples() / cell.area()) as u32,
+                        None => job.samples,
+                    },
+                    ..job
+                };
+                let hook = &|_, _| ();
+                let forced = threads
+                    .install(|| render_lit(lit, &textures, &accel, &whole, &all, &stop, hook));
+                // Counts of half a picture say nothing.
+                let forced = (!stop.load(Ordering::Relaxed)).then_some(&forced.effects);
+                println!(
+                    "{}",
+                    explain::table(&light.effects(lit), &rendered.effects, forced)
+                );
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! What is told on the way to a picture: the numbers that the assignment's program tells.
 
-use kit::effects::{Call, Effect};
+use kit::effects::Effect;
 use kit::{Bvh, Scene};
 use pathtracer::{Accel, Counters, Job, Rendered};
 use std::path::Path;
@@ -95,27 +95,6 @@ pub(crate) fn stats(
         each_second(rays),
         rays.saturating_sub(samples + direct),
     )
-}
-
-/// Which effects were called for, by what, and what they took.
-pub(crate) fn effects(calls: &[Call], rendered: &Rendered) -> String {
-    let mut told = format!(
-        "{:<16} {:<8} {:>12}  {:<22} because",
-        "Effect", "called", "counted", "of"
-    );
-    for call in calls {
-        let effect = call.effect;
-        let line = format!(
-            "\n{:<16} {:<8} {:>12}  {:<22} {}",
-            effect.name(),
-            if call.is_called_for() { "yes" } else { "no" },
-            rendered.effects.of(effect),
-            effect.operation(),
-            call.because.join(", ")
-        );
-        told += line.trim_end();
-    }
-    told
 }
 
 fn seconds(time: Duration) -> String {

@@ -13,4 +13,4 @@ pub mod sphere;
 pub mod triangle;
 
 pub use sphere::{intersect_sphere, test_sphere};
-pub use triangle::{intersect_triangle, test_triangle};
+pub use triangle::{intersect_triangle, record_triangle, test_triangle};

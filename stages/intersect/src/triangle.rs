@@ -65,18 +65,28 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
 /// - `uv` is `(b1, b2)`.
 pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task3)
-    let TriangleHit { t, b1, b2 } = test_triangle(tri, ray)?;
+    let hit = test_triangle(tri, ray)?;
+    Some(record_triangle(tri, id, ray, hit))
+    // STUB: kit::hole!("part1.task3", tri, id, ray)
+    // END SOLUTION(part1.task3)
+}
+
+/// Records what [`test_triangle`] said of `ray` and `tri`, which is primitive `id`; `ray.max_t` becomes the hit's `t`. For
+/// who has tested many triangles and wants the record of one.
+pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Hit {
+    // BEGIN SOLUTION(part1.task3)
+    let TriangleHit { t, b1, b2 } = hit;
     ray.max_t = t;
     let ng = geometric_normal(tri);
-    Some(Hit {
+    Hit {
         t,
         p: tri.p0 + b1 * (tri.p1 - tri.p0) + b2 * (tri.p2 - tri.p0),
         n: shading_normal(tri, b1, b2).unwrap_or(ng),
         ng,
         uv: Vec2::new(b1, b2),
         prim: id,
-    })
-    // STUB: kit::hole!("part1.task3", tri, id, ray)
+    }
+    // STUB: kit::hole!("part1.task3", tri, id, ray, hit)
     // END SOLUTION(part1.task3)
 }
 
@@ -205,9 +215,11 @@ fn test_carefully(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
 fn geometric_normal(tri: &Triangle) -> Vec3 {
     let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
     let normal = e1.cross(e2);
-    let length = normal.length();
-    if length > CANCELLATION * (e1.length() * e2.length()) && is_ordinary(normal.length_squared()) {
-        return normal / length;
+    let length2 = normal.length_squared();
+    // Squares: a root is dearer than all the rest here.
+    let extent2 = e1.length_squared() * e2.length_squared();
+    if length2 > CANCELLATION * CANCELLATION * extent2 && is_ordinary(length2) {
+        return normal / length2.sqrt();
     }
     let space = Scale::of(e1.abs().max(e2.abs()).max_element());
     let normal = accurate_cross(space.shrink(e1), space.shrink(e2));

@@ -51,13 +51,11 @@ impl Accel {
             Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
             Accel::Simd(tree) => {
                 let mut work = Work::default();
-                let exact = &mut |id, ray: &Ray| world.t(id, ray);
+                let exact = &mut |id, ray: &Ray| world.test(id, ray);
                 let found = tree.closest(ray, world.left, exact, &mut work);
                 world.counters.add_work(work);
-                let (id, t) = found?;
-                ray.max_t = t;
-                // The same kernel on the same ray: the same hit.
-                world.record(id, ray)
+                let (id, hit) = found?;
+                world.record(id, ray, hit)
             }
             Accel::Brute { primitives } => {
                 let mut closest: Option<Hit> = None;
@@ -80,7 +78,7 @@ impl Accel {
             Accel::Bvh(tree) => occludes_bvh(tree, ray, world),
             Accel::Simd(tree) => {
                 let mut work = Work::default();
-                let exact = &mut |id, ray: &Ray| world.t(id, ray);
+                let exact = &mut |id, ray: &Ray| world.test(id, ray);
                 let blocked = tree.occluded(ray, world.left, exact, &mut work);
                 world.counters.add_work(work);
                 blocked

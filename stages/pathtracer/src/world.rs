@@ -1,6 +1,6 @@
 //! A scene as a ray meets it: every test is counted.
 
-use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, World};
+use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, TriangleHit, World};
 use simd_bvh::Work;
 use std::iter::Sum;
 use std::ops::Add;
@@ -62,23 +62,31 @@ impl<'a> SceneWorld<'a> {
         }
     }
 
-    /// Where `ray` meets primitive `id` in its range, if it does. Does not count.
+    /// Where `ray` meets primitive `id` in its range, if it does; a sphere's weights are 0. Does not count.
     #[inline]
-    pub fn t(&self, id: PrimId, ray: &Ray) -> Option<f64> {
+    pub fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
         match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => {
-                intersect::test_triangle(triangle, ray).map(|hit| hit.t)
-            }
-            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray),
+            Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray),
+            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).map(|t| TriangleHit {
+                t,
+                b1: 0.0,
+                b2: 0.0,
+            }),
         }
     }
 
-    /// The hit of `ray` with primitive `id`, if there is one in its range; shortens the ray to it. Does not count.
+    /// The record of what [`SceneWorld::test`] found; shortens the ray to it. Does not count.
     #[inline]
-    pub fn record(&self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
+    pub fn record(&self, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Option<Hit> {
         match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
-            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
+            Primitive::Triangle(triangle) => {
+                Some(intersect::record_triangle(triangle, id, ray, hit))
+            }
+            Primitive::Sphere(sphere) => {
+                // The same kernel on the same ray: the same hit.
+                ray.max_t = hit.t;
+                intersect::intersect_sphere(sphere, id, ray)
+            }
         }
     }
 }
@@ -97,7 +105,10 @@ impl World for SceneWorld<'_> {
             return None;
         }
         self.counters.prim_tests += 1;
-        self.record(id, ray)
+        match self.scene.primitive(id) {
+            Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
+            Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
+        }
     }
 
     #[inline]
@@ -106,6 +117,6 @@ impl World for SceneWorld<'_> {
             return false;
         }
         self.counters.prim_tests += 1;
-        self.t(id, ray).is_some()
+        self.test(id, ray).is_some()
     }
 }

@@ -8,8 +8,8 @@
 // BEGIN SOLUTION(part6.task1)
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{
-    Aabb, FilmSize, Frame, Hit, Interval, PixelSampler, PrimId, Primitive, Ray, Scene, Vec2, Vec3,
-    World, warp,
+    Aabb, FilmSize, Frame, Hit, Interval, PixelSampler, PrimId, Primitive, Ray, Scene, TriangleHit,
+    Vec2, Vec3, World, warp,
 };
 use scenes::generate::{MeshKind, generate};
 use scenes::placement;
@@ -26,10 +26,14 @@ const ROUNDS: usize = 4;
 struct Kernels<'a>(&'a Scene);
 
 impl Kernels<'_> {
-    fn t(&self, id: PrimId, ray: &Ray) -> Option<f64> {
+    fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
         match self.0.primitive(id) {
-            Primitive::Triangle(t) => intersect::test_triangle(t, ray).map(|hit| hit.t),
-            Primitive::Sphere(s) => intersect::test_sphere(s, ray),
+            Primitive::Triangle(t) => intersect::test_triangle(t, ray),
+            Primitive::Sphere(s) => intersect::test_sphere(s, ray).map(|t| TriangleHit {
+                t,
+                b1: 0.0,
+                b2: 0.0,
+            }),
         }
     }
 }
@@ -48,7 +52,7 @@ impl World for Kernels<'_> {
     }
 
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
-        self.t(id, ray).is_some()
+        self.test(id, ray).is_some()
     }
 }
 
@@ -159,7 +163,7 @@ fn main() {
             }
         });
         let mut work = Work::default();
-        let exact = &mut |id: PrimId, ray: &Ray| Kernels(&scene).t(id, ray);
+        let exact = &mut |id: PrimId, ray: &Ray| Kernels(&scene).test(id, ray);
         let lanes = rate(&rays, |ray| {
             if any {
                 wide.occluded(ray, None, exact, &mut work)

@@ -3,7 +3,7 @@
 
 use crate::sah::LANES;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::{PrimId, Ray, Triangle, Vec3};
+use kit::{PrimId, Ray, Triangle, TriangleHit};
 
 /// Up to eight triangles, one a lane, in double precision: what counts is decided here.
 #[derive(Clone, Debug)]
@@ -51,16 +51,35 @@ pub(crate) struct Tested<S: Simd> {
     /// Not to be decided in lanes: too close a call.
     pub(crate) unsure: u32,
     /// Where, for the lanes with a hit.
-    pub(crate) t: f64x8<S>,
+    t: f64x8<S>,
+    /// The weights of the second and the third vertex, times `det`.
+    v: f64x8<S>,
+    w: f64x8<S>,
+    det: f64x8<S>,
+}
+
+impl<S: Simd> Tested<S> {
+    /// The hit in a lane that has one.
+    #[inline(always)]
+    pub(crate) fn at(&self, lane: usize) -> TriangleHit {
+        let det = self.det[lane];
+        TriangleHit {
+            t: self.t[lane],
+            b1: self.v[lane] / det,
+            b2: self.w[lane] / det,
+        }
+    }
 }
 
 /// A ray as the lanes want it.
-pub(crate) struct BlockRay<S: Simd> {
+///
+/// Numbers are kept, not lanes of them: filling lanes from memory costs nothing.
+pub(crate) struct BlockRay {
     /// The axes that the kernel calls x, y and z: in a circle, z the one along which the ray is longest.
     axes: [usize; 3],
-    o: [f64x8<S>; 3],
-    d: [f64x8<S>; 3],
-    min_t: f64x8<S>,
+    o: [f64; 3],
+    d: [f64; 3],
+    min_t: f64,
 }
 
 /// Below this share of its terms the determinant has lost too many digits.
@@ -71,9 +90,9 @@ const SMALLEST: f64 = 1e-290;
 
 // All of this is inlined into the walk, which is compiled for the instruction set: so there are no closures here, not
 // even those of `array::map`.
-impl<S: Simd> BlockRay<S> {
+impl BlockRay {
     #[inline(always)]
-    pub(crate) fn new(simd: S, ray: &Ray) -> BlockRay<S> {
+    pub(crate) fn new(ray: &Ray) -> BlockRay {
         let size = ray.d.abs();
         let z = if size.z >= size.x && size.z >= size.y {
             2
@@ -81,11 +100,13 @@ impl<S: Simd> BlockRay<S> {
             usize::from(size.y >= size.x)
         };
         let axes = [(z + 1) % 3, (z + 2) % 3, z];
+        // Arrays: a vector's index branches, and which axis it is is anyone's guess.
+        let (o, d) = (ray.o.to_array(), ray.d.to_array());
         BlockRay {
             axes,
-            o: splat(simd, axes, ray.o),
-            d: splat(simd, axes, ray.d),
-            min_t: f64x8::splat(simd, ray.min_t),
+            o: [o[axes[0]], o[axes[1]], o[axes[2]]],
+            d: [d[axes[0]], d[axes[1]], d[axes[2]]],
+            min_t: ray.min_t,
         }
     }
 
@@ -93,7 +114,7 @@ impl<S: Simd> BlockRay<S> {
     /// Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013). Where that one goes on to its careful twin,
     /// the lane is unsure, and it has to be asked.
     #[inline(always)]
-    pub(crate) fn test(&self, simd: S, block: &Block, max_t: f64) -> Tested<S> {
+    pub(crate) fn test<S: Simd>(&self, simd: S, block: &Block, max_t: f64) -> Tested<S> {
         let [a, b, c] = [
             self.vertex(simd, &block.vertices[0]),
             self.vertex(simd, &block.vertices[1]),
@@ -113,6 +134,9 @@ impl<S: Simd> BlockRay<S> {
                 hit: 0,
                 unsure: 0,
                 t: zero,
+                v,
+                w,
+                det: zero,
             };
         }
         let det = u + v + w;
@@ -125,23 +149,32 @@ impl<S: Simd> BlockRay<S> {
             & is_ordinary(simd, denominator);
         let is_sound = is_sound.to_bitmask() as u32;
         let t = numerator / denominator;
-        let in_range = self.min_t.simd_le(t) & t.simd_le(f64x8::splat(simd, max_t));
+        let in_range =
+            f64x8::splat(simd, self.min_t).simd_le(t) & t.simd_le(f64x8::splat(simd, max_t));
         Tested {
             hit: candidates & is_sound & in_range.to_bitmask() as u32,
             unsure: candidates & !is_sound,
             t,
+            v,
+            w,
+            det,
         }
     }
 
     /// One vertex of each triangle, as the kernel looks at it.
     #[inline(always)]
-    fn vertex(&self, simd: S, coordinates: &[[f64; LANES]; 3]) -> Vertex<S> {
+    fn vertex<S: Simd>(&self, simd: S, coordinates: &[[f64; LANES]; 3]) -> Vertex<S> {
+        let d = [
+            f64x8::splat(simd, self.d[0]),
+            f64x8::splat(simd, self.d[1]),
+            f64x8::splat(simd, self.d[2]),
+        ];
         let x = f64x8::load_array_ref(simd, &coordinates[self.axes[0]]) - self.o[0];
         let y = f64x8::load_array_ref(simd, &coordinates[self.axes[1]]) - self.o[1];
         let z = f64x8::load_array_ref(simd, &coordinates[self.axes[2]]) - self.o[2];
         Vertex {
-            x: x * self.d[2] - self.d[0] * z,
-            y: y * self.d[2] - self.d[1] * z,
+            x: x * d[2] - d[0] * z,
+            y: y * d[2] - d[1] * z,
             z,
         }
     }
@@ -153,15 +186,6 @@ struct Vertex<S: Simd> {
     x: f64x8<S>,
     y: f64x8<S>,
     z: f64x8<S>,
-}
-
-#[inline(always)]
-fn splat<S: Simd>(simd: S, axes: [usize; 3], v: Vec3) -> [f64x8<S>; 3] {
-    [
-        f64x8::splat(simd, v[axes[0]]),
-        f64x8::splat(simd, v[axes[1]]),
-        f64x8::splat(simd, v[axes[2]]),
-    ]
 }
 
 /// Whether products of several factors have neither underflowed nor overflowed on the way.

@@ -4,8 +4,9 @@
 //! up to you. `cargo bench -p simd_bvh` measures it against the tree of stage `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
-//! Read in this order: `sah` (the binary tree that is cheapest), `wide` (made eight wide), `node`, `block` and
-//! `sphere_block` (how boxes, triangles and spheres lie in memory), `ray_boxes` (eight boxes at once), `traverse` (the walk).
+//! Read in this order: `sah` and `binary` (the binary tree that is cheapest), `collapse` and `wide` (made eight wide),
+//! `space`, `node`, `block` and `sphere_block` (how boxes, triangles and spheres lie in memory), `probe` and `lanes` (one
+//! box, eight boxes at once), `stack` and `traverse` (the walk).
 //!
 //! Fast and exact at the same time: boxes are single precision and only ever too large; triangles are double precision,
 //! by the very arithmetic of the plain kernel, and where that one thinks twice it is asked. So the hits are those of
@@ -15,11 +16,16 @@
 // END SOLUTION(part6.task1)
 
 // BEGIN SOLUTION(part6.task1)
+mod binary;
 mod block;
+mod collapse;
+mod lanes;
 mod node;
-mod ray_boxes;
+mod probe;
 mod sah;
+mod space;
 mod sphere_block;
+mod stack;
 // END SOLUTION(part6.task1)
 mod traverse;
 mod wide;

@@ -4,7 +4,7 @@
 use crate::sah::LANES;
 use kit::{Aabb, Vec3};
 
-/// The boxes of up to eight children, one a lane, and the children.
+/// The boxes of up to eight children in the tree's space, one a lane, and the children.
 ///
 /// The boxes are rounded outwards, so nothing sticks out of them; single precision halves the memory and the lanes'
 /// width, and hits are decided by the primitives, never by a box.
@@ -24,6 +24,9 @@ pub(crate) struct Node {
 /// few times. So a ray may hit that passes beside by as much; the box must not say no to it.
 const WIDENING: f64 = 1.0 / (1_u64 << 40) as f64;
 
+/// And by so much at least, in the tree's space, whose size is 1: so flat boxes are met by rays within them, too.
+const LEAST_WIDENING: f64 = 1.0 / (1_u64 << 60) as f64;
+
 impl Node {
     /// No children.
     pub(crate) const EMPTY: Node = Node {
@@ -35,7 +38,7 @@ impl Node {
     /// Adds a child; there must be room.
     pub(crate) fn push(&mut self, bounds: &Aabb, child: Child) {
         let lane = self.count as usize;
-        let margin = WIDENING * bounds.extent().max_element();
+        let margin = WIDENING * bounds.extent().max_element() + LEAST_WIDENING;
         for axis in 0..3 {
             let [lower, upper] = &mut self.planes[axis];
             lower[lane] = below(bounds.min[axis] - margin);

@@ -2,13 +2,15 @@
 
 // BEGIN SOLUTION(part6.task1)
 use crate::block::{Block, BlockRay};
+use crate::lanes::Lanes;
 use crate::node::{Below, Child, Node};
-use crate::ray_boxes::{Boxes, Lanes, Plain};
+use crate::probe::{Plain, Probe};
 use crate::sphere_block::SphereBlock;
+use crate::stack::{Later, Stack};
 use fearless_simd::{Simd, dispatch};
 // END SOLUTION(part6.task1)
 use crate::wide::WideBvh;
-use kit::{PrimId, Ray};
+use kit::{PrimId, Ray, TriangleHit};
 
 /// What a walk took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,22 +22,24 @@ pub struct Work {
 }
 
 impl WideBvh {
-    /// The closest hit in the ray's range: of which primitive, and its `t`. Of hits at equal `t` the one with the lowest id.
+    /// The closest hit in the ray's range: of which primitive, and where. Of hits at equal `t` the one with the lowest id.
     ///
-    /// `left` is passed over. `exact` is the plain kernel: the `t` of a ray's hit with a primitive in the ray's range. It is
-    /// asked about spheres, and about triangles where the lanes are not sure. The answer is that of asking it about
-    /// every primitive, bit for bit.
+    /// `left` is passed over. `exact` is the plain kernel: a ray's hit with a primitive in the ray's range (a sphere's with
+    /// weights of 0). It is asked about spheres, and about triangles where the lanes are not sure. The answer is that of asking
+    /// it about every primitive, bit for bit.
     #[inline]
     pub fn closest(
         &self,
         ray: &Ray,
         left: Option<PrimId>,
-        exact: &mut impl FnMut(PrimId, &Ray) -> Option<f64>,
+        exact: &mut impl FnMut(PrimId, &Ray) -> Option<TriangleHit>,
         work: &mut Work,
-    ) -> Option<(PrimId, f64)> {
+    ) -> Option<(PrimId, TriangleHit)> {
         // BEGIN SOLUTION(part6.task1)
         dispatch!(self.level, simd => {
-            Search::<_, _, false>::new(simd, self, ray, left, exact, work).run()
+            let mut search = Search::<_, _, false>::new(simd, self, ray, left, exact);
+            search.run(work);
+            search.found
         })
         // STUB: kit::hole!("part6.task1", self, ray, left, exact, work)
         // END SOLUTION(part6.task1)
@@ -48,14 +52,15 @@ impl WideBvh {
         &self,
         ray: &Ray,
         left: Option<PrimId>,
-        exact: &mut impl FnMut(PrimId, &Ray) -> Option<f64>,
+        exact: &mut impl FnMut(PrimId, &Ray) -> Option<TriangleHit>,
         work: &mut Work,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
         dispatch!(self.level, simd => {
-            Search::<_, _, true>::new(simd, self, ray, left, exact, work).run()
+            let mut search = Search::<_, _, true>::new(simd, self, ray, left, exact);
+            search.run(work);
+            search.found.is_some()
         })
-        .is_some()
         // STUB: kit::hole!("part6.task1", self, ray, left, exact, work)
         // END SOLUTION(part6.task1)
     }
@@ -68,48 +73,49 @@ struct Search<'a, S: Simd, E, const ANY: bool> {
     tree: &'a WideBvh,
     left: Option<PrimId>,
     exact: &'a mut E,
-    work: &'a mut Work,
+    /// Counted here: what is counted elsewhere is read and written once a step.
+    work: Work,
     /// Shortened to the closest hit so far.
     ray: Ray,
-    lanes: BlockRay<S>,
-    found: Option<(PrimId, f64)>,
+    /// Since the boxes were last told.
+    is_shorter: bool,
+    /// Made for the first block: many a ray meets none.
+    lanes: Option<BlockRay>,
+    found: Option<(PrimId, TriangleHit)>,
 }
 
 impl<'a, S: Simd, E, const ANY: bool> Search<'a, S, E, ANY>
 where
-    E: FnMut(PrimId, &Ray) -> Option<f64>,
+    E: FnMut(PrimId, &Ray) -> Option<TriangleHit>,
 {
     #[inline(always)]
-    fn new(
-        simd: S,
-        tree: &'a WideBvh,
-        ray: &Ray,
-        left: Option<PrimId>,
-        exact: &'a mut E,
-        work: &'a mut Work,
-    ) -> Self {
+    fn new(simd: S, tree: &'a WideBvh, ray: &Ray, left: Option<PrimId>, exact: &'a mut E) -> Self {
         Search {
             simd,
             tree,
             left,
             exact,
-            work,
+            work: Work::default(),
             ray: *ray,
-            lanes: BlockRay::new(simd, ray),
+            is_shorter: false,
+            lanes: None,
             found: None,
         }
     }
 
     #[inline(always)]
-    fn run(mut self) -> Option<(PrimId, f64)> {
+    fn run(&mut self, work: &mut Work) {
         if self.tree.nodes.is_empty() {
             self.ask_all();
-        } else if let Some(boxes) = Lanes::new(self.simd, &self.ray) {
-            self.walk(boxes);
         } else {
-            self.walk(Plain::new(&self.ray));
+            let space = &self.tree.space;
+            match Lanes::new(self.simd, &self.ray, space) {
+                Some(lanes) => self.walk(lanes),
+                None => self.walk(Plain::new(&self.ray, space)),
+            }
         }
-        self.found
+        work.box_tests += self.work.box_tests;
+        work.prim_tests += self.work.prim_tests;
     }
 
     #[inline(always)]
@@ -119,7 +125,7 @@ where
 
     /// Through the nodes, nearer ones first.
     #[inline(always)]
-    fn walk(&mut self, mut boxes: impl Boxes) {
+    fn walk(&mut self, mut probe: impl Probe) {
         let mut later = Stack::new();
         let mut next = Some(Child::ROOT);
         while let Some(child) = next {
@@ -127,7 +133,7 @@ where
                 Below::Node(number) => {
                     let node = &self.tree.nodes[number as usize];
                     self.work.box_tests += u64::from(node.count);
-                    nearest_first(node, &boxes, &mut later)
+                    nearest_first(node, &probe, &mut later)
                 }
                 Below::Block(number) => {
                     self.ask_block(&self.tree.blocks[number as usize]);
@@ -142,8 +148,11 @@ where
                 if self.is_over() {
                     return;
                 }
-                boxes.shorten(self.ray.max_t);
-                next = later.pop_within(&boxes);
+                if self.is_shorter {
+                    self.is_shorter = false;
+                    probe.shorten(self.ray.max_t);
+                }
+                next = later.pop_within(&probe);
             }
         }
     }
@@ -165,7 +174,11 @@ where
     #[inline(always)]
     fn ask_block(&mut self, block: &Block) {
         self.work.prim_tests += u64::from(block.len());
-        let tested = self.lanes.test(self.simd, block, self.ray.max_t);
+        if self.lanes.is_none() {
+            self.lanes = Some(BlockRay::new(&self.ray));
+        }
+        let Some(lanes) = &self.lanes else { return };
+        let tested = lanes.test(self.simd, block, self.ray.max_t);
         let mut lanes = tested.hit | tested.unsure;
         while lanes != 0 && !self.is_over() {
             let lane = lanes.trailing_zeros() as usize & 7;
@@ -175,7 +188,7 @@ where
                 continue;
             }
             if tested.hit >> lane & 1 == 1 {
-                self.keep(id, tested.t[lane]);
+                self.keep(id, tested.at(lane));
             } else {
                 self.ask(id);
             }
@@ -199,28 +212,29 @@ where
     /// Asks the plain kernel.
     #[inline(always)]
     fn ask(&mut self, id: PrimId) {
-        if let Some(t) = (self.exact)(id, &self.ray) {
-            self.keep(id, t);
+        if let Some(hit) = (self.exact)(id, &self.ray) {
+            self.keep(id, hit);
         }
     }
 
-    /// Takes in a hit at `t`, which is in the ray's range: it counts unless an equal one has a lower id.
+    /// Takes in a hit in the ray's range: it counts unless an equal one has a lower id.
     #[inline(always)]
-    fn keep(&mut self, id: PrimId, t: f64) {
+    fn keep(&mut self, id: PrimId, hit: TriangleHit) {
         if self
             .found
-            .is_none_or(|(best_id, best_t)| (t, id) < (best_t, best_id))
+            .is_none_or(|(best_id, best)| (hit.t, id) < (best.t, best_id))
         {
-            self.found = Some((id, t));
-            self.ray.max_t = t;
+            self.found = Some((id, hit));
+            self.ray.max_t = hit.t;
+            self.is_shorter = true;
         }
     }
 }
 
 /// The child whose box the ray enters first; the others that it meets go onto the stack, the nearest on top.
 #[inline(always)]
-fn nearest_first(node: &Node, boxes: &impl Boxes, later: &mut Stack) -> Option<Child> {
-    let met = boxes.meet(node);
+fn nearest_first(node: &Node, probe: &impl Probe, later: &mut Stack) -> Option<Child> {
+    let met = probe.meet(node);
     let mut lanes = met.lanes;
     let mut take = || {
         let lane = lanes.trailing_zeros() as usize & 7;
@@ -236,7 +250,7 @@ fn nearest_first(node: &Node, boxes: &impl Boxes, later: &mut Stack) -> Option<C
             Some(a.min(b).child())
         }
         many => {
-            let mut sorted = [Later(0); 8];
+            let mut sorted = [Later::NONE; 8];
             for i in 0..many {
                 let new = take();
                 let mut place = i;
@@ -251,81 +265,6 @@ fn nearest_first(node: &Node, boxes: &impl Boxes, later: &mut Stack) -> Option<C
             }
             Some(sorted[many - 1].child())
         }
-    }
-}
-
-/// A child to visit later: where the ray enters it in the upper half, so that numbers are in that order, and which it is.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Later(u64);
-
-impl Later {
-    #[inline(always)]
-    fn new(entry: u32, child: Child) -> Later {
-        Later(u64::from(entry) << 32 | u64::from(child.0))
-    }
-
-    #[inline(always)]
-    fn child(self) -> Child {
-        Child(self.0 as u32)
-    }
-
-    #[inline(always)]
-    fn entry(self) -> u32 {
-        (self.0 >> 32) as u32
-    }
-}
-
-/// Children to visit later, last in first out. Few trees are so deep that more than the array is needed.
-struct Stack {
-    first: [Later; Stack::NEAR],
-    len: usize,
-    beyond: Vec<Later>,
-}
-
-impl Stack {
-    /// Places that need no heap.
-    const NEAR: usize = 32;
-
-    #[inline(always)]
-    fn new() -> Stack {
-        Stack {
-            first: [Later(0); Stack::NEAR],
-            len: 0,
-            beyond: Vec::new(),
-        }
-    }
-
-    #[inline(always)]
-    fn push(&mut self, later: Later) {
-        match self.first.get_mut(self.len) {
-            Some(place) => {
-                *place = later;
-                self.len += 1;
-            }
-            None => self.beyond.push(later),
-        }
-    }
-
-    #[inline(always)]
-    fn pop(&mut self) -> Option<Later> {
-        if self.len == Stack::NEAR
-            && let Some(later) = self.beyond.pop()
-        {
-            return Some(later);
-        }
-        self.len = self.len.checked_sub(1)?;
-        Some(self.first[self.len])
-    }
-
-    /// Takes children off until one is still within the range.
-    #[inline(always)]
-    fn pop_within(&mut self, boxes: &impl Boxes) -> Option<Child> {
-        while let Some(later) = self.pop() {
-            if boxes.is_within(later.entry()) {
-                return Some(later.child());
-            }
-        }
-        None
     }
 }
 // END SOLUTION(part6.task1)

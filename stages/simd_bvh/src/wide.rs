@@ -1,11 +1,14 @@
 //! The tree that is walked: nodes of eight children, leaves of eight triangles, both laid out for lanes.
 
 // BEGIN SOLUTION(part6.task1)
+use crate::binary;
 use crate::block::Block;
+use crate::collapse::Collapse;
 use crate::node::{Child, Node};
-use crate::sah::{self, LANES};
+use crate::sah::LANES;
+use crate::space::Space;
 use crate::sphere_block::SphereBlock;
-use kit::{Aabb, Bvh, NodeKind, PrimId};
+use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 // END SOLUTION(part6.task1)
 use fearless_simd::Level;
 use kit::{Sphere, Triangle};
@@ -23,6 +26,8 @@ pub struct WideBvh {
     pub(crate) blocks: Vec<Block>,
     /// The spheres, eight at a time.
     pub(crate) spheres: Vec<SphereBlock>,
+    /// Where boxes lie. Triangles and spheres are in the world's space.
+    pub(crate) space: Space,
     /// The instructions that it is walked with.
     pub(crate) level: Level,
     // STUB: // Whatever you need.
@@ -30,11 +35,25 @@ pub struct WideBvh {
 }
 
 impl WideBvh {
-    /// Builds the tree. A primitive with an empty box (a NaN, a negative radius) is left out: no ray hits it.
+    /// Builds the tree. A primitive with a NaN or an infinite coordinate or a negative radius is left out: no ray hits it.
     pub fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)
         let boxes = triangles.iter().map(Triangle::bounds);
-        let bounds: Vec<Aabb> = boxes.chain(spheres.iter().map(Sphere::bounds)).collect();
+        let mut bounds: Vec<Aabb> = boxes.chain(spheres.iter().map(Sphere::bounds)).collect();
+        for b in &mut bounds {
+            if !(b.min.is_finite() && b.max.is_finite()) {
+                *b = Aabb::EMPTY;
+            }
+        }
+        let prims: Vec<PrimId> = (0..bounds.len() as u32)
+            .map(PrimId)
+            .filter(|id| !bounds[id.0 as usize].is_empty())
+            .collect();
+        let sound: Vec<Aabb> = prims.iter().map(|id| bounds[id.0 as usize]).collect();
+        let space = Space::around(&sound);
+        for b in bounds.iter_mut().filter(|b| !b.is_empty()) {
+            *b = space.bounds(*b);
+        }
         let mut builder = Builder {
             bounds: &bounds,
             triangles,
@@ -43,22 +62,20 @@ impl WideBvh {
                 nodes: Vec::new(),
                 blocks: Vec::new(),
                 spheres: Vec::new(),
+                space,
                 level: Level::new(),
             },
         };
-        let has_box = |id: &PrimId| !bounds[id.0 as usize].is_empty();
-        let prims: Vec<PrimId> = (0..bounds.len() as u32)
-            .map(PrimId)
-            .filter(has_box)
-            .collect();
         let (triangles, spheres) = builder.by_kind(&prims);
         if triangles.len() <= FEW_TRIANGLES && spheres.len() <= LANES {
             for block in triangles.chunks(LANES).chain(spheres.chunks(LANES)) {
                 builder.block(block);
             }
         } else {
-            let binary = sah::build(&bounds);
-            builder.widen(&binary, vec![Part::of(&binary.nodes[0])]);
+            let halved = binary::build(&bounds);
+            let is_mixed = |node: &BvhNode| builder.kinds(&halved, node).is_some();
+            let collapse = Collapse::cheapest(&halved, is_mixed);
+            builder.widen(&halved, &collapse, 0);
         }
         builder.tree
         // STUB: kit::hole!("part6.task1", triangles, spheres)
@@ -96,22 +113,6 @@ impl WideBvh {
 /// So many triangles are asked one block after the other, without nodes: a box costs about as much as a block.
 const FEW_TRIANGLES: usize = 2 * LANES;
 
-/// What may become a child of a wide node.
-#[derive(Clone, Copy)]
-struct Part {
-    bounds: Aabb,
-    kind: NodeKind,
-}
-
-impl Part {
-    fn of(node: &kit::BvhNode) -> Part {
-        Part {
-            bounds: node.bounds,
-            kind: node.kind,
-        }
-    }
-}
-
 struct Builder<'a> {
     bounds: &'a [Aabb],
     triangles: &'a [Triangle],
@@ -120,51 +121,43 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Makes a node with `parts` of `binary` as its children; as long as there is room, those that rays meet most are opened:
-    /// the ones with the largest surfaces. Returns its number.
-    fn widen(&mut self, binary: &Bvh, mut parts: Vec<Part>) -> u32 {
-        while parts.len() < LANES {
-            let area = |i: &usize| parts[*i].bounds.surface_area();
-            let widest = (0..parts.len())
-                .filter(|&i| self.opened(binary, &parts[i]).is_some())
-                .max_by(|a, b| area(a).total_cmp(&area(b)));
-            let Some(widest) = widest else { break };
-            let halves = self.opened(binary, &parts[widest]);
-            parts.splice(widest..=widest, halves.into_iter().flatten());
-        }
+    /// Makes node `place` of `binary` a wide one, and returns its number.
+    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, place: u32) -> u32 {
         let number = self.tree.nodes.len();
         self.tree.nodes.push(Node::EMPTY);
         let mut node = Node::EMPTY;
-        for part in &parts {
-            let child = match part.kind {
-                NodeKind::Leaf { first, count } if self.opened(binary, part).is_none() => {
-                    self.block(binary.leaf(first, count))
+        let children = collapse.children(binary, place);
+        // With room for it, both kinds of a mixed leaf become children here.
+        let mut room = LANES - children.len();
+        for child in children {
+            let part = &binary.nodes[child as usize];
+            match (part.kind, self.kinds(binary, part)) {
+                (NodeKind::Leaf { .. }, Some(kinds)) if room > 0 || child == place => {
+                    room = room.saturating_sub(1);
+                    for prims in kinds {
+                        node.push(&self.bounds_of(prims), self.block(prims));
+                    }
                 }
-                _ => Child::node(self.widen(binary, vec![*part])),
-            };
-            node.push(&part.bounds, child);
+                (NodeKind::Leaf { first, count }, None) => {
+                    node.push(&part.bounds, self.block(binary.leaf(first, count)));
+                }
+                _ => node.push(
+                    &part.bounds,
+                    Child::node(self.widen(binary, collapse, child)),
+                ),
+            }
         }
         self.tree.nodes[number] = node;
         number as u32
     }
 
-    /// The two halves of a part: of a node its children, of a leaf its triangles and its spheres. `None` for a leaf of
-    /// one kind.
-    fn opened(&self, binary: &Bvh, part: &Part) -> Option<[Part; 2]> {
-        let (first, count) = match part.kind {
-            NodeKind::Interior { left, right } => {
-                return Some([left, right].map(|child| Part::of(&binary.nodes[child as usize])));
-            }
-            NodeKind::Leaf { first, count } => (first, count),
+    /// The triangles and the spheres of a leaf that has both.
+    fn kinds<'b>(&self, binary: &'b Bvh, node: &BvhNode) -> Option<[&'b [PrimId]; 2]> {
+        let NodeKind::Leaf { first, count } = node.kind else {
+            return None;
         };
-        let prims = binary.leaf(first, count);
-        let triangles = self.by_kind(prims).0.len() as u32;
-        let halves = [(first, triangles), (first + triangles, count - triangles)];
-        let part = |(first, count)| Part {
-            bounds: self.bounds_of(binary.leaf(first, count)),
-            kind: NodeKind::Leaf { first, count },
-        };
-        (0 < triangles && triangles < count).then(|| halves.map(part))
+        let (triangles, spheres) = self.by_kind(binary.leaf(first, count));
+        (!triangles.is_empty() && !spheres.is_empty()).then_some([triangles, spheres])
     }
 
     fn bounds_of(&self, prims: &[PrimId]) -> Aabb {

@@ -1,25 +1,29 @@
 // BEGIN SOLUTION(part6.task1)
 //! What the wide tree says is what asking every primitive says, bit for bit.
 
-use kit::{PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle, Vec3, warp};
+use kit::{PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle, TriangleHit, Vec3, warp};
 use scenes::generate::{MeshKind, generate};
 use simd_bvh::{Level, WideBvh, Work};
 
 /// The plain kernels: where `ray` meets primitive `id`.
-fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<f64> {
+fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
     match scene.primitive(id) {
-        Primitive::Triangle(t) => intersect::test_triangle(t, ray).map(|hit| hit.t),
-        Primitive::Sphere(s) => intersect::test_sphere(s, ray),
+        Primitive::Triangle(t) => intersect::test_triangle(t, ray),
+        Primitive::Sphere(s) => intersect::test_sphere(s, ray).map(|t| TriangleHit {
+            t,
+            b1: 0.0,
+            b2: 0.0,
+        }),
     }
 }
 
 /// The lowest `t`, of equal ones that with the lowest id.
-fn brute_force(scene: &Scene, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, f64)> {
+fn brute_force(scene: &Scene, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
     (0..scene.len() as u32)
         .map(PrimId)
         .filter(|&id| left != Some(id))
         .filter_map(|id| Some((id, exact(scene, id, ray)?)))
-        .reduce(|a, b| if b.1 < a.1 { b } else { a })
+        .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
 }
 
 /// The instruction sets of this machine.
@@ -58,7 +62,9 @@ impl Checked {
     fn check(&mut self, ray: &Ray, left: Option<PrimId>) {
         let wanted = brute_force(&self.scene, ray, left);
         self.hits += usize::from(wanted.is_some());
-        let bits = |hit: Option<(PrimId, f64)>| hit.map(|(id, t)| (id, t.to_bits()));
+        let bits = |hit: Option<(PrimId, TriangleHit)>| {
+            hit.map(|(id, hit)| (id, [hit.t, hit.b1, hit.b2].map(f64::to_bits)))
+        };
         let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
         let mut works = Vec::new();
         for (level, tree) in &self.trees {
@@ -229,6 +235,46 @@ fn on_every_scale_and_far_away() {
     }
 }
 
+/// From a billion scenes away, where a rounding error of the origin is as large as a triangle.
+#[test]
+fn on_what_is_seen_from_very_far_away() {
+    let mut numbers = Numbers::new(8);
+    for distance in [1e3, 1e5, 1e6, 1e9, 1e12, 1e15] {
+        let triangles = soup(&mut numbers, 200, 0.3);
+        let mut checked = Checked::new(triangles, Vec::new());
+        for i in 0..2000 {
+            let of = numbers.below(200);
+            let target = numbers.on(&checked.scene.triangles[of]);
+            let o = target + distance * numbers.direction();
+            let d = (target - o) * if i % 2 == 0 { 1.0 } else { 1.0 / distance };
+            checked.check(&Ray::new(o, d), None);
+        }
+        assert!(checked.hits > 100, "{} rays hit", checked.hits);
+    }
+}
+
+/// One huge triangle or sphere, and many small ones near by.
+#[test]
+fn on_small_ones_on_a_ground() {
+    let mut numbers = Numbers::new(9);
+    for size in [1e3, 1e6, 1e9] {
+        let mut triangles = soup(&mut numbers, 100, 0.2);
+        let at = |x: f64, z: f64| Vec3::new(size * x, -1.0, size * z);
+        triangles.push(Triangle::flat(at(-1.0, -1.0), at(3.0, -1.0), at(-1.0, 3.0)));
+        let ground = Sphere {
+            center: Vec3::new(0.0, -size - 2.0, 0.0),
+            radius: size,
+        };
+        let mut checked = Checked::new(triangles, vec![ground]);
+        rays_at(&mut checked, &mut numbers, 3000, 1.0);
+        for _ in 0..1000 {
+            let o = 3.0 * numbers.point();
+            checked.check(&Ray::new(o, numbers.direction()), None);
+        }
+        assert!(checked.hits > 1000, "{} rays hit", checked.hits);
+    }
+}
+
 #[test]
 fn on_spheres_among_triangles() {
     let mut numbers = Numbers::new(5);
@@ -303,6 +349,8 @@ fn on_nothing_and_on_what_no_ray_can_hit() {
 fn few_are_asked() {
     let mesh = generate(MeshKind::ALL[0], 50_000);
     let tree = WideBvh::build(&mesh, &[]);
+    // Full nodes: halves that are opened by their size alone would make a third more of them.
+    assert!(30 * tree.node_count() < mesh.len(), "{}", tree.node_count());
     let mut numbers = Numbers::new(7);
     let mut work = Work::default();
     let rays = 2000;
@@ -310,9 +358,8 @@ fn few_are_asked() {
         let target = numbers.below(mesh.len());
         let o = 3.0 * numbers.direction();
         let ray = Ray::new(o, numbers.on(&mesh[target]) - o);
-        let exact = &mut |id: PrimId, ray: &Ray| {
-            intersect::test_triangle(&mesh[id.0 as usize], ray).map(|hit| hit.t)
-        };
+        let exact =
+            &mut |id: PrimId, ray: &Ray| intersect::test_triangle(&mesh[id.0 as usize], ray);
         tree.closest(&ray, None, exact, &mut work);
     }
     let each = |tests: u64| tests / rays;

@@ -75,12 +75,13 @@ struct Search<'a, S: Simd, E, const ANY: bool> {
     exact: &'a mut E,
     /// Counted here: what is counted elsewhere is read and written once a step.
     work: Work,
-    /// Shortened to the closest hit so far.
-    ray: Ray,
+    /// As it was given. It is not copied: what has just been written in parts is slow to read in one, and nothing here may
+    /// have its address taken, so that it stays in registers.
+    ray: &'a Ray,
+    /// The end of the ray's range: the closest hit so far.
+    max_t: f64,
     /// Since the boxes were last told.
     is_shorter: bool,
-    /// Made for the first block: many a ray meets none.
-    lanes: Option<BlockRay>,
     found: Option<(PrimId, TriangleHit)>,
 }
 
@@ -89,16 +90,22 @@ where
     E: FnMut(PrimId, &Ray) -> Option<TriangleHit>,
 {
     #[inline(always)]
-    fn new(simd: S, tree: &'a WideBvh, ray: &Ray, left: Option<PrimId>, exact: &'a mut E) -> Self {
+    fn new(
+        simd: S,
+        tree: &'a WideBvh,
+        ray: &'a Ray,
+        left: Option<PrimId>,
+        exact: &'a mut E,
+    ) -> Self {
         Search {
             simd,
             tree,
             left,
             exact,
             work: Work::default(),
-            ray: *ray,
+            ray,
+            max_t: ray.max_t,
             is_shorter: false,
-            lanes: None,
             found: None,
         }
     }
@@ -109,9 +116,9 @@ where
             self.ask_all();
         } else {
             let space = &self.tree.space;
-            match Lanes::new(self.simd, &self.ray, space) {
+            match Lanes::new(self.simd, self.ray, space) {
                 Some(lanes) => self.walk(lanes),
-                None => self.walk(Plain::new(&self.ray, space)),
+                None => self.walk(Plain::new(self.ray, space)),
             }
         }
         work.box_tests += self.work.box_tests;
@@ -127,6 +134,8 @@ where
     #[inline(always)]
     fn walk(&mut self, mut probe: impl Probe) {
         let mut later = Stack::new();
+        // Made for the first block: many a ray meets none.
+        let mut lanes = None;
         let mut next = Some(Child::ROOT);
         while let Some(child) = next {
             next = match child.below() {
@@ -136,7 +145,7 @@ where
                     nearest_first(node, &probe, &mut later)
                 }
                 Below::Block(number) => {
-                    self.ask_block(&self.tree.blocks[number as usize]);
+                    self.ask_block(&self.tree.blocks[number as usize], &mut lanes);
                     None
                 }
                 Below::Spheres(number) => {
@@ -150,7 +159,7 @@ where
                 }
                 if self.is_shorter {
                     self.is_shorter = false;
-                    probe.shorten(self.ray.max_t);
+                    probe.shorten(self.max_t);
                 }
                 next = later.pop_within(&probe);
             }
@@ -160,8 +169,9 @@ where
     /// Without nodes: a few blocks are asked sooner than any box.
     #[inline(always)]
     fn ask_all(&mut self) {
+        let mut lanes = None;
         for block in &self.tree.blocks {
-            self.ask_block(block);
+            self.ask_block(block, &mut lanes);
             if self.is_over() {
                 return;
             }
@@ -172,13 +182,13 @@ where
     }
 
     #[inline(always)]
-    fn ask_block(&mut self, block: &Block) {
+    fn ask_block(&mut self, block: &Block, lanes: &mut Option<BlockRay>) {
         self.work.prim_tests += u64::from(block.len());
-        if self.lanes.is_none() {
-            self.lanes = Some(BlockRay::new(&self.ray));
+        if lanes.is_none() {
+            *lanes = Some(BlockRay::new(self.ray));
         }
-        let Some(lanes) = &self.lanes else { return };
-        let tested = lanes.test(self.simd, block, self.ray.max_t);
+        let Some(lanes) = lanes else { return };
+        let tested = lanes.test(self.simd, block, self.max_t);
         let mut lanes = tested.hit | tested.unsure;
         while lanes != 0 && !self.is_over() {
             let lane = lanes.trailing_zeros() as usize & 7;
@@ -198,7 +208,7 @@ where
     #[inline(always)]
     fn ask_spheres(&mut self, spheres: &SphereBlock) {
         self.work.prim_tests += u64::from(spheres.len());
-        let mut lanes = spheres.candidates(self.simd, &self.ray);
+        let mut lanes = spheres.candidates(self.simd, self.ray);
         while lanes != 0 && !self.is_over() {
             let lane = lanes.trailing_zeros() as usize & 7;
             lanes &= lanes - 1;
@@ -212,7 +222,11 @@ where
     /// Asks the plain kernel.
     #[inline(always)]
     fn ask(&mut self, id: PrimId) {
-        if let Some(hit) = (self.exact)(id, &self.ray) {
+        let ray = Ray {
+            max_t: self.max_t,
+            ..*self.ray
+        };
+        if let Some(hit) = (self.exact)(id, &ray) {
             self.keep(id, hit);
         }
     }
@@ -225,7 +239,7 @@ where
             .is_none_or(|(best_id, best)| (hit.t, id) < (best.t, best_id))
         {
             self.found = Some((id, hit));
-            self.ray.max_t = hit.t;
+            self.max_t = hit.t;
             self.is_shorter = true;
         }
     }

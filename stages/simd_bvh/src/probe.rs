@@ -31,8 +31,6 @@ pub(crate) struct Plain {
     local: LocalRay,
     min_t: f64,
     max_t: f64,
-    /// Boxes are wider by so much.
-    margin: Vec3,
 }
 
 /// The range and the exits are widened by so much: more than the rounding errors of a crossing and of any hit's `t`.
@@ -53,8 +51,6 @@ impl Plain {
             // The smaller one also for a range that is not a number: nothing is hit, whatever is met.
             min_t: f64::NEG_INFINITY.max(min_t - SLACK * min_t.abs()),
             max_t: 0.0,
-            // From far away, a ray is as uncertain as its origin.
-            margin: Vec3::splat(SLACK * local.o.abs().max_element()),
         };
         if plain.min_t == f64::INFINITY {
             plain.min_t = f64::NEG_INFINITY;
@@ -94,8 +90,7 @@ impl Probe for Plain {
         };
         for lane in 0..node.count as usize {
             let bounds = node.bounds(lane);
-            let (min, max) = (bounds.min - self.margin, bounds.max + self.margin);
-            if let Some(entry) = self.entry(min, max) {
+            if let Some(entry) = self.entry(bounds.min, bounds.max) {
                 met.lanes |= 1 << lane;
                 met.entries[lane] = ordered((entry as f32).next_down());
             }

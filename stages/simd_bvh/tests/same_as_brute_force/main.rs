@@ -1,124 +1,13 @@
 // BEGIN SOLUTION(part6.task1)
 //! What the wide tree says is what asking every primitive says, bit for bit.
 
-use kit::{PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle, TriangleHit, Vec3, warp};
+mod checked;
+
+use checked::{Checked, Numbers};
+use kit::{PrimId, Ray, Sphere, Triangle, Vec3};
 use scenes::generate::{MeshKind, generate};
-use simd_bvh::{Level, WideBvh, Work};
-
-/// The plain kernels: where `ray` meets primitive `id`.
-fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
-    match scene.primitive(id) {
-        Primitive::Triangle(t) => intersect::test_triangle(t, ray),
-        Primitive::Sphere(s) => intersect::test_sphere(s, ray).map(|t| TriangleHit {
-            t,
-            b1: 0.0,
-            b2: 0.0,
-        }),
-    }
-}
-
-/// The lowest `t`, of equal ones that with the lowest id.
-fn brute_force(scene: &Scene, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
-    (0..scene.len() as u32)
-        .map(PrimId)
-        .filter(|&id| left != Some(id))
-        .filter_map(|id| Some((id, exact(scene, id, ray)?)))
-        .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
-}
-
-/// The instruction sets of this machine.
-fn levels() -> Vec<Level> {
-    let mut levels = vec![Level::new(), Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    levels.extend(Level::new().as_avx2().map(Level::Avx2));
-    levels
-}
-
-struct Checked {
-    scene: Scene,
-    /// The tree at each level of [`levels`].
-    trees: Vec<(Level, WideBvh)>,
-    /// How many rays hit.
-    hits: usize,
-}
-
-impl Checked {
-    fn new(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checked {
-        let tree = WideBvh::build(&triangles, &spheres);
-        Checked {
-            scene: Scene {
-                triangles,
-                spheres,
-                ..Scene::default()
-            },
-            trees: levels()
-                .into_iter()
-                .map(|level| (level, tree.clone().at_level(level)))
-                .collect(),
-            hits: 0,
-        }
-    }
-
-    fn check(&mut self, ray: &Ray, left: Option<PrimId>) {
-        let wanted = brute_force(&self.scene, ray, left);
-        self.hits += usize::from(wanted.is_some());
-        let bits = |hit: Option<(PrimId, TriangleHit)>| {
-            hit.map(|(id, hit)| (id, [hit.t, hit.b1, hit.b2].map(f64::to_bits)))
-        };
-        let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
-        let mut works = Vec::new();
-        for (level, tree) in &self.trees {
-            let mut work = Work::default();
-            let hit = tree.closest(ray, left, exact, &mut work);
-            assert_eq!(bits(hit), bits(wanted), "{level:?} {ray:?}");
-            let any = tree.occluded(ray, left, exact, &mut work);
-            assert_eq!(any, wanted.is_some(), "{level:?} {ray:?}");
-            works.push(work);
-        }
-        assert!(
-            works.iter().all(|work| *work == works[0]),
-            "what is counted does not depend on the machine: {works:?}"
-        );
-    }
-}
-
-/// Points and directions from a fixed seed.
-struct Numbers(PixelSampler);
-
-impl Numbers {
-    fn new(seed: u64) -> Numbers {
-        Numbers(PixelSampler::new(0, 0, seed))
-    }
-
-    fn one(&mut self) -> f64 {
-        self.0.next_1d()
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.one() * n as f64) as usize
-    }
-
-    /// In the cube from -1 to 1.
-    fn point(&mut self) -> Vec3 {
-        let p = self.0.next_2d();
-        2.0 * Vec3::new(p.x, p.y, self.one()) - 1.0
-    }
-
-    fn direction(&mut self) -> Vec3 {
-        warp::uniform_sphere(self.0.next_2d())
-    }
-
-    /// A corner, a point on an edge or one inside: where rays are told apart with most difficulty.
-    fn on(&mut self, t: &Triangle) -> Vec3 {
-        let s = self.one();
-        match self.below(4) {
-            0 => t.p0,
-            1 => t.p0 + s * (t.p1 - t.p0),
-            2 => t.p1 + s * (t.p2 - t.p1),
-            _ => t.p0 + 0.5 * s * (t.p1 - t.p0) + 0.5 * (1.0 - s) * (t.p2 - t.p0),
-        }
-    }
-}
+use simd_bvh::{WideBvh, Work};
+use std::path::Path;
 
 fn soup(numbers: &mut Numbers, count: usize, size: f64) -> Vec<Triangle> {
     (0..count)
@@ -342,6 +231,39 @@ fn on_nothing_and_on_what_no_ray_can_hit() {
         None,
     );
     rays_at(&mut checked, &mut numbers, 1000, 1.0);
+}
+
+/// Large meshes and the project's scenes.
+#[test]
+#[ignore = "millions of rays take minutes: cargo test --release -p simd_bvh -- --ignored"]
+fn on_millions_of_rays() {
+    let mut numbers = Numbers::new(10);
+    for kind in MeshKind::ALL {
+        let mut checked = Checked::large(generate(kind, 50_000), Vec::new());
+        rays_at(&mut checked, &mut numbers, 300_000, 1.0);
+    }
+    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
+    for file in std::fs::read_dir(files).expect("the scene files") {
+        let path = file.expect("a scene file").path();
+        let scene = scenes::load(&path).expect("a sound scene file").scene;
+        let size = scene.bounds().extent().max_element();
+        let of_spheres = scene.triangles.is_empty();
+        let mut checked = Checked::large(scene.triangles, scene.spheres);
+        if !of_spheres {
+            rays_at(&mut checked, &mut numbers, 150_000, size);
+        }
+        for _ in 0..50_000 {
+            let (from, to) = (size * numbers.point(), size * numbers.point());
+            checked.check(&Ray::new(from, to - from), None);
+        }
+    }
+    for (count, size) in [(12, 1.0), (16, 0.3), (17, 0.3), (200, 0.02), (200, 1.0)] {
+        for _ in 0..20 {
+            let triangles = soup(&mut numbers, count, size);
+            let mut checked = Checked::new(triangles, Vec::new());
+            rays_at(&mut checked, &mut numbers, 5000, 1.0);
+        }
+    }
 }
 
 /// What the tree is for: few of the boxes and triangles are asked.

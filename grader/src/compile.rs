@@ -1,6 +1,7 @@
 //! Building the worker with the student's stages, and other programs of the workspace.
 
 use crate::error::GraderError;
+use crate::running;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, IsTerminal};
@@ -104,7 +105,7 @@ fn follow(
     package: &str,
     show: bool,
 ) -> Result<Result<PathBuf, Broken>, GraderError> {
-    let mut child = command.spawn().map_err(|e| {
+    let (mut child, _running) = running::start(&mut command).map_err(|e| {
         GraderError::new(format!(
             "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
             cargo().display()

@@ -1,6 +1,7 @@
-//! Ctrl-C: what was half written goes, and the program says so.
+//! Ctrl-C, or another wish that the grader ends: what it started and what was half written goes, and the program says so.
 
 use crate::error::{GraderError, without_path};
+use crate::running;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -94,11 +95,13 @@ pub fn is_the_cause() -> bool {
     PRESSED.load(Ordering::SeqCst)
 }
 
-/// From now on Ctrl-C removes scratch folders and ends the program with exit code 2.
+/// From now on Ctrl-C ends what was started, removes scratch folders and ends the program with exit code 2. So do the
+/// signals TERM and HUP.
 pub fn watch() {
     // Without a handler Ctrl-C still ends the program; only scratch folders stay.
     let _ = ctrlc::set_handler(|| {
         PRESSED.store(true, Ordering::SeqCst);
+        running::end_all();
         if let Ok(scratch) = SCRATCH.lock() {
             for path in scratch.iter() {
                 // The program may be writing there still.

@@ -34,6 +34,7 @@ pub mod picture;
 pub mod report;
 pub mod review;
 pub mod runner;
+pub mod running;
 pub mod score;
 pub mod signature;
 pub mod snapshot;

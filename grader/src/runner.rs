@@ -2,6 +2,7 @@
 
 use crate::error::GraderError;
 use crate::interrupt;
+use crate::running;
 use std::collections::HashMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -147,7 +148,8 @@ fn one_worker(
     let (cases_file, records) = (folder.join("cases"), folder.join("records"));
     file::write_cases(&cases_file, cases)
         .map_err(|e| GraderError::file("write", &cases_file, e))?;
-    let mut child = Command::new(&worker.program)
+    let mut command = Command::new(&worker.program);
+    command
         .envs(worker.environment.iter().map(|(name, value)| (name, value)))
         .arg(&cases_file)
         .arg(&records)
@@ -156,9 +158,9 @@ fn one_worker(
         .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .map_err(|e| GraderError::file("start", &worker.program, e))?;
+        .stderr(Stdio::piped());
+    let (mut child, _running) =
+        running::start(&mut command).map_err(|e| GraderError::file("start", &worker.program, e))?;
     let stdout = child
         .stdout
         .take()

@@ -4,6 +4,7 @@ use crate::compile;
 use crate::error::GraderError;
 use crate::interrupt::{self, Scratch};
 use crate::runner::tail;
+use crate::running;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
@@ -65,7 +66,8 @@ impl Program {
     pub fn render(&self, order: &Order) -> Result<Result<Shot, String>, GraderError> {
         let picture = self.folder.path().join("picture.exr");
         let [w, h] = order.film.map(|edge| edge.to_string());
-        let child = Command::new(&self.path)
+        let mut command = Command::new(&self.path);
+        command
             .arg("-f")
             .arg(&picture)
             .args(["-r", &w, &h])
@@ -77,9 +79,9 @@ impl Program {
             .arg(order.scene)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .map_err(|e| GraderError::file("start", &self.path, e))?;
+            .stderr(Stdio::piped());
+        let (child, _running) =
+            running::start(&mut command).map_err(|e| GraderError::file("start", &self.path, e))?;
         let said = match finish(child).map_err(|e| GraderError::file("wait for", &self.path, e))? {
             Ok((status, said, _)) if status.success() => said,
             Ok((_, _, complaint)) => {

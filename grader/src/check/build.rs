@@ -4,17 +4,29 @@ use crate::compile;
 use crate::course::Course;
 use crate::error::GraderError;
 use crate::handout::Handout;
+use crate::running;
 use crate::tree;
 use crate::workspace::Workspace;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
 
 /// The student's project, and where cargo builds it: the same for every handout, so that what two of them share is
 /// built once.
 struct Desk {
     folder: PathBuf,
     target: PathBuf,
+    tests: Tests,
+}
+
+/// Which of a handout's tests to build and run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Tests {
+    /// All of them.
+    All,
+    /// Not those of the grader, which are the same in every handout and take longer to build than all the rest. It is
+    /// still built, and grades.
+    Stages,
 }
 
 /// What is wrong with the handout of `part` when it is built and run.
@@ -23,6 +35,7 @@ pub fn find(
     course: &Course,
     part: u32,
     handout: &Handout,
+    tests: Tests,
     progress: &mut impl FnMut(&str),
 ) -> Result<Vec<String>, GraderError> {
     let here = format!("handout of part {part}");
@@ -30,6 +43,7 @@ pub fn find(
     let desk = Desk {
         folder: top.join("handout"),
         target: top.join("target"),
+        tests,
     };
     tree::make_equal(&desk.folder, &handout.files)?;
     let mut complaints = Vec::new();
@@ -46,7 +60,7 @@ pub fn find(
     }
     if builds {
         progress(&format!("{here}: running its tests"));
-        let tested = desk.cargo(&["test", "--release", "--offline", "--locked", "--quiet"])?;
+        let tested = desk.cargo(&[TEST, desk.tests.packages(), &["--quiet"]].concat())?;
         if !tested.status.success() {
             complaints.push(format!(
                 "`cargo test` fails: {}",
@@ -64,30 +78,40 @@ pub fn find(
 
 impl Desk {
     fn cargo(&self, arguments: &[&str]) -> Result<Output, GraderError> {
-        Command::new(compile::cargo())
+        let mut cargo = Command::new(compile::cargo());
+        cargo
             .current_dir(&self.folder)
             .args(arguments)
             .env("CARGO_TARGET_DIR", &self.target)
             // What is built here runs once: it need not be fast, it has to be built fast.
             .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
             .env("CARGO_PROFILE_RELEASE_DEBUG", "0")
-            .stdin(Stdio::null())
-            .output()
-            .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))
+            // Handouts differ in little.
+            .env("CARGO_INCREMENTAL", "1");
+        running::output(&mut cargo).map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))
     }
 
     /// Builds programs and tests. The compiler's warnings and errors are complaints.
     fn build(&self) -> Result<Vec<String>, GraderError> {
-        let tests = [
-            "test",
-            "--no-run",
-            "--release",
-            "--offline",
-            "--locked",
-            "--message-format",
-            "json",
-        ];
-        let output = self.cargo(&tests)?;
+        let of_tests = [TEST, self.tests.packages(), &["--no-run"]].concat();
+        let mut complaints = self.warnings(&of_tests)?;
+        if complaints.is_empty() && self.tests == Tests::Stages {
+            let of_grader = [
+                "build",
+                "--release",
+                "--offline",
+                "--locked",
+                "--package",
+                "grader",
+            ];
+            complaints = self.warnings(&of_grader)?;
+        }
+        Ok(complaints)
+    }
+
+    /// What the compiler says against the code when cargo builds something.
+    fn warnings(&self, build: &[&str]) -> Result<Vec<String>, GraderError> {
+        let output = self.cargo(&[build, &["--message-format", "json"]].concat())?;
         let mut complaints: Vec<String> = String::from_utf8_lossy(&output.stdout)
             .lines()
             .filter_map(warning)
@@ -150,6 +174,19 @@ impl Desk {
         Ok(complaints)
     }
 }
+
+impl Tests {
+    /// Says to cargo whose tests these are.
+    fn packages(self) -> &'static [&'static str] {
+        match self {
+            Tests::All => &["--workspace"],
+            Tests::Stages => &["--workspace", "--exclude", "grader"],
+        }
+    }
+}
+
+/// Tells cargo to test what is there, with nothing but what is there.
+const TEST: &[&str] = &["test", "--release", "--offline", "--locked"];
 
 /// What the compiler complains of in one of cargo's JSON messages.
 fn warning(line: &str) -> Option<String> {

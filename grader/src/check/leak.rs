@@ -5,6 +5,7 @@
 
 use crate::handout::Handout;
 use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
 /// So many tokens in a row, two statements or so, are no coincidence. The longest run that code of the course shared
@@ -14,7 +15,7 @@ const RUN: usize = 36;
 /// Files of `handout` that say what a solution said. Those of parts before are not among them: where a later solution
 /// repeats an earlier one, nothing is given away.
 pub fn find(handout: &Handout) -> Vec<String> {
-    let mut secret: HashMap<String, String> = HashMap::new();
+    let mut secret = Secret::new();
     // What tests of a solution say is no solution.
     for taken in handout
         .taken
@@ -33,28 +34,53 @@ pub fn find(handout: &Handout) -> Vec<String> {
         .collect()
 }
 
+/// The runs of all solutions, by their digests, and where each stands.
+type Secret = HashMap<u64, String>;
+
 /// The first leak in one file, if there is one. Looks at the file without its comments, for code whose comments
 /// were changed, and with them, for code in a comment.
-fn leak(path: &Path, contents: &[u8], secret: &HashMap<String, String>) -> Option<String> {
+fn leak(path: &Path, contents: &[u8], secret: &Secret) -> Option<String> {
     let text = std::str::from_utf8(contents).ok()?;
     [without_comments(text).as_str(), text]
         .into_iter()
         .find_map(|text| {
-            let mut found = runs(&tokens(text))
-                .into_iter()
-                .filter_map(|run| Some((secret.get(&run)?, run)));
-            let (from, run) = found.next()?;
+            let tokens = tokens(text);
+            let runs = runs(&tokens);
+            let mut found = (0..)
+                .zip(&runs)
+                .filter_map(|(i, run)| Some((secret.get(run)?, i)));
+            let (from, first): (_, usize) = found.next()?;
             Some(format!(
-                "{} says what the solution of {from} says, {} tokens long: `{run}`",
+                "{} says what the solution of {from} says, {} tokens long: `{}`",
                 path.display(),
-                RUN + found.count()
+                RUN + found.count(),
+                tokens[first..first + RUN].join(" ")
             ))
         })
 }
 
-/// All runs of `RUN` tokens, in order.
-fn runs(tokens: &[&str]) -> Vec<String> {
-    tokens.windows(RUN).map(|run| run.join(" ")).collect()
+/// A number for each run of `RUN` tokens, in order: a text for each of millions would take most of the check's time.
+/// Different runs have the same number with a chance of about 2^-64.
+///
+/// A run's number is the sum of its tokens' hashes, each times a power of `BASE`: so the next one is had by multiplying,
+/// adding the token that comes and subtracting the one that goes (Karp and Rabin 1987).
+fn runs(tokens: &[&str]) -> Vec<u64> {
+    const BASE: u64 = 0x9e37_79b9_7f4a_7c15;
+    let hash = |token: &&str| {
+        let mut hasher = DefaultHasher::new();
+        token.hash(&mut hasher);
+        hasher.finish()
+    };
+    let hashes: Vec<u64> = tokens.iter().map(hash).collect();
+    let oldest = (0..RUN).fold(1_u64, |power, _| power.wrapping_mul(BASE));
+    let mut run = 0_u64;
+    let sums = hashes.iter().enumerate().map(|(i, &comes)| {
+        let goes = i.checked_sub(RUN).map_or(0, |i| hashes[i]);
+        run = run.wrapping_mul(BASE).wrapping_add(comes);
+        run = run.wrapping_sub(goes.wrapping_mul(oldest));
+        run
+    });
+    sums.skip(RUN - 1).collect()
 }
 
 /// Words, numbers, and every other run of signs as Rust reads them. Comment signs are no tokens, so that code in a

@@ -15,6 +15,7 @@ use crate::grade::{self, Order};
 use crate::handout::Handout;
 use crate::score::Report;
 use crate::workspace::Workspace;
+use build::Tests;
 use std::collections::BTreeSet;
 
 /// Everything that is wrong with the course, sentence by sentence. Without `builds`, only what can be seen without
@@ -25,13 +26,16 @@ pub fn course(
     mut progress: impl FnMut(&str),
 ) -> Result<Vec<String>, GraderError> {
     let course = Course::read(workspace)?;
+    let mut complaints = Vec::new();
     progress("lists: course.toml, cases, goldens");
-    let mut complaints = lists::find(workspace, &course, &cases::all(0));
+    let found = lists::find(workspace, &course, &cases::all(0));
+    note(&mut complaints, found, &mut progress);
     let mut handouts = Vec::new();
     for part in &course.parts {
         progress(&format!("handout of part {}: carving", part.number));
         let handout = Handout::carve(workspace, part.number)?;
-        complaints.extend(of_texts(workspace, part, &handout)?);
+        let found = of_texts(workspace, part, &handout)?;
+        note(&mut complaints, found, &mut progress);
         handouts.push((part, handout));
     }
     if !builds {
@@ -43,12 +47,23 @@ pub fn course(
         seed: 0,
     };
     let graded = grade::in_place(workspace, &everything, false)?;
-    complaints.extend(of_reference(&course, &graded.report));
-    for (part, handout) in &handouts {
-        let found = build::find(workspace, &course, part.number, handout, &mut progress)?;
-        complaints.extend(found);
+    let found = of_reference(&course, &graded.report);
+    note(&mut complaints, found, &mut progress);
+    let tests = std::iter::once(Tests::All).chain(std::iter::repeat(Tests::Stages));
+    for ((part, handout), tests) in handouts.iter().zip(tests) {
+        let number = part.number;
+        let found = build::find(workspace, &course, number, handout, tests, &mut progress)?;
+        note(&mut complaints, found, &mut progress);
     }
     Ok(complaints)
+}
+
+/// Adds what was found to the complaints, and tells it at once: the rest takes minutes.
+fn note(complaints: &mut Vec<String>, found: Vec<String>, progress: &mut impl FnMut(&str)) {
+    for complaint in found {
+        progress(&format!("COMPLAINT: {complaint}"));
+        complaints.push(complaint);
+    }
 }
 
 /// What is wrong with a handout's texts.

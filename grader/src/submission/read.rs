@@ -44,7 +44,7 @@ impl Submission {
         }
         let failed = |e: std::io::Error| GraderError::file("open", folder, e);
         let top = folder.canonicalize().map_err(failed)?;
-        let stages_folder = if top.join("stages").is_dir() {
+        let stages_folder = if is_there(&top.join("stages"))? {
             top.join("stages")
         } else {
             top.clone()
@@ -53,7 +53,7 @@ impl Submission {
         let stages: BTreeSet<&str> = course.tasks().map(|task| task.stage.as_str()).collect();
         for stage in &stages {
             let src = stages_folder.join(stage).join("src");
-            if src.symlink_metadata().is_ok() {
+            if is_there(&src)? {
                 let files = sources(&top, &src)?;
                 submission.reaches_out.extend(reaches_out(stage, &files));
                 if !files.is_empty() {
@@ -92,6 +92,16 @@ impl Submission {
         })?;
         submission.ignored.sort();
         Ok(submission)
+    }
+}
+
+/// Whether there is something at `path`. What cannot be looked at is an error: it must not be taken for missing.
+fn is_there(path: &Path) -> Result<bool, GraderError> {
+    match path.metadata() {
+        Ok(_) => Ok(true),
+        // A link that leads nowhere is there.
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(path.is_symlink()),
+        Err(e) => Err(GraderError::file("read", path, e)),
     }
 }
 
@@ -155,7 +165,7 @@ fn source(top: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
     Ok(contents)
 }
 
-/// Calls `file` for everything below `folder` that is not a folder. Links are not followed.
+/// Calls `file` for everything below `folder` that is not a folder, or one that cannot be read. Links are not followed.
 fn walk(
     folder: &Path,
     entries: &mut usize,
@@ -175,7 +185,11 @@ fn walk(
         if !is_folder {
             file(&entry.path());
         } else if !PASSED_OVER.iter().any(|name| entry.file_name() == *name) {
-            walk(&entry.path(), entries, file)?;
+            match std::fs::read_dir(entry.path()) {
+                Ok(_) => walk(&entry.path(), entries, file)?,
+                // Stages have been read by now: this is nothing that is needed.
+                Err(_) => file(&entry.path()),
+            }
         }
     }
     Ok(())
@@ -194,6 +208,21 @@ fn is_the_courses(path: &Path, name: &Path, trusted: &Path) -> bool {
     };
     theirs == ours
         || name.ends_with("Cargo.toml") && carved().is_ok_and(|carved| theirs == carved.as_bytes())
+        || is_carved(
+            &String::from_utf8_lossy(&theirs),
+            &String::from_utf8_lossy(&ours),
+        )
+}
+
+/// Whether `theirs` is what carving left of `ours`, a file with solutions: all that it says stands there, too, if only in
+/// a stub, and perhaps on other lines.
+fn is_carved(theirs: &str, ours: &str) -> bool {
+    let dense = |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace()).collect() };
+    let all_of_ours = dense(&ours.replace("// STUB:", ""));
+    ours.contains("// BEGIN SOLUTION(")
+        && theirs
+            .lines()
+            .all(|line| all_of_ours.contains(&dense(line)))
 }
 
 /// Lines that reach for files outside their own module tree. Only a person can say whether that is harmless.
@@ -297,6 +326,27 @@ mod tests {
     }
 
     #[test]
+    fn what_a_handout_was_given_is_not_named() {
+        let trusted = tempfile::tempdir().unwrap();
+        let theirs = "fn f() {\n    kit::hole!(\"part6.task1\")\n}\n";
+        let ours = "fn f() {\n    // BEGIN SOLUTION(part6.task1)\n    g(1);\n    // STUB: kit::hole!(\n    // STUB: \"part6.task1\")\n    // END SOLUTION(part6.task1)\n}\n";
+        let path = Path::new("stages/simd/src/lib.rs");
+        tree::write(&trusted.path().join(path), ours.as_bytes()).unwrap();
+        let (folder, _) = read(&[("stages/intersect/src/lib.rs", b"")]);
+        let ignored = |text: &str| {
+            tree::write(&folder.path().join(path), text.as_bytes()).unwrap();
+            let course = Course::parse(COURSE).unwrap();
+            let read = Submission::read(folder.path(), &course, trusted.path());
+            read.unwrap().ignored
+        };
+        assert!(ignored(theirs).is_empty());
+        assert_eq!(
+            ignored(&theirs.replace("hole", "whole")),
+            [path.to_path_buf()]
+        );
+    }
+
+    #[test]
     fn code_that_reaches_for_files_is_pointed_out() {
         let code = b"fn f() {}\nconst A: &str = include_str! (\"../../x\");\n";
         let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code)]);
@@ -316,6 +366,46 @@ mod tests {
             let (_folder, submission) = read(files);
             let error = submission.unwrap_err();
             assert!(error.contains(why), "{error}");
+        }
+    }
+
+    /// Also as the superuser, who may read everything: a link that leads to itself cannot be read by anybody.
+    #[cfg(unix)]
+    #[test]
+    fn what_cannot_be_read_is_not_taken_for_missing() {
+        let folder = tempfile::tempdir().unwrap();
+        let stages = folder.path().join("stages");
+        std::os::unix::fs::symlink(&stages, &stages).unwrap();
+        let error = reread(&folder).unwrap_err();
+        assert!(error.contains("cannot read"), "{error}");
+        assert!(error.contains("stages"), "{error}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn folders_that_may_not_be_read() {
+        use std::os::unix::fs::PermissionsExt;
+        let (folder, _) = read(&[
+            ("stages/intersect/src/lib.rs", b""),
+            ("notes/private/x", b""),
+        ]);
+        let forbid = |name: &str, mode: u32| {
+            let mode = std::fs::Permissions::from_mode(mode);
+            std::fs::set_permissions(folder.path().join(name), mode).unwrap();
+        };
+        forbid("notes/private", 0);
+        if std::fs::read_dir(folder.path().join("notes/private")).is_ok() {
+            println!("skipped: the superuser may read everything");
+            return;
+        }
+        assert_eq!(
+            reread(&folder).unwrap().ignored,
+            [PathBuf::from("notes/private")]
+        );
+        forbid("stages/intersect", 0);
+        assert!(reread(&folder).unwrap_err().contains("cannot read"));
+        for name in ["stages/intersect", "notes/private"] {
+            forbid(name, 0o700);
         }
     }
 

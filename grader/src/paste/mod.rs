@@ -1,13 +1,15 @@
 //! The worst answer as a Rust test: to paste into a stage's `tests/` folder, run in a debugger, keep.
 //!
 //! It fails on the code that gave the answer and passes on any that earns the points. One file for each kind of work:
-//! `camera` and `pixel`, `hits` (triangles and spheres), `boxes`, `tree`.
+//! `camera` and `pixel`, `hits` (triangles and spheres), `boxes`, `tree` and
+//! `traverse`.
 
 mod boxes;
 mod camera;
 mod hits;
 mod numbers;
 mod pixel;
+mod traverse;
 mod tree;
 
 use crate::cases::Spec;
@@ -35,9 +37,9 @@ pub fn worst(cases: &[CaseResult], specs: &[Spec], task: &str) -> Option<String>
     })
 }
 
-/// Whether a test of such work asks for the aspect: none of a tree asks what it costs.
+/// Whether a test of such work asks for the aspect: none of a tree or a walk through one asks what it costs.
 fn can_show(work: &Work, aspect: Aspect) -> bool {
-    !(matches!(work, Work::Build { .. }) && aspect == Aspect::Work)
+    !(matches!(work, Work::Build { .. } | Work::Traverse(_)) && aspect == Aspect::Work)
 }
 
 /// A test for one call of a case.
@@ -62,6 +64,7 @@ pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
             bounds,
             max_leaf_size,
         } => tree::over(bounds, *max_leaf_size)?,
+        Work::Traverse(world) => traverse::walk(world, call)?,
         _ => return None,
     };
     let mut text = format!(

@@ -41,7 +41,7 @@ pub struct Diagnosis {
 const SURE: f64 = 0.95;
 
 /// From this likeness on, the mistake is named as what it looks like.
-const LIKELY: f64 = 0.6;
+const LIKELY: f64 = 0.7;
 
 /// Two mistakes together must explain this share of the wrong values.
 const TOGETHER: f64 = 0.8;
@@ -75,8 +75,10 @@ pub fn file(workspace: &Workspace, task: &str) -> PathBuf {
 
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
-    let mut ranked: Vec<(&Known, Agreement)> = known
+    let possible = known
         .iter()
+        .filter(|known| !student.contradicts(&known.signature));
+    let mut ranked: Vec<(&Known, Agreement)> = possible
         .map(|known| (known, student.agreement(&known.signature)))
         .collect();
     ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
@@ -85,9 +87,10 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     if let Some(pair) = two_at_once(&ranked, student, likeness) {
         return Some(pair);
     }
-    if likeness < LIKELY {
-        return None;
-    }
+    let (best, likeness) = match likeness < LIKELY {
+        true => (alone_of_its_kind(&ranked, student)?, likeness),
+        false => (best, likeness),
+    };
     let (mistakes, says) = with_twins(&ranked, best);
     let (equal, of) = student.calls_alike(&best.signature);
     let verb = if likeness >= SURE {
@@ -104,13 +107,30 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     })
 }
 
+/// The mistake whose faults have the same names as the student's, in whatever cases they come up: a tree that is built in
+/// another way has its leaves elsewhere. None if two mistakes have them, or if a fault has no name.
+fn alone_of_its_kind<'a>(
+    ranked: &[(&'a Known, Agreement)],
+    student: &Signature,
+) -> Option<&'a Known> {
+    let kinds = student.names()?;
+    let mut alike = ranked
+        .iter()
+        .map(|(known, _)| *known)
+        .filter(|known| known.signature.names().as_ref() == Some(&kinds));
+    let first = alike.next()?;
+    alike
+        .all(|other| other.mistakes == first.mistakes)
+        .then_some(first)
+}
+
 /// The names of a mistake and of those that cannot be told from it, and how the sentence about them ends.
 fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String) {
     let mut mistakes = best.mistakes.clone();
     let mut says = best.says.join(", and ");
     let twins = ranked.iter().map(|(twin, _)| twin).filter(|twin| {
         let single = twin.mistakes.len() == 1;
-        single && twin.signature == best.signature
+        single && twin.signature.shows_the_same(&best.signature)
     });
     for twin in twins {
         if !mistakes.contains(&twin.mistakes[0]) {

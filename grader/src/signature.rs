@@ -39,6 +39,12 @@ pub struct Agreement {
     pub second: usize,
 }
 
+/// A side of the answer tells against a mistake if it holds this share of what the mistake gets wrong,
+const TELLING: f64 = 0.1;
+
+/// and if less than this share of that is wrong.
+const SHOWN: f64 = 0.25;
+
 /// The code of a case that ended without an answer: a panic, a timeout.
 const CRASHED: u16 = u16::MAX;
 
@@ -69,6 +75,11 @@ impl Signature {
         }
     }
 
+    /// Whether nobody can tell the two by what speaks of them.
+    pub fn shows_the_same(&self, other: &Signature) -> bool {
+        self.cases() == other.cases()
+    }
+
     /// On how many calls something was wrong.
     pub fn wrong(&self) -> usize {
         self.cases().values().map(Codes::wrong).sum()
@@ -92,6 +103,37 @@ impl Signature {
             }
         }
         agreement
+    }
+
+    /// Whether this code is right where `mistake` would make it wrong: one side of the answer that the mistake has wrong,
+    /// and not only now and then, is right in most of those calls.
+    pub fn contradicts(&self, mistake: &Signature) -> bool {
+        let mut sides: BTreeMap<&str, Alone> = BTreeMap::new();
+        for (name, codes) in mistake.cases() {
+            let mine = self.cases().get(name).map_or(&[][..], |mine| &mine.0);
+            let hidden = Hiding::of(self.cases(), name);
+            let aspect = name.split(' ').nth(1).unwrap_or_default();
+            let side = sides.entry(aspect).or_default();
+            let wrong = codes.0.iter().enumerate().filter(|(_, code)| **code != 0);
+            for (call, _) in wrong.filter(|(call, _)| !hidden.at(*call)) {
+                side.of += 1;
+                side.shown += usize::from(mine.get(call).is_some_and(|mine| *mine != 0));
+            }
+        }
+        let wrong = mistake.wrong() as f64;
+        sides.values().any(|side| {
+            side.of as f64 >= TELLING * wrong && (side.shown as f64) < SHOWN * side.of as f64
+        })
+    }
+
+    /// The names of the faults by aspect, in whatever case; `None` if a fault has no name, or there is none.
+    pub fn names(&self) -> Option<BTreeSet<&str>> {
+        let names = self.cases().keys().map(|key| {
+            let (_, aspect_and_name) = key.split_once(' ')?;
+            aspect_and_name.contains(' ').then_some(aspect_and_name)
+        });
+        let names: Option<BTreeSet<&str>> = names.collect();
+        names.filter(|names| !names.is_empty())
     }
 
     /// On how many calls both are wrong in the same way in every aspect, and on how many either is wrong.
@@ -370,6 +412,46 @@ mod tests {
         let not_made = signature("1 2*a 1*b").agreement_with_both(&first, &second);
         assert_eq!(not_made.alone[1], alone(0, 2));
         assert!(not_made.likeness() < 1.0);
+    }
+
+    #[test]
+    fn what_is_right_tells_against_a_mistake() {
+        let of = |aspects: &[(&str, &str)]| Signature {
+            core: aspects
+                .iter()
+                .map(|(aspect, codes)| {
+                    let codes = Codes::try_from(codes.to_string()).unwrap();
+                    (format!("case {aspect}"), codes)
+                })
+                .collect(),
+            robust: Cases::new(),
+        };
+        let mistake = of(&[("Decision", "4 2*a"), ("Interval", "6*b")]);
+        let same_interval = of(&[("Interval", "6*b")]);
+        assert!(same_interval.contradicts(&mistake));
+        assert!(!mistake.contradicts(&same_interval));
+        assert!(!mistake.contradicts(&mistake));
+        // Where a hit is missed nothing shows whether its interval would be right.
+        let misses = of(&[("Decision", "6*e")]);
+        assert!(!misses.contradicts(&same_interval));
+    }
+
+    #[test]
+    fn names_are_those_of_faults_in_whatever_case() {
+        let of = |keys: &[&str]| Signature {
+            core: keys
+                .iter()
+                .map(|key| (key.to_string(), Codes(vec![1])))
+                .collect(),
+            robust: Cases::new(),
+        };
+        let named = of(&["one LeafSize one too many", "two LeafSize one too many"]);
+        assert_eq!(
+            named.names(),
+            Some(BTreeSet::from(["LeafSize one too many"]))
+        );
+        assert_eq!(of(&["one LeafSize one too many", "two Work"]).names(), None);
+        assert_eq!(of(&[]).names(), None);
     }
 
     #[test]

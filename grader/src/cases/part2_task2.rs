@@ -86,7 +86,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "empty_box",
-            "The box that holds nothing (min > max): sorting its two planes turns it inside out, into one that holds everything.",
+            "The box that holds nothing (min > max): sorting its two planes turns it inside out, into one that holds everything. \
+             And a range that holds nothing (min_t > max_t), which a comparison with each end alone does not notice.",
             empty_boxes(),
         ),
         case(
@@ -276,7 +277,6 @@ fn clipped() -> Vec<(Aabb, Ray)> {
             (9.0, f64::INFINITY),
             (0.0, 20.0),
             (-20.0, 0.0),
-            (8.0, 7.9),
         ] {
             probes.push((
                 ROUND,
@@ -478,10 +478,16 @@ fn empty_boxes() -> Vec<(Aabb, Ray)> {
         )
     }));
     let boxes = [Aabb::EMPTY, inverted_on_x];
-    boxes
+    let of_boxes = boxes
         .into_iter()
-        .flat_map(|b| rays.iter().map(move |ray| (b, *ray)))
-        .collect()
+        .flat_map(|b| rays.iter().map(move |ray| (b, *ray)));
+    // Of a range between these ends, turned round, both lie inside the box.
+    let of_ranges = signs().map(|d| Ray {
+        min_t: 8.0,
+        max_t: 7.9,
+        ..Ray::new(ROUND.centroid() - 8.0 * d, d)
+    });
+    of_boxes.chain(of_ranges.map(|ray| (ROUND, ray))).collect()
 }
 
 fn infinite_boxes() -> Vec<(Aabb, Ray)> {

@@ -8,6 +8,7 @@ use crate::mutants::corpus::Corpus;
 use crate::mutants::run;
 use crate::mutants::table::Table;
 use crate::report::write_whole;
+use crate::signature::Signature;
 use crate::workspace::Workspace;
 use clap::Args;
 use std::path::Path;
@@ -39,6 +40,10 @@ impl Mutants {
             let accused: Vec<&run::Graded> =
                 graded.iter().filter(|graded| graded.is_accused()).collect();
             show(&task.key, &table, &accused);
+            for (name, _) in table.misnamed() {
+                let graded = graded.iter().find(|graded| graded.name == name);
+                show_what_students_read(name, graded, &known);
+            }
             if !accused.is_empty() || !table.survivors().is_empty() {
                 verdict = Verdict::Short;
             }
@@ -82,6 +87,15 @@ fn store(path: &Path, value: &impl serde::Serialize) -> Result<(), GraderError> 
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
     write_whole(path, (text + "\n").as_bytes())
+}
+
+/// What is said to who makes a mistake that is not named rightly.
+fn show_what_students_read(name: &str, graded: Option<&run::Graded>, known: &[Known]) {
+    let signature = graded.map(|graded| Signature::of(&graded.result.cases));
+    let diagnosis = signature.and_then(|signature| diagnosis::diagnose(known, &signature));
+    if let Some(diagnosis) = diagnosis {
+        println!("  students with {name} read: {}", diagnosis.says);
+    }
 }
 
 fn show(task: &str, table: &Table, accused: &[&run::Graded]) {

@@ -72,7 +72,9 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
         Tier::Robust => ROBUST_DIRECTION_BOUND,
     } + angle_rounding(camera.h_fov)
         + angle_rounding(camera.v_fov);
-    tally.judge(Aspect::Direction, call, off <= bound, off, || {
+    let is_right = off <= bound;
+    let class = (!is_right).then(|| Class::of_certain_direction(d, right));
+    tally.judge_class(Aspect::Direction, call, class, off, || {
         let columns = columns(&camera.c2w);
         format!(
             "generate_ray gives d = {}, right is {} ({:.3} degrees away). {}, {columns}",

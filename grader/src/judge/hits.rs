@@ -197,7 +197,9 @@ impl Call<'_> {
         let is_unit = length_off <= UNIT_BOUND;
         let off = right.map_or(0.0, |n| worst((given - n).to_array()));
         let class = wrong_unless(is_unit && off <= bound, || {
-            right.map_or(Class::Wrong, |right| Class::of_direction(given, right))
+            right.map_or(Class::Wrong, |right| {
+                Class::of_certain_direction(given, right)
+            })
         });
         self.judge_class(aspect, class, off.max(length_off), |function| {
             let is = format!("{function} gives {name} = {}", show(given));

@@ -39,7 +39,13 @@ fn calls(tally: &mut Tally, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &
     let (points, traced) = (answer.points.len(), answer.traced.len());
     let right = points == ns_aa as usize && traced == ns_aa as usize && answer.samples == ns_aa;
     let off = points.abs_diff(ns_aa as usize) + traced.abs_diff(ns_aa as usize);
-    tally.judge(Aspect::Calls, call, right, off as f64, || {
+    let class = (!right).then(|| match (points.min(traced), points.max(traced)) {
+        (_, most) if most > ns_aa as usize => Class::Named("too many"),
+        (1, _) if ns_aa > 1 => Class::Named("only one"),
+        (least, _) if least < ns_aa as usize => Class::Named("too few"),
+        _ => Class::Named("count"),
+    });
+    tally.judge_class(Aspect::Calls, call, class, off as f64, || {
         format!(
             "camera_ray was called {points} times, trace_ray {traced} times, and the estimate says {} samples. {asked}",
             answer.samples

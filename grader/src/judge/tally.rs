@@ -136,6 +136,8 @@ pub enum Class {
     WrongLength,
     /// A number whose ratio to the right one is about 2 to this power.
     Ratio(i8),
+    /// A direction that goes this way instead, in sixteenths of its length along each axis.
+    Towards([i8; 3]),
     /// An infinite number.
     Infinite,
     /// 0 where the right number is another.
@@ -186,6 +188,17 @@ impl Class {
             Class::WrongLength
         } else {
             Class::of_size((answered - right).length())
+        }
+    }
+
+    /// The same for a direction that no chance has a part in: also where it goes.
+    pub fn of_certain_direction(answered: Vec3, right: Vec3) -> Class {
+        match Class::of_direction(answered, right) {
+            Class::Off(_) => {
+                let way = 16.0 * answered.normalize_or_zero();
+                Class::Towards(way.to_array().map(|along| along.round() as i8))
+            }
+            class => class,
         }
     }
 }

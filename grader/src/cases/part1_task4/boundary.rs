@@ -14,18 +14,33 @@ const ALONG_AXES: [Vec3; 6] = [
     Vec3::NEG_Z,
 ];
 
+/// Through the centre of spheres whose radius is a power of two: so the roots are exact for who divides by it, too.
 pub(super) fn range_ends() -> Work {
     let mut probes = Probes::default();
+    for radius in [0.5, 1.0, 8.0] {
+        at_the_ends(&mut probes, radius, &[(0.0, radius)]);
+    }
+    probes.work()
+}
+
+/// Beside the centre: 3, 4, 5. The ray passes the centre at 3, the roots are 4 before and behind.
+pub(super) fn range_ends_beside_the_center() -> Work {
+    let mut probes = Probes::default();
+    at_the_ends(&mut probes, 5.0, &[(0.0, 5.0), (3.0, 4.0), (4.0, 3.0)]);
+    probes.work()
+}
+
+/// Rays that pass the centre at some distance and so have half a chord, with ranges that end at the roots.
+fn at_the_ends(probes: &mut Probes, radius: f64, distance_and_half: &[(f64, f64)]) {
     let s = Sphere {
         center: Vec3::new(3.0, -2.0, 5.0),
-        radius: 5.0,
+        radius,
     };
     probes.sphere(&s);
     for d in ALONG_AXES {
         let aside = Vec3::new(d.y.abs(), d.z.abs(), d.x.abs());
-        // 3, 4, 5: the ray passes the centre at 3, the roots are 4 before and behind.
-        for (impact, half) in [(0.0, 5.0), (3.0, 4.0), (4.0, 3.0)] {
-            let o = s.center + impact * aside - 16.0 * d;
+        for (distance, half) in distance_and_half {
+            let o = s.center + *distance * aside - 16.0 * d;
             let (near, far): (f64, f64) = (16.0 - half, 16.0 + half);
             for (min_t, max_t) in [
                 (near, near),
@@ -40,7 +55,6 @@ pub(super) fn range_ends() -> Work {
             }
         }
     }
-    probes.work()
 }
 
 pub(super) fn tangent() -> Work {

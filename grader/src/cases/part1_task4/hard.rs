@@ -2,7 +2,7 @@
 
 use super::super::Spec;
 use super::super::probes::{Dice, Probes, within};
-use super::case;
+use super::{boundary, case};
 use crate::judge::tally::Aspect::{Decision, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::Work;
@@ -53,6 +53,13 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             without_size(),
         )
         .only(&[Decision, Normal]),
+        case(
+            "range_ends_beside_the_center",
+            "A root is exactly min_t or exactly max_t, in small integers beside the centre: a division by the radius \
+             would round it away.",
+            boundary::range_ends_beside_the_center(),
+        )
+        .only(&[Decision, T]),
         case(
             "tiny_and_huge",
             "Spheres from 1e-30 to 1e30 in size.",

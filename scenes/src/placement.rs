@@ -8,7 +8,8 @@
 //! `-r`. So its pictures of 480x360 show the middle 60 % of the frame: `xfov` 49.13 in the file is
 //! `hFov = 2 atan(480/800 · tan(49.13°/2)) = 30.68` in the camera files it wrote. Also it takes only the
 //! direction from the file's camera and always frames the scene ([`frame`]). Here a picture shows what the
-//! file's camera frames, at any size.
+//! file's camera frames, at any size, unless that is half empty ([`is_edge_on`]): the boxes of the course were made
+//! for a program that frames them, with cameras that stand in the plane of their floor.
 
 use kit::{Camera, FilmSize, Mat3, Scene, Vec3, math};
 
@@ -23,6 +24,10 @@ const DEFAULT_V_FOV: f64 = 35.0;
 /// Distance from which a scene is framed, in diagonals of its box.
 const FRAMING_DISTANCE: f64 = 1.5;
 
+/// How near a face of the box a camera is in its plane, as a share of the diagonal, and how small the slope is along it: what
+/// exporters round.
+const EDGE_ON: f64 = 1e-6;
+
 /// How much the shape of a film may differ from the camera's, relatively, and still count as the same:
 /// angles in files are rounded.
 const SAME_SHAPE: f64 = 1e-9;
@@ -36,16 +41,32 @@ pub struct View {
     pub target: Vec3,
 }
 
-/// The default view of a scene on a film: the file's camera; without a usable one the scene is framed
-/// from +z.
+/// The default view of a scene on a film: the file's camera; if that sees the scene edge-on, the scene is framed from its
+/// direction, and without a camera from +z.
 pub fn place(scene: &Scene, film: FilmSize) -> View {
     match &scene.camera {
+        Some(camera) if is_edge_on(scene) => frame(scene, camera.c2w.z_axis, film),
         Some(camera) => View {
             camera: for_film(camera, film),
             target: target_of(camera, scene),
         },
         None => frame(scene, Vec3::Z, film),
     }
+}
+
+/// Whether the file has a camera in the plane of a face of the scene's box that looks along it: half of its picture is
+/// empty, whatever is in the box.
+pub fn is_edge_on(scene: &Scene) -> bool {
+    let bounds = scene.bounds();
+    let Some(camera) = scene.camera.filter(|_| !bounds.is_empty()) else {
+        return false;
+    };
+    let near = EDGE_ON * bounds.extent().length();
+    (0..3).any(|axis| {
+        let off = |face: Vec3| (camera.pos[axis] - face[axis]).abs();
+        let along = camera.c2w.z_axis[axis].abs() <= EDGE_ON;
+        along && off(bounds.min).min(off(bounds.max)) <= near
+    })
 }
 
 /// Looks at the middle of the scene's box from `direction` (not zero; y is up) at 1.5 times the length of
@@ -144,6 +165,42 @@ mod tests {
 
     fn ball(center: Vec3, radius: f64) -> Scene {
         scene(Vec::new(), vec![Sphere { center, radius }])
+    }
+
+    /// A ball of radius 1 whose file has a camera 5 away at this height, looking at its axis with this slope.
+    fn ball_seen_from(height: f64, slope: f64) -> Scene {
+        let c2w = Camera::look_at(Vec3::new(0.0, slope, 1.0), Vec3::ZERO, Vec3::Y).unwrap();
+        Scene {
+            camera: Some(Camera {
+                pos: Vec3::new(0.0, height, 5.0),
+                c2w,
+                h_fov: 40.0,
+                v_fov: 30.0,
+                n_clip: 0.0,
+                f_clip: FAR_AWAY,
+            }),
+            ..ball(Vec3::ZERO, 1.0)
+        }
+    }
+
+    #[test]
+    fn a_camera_in_the_plane_of_the_floor_frames_the_scene() {
+        for (height, slope, edge_on) in [
+            (-1.0, 0.0, true),
+            (1.0 + 1e-9, 0.0, true),
+            (-1.0, 0.01, false),
+            (-0.99, 0.0, false),
+            (0.0, 0.0, false),
+            (-3.0, 0.0, false),
+        ] {
+            let scene = ball_seen_from(height, slope);
+            assert_eq!(is_edge_on(&scene), edge_on, "{height} {slope}");
+            let pos = place(&scene, FILM).camera.pos;
+            let distance = FRAMING_DISTANCE * 12.0_f64.sqrt();
+            let framed = (pos - Vec3::new(0.0, 0.0, distance)).length() < 1e-12;
+            assert_eq!(framed, edge_on, "{pos}");
+        }
+        assert!(!is_edge_on(&ball(Vec3::ZERO, 1.0)));
     }
 
     fn aspect(camera: &Camera) -> f64 {

@@ -18,7 +18,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
 ///
 /// `wo` is the unit world direction to the viewer. `Li` is what the first surface along the direction emits towards
 /// here, or [`LitScene::background`] where there is none. Rays start with [`Surface::leave`] and are traced by `trace`,
-/// which answers with the closest hit. Each direction takes one `next_2d` of the sampler.
+/// which answers with the closest hit. `scattering` gives `f` of directions in the local space of `surface.frame`. Each
+/// direction takes numbers of its own from the sampler, one `next_2d` if it can.
 ///
 /// Lights without extent (points, spots, suns) are never found this way: with them alone all is black. Mirrors and
 /// smooth glass get nothing either, and cast no ray: no direction chosen at random is theirs. 0 samples give black.

@@ -8,7 +8,8 @@ use kit::{LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 /// ([`Emitter::is_delta`](kit::Emitter::is_delta)) a single one, since every further one would be the same.
 /// [`Emitter::sample`](kit::Emitter::sample) draws a direction from [`Surface::p`] and gives the radiance `L` as if
 /// nothing were in between; `occluded` says whether something is, for the ray that [`Surface::shadow_ray`] makes. `wo`
-/// is the unit world direction to the viewer. Each sample takes one `next_2d` of the sampler.
+/// is the unit world direction to the viewer; `scattering` gives `f` of directions in the local space of `surface.frame`.
+/// Each sample takes one `next_2d` of the sampler. In which order samples are taken makes no difference.
 ///
 /// A sample that the light does not send (`None`) or the surface does not scatter (`f` black) counts as 0 in the mean,
 /// and no shadow ray is cast for it. Mirrors and smooth glass cast none at all. With `ns_area_light` 0, lights with an

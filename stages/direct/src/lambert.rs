@@ -66,6 +66,7 @@ pub fn lambert_sample(reflectance: Spectrum, wo: Vec3, u: Vec2) -> Option<BsdfSa
 #[cfg(test)]
 mod tests {
     use super::*;
+    use kit::statistics::sidak;
     use kit::{PixelSampler, chi_square};
 
     const RHO: Spectrum = Spectrum::new(0.9, 0.5, 0.0);
@@ -118,17 +119,29 @@ mod tests {
         }
     }
 
-    /// Hard case 89. A false alarm has a chance of 1e-6; the points are fixed.
+    /// Hard case 89. Both false alarms together have a chance of 1e-6; a deviation of 5 % (root mean square) is sure to be
+    /// seen, as that of samples and a density which do not belong together is.
     #[test]
     fn samples_fall_where_the_pdf_says() {
+        let alarm = sidak(1e-6, 2);
         for wo in [up(), -up()] {
-            let p = chi_square::p_value(
-                200_000,
-                11,
-                |u, _| lambert_sample(RHO, wo, u).map(|s| s.wi),
-                |wi| lambert_pdf(wo, wi),
-            );
-            assert!(p > 1e-6, "p = {p}");
+            let fit_to = |pdf: &dyn Fn(Vec3) -> f64| {
+                let mut numbers = PixelSampler::new(0, 0, 11);
+                let drawn = (0..200_000).map(|_| lambert_sample(RHO, wo, numbers.get_sample()));
+                chi_square::fit(drawn.map(|s| s.map(|s| s.wi)), pdf)
+            };
+            let fit = fit_to(&|wi| lambert_pdf(wo, wi));
+            assert!(fit.p > alarm, "p = {:e}", fit.p);
+            assert!(fit.smallest_sure_deviation(alarm) < 0.05);
+            let uniform = fit_to(&|wi| {
+                if lambert_pdf(wo, wi) > 0.0 {
+                    1.0 / TAU
+                } else {
+                    0.0
+                }
+            });
+            let half = fit_to(&|wi| 0.5 * lambert_pdf(wo, wi));
+            assert!(uniform.p < 1e-30 && half.p < 1e-30);
         }
     }
 }

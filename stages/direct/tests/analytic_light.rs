@@ -39,6 +39,11 @@ fn assert_estimates(what: &str, estimate: &Tally, truth: f64) {
         sure < WORST_SURE_BIAS,
         "{what} is too noisy to tell: ±{sure}"
     );
+    // What is off by as much is caught, whichever way.
+    for off in [1.0 + WORST_SURE_BIAS, 1.0 - WORST_SURE_BIAS] {
+        let p = two_sided(estimate.z_against(off * truth));
+        assert!(p < alarm, "{what}: off by {off}, p = {p:e}");
+    }
 }
 
 fn scene_with(light: Light) -> Scene {

@@ -160,6 +160,11 @@ fn assert_mean(what: &str, estimate: &Tally, truth: f64, worst_sure_bias: f64) {
     assert!(p > alarm, "{what}: {mean} ± {error}, should be {truth}");
     let sure = smallest_sure_bias(error, alarm);
     assert!(sure <= worst_sure_bias, "{what}: too noisy to tell ±{sure}");
+    // What is off by as much is caught, whichever way.
+    for off in [sure, -sure] {
+        let p = two_sided(estimate.z_against(truth + off));
+        assert!(error == 0.0 || p < alarm, "{what}: off by {off}, p = {p:e}");
+    }
 }
 
 /// Hard case 83. Inside a matte ball where every place is lit directly with radiance 1, each further bounce adds its share:

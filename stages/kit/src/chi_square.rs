@@ -13,7 +13,7 @@ const ROWS: usize = 16;
 /// Columns of cells, equal in angle around z.
 const COLUMNS: usize = 32;
 /// Steps of the midpoint rule along each side of a cell.
-const STEPS: usize = 24;
+const STEPS: usize = 48;
 /// Cells with fewer expected samples are taken together: χ² is only then distributed as it should (Cochran 1952).
 const FEWEST_EXPECTED: f64 = 8.0;
 
@@ -42,6 +42,34 @@ pub fn p_value_of(
     directions: impl IntoIterator<Item = Option<Vec3>>,
     pdf: impl Fn(Vec3) -> f64,
 ) -> f64 {
+    fit(directions, pdf).p
+}
+
+/// How well directions fit a density.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// How often directions that do follow the density would look at least as far off: the p-value.
+    pub p: f64,
+    /// How many directions there were.
+    pub samples: f64,
+    /// Degrees of freedom: one less than there are cells to compare.
+    pub degrees: f64,
+}
+
+impl Fit {
+    /// The smallest deviation that a test with this chance of a false alarm is sure to see: the root mean square, over
+    /// directions that follow the density, of the share by which the true density differs from it. Directions that
+    /// deviate by as much stay unseen no more often than right ones are accused.
+    ///
+    /// With a deviation ε of n samples χ² follows the noncentral distribution with the noncentrality `n·ε²`. What evens
+    /// out within a cell (1/16 of the height, 1/32 of a turn) is not seen.
+    pub fn smallest_sure_deviation(&self, alarm: f64) -> f64 {
+        (smallest_sure_noncentrality(self.degrees, alarm) / self.samples).sqrt()
+    }
+}
+
+/// How well `directions`, drawn from points that do not depend on them, fit the density `pdf`.
+pub fn fit(directions: impl IntoIterator<Item = Option<Vec3>>, pdf: impl Fn(Vec3) -> f64) -> Fit {
     let mut counted = vec![0.0; ROWS * COLUMNS + 1];
     let mut samples = 0.0;
     for direction in directions {
@@ -53,11 +81,21 @@ pub fn p_value_of(
         .collect();
     let lost = samples - expected.iter().sum::<f64>();
     expected.push(lost.max(0.0));
-    test_counts(&counted, &expected)
+    let (p, degrees) = compare(&counted, &expected);
+    Fit {
+        p,
+        samples,
+        degrees,
+    }
 }
 
 /// The p-value of `counted` against `expected`, taking small expectations together.
 pub fn test_counts(counted: &[f64], expected: &[f64]) -> f64 {
+    compare(counted, expected).0
+}
+
+/// The p-value, and its degrees of freedom.
+fn compare(counted: &[f64], expected: &[f64]) -> (f64, f64) {
     let (mut chi2, mut cells) = (0.0, 0_u32);
     let (mut rest_counted, mut rest_expected) = (0.0, 0.0);
     for (&c, &e) in counted.iter().zip(expected) {
@@ -69,18 +107,71 @@ pub fn test_counts(counted: &[f64], expected: &[f64]) -> f64 {
             cells += 1;
         }
     }
+    let mut nowhere_to_be = false;
     if rest_expected >= FEWEST_EXPECTED {
         let d = rest_counted - rest_expected;
         chi2 += d * d / rest_expected;
         cells += 1;
-    } else if rest_counted > rest_expected + 8.0 * (rest_expected + FEWEST_EXPECTED).sqrt() {
+    } else {
         // Samples where there should be next to none.
-        return 0.0;
+        let most = rest_expected + 8.0 * (rest_expected + FEWEST_EXPECTED).sqrt();
+        nowhere_to_be = rest_counted > most;
     }
-    if cells < 2 {
-        return 1.0;
+    let degrees = f64::from(cells.max(1) - 1);
+    let p = if nowhere_to_be {
+        0.0
+    } else if cells < 2 {
+        1.0
+    } else {
+        chi_square_tail(chi2, degrees)
+    };
+    (p, degrees)
+}
+
+/// The noncentrality from which on a χ² test with this chance of a false alarm misses no more often than that.
+fn smallest_sure_noncentrality(degrees: f64, alarm: f64) -> f64 {
+    // Both are wanted to a few digits; what they are looked for in holds them for any alarm above 1e-300.
+    let most = 1e5 + 10.0 * degrees;
+    let limit = bisect(most, |x| chi_square_tail(x, degrees) > alarm);
+    bisect(most, |lambda| {
+        noncentral_at_most(limit, degrees, lambda) > alarm
+    })
+}
+
+/// Where `is_below`, true at 0, stops to be true.
+fn bisect(most: f64, is_below: impl Fn(f64) -> bool) -> f64 {
+    let (mut low, mut high) = (0.0, most);
+    for _ in 0..48 {
+        let middle = 0.5 * (low + high);
+        if is_below(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
     }
-    chi_square_tail(chi2, f64::from(cells - 1))
+    high
+}
+
+/// The chance that a noncentral χ² variable is at most `x`: with the chance of a Poisson variable of the mean λ/2 it has two
+/// more degrees of freedom for each of its counts (Johnson, Kotz, Balakrishnan: "Continuous univariate distributions",
+/// volume 2, 1995, equation 29.2).
+fn noncentral_at_most(x: f64, degrees: f64, lambda: f64) -> f64 {
+    let mean = 0.5 * lambda;
+    let spread = 12.0 * (mean + 16.0).sqrt();
+    let (from, to) = ((mean - spread).max(0.0) as u32, (mean + spread) as u32);
+    (from..=to)
+        .map(|j| {
+            let j = f64::from(j);
+            let log_chance = if mean > 0.0 {
+                j * math::ln(mean) - mean - math::ln_gamma(j + 1.0)
+            } else if j > 0.0 {
+                f64::NEG_INFINITY
+            } else {
+                0.0
+            };
+            math::exp(log_chance) * (1.0 - chi_square_tail(x, degrees + 2.0 * j))
+        })
+        .sum()
 }
 
 fn cell_of(w: Vec3) -> usize {
@@ -185,5 +276,55 @@ mod tests {
         let double = |w: Vec3| if w.z > 0.0 { 2.0 / TAU } else { 0.0 };
         let p = p_value(20_000, 4, |u, _| Some(warp::uniform_hemisphere(u)), double);
         assert!(p < ALARM, "p = {p}");
+    }
+
+    /// Of two cells a share of 1/2 ± ε/2 each: χ² is the square of a normal variable that is off by √n·ε, so the test is
+    /// a two-sided z-test, whose power is known. And it is 1/2 where the deviation is at the limit itself.
+    #[test]
+    fn the_sure_deviation_of_two_cells_is_that_of_a_z_test() {
+        for (alarm, n) in [(1e-3, 100.0), (1e-6, 1e4), (1e-8, 1e6)] {
+            let fit = Fit {
+                p: 1.0,
+                samples: n,
+                degrees: 1.0,
+            };
+            let z = crate::statistics::z_of_alarm(alarm);
+            // What is missed lies on one side only.
+            let missed = crate::statistics::z_of_alarm(2.0 * alarm);
+            let sure = fit.smallest_sure_deviation(alarm) * n.sqrt();
+            assert!((sure / (z + missed) - 1.0).abs() < 1e-6, "{sure} {z}");
+        }
+        let limit = 4.0_f64;
+        assert!((noncentral_at_most(limit * limit, 1.0, limit * limit) - 0.5).abs() < 1e-6);
+    }
+
+    /// Directions whose density differs from uniform by the share √2·ε·cos(2φ) have the deviation ε.
+    #[test]
+    fn a_deviation_that_is_sure_to_be_seen_is_seen() {
+        let upper = |w: Vec3| if w.z > 0.0 { 1.0 / TAU } else { 0.0 };
+        let uneven = |seed: u64, deviation: f64| {
+            let mut numbers = crate::PixelSampler::new(0, 0, seed);
+            let draw = (0..8000).map(|_| {
+                let u = numbers.get_sample();
+                let even = warp::uniform_hemisphere(u);
+                let squeezed = squeeze(TAU * u.y, std::f64::consts::SQRT_2 * deviation);
+                Some(warp::on_sphere(even.z, squeezed / TAU))
+            });
+            fit(draw, upper)
+        };
+        let sure = uneven(0, 0.0).smallest_sure_deviation(ALARM);
+        assert!((0.1..0.25).contains(&sure), "{sure}");
+        for seed in 0..20 {
+            assert!(uneven(seed, 0.0).p > ALARM);
+            // Within a cell the cosine evens out a little.
+            let p = uneven(seed, 1.01 * sure).p;
+            assert!(p < ALARM, "seed {seed}: p = {p:e}");
+        }
+        assert!(uneven(0, 0.3 * sure).p > ALARM);
+    }
+
+    /// The angle below which a density of `1 + a·cos(2φ)` over a turn has as much as an even one below `even`.
+    fn squeeze(even: f64, a: f64) -> f64 {
+        bisect(TAU, |phi| phi + 0.5 * a * math::sin_cos(2.0 * phi).0 < even)
     }
 }

@@ -167,16 +167,23 @@ impl LitScene {
                 vec![format!("flag -m {}", asked.max_depth)]
             }
             // Without light or a second ray no bounce finds anything.
-            Effect::Mirror | Effect::Refraction | Effect::Fresnel
-                if asked.max_depth < 2 || !self.has_light() =>
+            Effect::Mirror if asked.max_depth < 2 || !self.has_light() => Vec::new(),
+            Effect::Bounces => Vec::new(),
+            Effect::Mirror => objects(|m| matches!(m, Material::Mirror { .. })),
+            Effect::Refraction | Effect::Fresnel | Effect::Glossy
+                if asked.max_depth == 0 || !self.has_light() =>
             {
                 Vec::new()
             }
-            Effect::Bounces => Vec::new(),
-            Effect::Mirror => objects(|m| matches!(m, Material::Mirror { .. })),
+            // Direct light shows rough glass, and only a second ray what smooth glass shows.
+            Effect::Refraction if asked.max_depth == 1 => {
+                objects(|m| matches!(m, Material::Refraction { .. }) && !m.is_delta())
+            }
+            Effect::Fresnel if asked.max_depth == 1 => {
+                objects(|m| matches!(m, Material::Glass { .. }) && !m.is_delta())
+            }
             Effect::Refraction => objects(|m| matches!(m, Material::Refraction { .. })),
             Effect::Fresnel => objects(|m| matches!(m, Material::Glass { .. })),
-            Effect::Glossy if asked.max_depth == 0 || !self.has_light() => Vec::new(),
             Effect::Glossy => objects(|m| matches!(m, Material::Glossy { .. })),
             Effect::Texture if asked.max_depth == 0 || !self.has_light() => Vec::new(),
             Effect::Texture => {

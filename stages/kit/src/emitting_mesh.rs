@@ -1,7 +1,7 @@
 //! Surfaces that emit, as one light: triangles chosen by their area.
 
 use crate::warp;
-use crate::{Spectrum, Vec2, Vec3};
+use crate::{Spectrum, Triangle, Vec2, Vec3};
 
 /// Triangles that emit, and their areas summed up.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +26,24 @@ pub struct EmittingTriangle {
     pub e2: Vec3,
     /// Unit normal of the side that shines.
     pub front: Vec3,
+}
+
+impl EmittingTriangle {
+    /// The triangle as a light: the side that shines is the side of its vertex normals.
+    pub(crate) fn of(t: &Triangle) -> EmittingTriangle {
+        let (e1, e2) = (t.p1 - t.p0, t.p2 - t.p0);
+        let ng = e1.cross(e2).normalize_or_zero();
+        EmittingTriangle {
+            p0: t.p0,
+            e1,
+            e2,
+            front: if ng.dot(t.n0 + t.n1 + t.n2) < 0.0 {
+                -ng
+            } else {
+                ng
+            },
+        }
+    }
 }
 
 impl EmittingMesh {

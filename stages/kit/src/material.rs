@@ -49,6 +49,10 @@ pub enum Material {
     },
 }
 
+/// From this roughness on glass is rough: less spreads light by less than a pixel of any camera here shows, a twentieth of a
+/// degree. Glass of index 1 is not there, however rough.
+const ROUGH: f64 = 1e-3;
+
 impl Material {
     /// The radiance that the surface gives by itself.
     pub fn emission(&self) -> Spectrum {
@@ -58,12 +62,19 @@ impl Material {
         }
     }
 
+    /// Whether light goes from one side of the surface to the other.
+    pub fn lets_light_through(&self) -> bool {
+        matches!(self, Material::Refraction { .. } | Material::Glass { .. })
+    }
+
     /// Whether light leaves in finitely many directions only, so that no direction chosen without the surface is
     /// ever the right one: [`Scattering::f`](crate::Scattering::f) is black and only sampling finds them.
     pub fn is_delta(&self) -> bool {
-        matches!(
-            self,
-            Material::Mirror { .. } | Material::Refraction { .. } | Material::Glass { .. }
-        )
+        match *self {
+            Material::Mirror { .. } => true,
+            Material::Refraction { roughness, ior, .. }
+            | Material::Glass { roughness, ior, .. } => roughness < ROUGH || ior == 1.0,
+            _ => false,
+        }
     }
 }

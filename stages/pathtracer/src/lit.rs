@@ -349,7 +349,12 @@ impl<'a> Walk<'a> {
             self.materials.count(Effect::DirectLight);
             self.occluded(ray)
         };
-        match self.settings.looking {
+        // A hemisphere is on one side of the surface, and rough glass scatters light from both.
+        let looking = match self.settings.looking {
+            Looking::Hemisphere if surface.material.lets_light_through() => Looking::Lights,
+            looking => looking,
+        };
+        match looking {
             Looking::Lights => estimate_direct_lighting_importance(
                 lit, surface, wo, samples, sampler, materials, occluded,
             ),

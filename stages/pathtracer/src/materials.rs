@@ -1,13 +1,15 @@
 //! What each material does with light: the scattering functions of the stages, put together and counted.
 
 use direct::{lambert_f, lambert_pdf, lambert_sample};
-use global::{glass_sample, glossy_f, glossy_pdf, glossy_sample, mirror_sample, refraction_sample};
+use global::{
+    RoughGlass, glass_sample, glossy_f, glossy_pdf, glossy_sample, mirror_sample, refraction_sample,
+};
 use kit::effects::{Effect, EffectCounts};
 use kit::{BsdfSample, Material, Scattering, Spectrum, Vec2, Vec3};
 use std::cell::Cell;
 use std::hint::black_box;
 
-/// The scattering functions of parts 3 and 4. `roughness` of glass and refraction is not simulated: they are smooth.
+/// The scattering functions of parts 3 and 4, and those beyond the course.
 #[derive(Debug)]
 pub struct Materials {
     counts: [Cell<u64>; Effect::ALL.len()],
@@ -44,6 +46,38 @@ impl Materials {
         self.tint.set(tint);
     }
 
+    /// The material as rough glass, if it is, which counts as an operation of its effect.
+    #[inline]
+    fn rough(&self, material: &Material) -> Option<RoughGlass> {
+        let (reflectance, transmittance, roughness, ior, effect) = match *material {
+            Material::Refraction {
+                transmittance,
+                roughness,
+                ior,
+            } => (None, transmittance, roughness, ior, Effect::Refraction),
+            Material::Glass {
+                reflectance,
+                transmittance,
+                roughness,
+                ior,
+            } => {
+                let effect = Effect::Fresnel;
+                (Some(reflectance), transmittance, roughness, ior, effect)
+            }
+            _ => return None,
+        };
+        if material.is_delta() {
+            return None;
+        }
+        self.count(effect);
+        Some(RoughGlass {
+            reflectance,
+            transmittance,
+            roughness,
+            ior,
+        })
+    }
+
     /// Runs what other materials would do, for nothing.
     fn run_all(&self, wo: Vec3, u: Vec2, choice: f64) {
         let white = Spectrum::WHITE;
@@ -70,10 +104,10 @@ impl Scattering for Materials {
                 self.count(Effect::Glossy);
                 glossy_f(reflectance, shininess, wo, wi)
             }
-            Material::Emission { .. }
-            | Material::Mirror { .. }
-            | Material::Refraction { .. }
-            | Material::Glass { .. } => Spectrum::BLACK,
+            Material::Emission { .. } | Material::Mirror { .. } => Spectrum::BLACK,
+            Material::Refraction { .. } | Material::Glass { .. } => self
+                .rough(material)
+                .map_or(Spectrum::BLACK, |glass| glass.f(wo, wi)),
         }
     }
 
@@ -85,10 +119,10 @@ impl Scattering for Materials {
                 self.count(Effect::Glossy);
                 glossy_pdf(shininess, wo, wi)
             }
-            Material::Emission { .. }
-            | Material::Mirror { .. }
-            | Material::Refraction { .. }
-            | Material::Glass { .. } => 0.0,
+            Material::Emission { .. } | Material::Mirror { .. } => 0.0,
+            Material::Refraction { .. } | Material::Glass { .. } => {
+                self.rough(material).map_or(0.0, |glass| glass.pdf(wo, wi))
+            }
         }
     }
 
@@ -96,6 +130,9 @@ impl Scattering for Materials {
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
         if self.forced {
             self.run_all(wo, u, choice);
+        }
+        if let Some(glass) = self.rough(material) {
+            return glass.sample(wo, u, choice);
         }
         match *material {
             Material::Diffuse { reflectance } => {

@@ -160,6 +160,16 @@ fn bsdf(material: &Material) -> Result<String, &'static str> {
         Material::Glass {
             reflectance,
             transmittance,
+            roughness,
+            ior,
+        } if !material.is_delta() => Ok(format!(
+            "<bsdf type=\"roughdielectric\" ID><string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\" value=\"{roughness:?}\"/><float name=\"int_ior\" value=\"{ior:?}\"/><float name=\"ext_ior\" value=\"1\"/>{}{}</bsdf>",
+            rgb("specular_reflectance", reflectance),
+            rgb("specular_transmittance", transmittance)
+        )),
+        Material::Glass {
+            reflectance,
+            transmittance,
             ior,
             ..
         } => Ok(format!(

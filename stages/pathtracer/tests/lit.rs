@@ -26,6 +26,12 @@ const GLASS: Material = Material::Glass {
     roughness: 0.0,
     ior: 1.5,
 };
+const ROUGH_GLASS: Material = Material::Glass {
+    reflectance: Spectrum::WHITE,
+    transmittance: Spectrum::WHITE,
+    roughness: 0.4,
+    ior: 1.5,
+};
 const REFRACTION: Material = Material::Refraction {
     transmittance: Spectrum::WHITE,
     roughness: 0.0,
@@ -363,39 +369,66 @@ fn textures_tint_what_is_reflected() {
     assert_eq!(radiance(&halved, 8), radiance(&untouched, 8));
 }
 
-/// Means over the picture, one a pixel block, compared by z-tests: 1e-6 that any of them accuses a right estimate.
-fn assert_agree(what: &str, lit: &LitScene, a: &LightSettings, b: &LightSettings, samples: u32) {
-    const BLOCKS: u32 = 4;
+/// How many pairs of pictures this file compares.
+const COMPARED: u32 = 18;
+
+/// What comparisons of light sampling are sure to see, as a share of the light.
+const SURE: f64 = 0.2;
+
+/// What comparisons with looking around at random, which is noisier, are sure to see.
+const SURE_AROUND: f64 = 0.6;
+
+/// Blocks along a side of a picture that is compared.
+const BLOCKS: u32 = 4;
+
+/// Means over the picture, one a pixel block, compared by z-tests: a chance of 1e-6 that any of this file accuses a right
+/// estimate. That a picture which is brighter or darker by the share `sure` is caught in one of the blocks is tried, too.
+fn assert_agree(what: &str, lit: &LitScene, [a, b]: [&LightSettings; 2], samples: u32, sure: f64) {
     let render_blocks = |settings: &LightSettings, seed| {
         let mut job = job(8 * BLOCKS, 8 * BLOCKS, samples);
         job.sampling.seed = seed;
-        render(lit, &job, settings)
+        render(lit, &job, settings).film
     };
     let (a, b) = (render_blocks(a, 1), render_blocks(b, 2));
-    let alarm = sidak(1e-6, (BLOCKS * BLOCKS) as usize);
-    for block in 0..BLOCKS * BLOCKS {
-        let (x0, y0) = (8 * (block % BLOCKS), 8 * (block / BLOCKS));
-        // The pixels of a block differ by what they show, too. Differences pixel by pixel do not.
-        let differences: Tally = (0..64)
-            .map(|i| (x0 + i % 8, y0 + i / 8))
-            .map(|(x, y)| {
-                a.film.get(x, y).radiance.luminance() - b.film.get(x, y).radiance.luminance()
-            })
-            .collect();
-        let p = two_sided(differences.z_against(0.0));
-        assert!(
-            p > alarm,
-            "{what}, block {block}: differ by {} ± {}",
-            differences.mean(),
-            differences.standard_error()
-        );
+    let alarm = sidak(1e-6, (BLOCKS * BLOCKS * COMPARED) as usize);
+    // The most different of the blocks: how likely it is by chance, which one, and by how much.
+    let worst = |factor: f64| {
+        let compared = (0..BLOCKS * BLOCKS).map(|block| {
+            let differences = block_of(block)
+                .map(|(x, y)| {
+                    let [a, b] = [&a, &b].map(|film| film.get(x, y).radiance.luminance());
+                    factor * a - b
+                })
+                .collect::<Tally>();
+            (two_sided(differences.z_against(0.0)), block, differences)
+        });
+        compared
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .expect("there are blocks")
+    };
+    let (p, block, differences) = worst(1.0);
+    assert!(
+        p > alarm,
+        "{what}, block {block}: differ by {} ± {}",
+        differences.mean(),
+        differences.standard_error()
+    );
+    for factor in [1.0 + sure, 1.0 - sure] {
+        let (p, ..) = worst(factor);
+        assert!(p < alarm, "{what}: times {factor} gets away, p = {p:e}");
     }
+}
+
+/// The pixels of a block. They differ by what they show, too; differences pixel by pixel do not.
+fn block_of(block: u32) -> impl Iterator<Item = (u32, u32)> {
+    let (x0, y0) = (8 * (block % BLOCKS), 8 * (block / BLOCKS));
+    (0..64).map(move |i| (x0 + i % 8, y0 + i / 8))
 }
 
 #[test]
 fn every_way_to_look_for_light_finds_the_same() {
     for light in [lamp(), sky()] {
-        for material in [GREY, GLOSSY, MIRROR] {
+        for material in [GREY, GLOSSY, MIRROR, ROUGH_GLASS] {
             let lit = LitScene::new(ball(material, Some(light)), None);
             let by = |looking| LightSettings {
                 looking,
@@ -407,8 +440,14 @@ fn every_way_to_look_for_light_finds_the_same() {
                 ..by(Looking::Hemisphere)
             };
             let what = format!("{material:?} in the light of {light:?}");
-            assert_agree(&format!("around: {what}"), &lit, &around, &lights, 64);
-            assert_agree(&format!("both: {what}"), &lit, &both, &lights, 64);
+            assert_agree(
+                &format!("around: {what}"),
+                &lit,
+                [&around, &lights],
+                64,
+                SURE_AROUND,
+            );
+            assert_agree(&format!("both: {what}"), &lit, [&both, &lights], 64, SURE);
         }
     }
 }
@@ -421,10 +460,10 @@ fn roulette_samplers_and_adaptive_agree() {
         roulette: false,
         ..plain
     };
-    assert_agree("roulette", &lit, &plain, &no_roulette, 64);
+    assert_agree("roulette", &lit, [&plain, &no_roulette], 64, SURE);
     let adaptive = LightSettings {
         adaptive: Some((32, 0.2)),
         ..plain
     };
-    assert_agree("adaptive", &lit, &adaptive, &plain, 512);
+    assert_agree("adaptive", &lit, [&adaptive, &plain], 512, SURE);
 }

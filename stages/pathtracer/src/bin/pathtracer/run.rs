@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::{summary, view};
 use kit::hole;
-use kit::{Emitter, Environment, LitScene, Material, Scene};
+use kit::{Emitter, Environment, LitScene, Scene};
 use pathtracer::{
     Accel, Job, LightSettings, Looking, Output, layers::channels, layers::features,
     load_environment, render_lit, render_normals,
@@ -216,15 +216,6 @@ fn tell_idle_flags(args: &Args) {
 
 /// Says what of the scene the picture will not show.
 fn tell_what_is_left_out(lit: &LitScene, looking: Looking) {
-    for named in &lit.scene.materials {
-        if let Material::Glass { roughness, .. } | Material::Refraction { roughness, .. } =
-            named.material
-            && roughness > 0.0
-        {
-            let name = &named.name;
-            eprintln!("note: material {name}: rough glass is not simulated, so it is shown smooth");
-        }
-    }
     if looking == Looking::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
         eprintln!(
             "note: points, spots and suns have no size, so -H never finds them: leave it out to see their light"

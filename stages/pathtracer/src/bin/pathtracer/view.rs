@@ -34,6 +34,12 @@ pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
 pub(crate) fn camera_and_film(args: &Args, scene: &Scene) -> Result<(Camera, FilmSize), Failure> {
     let Some(path) = &args.camera else {
         let film = args.film(None)?;
+        if placement::is_edge_on(scene) {
+            eprintln!(
+                "note: the scene's camera looks along the edge of the scene, so that half of the picture would be empty: \
+                 the whole scene is framed instead (-c gives another camera)"
+            );
+        }
         return Ok((placement::place(scene, film).camera, film));
     };
     let file = CameraFile::load(path)?;

@@ -1,0 +1,102 @@
+//! A sphere that emits, as a light.
+
+use crate::emitter::towards;
+use crate::{Frame, LightSample, Spectrum, Sphere, Vec2, Vec3, math};
+use std::f64::consts::TAU;
+
+/// What a sphere shows to a point outside: a cone, sampled uniformly (Shirley, Wang, Zimmerman: "Monte Carlo
+/// techniques for direct lighting calculations", 1996). Nothing to a point inside or on it.
+pub(crate) fn sample(s: &Sphere, radiance: Spectrum, p: Vec3, u: Vec2) -> Option<LightSample> {
+    let (axis, d) = towards(p, s.center)?;
+    let sin2_max = (s.radius / d) * (s.radius / d);
+    if s.radius <= 0.0 || sin2_max >= 1.0 {
+        return None;
+    }
+    let share = cone_height(sin2_max);
+    // 1 - cos θ uniform in [0, share): written so that a small cone keeps its digits.
+    let one_minus_cos = u.x * share;
+    let cos = 1.0 - one_minus_cos;
+    let sin2 = (one_minus_cos * (2.0 - one_minus_cos)).max(0.0);
+    let (sin_phi, cos_phi) = math::sin_cos(TAU * u.y);
+    let sin = sin2.sqrt();
+    let frame = Frame::around(axis);
+    let wi = frame
+        .to_world(Vec3::new(sin * cos_phi, sin * sin_phi, cos))
+        .normalize();
+    let half_chord2 = (s.radius * s.radius - d * d * sin2).max(0.0);
+    Some(LightSample {
+        wi,
+        distance: d * cos - half_chord2.sqrt(),
+        pdf: 1.0 / (TAU * share),
+        radiance,
+    })
+}
+
+/// The density with which [`sample`] draws any direction from `p` that meets the sphere, in 1/sr; 0 inside and on it.
+pub(crate) fn pdf(s: &Sphere, p: Vec3) -> f64 {
+    let sin2 = s.radius * s.radius / p.distance_squared(s.center);
+    if sin2 < 1.0 {
+        1.0 / (TAU * cone_height(sin2))
+    } else {
+        0.0
+    }
+}
+
+/// `1 - cos θ` of a cone whose half angle has the squared sine `sin2`, without cancellation.
+fn cone_height(sin2: f64) -> f64 {
+    sin2 / (1.0 + (1.0 - sin2).max(0.0).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::emitter::tests::{P, assert_follows_pdf};
+    use crate::{Emitter, PrimId};
+
+    #[test]
+    fn a_sphere_is_sampled_by_its_pdf() {
+        let center = P + Vec3::new(0.4, 0.5, 0.9);
+        let emitter = Emitter::Sphere {
+            sphere: Sphere {
+                center,
+                radius: 0.7,
+            },
+            radiance: Spectrum::WHITE,
+            prim: PrimId(0),
+        };
+        let pdf = |w: Vec3| {
+            let along = (center - P).dot(w);
+            let beside2 = (center - P).length_squared() - along * along;
+            if along > 0.0 && beside2 < 0.49 {
+                emitter.pdf(P, w, 0.0, Vec3::ZERO)
+            } else {
+                0.0
+            }
+        };
+        assert_follows_pdf(&emitter, pdf);
+        // The sampled point is on the sphere, on the near side.
+        let s = emitter.sample(P, Vec2::new(0.3, 0.6)).unwrap();
+        let q = P + s.distance * s.wi;
+        assert!((q.distance(center) - 0.7).abs() < 1e-12);
+        assert!((q - center).dot(s.wi) < 0.0);
+        // From inside and from the surface it shows nothing.
+        assert_eq!(emitter.sample(center, Vec2::ZERO), None);
+        assert_eq!(emitter.sample(center + 0.7 * Vec3::Y, Vec2::ZERO), None);
+        assert_eq!(emitter.pdf(center, Vec3::X, 0.7, Vec3::X), 0.0);
+    }
+
+    #[test]
+    fn a_small_far_sphere_keeps_its_digits() {
+        let emitter = Emitter::Sphere {
+            sphere: Sphere {
+                center: P + 1e9 * Vec3::Z,
+                radius: 1.0,
+            },
+            radiance: Spectrum::WHITE,
+            prim: PrimId(0),
+        };
+        // A disk of area π at distance 1e9.
+        let s = emitter.sample(P, Vec2::new(0.5, 0.5)).unwrap();
+        assert!((s.pdf * std::f64::consts::PI * 1e-18 - 1.0).abs() < 1e-9);
+    }
+}

@@ -35,7 +35,15 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
         .current_dir(workspace.root())
-        .args(["test", "--release", "--quiet", "--package", "golden"])
+        .args([
+            "test",
+            "--release",
+            "--quiet",
+            "--package",
+            "golden",
+            "--test",
+            "goldens",
+        ])
         .env("INSTA_UPDATE", "new")
         .env("INSTA_OUTPUT", "none")
         .env("INSTA_FORCE_PASS", "1")

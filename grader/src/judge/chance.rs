@@ -1,4 +1,8 @@
 //! Judging random answers: how often a right one would look this wrong.
+//!
+//! All tests of a run together accuse right code with a chance of at most one in a million (Šidák's correction over the
+//! most tests that a run makes). The other side is what they are sure to see: each finding carries it, each case says it to
+//! students ("A bias of 6 % is sure to be seen"), and a test of the goldens holds the two together.
 
 use super::tally::{Aspect, Class, Tally};
 use kit::chi_square;
@@ -24,9 +28,10 @@ pub(super) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64)
     let z = numbers.z_against(truth);
     let wrong = two_sided(z).is_nan() || two_sided(z) < alarm();
     let class = wrong.then(|| Class::of_number(numbers.mean(), truth));
+    let sure = smallest_sure_bias(numbers.standard_error(), alarm()) / truth.abs();
     tally.expect(Aspect::Mean);
+    tally.sure(Aspect::Mean, sure);
     tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
-        let sure = smallest_sure_bias(numbers.standard_error(), alarm()) / truth.abs();
         format!(
             "the mean of {} {what} is {:.5} ± {:.5}, right is {truth:.5}: {:.1} standard errors off, where {:.1} are allowed (a bias of {:.1} % is sure to be seen)",
             numbers.count(),
@@ -48,16 +53,23 @@ pub(super) fn spread(
 ) {
     tally.expect(Aspect::Spread);
     // Too few are none: whoever asks for next to nothing is not even.
-    let p = if directions.len() < MANY {
-        0.0
-    } else {
-        chi_square::p_value_of(directions.iter().copied(), pdf)
-    };
-    let badness = -p.max(1e-300).log10();
-    tally.judge(Aspect::Spread, 0, p >= alarm(), badness, || {
+    if directions.len() < MANY {
+        tally.judge(Aspect::Spread, 0, false, f64::INFINITY, || {
+            format!("there are {} directions only", directions.len())
+        });
+        return;
+    }
+    let fit = chi_square::fit(directions.iter().copied(), pdf);
+    let sure = fit.smallest_sure_deviation(alarm());
+    tally.sure(Aspect::Spread, sure);
+    let badness = -fit.p.max(1e-300).log10();
+    tally.judge(Aspect::Spread, 0, fit.p >= alarm(), badness, || {
         format!(
-            "{} directions are not distributed {right}: a right sample looks so uneven with a chance of {p:.0e}",
-            directions.len()
+            "{} directions are not distributed {right}: a right sample looks so uneven with a chance of {:.0e}, where {:.0e} is allowed (a deviation of {:.0} % is sure to be seen)",
+            directions.len(),
+            fit.p,
+            alarm(),
+            100.0 * sure
         )
     });
 }

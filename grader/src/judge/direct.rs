@@ -5,10 +5,11 @@
 
 use super::chance::{self, MANY};
 use super::hits::show;
-use super::lamps::{Part, Place, SKY_PDF, arrives};
+use super::lamps::{Part, Place, SKY_PDF, arrives, surroundings};
 use super::numbers;
+use super::suspects;
 use super::tally::{Aspect, Class, Tally};
-use kit::{LightSample, Tally as Numbers, Vec3};
+use kit::{Environment, LightSample, Tally as Numbers, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 use wire::direct::{AskedRay, DirectAnswer, DirectWork, ShadedPoint, Strategy};
@@ -19,6 +20,12 @@ const SUM_BOUND: f64 = 1e-9;
 
 /// How far an origin may be off, in units: worlds here are ten units large, and the errors of points 2e-12.
 const ORIGIN_BOUND: f64 = 2e-13;
+
+/// Origins that are off by so much, and by no more than [`EPSILON`], are meant to be.
+const EPSILON_BOUND: f64 = 1e-9;
+
+/// The largest fixed offset that anybody would take.
+const EPSILON: f64 = 0.1;
 
 /// How far a direction may be off.
 const DIRECTION_BOUND: f64 = 1e-6;
@@ -82,10 +89,21 @@ impl One<'_> {
         )
     }
 
-    fn radiance(&self, tally: &mut Tally, right: Vec3) {
+    /// Judges the sum; a wrong one that a suspect makes of the same rays has its name, whatever the rays are.
+    fn radiance(&self, tally: &mut Tally, right: Vec3, suspects: &[(&'static str, Vec3)]) {
         tally.expect(Aspect::Radiance);
         let answered = self.answer.radiance;
         let (aspect, call) = (Aspect::Radiance, self.call);
+        let is = |sum: Vec3| numbers::same_colour(answered, sum.into(), SUM_BOUND);
+        let named = suspects.iter().find(|(_, sum)| !is(right) && is(*sum));
+        if let Some((name, _)) = named {
+            let class = Some(Class::Named(name));
+            tally.judge_class(aspect, call, class, 1.0, || {
+                let right = right.to_array();
+                format!("it is {answered:?}, right is {right:?}. {}", self.about())
+            });
+            return;
+        }
         numbers::colour(
             tally,
             aspect,
@@ -102,7 +120,7 @@ impl One<'_> {
             Material::Emission(radiance) if self.place.wo.z > 0.0 => radiance.into(),
             _ => Vec3::ZERO,
         };
-        self.radiance(tally, right);
+        self.radiance(tally, right, &[]);
     }
 
     fn hemisphere(&self, tally: &mut Tally) {
@@ -114,6 +132,7 @@ impl One<'_> {
         let wanted = if is_delta { 0 } else { samples };
         self.count(tally, wanted, wanted);
         let mut sum = Vec3::ZERO;
+        let mut suspects = suspects::LookingAround::default();
         for asked in &self.answer.asked {
             let d = Vec3::from(asked.ray.d);
             self.start(tally, asked);
@@ -143,9 +162,11 @@ impl One<'_> {
                 )
             });
             sum += self.place.scattered(d) * Vec3::from(asked.seen);
+            suspects.see(&self.place, asked);
         }
         self.distinct(tally);
-        self.radiance(tally, sum * (TAU / f64::from(samples.max(1))));
+        let share = TAU / f64::from(samples.max(1));
+        self.radiance(tally, sum * share, &suspects.sums(share));
     }
 
     fn lights(&self, tally: &mut Tally) {
@@ -170,16 +191,22 @@ impl One<'_> {
             sources.iter().fold((0, 0), add)
         };
         self.count(tally, least, most);
-        let mut sum = Vec3::ZERO;
+        let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
         for (asked, target) in self.answer.asked.iter().zip(&targets) {
             self.start(tally, asked);
             self.shadow_ray(tally, asked, target.map(|(_, far)| far));
             if let (Some((source, far)), false) = (target, asked.hit) {
-                sum += self.brings(&sources[*source], *far, asked.ray.d.into());
+                let light = self.brings(&sources[*source], *far, asked.ray.d.into());
+                sum += light;
+                with_distance_twice += if far.is_finite() {
+                    light / (far * far)
+                } else {
+                    light
+                };
             }
         }
         self.distinct(tally);
-        self.radiance(tally, sum);
+        self.radiance(tally, sum, &[("distance twice", with_distance_twice)]);
     }
 
     /// The lights that shine here.
@@ -203,7 +230,8 @@ impl One<'_> {
                 }
                 _ => None,
             });
-        lights.chain(panels).collect()
+        let around = surroundings(world).map(Source::Picture);
+        lights.chain(around).chain(panels).collect()
     }
 
     /// How many shadow rays a light gets, at least and at most.
@@ -215,7 +243,7 @@ impl One<'_> {
                 (one, one)
             }
             Source::Lamp(panel, _) if self.place.sees(panel) == Part::All => (samples, samples),
-            Source::Lamp(..) | Source::Sky(_) => (0, samples),
+            Source::Lamp(..) | Source::Sky(_) | Source::Picture(_) => (0, samples),
         }
     }
 
@@ -226,6 +254,10 @@ impl One<'_> {
         match source {
             Source::Point(light) => scattered * Vec3::from(light.radiance.to_array()),
             Source::Sky(radiance) => scattered * *radiance * (share / SKY_PDF),
+            Source::Picture(picture) => {
+                let radiance = Vec3::from(picture.radiance(d).to_array());
+                scattered * radiance * (share / picture.pdf(d))
+            }
             Source::Lamp(panel, radiance) => {
                 let facing = (-d.dot(panel.front().into())).max(0.0);
                 scattered * *radiance * (share * facing * panel.area() / (far * far))
@@ -292,7 +324,11 @@ impl One<'_> {
         tally.expect(Aspect::Origin);
         let right = self.place.start(asked.ray.d.into());
         let off = (Vec3::from(asked.ray.o) - right).length();
-        tally.judge(Aspect::Origin, self.call, off <= ORIGIN_BOUND, off, || {
+        let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| match off {
+            EPSILON_BOUND..=EPSILON => Class::Named("an epsilon away"),
+            _ => Class::of_size(off),
+        });
+        tally.judge_class(Aspect::Origin, self.call, class, off, || {
             format!(
                 "a ray starts at {}, where Surface::leave puts it is {}. {}",
                 show(asked.ray.o.into()),
@@ -331,6 +367,8 @@ enum Source {
     Lamp(Panel, Vec3),
     /// A sky and its radiance.
     Sky(Vec3),
+    /// A picture all around.
+    Picture(Environment),
 }
 
 /// Which light a shadow ray from `p` is meant for, and how far away that is: of those along its way the one whose
@@ -343,6 +381,7 @@ fn target(sources: &[Source], p: Vec3, asked: &AskedRay) -> Option<(usize, f64)>
         }
         Source::Lamp(panel, _) => Some(panel.meets(p.into(), asked.ray.d)?.0),
         Source::Sky(_) => (d.y >= 0.0).then_some(f64::INFINITY),
+        Source::Picture(picture) => (picture.pdf(d) > 0.0).then_some(f64::INFINITY),
     };
     let off = |far: f64| {
         if far == max_t {

@@ -2,7 +2,7 @@
 
 use super::chance::{self, MANY};
 use super::hits::show;
-use super::numbers;
+use super::numbers::{self, same_colour};
 use super::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use std::f64::consts::PI;
@@ -89,27 +89,39 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
             drawn()
         )
     });
-    numbers::colour(
-        tally,
-        Aspect::SampleRecord,
-        call,
-        sample.f,
-        share,
-        BOUND,
-        || format!("f of {}", drawn()),
-    );
+    // Whoever draws other directions makes the same mistake in other numbers: the kind has a name.
+    let with_cosine = share.map(|channel| channel * seen(drawn_wi));
+    if same_colour(sample.f, with_cosine, BOUND) && !same_colour(sample.f, share, BOUND) {
+        let class = Class::Named("f times the cosine");
+        tally.judge_class(Aspect::SampleRecord, call, Some(class), 1.0, || {
+            let f = sample.f;
+            format!("f = {f:?}, right is {share:?}. f of {}", drawn())
+        });
+    } else {
+        let (aspect, f) = (Aspect::SampleRecord, sample.f);
+        numbers::colour(tally, aspect, call, f, share, BOUND, || {
+            format!("f of {}", drawn())
+        });
+    }
     let right = seen(drawn_wi) / PI;
     // Near the horizon the sample may know its height better than its z says.
     let bound = BOUND + 1e-15 / right.max(1e-300);
-    numbers::number(
-        tally,
-        Aspect::SampleRecord,
-        call,
-        sample.pdf,
-        right,
-        bound,
-        || format!("pdf of {}", drawn()),
-    );
+    let fixed = [(1.0, "pdf 1"), (0.5 / PI, "pdf of uniform directions")];
+    let fixed = fixed
+        .iter()
+        .find(|(pdf, _)| (sample.pdf - pdf).abs() <= BOUND && (right - pdf).abs() > bound);
+    if let Some((_, name)) = fixed {
+        let class = Some(Class::Named(name));
+        tally.judge_class(Aspect::SampleRecord, call, class, 1.0, || {
+            let pdf = sample.pdf;
+            format!("pdf = {pdf:?}, right is {right:?}. {}", drawn())
+        });
+    } else {
+        let (aspect, pdf) = (Aspect::SampleRecord, sample.pdf);
+        numbers::number(tally, aspect, call, pdf, right, bound, || {
+            format!("pdf of {}", drawn())
+        });
+    }
     let usable = sample.pdf > 0.0 && !sample.delta;
     tally.judge(Aspect::SampleRecord, call, usable, 1.0, || {
         format!(

@@ -1,6 +1,6 @@
 //! What arrives at a point from the lights of a scripted world.
 
-use kit::{Emitter, Frame, LightSample, Surface, Vec2, Vec3, math};
+use kit::{Emitter, Environment, Frame, LightSample, Spectrum, Surface, Vec2, Vec3, math, warp};
 use std::f64::consts::{PI, TAU};
 use wire::direct::ShadedPoint;
 use wire::light::{Light, LitWorld, MEAN_F, Material, Panel, scripted_f};
@@ -17,6 +17,17 @@ pub(super) struct Place {
 
 /// Steps of the midpoint rule along each side of a lamp: its error is far below that of any estimate here.
 const STEPS: u32 = 160;
+
+/// Steps of the midpoint rule along each side of a hemisphere, for pictures whose radiance jumps from texel to texel.
+const SKY_STEPS: u32 = 1024;
+
+/// What is seen all around.
+pub(super) fn surroundings(world: &LitWorld) -> Option<Environment> {
+    let around = world.environment.as_ref()?;
+    let texels: Vec<Spectrum> = around.texels.iter().map(|&texel| texel.into()).collect();
+    let width = around.width as usize;
+    Environment::new(width, texels.len() / width, texels).ok()
+}
 
 impl Place {
     pub(super) fn of(point: &ShadedPoint) -> Place {
@@ -36,7 +47,12 @@ impl Place {
     /// `f · |cos θ|` for light from the world direction `d`.
     pub(super) fn scattered(&self, d: Vec3) -> Vec3 {
         let wi = self.frame.to_local(d);
-        Vec3::from(scripted_f(self.reflectance, self.wo.into(), wi.into())) * wi.z.abs()
+        self.f(self.wo, wi) * wi.z.abs()
+    }
+
+    /// `f` of two local directions.
+    pub(super) fn f(&self, wo: Vec3, wi: Vec3) -> Vec3 {
+        scripted_f(self.reflectance, wo.into(), wi.into()).into()
     }
 
     /// Where a ray along `d` has to start.
@@ -76,12 +92,27 @@ impl Place {
     pub(super) fn lit_by(&self, world: &LitWorld) -> Vec3 {
         let lamps = world.panels.iter().map(|panel| self.lit_by_panel(panel));
         let all_around = Vec3::from(self.reflectance) * (MEAN_F * PI);
-        let around = world.environment.map(Vec3::from).unwrap_or_default();
         let skies = world.lights.iter().map(|light| match light {
             Light::Sky(radiance) => Vec3::from(*radiance),
             _ => Vec3::ZERO,
         });
-        lamps.sum::<Vec3>() + all_around * (around + skies.sum::<Vec3>())
+        let around = surroundings(world).map(|picture| self.lit_by_picture(&picture));
+        lamps.sum::<Vec3>() + all_around * skies.sum::<Vec3>() + around.unwrap_or_default()
+    }
+
+    /// `∫ f · L · |cos θ| dω` over the hemisphere, by steps that are even in height and in angle around the normal.
+    fn lit_by_picture(&self, picture: &Environment) -> Vec3 {
+        let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(SKY_STEPS);
+        let cells = (0..SKY_STEPS).flat_map(|i| (0..SKY_STEPS).map(move |j| (i, j)));
+        let sum: Vec3 = cells
+            .map(|(i, j)| {
+                let mut wi = warp::uniform_hemisphere(Vec2::new(middle(i), middle(j)));
+                wi.z = wi.z.copysign(self.wo.z);
+                let d = self.frame.to_world(wi);
+                self.scattered(d) * Vec3::from(picture.radiance(d).to_array())
+            })
+            .sum();
+        sum * (TAU / f64::from(SKY_STEPS * SKY_STEPS))
     }
 
     /// `∫ f · L · cos θ · cos θ' / r² dA` over the lamp.
@@ -156,6 +187,19 @@ pub(super) const SKY_PDF: f64 = 1.0 / TAU;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use wire::light::Surroundings;
+
+    fn lit_by_other_half(place: &Place) -> f64 {
+        let picture = Surroundings {
+            width: 2,
+            texels: vec![[0.0; 3], [2.0; 3], [7.0; 3], [7.0; 3]],
+        };
+        let world = LitWorld {
+            environment: Some(picture),
+            ..LitWorld::default()
+        };
+        place.lit_by(&world).x
+    }
 
     /// A corner of the lamp is straight above the point (any catalogue of view factors).
     #[test]
@@ -209,5 +253,17 @@ mod tests {
             ..LitWorld::default()
         };
         assert!((place(Vec3::Y).lit_by(&sky).x - MEAN_F * PI).abs() < 1e-12);
+        // Four texels: the front half of the upper hemisphere is lit.
+        let picture = LitWorld {
+            environment: Some(Surroundings {
+                width: 2,
+                texels: vec![[2.0; 3], [0.0; 3], [7.0; 3], [7.0; 3]],
+            }),
+            ..LitWorld::default()
+        };
+        let half = |wo: Vec3| place(wo).lit_by(&picture).x;
+        let both = half(Vec3::Y) + lit_by_other_half(&place(Vec3::Y));
+        assert!((both - 2.0 * MEAN_F * PI).abs() < 1e-5, "{both}");
+        assert!((half(Vec3::NEG_Y) - 7.0 * MEAN_F * PI).abs() < 1e-5);
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! [`judge`] picks the judge for the kind of work: `pixels` and `camera` for the rays of Part 1, `shapes` for
 //! what they hit, with `hits` for a single hit record; `lambert`, `direct` (with `lamps` for what lights send), `specular`,
-//! `paths`, `roulette` and `adaptive` for light, with `chance` for what only many samples show. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
+//! `paths`, `roulette` and `adaptive` for light, with `chance` for what only many samples show and `suspects` for
+//! what mistakes make of the same rays. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
 //! form in which truth comes.
 
 mod adaptive;
@@ -22,6 +23,7 @@ mod roulette;
 pub(crate) mod scene;
 mod shapes;
 mod specular;
+mod suspects;
 pub mod tally;
 mod traverse;
 mod tree;

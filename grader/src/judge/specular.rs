@@ -108,7 +108,7 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, asked: &SpecularCall, answer:
             });
         }
         (SpecularCall::Reflect { wo }, SpecularAnswer::Direction(wi)) => {
-            way(tally, call, asked, *wi, Some(mirrored(wo)), 1e-15);
+            way(tally, call, asked, *wi, Some(mirrored(wo)), ROBUST_BOUND);
         }
         (SpecularCall::Refract { wo, ior }, SpecularAnswer::Direction(wi)) => {
             let boundary = Boundary::seen_from(wo, ior);

@@ -222,6 +222,9 @@ pub struct Finding {
     /// Each of them: its call and its class.
     #[serde(skip)]
     pub faults: Vec<(u32, Class)>,
+    /// Where many answers are judged by chance: the smallest bias or deviation, as a share, that is sure to be seen.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sure: Option<f64>,
     /// How far off its numbers are, where that is measured.
     pub spread: Option<ErrorSpread>,
     /// The same number by number.
@@ -310,6 +313,12 @@ impl Tally {
         }
     }
 
+    /// What is judged of `aspect` by chance is sure to be seen from this share on; of several tests the weakest counts.
+    pub fn sure(&mut self, aspect: Aspect, share: f64) {
+        let weakest = &mut self.entry(aspect).sure;
+        *weakest = Some(weakest.map_or(share, |other| other.max(share)));
+    }
+
     /// A number that shows `aspect` is so far off, rightly or not.
     pub fn measure(&mut self, aspect: Aspect, error: NumberError) {
         self.entry(aspect).errors.push(error);
@@ -335,6 +344,7 @@ impl Tally {
                     judged: 0,
                     wrong: 0,
                     worst: None,
+                    sure: None,
                     faults: Vec::new(),
                     spread: None,
                     errors: Vec::new(),

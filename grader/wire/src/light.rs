@@ -115,8 +115,29 @@ pub struct LitWorld {
     pub panels: Vec<Panel>,
     /// Further lights.
     pub lights: Vec<Light>,
-    /// The radiance that comes from everywhere behind the panels.
-    pub environment: Option<Xyz>,
+    /// What is seen behind the panels.
+    pub environment: Option<Surroundings>,
+}
+
+/// A picture all around, as [`kit::Environment`] has it: by longitude and latitude, row by row from the top left.
+///
+/// [`kit::Environment`]: ../../kit/environment/struct.Environment.html
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Surroundings {
+    /// How many texels are in a row.
+    pub width: u32,
+    /// The radiance of each texel.
+    pub texels: Vec<Xyz>,
+}
+
+impl Surroundings {
+    /// The same radiance from everywhere.
+    pub fn uniform(radiance: Xyz) -> Surroundings {
+        Surroundings {
+            width: 1,
+            texels: vec![radiance],
+        }
+    }
 }
 
 /// What the stand-in for scattering answers for a matte surface, directions in its local space. It is no Lambertian: it

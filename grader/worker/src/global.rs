@@ -7,6 +7,7 @@ use kit::{
 };
 use std::cell::{Cell, RefCell};
 use wire::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, SpecularCall, Step};
+use wire::light::Surroundings;
 use wire::work::Xyz;
 
 pub(crate) fn specular(calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
@@ -73,7 +74,8 @@ fn lit_scene(path: &ScriptedPath) -> LitScene {
         .map(|step| (vec![facing(step)], light::material(&step.material)))
         .collect();
     let is_black = path.background == [0.0; 3];
-    let environment = (!is_black).then(|| light::environment(path.background));
+    let environment =
+        (!is_black).then(|| light::environment(&Surroundings::uniform(path.background)));
     LitScene::new(light::scene(&objects), environment)
 }
 

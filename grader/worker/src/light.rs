@@ -2,7 +2,7 @@
 
 use kit::scene::{NamedMaterial, Object};
 use kit::{Environment, Material, Scene, Spectrum, Triangle};
-use wire::work::Xyz;
+use wire::light::Surroundings;
 
 pub(crate) fn material(m: &wire::light::Material) -> Material {
     match *m {
@@ -43,7 +43,9 @@ pub(crate) fn scene(objects: &[(Vec<Triangle>, Material)]) -> Scene {
     scene
 }
 
-/// The same radiance from all around.
-pub(crate) fn environment(radiance: Xyz) -> Environment {
-    Environment::uniform(radiance.into())
+/// What is seen all around.
+pub(crate) fn environment(around: &Surroundings) -> Environment {
+    let width = around.width as usize;
+    let texels: Vec<Spectrum> = around.texels.iter().map(|&texel| texel.into()).collect();
+    Environment::new(width, texels.len() / width, texels).expect("the cases hold whole pictures")
 }

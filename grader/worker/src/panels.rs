@@ -22,7 +22,7 @@ pub(crate) fn lit_scene(world: &LitWorld) -> LitScene {
             light: kit_light(light),
         })
         .collect();
-    LitScene::new(scene, world.environment.map(environment))
+    LitScene::new(scene, world.environment.as_ref().map(environment))
 }
 
 /// The first panel in the ray's range.

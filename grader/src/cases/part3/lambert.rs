@@ -47,8 +47,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "sampled_directions",
             "Many samples: unit vectors on the side of wo, as dense as the cosine to the normal \
-             (a χ² test over 512 cells). A radius of u instead of its root crowds them at the \
-             normal.",
+             (a χ² test over 512 cells). A deviation of 24 % is sure to be seen; a radius of u \
+             instead of its root crowds them at the normal.",
             probes("sampled_directions", 0, 16_000, |dice| {
                 let wo = above(dice);
                 (dice.one_of(&[wo, -wo]), wo)
@@ -74,7 +74,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[SampleRecord]),
         case(
             "fresh_directions",
-            "Directions and numbers that differ for each seed.",
+            "Directions and numbers that differ for each seed. A deviation of 40 % is sure to be \
+             seen.",
             probes("fresh_directions", seed, 4000, |dice| {
                 let (wo, wi) = (above(dice), above(dice));
                 (dice.one_of(&[wo, -wo]), dice.one_of(&[wi, -wi]))

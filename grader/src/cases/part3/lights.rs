@@ -8,7 +8,7 @@ use super::worlds::{
 use crate::judge::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
-use wire::light::{Light, LitWorld, Material, Panel};
+use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 
 /// Estimates of a case about their mean.
 const ESTIMATES: usize = 4000;
@@ -64,7 +64,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Mean]),
         case(
             "several_samples",
-            "With -l 4 a lamp gives the mean of four different samples, not their sum.",
+            "With -l 4 a lamp gives the mean of four different samples, not their sum. A bias of 4 % \
+             is sure to be seen.",
             same(vec![lamp(1.5, [5.0; 3])], Vec::new(), floor(), 4),
         )
         .only(&[Rays, Radiance, Spread, Mean]),
@@ -98,6 +99,14 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             same(Vec::new(), vec![Light::Sky([1.0, 1.5, 2.0])], floor(), 3),
         )
         .only(&[Radiance, Mean]),
+        case(
+            "environment",
+            "A picture all around: its directions are drawn by its light, so the density \
+             differs from texel to texel, and L is that of the texel. A bias of 9 % is sure to be \
+             seen.",
+            pictured(),
+        )
+        .only(&[Origin, Direction, Range, Rays, Radiance, Mean]),
         case(
             "seen_from_below",
             "Seen from below, only light from below is scattered.",
@@ -228,6 +237,28 @@ fn nothing() -> Work {
     };
     let world = world(vec![low, aside, risen], vec![up, deep]);
     work(Strategy::Lights, world, vec![floor(); 20], 2, 0)
+}
+
+/// A sunset: bright low in one direction, dim above, dark below.
+fn pictured() -> Work {
+    let texel = |x: i32, y: i32| {
+        let towards_the_sun = f64::from(if x == 5 { 6 } else { x.min(1) });
+        let high = f64::from(4 - y);
+        if y < 4 {
+            [0.3 * towards_the_sun + 0.2 * high, 0.4 * high, 0.9 * high]
+        } else {
+            [0.1 * f64::from(x), 0.0, 0.0]
+        }
+    };
+    let rows = (0..8).flat_map(|y| (0..8).map(move |x| (x, y)));
+    let world = LitWorld {
+        environment: Some(Surroundings {
+            width: 8,
+            texels: rows.map(|(x, y)| texel(x, y)).collect(),
+        }),
+        ..LitWorld::default()
+    };
+    work(Strategy::Lights, world, vec![floor(); ESTIMATES], 2, 1)
 }
 
 fn half_below() -> Panel {

@@ -8,7 +8,7 @@ use super::worlds::{
 use crate::judge::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
-use wire::light::{LitWorld, Material, Panel};
+use wire::light::{LitWorld, Material, Panel, Surroundings};
 
 /// Estimates of a case about their mean.
 const ESTIMATES: usize = 4000;
@@ -32,13 +32,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "rays_fill_the_hemisphere",
             "As many rays as samples, each a unit vector in world space above the surface, and \
-             all of them together even over the hemisphere (a χ² test).",
+             all of them together even over the hemisphere (a χ² test). A deviation of 24 % is sure \
+             to be seen.",
             same(around(1.0), floor(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread]),
         case(
             "side_of_the_viewer",
-            "Seen from below, light from below counts: directions are drawn on the side of wo.",
+            "Seen from below, light from below counts: directions are drawn on the side of wo. A \
+             bias of 9 % is sure to be seen. A deviation of 24 % is sure to be seen.",
             same(around(1.0), ceiling(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread, Mean]),
@@ -115,7 +117,11 @@ fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
 /// Nothing but light from everywhere.
 fn around(radiance: f64) -> LitWorld {
     LitWorld {
-        environment: Some([radiance, 2.0 * radiance, 0.5 * radiance]),
+        environment: Some(Surroundings::uniform([
+            radiance,
+            2.0 * radiance,
+            0.5 * radiance,
+        ])),
         ..LitWorld::default()
     }
 }

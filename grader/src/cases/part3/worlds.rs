@@ -4,7 +4,7 @@ use super::super::probes::Dice;
 use kit::Vec3;
 use wire::Work;
 use wire::direct::{DirectWork, ShadedPoint, Strategy};
-use wire::light::{Light, LitWorld, Material, Panel};
+use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 use wire::work::Xyz;
 
 /// How far the coordinates of points here may be off: far more than rounding, so that it shows whether rays leave
@@ -108,7 +108,7 @@ pub(super) fn room() -> LitWorld {
         ],
         // Only upwards: whoever looks the wrong way does not see it.
         lights: vec![Light::Sky([6.0, 2.0, 1.0])],
-        environment: Some([0.5, 1.0, 2.0]),
+        environment: Some(Surroundings::uniform([0.5, 1.0, 2.0])),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Beyond the course: rough mirrors.
 //!
-//! A rough surface is made of [`crate::microfacets`], mirrors too small to see. One that faces the half-way direction of
+//! A rough surface is made of `microfacets`, mirrors too small to see. One that faces the half-way direction of
 //! `wo` and `wi` sends one to the other:
 //!
 //! ```text

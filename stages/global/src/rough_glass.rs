@@ -1,6 +1,6 @@
 //! Beyond the course: rough glass.
 //!
-//! A boundary of [`crate::microfacets`], each of which reflects and refracts as smooth glass does (Walter, Marschner, Li,
+//! A boundary of `microfacets`, each of which reflects and refracts as smooth glass does (Walter, Marschner, Li,
 //! Torrance: "Microfacet models for refraction through rough surfaces", EGSR 2007, equations 20 and 21). With the index
 //! η of the side of `wo` over that of the side of `wi`, facets that face `h` send light from `wi` to `wo`:
 //!

@@ -23,15 +23,19 @@ pub mod tree;
 pub mod exact;
 mod triangle;
 // END SOLUTION(part1.task3)
+
 // BEGIN SOLUTION(part1.task4)
 mod sphere;
 // END SOLUTION(part1.task4)
+
 // BEGIN SOLUTION(part2.task2)
 mod bbox;
 // END SOLUTION(part2.task2)
+
 // BEGIN SOLUTION(part2.task1)
 mod build;
 // END SOLUTION(part2.task1)
+
 // BEGIN SOLUTION(part2.task3)
 mod walk;
 // END SOLUTION(part2.task3)

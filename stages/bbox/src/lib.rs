@@ -3,6 +3,7 @@
 // BEGIN SOLUTION(part2.task2)
 use kit::Vec3;
 // END SOLUTION(part2.task2)
+
 use kit::{Aabb, Interval, Ray};
 
 /// The part of `ray` that lies inside `b`: the `t` in the ray's range with `b.min <= o + t·d <= b.max` on

@@ -3,6 +3,7 @@
 // BEGIN SOLUTION(part2.task1)
 use kit::{BvhNode, NodeKind, PrimId, Vec3};
 // END SOLUTION(part2.task1)
+
 use kit::{Aabb, Bvh};
 
 /// Builds a tree over the boxes of primitives `0..bounds.len()`, in world space.

@@ -4,6 +4,7 @@
 use kit::{NodeKind, PrimId};
 use std::ops::ControlFlow;
 // END SOLUTION(part2.task3)
+
 use kit::{Bvh, Hit, Ray, World};
 
 /// The closest hit of `ray` with the primitives of `bvh`, the same that asking every primitive would give.

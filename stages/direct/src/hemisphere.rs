@@ -3,6 +3,7 @@
 // BEGIN SOLUTION(part3.task2)
 use kit::warp;
 // END SOLUTION(part3.task2)
+
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
 /// Light that bounces nowhere: what the surface itself emits along `wo`, the unit world direction to the viewer.

@@ -8,6 +8,7 @@
 use kit::math;
 use std::f64::consts::{FRAC_1_PI, TAU};
 // END SOLUTION(part3.task1)
+
 use kit::{BsdfSample, Spectrum, Vec2, Vec3};
 
 /// The BSDF of a matte surface, in 1/sr: `ρ/π` if `wo` and `wi` are on the same side of the surface, else black.

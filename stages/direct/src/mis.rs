@@ -8,6 +8,7 @@
 // BEGIN SOLUTION(part3.task3)
 use kit::Emitter;
 // END SOLUTION(part3.task3)
+
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
 /// The power heuristic with exponent 2: how much a sample counts that was drawn with the density `own` where the other

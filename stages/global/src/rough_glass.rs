@@ -17,6 +17,7 @@ use crate::fresnel_dielectric;
 // BEGIN SOLUTION(part4.task1)
 use crate::microfacets::visible;
 // END SOLUTION(part4.task1)
+
 use crate::microfacets::{SMOOTHEST, facing, hidden};
 use kit::{BsdfSample, Spectrum, Vec2, Vec3};
 

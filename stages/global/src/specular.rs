@@ -9,6 +9,7 @@
 // BEGIN SOLUTION(part4.task1)
 use crate::fresnel_dielectric;
 // END SOLUTION(part4.task1)
+
 use kit::{BsdfSample, Spectrum, Vec3};
 
 /// The direction that a mirror sends to `wo`: `wo` turned by half a turn around the normal.

@@ -9,6 +9,7 @@
 // BEGIN SOLUTION(part1.task3)
 mod exact;
 // END SOLUTION(part1.task3)
+
 pub mod sphere;
 pub mod triangle;
 

@@ -4,6 +4,7 @@
 use crate::exact::{DoubleDouble, Scale};
 use kit::{Vec2, Vec3};
 // END SOLUTION(part1.task4)
+
 use kit::{Hit, PrimId, Ray, Sphere};
 
 /// The smallest `t` in the ray's range at which `ray` crosses the surface of `s`; `None` if it does not.

@@ -4,6 +4,7 @@
 use crate::exact::{Scale, accurate_cross, difference_of_products};
 use kit::{Vec2, Vec3};
 // END SOLUTION(part1.task3)
+
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 
 /// Where `ray` meets `tri`, if it does at a `t` in its range; both faces, edges and vertices count.

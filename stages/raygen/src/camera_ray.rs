@@ -3,6 +3,7 @@
 // BEGIN SOLUTION(part1.task2)
 use kit::{Vec3, math::tan};
 // END SOLUTION(part1.task2)
+
 use kit::{Camera, Ray, Vec2};
 
 /// The world-space ray through the point `sensor` of the film, (0, 0) at its bottom left corner and (1, 1)

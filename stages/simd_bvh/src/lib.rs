@@ -27,6 +27,7 @@ mod space;
 mod sphere_block;
 mod stack;
 // END SOLUTION(part6.task1)
+
 mod traverse;
 mod wide;
 

@@ -9,6 +9,7 @@ use crate::sphere_block::SphereBlock;
 use crate::stack::{Later, Stack};
 use fearless_simd::{Simd, dispatch};
 // END SOLUTION(part6.task1)
+
 use crate::wide::WideBvh;
 use kit::{PrimId, Ray, TriangleHit};
 

@@ -10,6 +10,7 @@ use crate::space::Space;
 use crate::sphere_block::SphereBlock;
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 // END SOLUTION(part6.task1)
+
 use fearless_simd::Level;
 use kit::{Sphere, Triangle};
 

@@ -1,7 +1,6 @@
 //! A matte floor under some light, looked at from above.
 
 // BEGIN SOLUTION(part3.task3)
-
 use direct::{
     estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
     estimate_direct_lighting_mis, lambert_f, lambert_pdf, lambert_sample,

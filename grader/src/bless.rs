@@ -3,10 +3,12 @@
 //! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with the same
 //! writer that checks them; blessing compares the pairs, and renames.
 
+use crate::compile;
 use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::picture::read_png;
 use crate::report::write_whole;
+use crate::running;
 use crate::snapshot::{Snapshot, changes, parse};
 use crate::workspace::Workspace;
 use std::fmt::Write;
@@ -32,8 +34,8 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
     for (_, stale) in new_files(workspace, &tasks)? {
         remove(&stale)?;
     }
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let output = Command::new(cargo)
+    let mut cargo = Command::new(compile::cargo());
+    cargo
         .current_dir(workspace.root())
         .args([
             "test",
@@ -49,9 +51,10 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
         .env("INSTA_FORCE_PASS", "1")
         .env("FIRSTLIGHT_BLESS", key)
         .stdin(Stdio::null())
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+        .stdout(Stdio::piped());
+    let failed = |e| GraderError::new(format!("cannot run cargo: {e}"));
+    let (child, _running) = running::start(&mut cargo).map_err(failed)?;
+    let output = child.wait_with_output().map_err(failed)?;
     if !output.status.success() {
         return Err(GraderError::new(format!(
             "nothing is blessed, because the goldens' test failed:\n{}",

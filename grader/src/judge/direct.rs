@@ -21,12 +21,6 @@ const SUM_BOUND: f64 = 1e-9;
 /// How far an origin may be off, in units: worlds here are ten units large, and the errors of points 2e-12.
 const ORIGIN_BOUND: f64 = 2e-13;
 
-/// Origins that are off by so much, and by no more than [`EPSILON`], are meant to be.
-const EPSILON_BOUND: f64 = 1e-9;
-
-/// The largest fixed offset that anybody would take.
-const EPSILON: f64 = 0.1;
-
 /// How far a direction may be off.
 const DIRECTION_BOUND: f64 = 1e-6;
 
@@ -324,10 +318,7 @@ impl One<'_> {
         tally.expect(Aspect::Origin);
         let right = self.place.start(asked.ray.d.into());
         let off = (Vec3::from(asked.ray.o) - right).length();
-        let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| match off {
-            EPSILON_BOUND..=EPSILON => Class::Named("an epsilon away"),
-            _ => Class::of_size(off),
-        });
+        let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
         tally.judge_class(Aspect::Origin, self.call, class, off, || {
             format!(
                 "a ray starts at {}, where Surface::leave puts it is {}. {}",

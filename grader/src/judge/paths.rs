@@ -15,9 +15,6 @@ const SUM_BOUND: f64 = 1e-11;
 /// How far a direction or an origin may be off.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// The largest fixed offset from a surface that anybody would take.
-const EPSILON: f64 = 0.1;
-
 /// What the script of a path makes of it.
 struct Right {
     /// How many surfaces are met.
@@ -190,12 +187,7 @@ fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     let off = Vec3::from(ray.o) - Vec3::from(step.p);
     if off.is_nan() || off.length() > PLACE_BOUND || ray.min_t != 0.0 || ray.max_t != f64::INFINITY
     {
-        let is_epsilon = off.length() > PLACE_BOUND && off.length() <= EPSILON;
-        return Some(if is_epsilon {
-            Class::Named("an epsilon away")
-        } else {
-            Class::of_size(off.length())
-        });
+        return Some(Class::of_offset(off.length()));
     }
     (off.dot(n) * d.dot(n) <= 0.0).then_some(Class::Negated)
 }

@@ -178,6 +178,14 @@ impl Class {
         }
     }
 
+    /// The class of a ray's origin that is off by `off`: what a fixed offset from the surface makes has a name.
+    pub fn of_offset(off: f64) -> Class {
+        match off {
+            EPSILONS_FROM..=EPSILONS_TO => Class::Named("an epsilon away"),
+            _ => Class::of_size(off),
+        }
+    }
+
     /// The class of a wrong unit vector.
     pub fn of_direction(answered: Vec3, right: Vec3) -> Class {
         if answered.is_nan() {
@@ -205,6 +213,12 @@ impl Class {
 
 /// Wrong answers this close to the right one, but for sign or length or place, are of that class.
 pub(super) const SAME: f64 = 1e-6;
+
+/// Origins that are off by so much are meant to be,
+const EPSILONS_FROM: f64 = 1e-9;
+
+/// up to the largest fixed offset from a surface that anybody would take.
+const EPSILONS_TO: f64 = 0.1;
 
 /// What was found about one aspect in one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]

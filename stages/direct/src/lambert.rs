@@ -127,9 +127,8 @@ mod tests {
         let alarm = sidak(1e-6, 2);
         for wo in [up(), -up()] {
             let fit_to = |pdf: &dyn Fn(Vec3) -> f64| {
-                let mut numbers = PixelSampler::new(0, 0, 11);
-                let drawn = (0..200_000).map(|_| lambert_sample(RHO, wo, numbers.get_sample()));
-                chi_square::fit(drawn.map(|s| s.map(|s| s.wi)), pdf)
+                let sample = |u, _| lambert_sample(RHO, wo, u).map(|s| s.wi);
+                chi_square::fit_samples(200_000, 11, sample, pdf)
             };
             let fit = fit_to(&|wi| lambert_pdf(wo, wi));
             assert!(fit.p > alarm, "p = {:e}", fit.p);

@@ -102,12 +102,9 @@ mod tests {
         for shininess in [0.0, 3.0, 20.0] {
             for wo in views() {
                 let fit_to = |other: f64| {
-                    let mut numbers = PixelSampler::new(0, 0, 7);
-                    let drawn = (0..50_000).map(|_| {
-                        let u = numbers.get_sample();
-                        glossy_sample(Spectrum::WHITE, shininess, wo, u).map(|s| s.wi)
-                    });
-                    chi_square::fit(drawn, |wi| glossy_pdf(other, wo, wi))
+                    let white = Spectrum::WHITE;
+                    let sample = |u, _| glossy_sample(white, shininess, wo, u).map(|s| s.wi);
+                    chi_square::fit_samples(50_000, 7, sample, |wi| glossy_pdf(other, wo, wi))
                 };
                 let fit = fit_to(shininess);
                 assert!(fit.p > alarm, "shininess {shininess}, {wo}: {fit:?}");

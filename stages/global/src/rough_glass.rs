@@ -51,22 +51,13 @@ struct Way {
 impl RoughGlass {
     /// The BSDF in 1/sr, for `wi` on either side.
     pub fn f(&self, wo: Vec3, wi: Vec3) -> Spectrum {
-        let Some(way) = self.way(wo, wi) else {
-            return Spectrum::BLACK;
-        };
-        let a = self.alpha();
-        let seen = 1.0 / ((1.0 + hidden(wo, a)) * (1.0 + hidden(wi, a)));
-        let light = way.share * facing(way.h, a) * seen * way.cos_o * way.turns;
-        way.arrives * (light / (wo.z * wi.z).abs())
+        self.way(wo, wi)
+            .map_or(Spectrum::BLACK, |way| self.f_of(&way, wo, wi))
     }
 
     /// The density with which [`RoughGlass::sample`] draws `wi`, in 1/sr.
     pub fn pdf(&self, wo: Vec3, wi: Vec3) -> f64 {
-        let a = self.alpha();
-        self.way(wo, wi).map_or(0.0, |way| {
-            let drawn = facing(way.h, a) * way.cos_o / ((1.0 + hidden(wo, a)) * wo.z.abs());
-            way.share * drawn * way.turns
-        })
+        self.way(wo, wi).map_or(0.0, |way| self.pdf_of(&way, wo))
     }
 
     /// Draws a facet that is seen from `wo` by `u`, uniform in [0, 1)², and by `choice`, uniform in [0, 1), whether it
@@ -94,7 +85,8 @@ impl RoughGlass {
             return None;
         }
         let wi = above(wo, up_wi.normalize());
-        let (f, pdf) = (self.f(wo, wi), self.pdf(wo, wi));
+        let way = self.way(wo, wi)?;
+        let (f, pdf) = (self.f_of(&way, wo, wi), self.pdf_of(&way, wo));
         (pdf > 0.0 && pdf.is_finite() && f.is_finite()).then_some(BsdfSample {
             wi,
             f,
@@ -103,6 +95,19 @@ impl RoughGlass {
         })
         // STUB: kit::hole!("part4.task1", self, wo, u, choice)
         // END SOLUTION(part4.task1)
+    }
+
+    fn f_of(&self, way: &Way, wo: Vec3, wi: Vec3) -> Spectrum {
+        let a = self.alpha();
+        let seen = 1.0 / ((1.0 + hidden(wo, a)) * (1.0 + hidden(wi, a)));
+        let light = way.share * facing(way.h, a) * seen * way.cos_o * way.turns;
+        way.arrives * (light / (wo.z * wi.z).abs())
+    }
+
+    fn pdf_of(&self, way: &Way, wo: Vec3) -> f64 {
+        let a = self.alpha();
+        let drawn = facing(way.h, a) * way.cos_o / ((1.0 + hidden(wo, a)) * wo.z.abs());
+        way.share * drawn * way.turns
     }
 
     fn alpha(&self) -> f64 {
@@ -221,8 +226,8 @@ mod tests {
             for wo in views() {
                 for glass in [glass(roughness), refraction(roughness)] {
                     let fit_to = |other: RoughGlass| {
-                        let samples = drawn(glass, wo, 50_000);
-                        chi_square::fit(samples.map(|s| s.map(|s| s.wi)), |wi| other.pdf(wo, wi))
+                        let sample = |u, choice| glass.sample(wo, u, choice).map(|s| s.wi);
+                        chi_square::fit_samples(50_000, 13, sample, |wi| other.pdf(wo, wi))
                     };
                     let fit = fit_to(glass);
                     assert!(fit.p > alarm, "{glass:?} from {wo}: {fit:?}");

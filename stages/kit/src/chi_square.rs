@@ -17,32 +17,24 @@ const STEPS: usize = 48;
 /// Cells with fewer expected samples are taken together: χ² is only then distributed as it should (Cochran 1952).
 const FEWEST_EXPECTED: f64 = 8.0;
 
-/// How often samples that do follow `pdf` would look at least as far off as these `samples`: a p-value.
+/// How well `samples` directions of `sample` fit the density `pdf`.
 ///
 /// `sample` maps points of the unit square to unit directions, or to `None` where it draws none; those count as
 /// lost, so a pdf that integrates to less than 1 must lose the rest. `pdf` is the density with respect to solid angle.
-/// The points are a fixed sequence: the same p-value on every platform.
-pub fn p_value(
+/// The points are a fixed sequence: the same fit on every platform.
+pub fn fit_samples(
     samples: u32,
     seed: u64,
     mut sample: impl FnMut(Vec2, f64) -> Option<Vec3>,
     pdf: impl Fn(Vec3) -> f64,
-) -> f64 {
+) -> Fit {
     let mut numbers = crate::PixelSampler::new(0, 0, seed);
     let directions = (0..samples).map(|_| {
         let u = numbers.get_sample();
         let choice = numbers.next_1d();
         sample(u, choice)
     });
-    p_value_of(directions, pdf)
-}
-
-/// The same for directions that were drawn already, from points that do not depend on them.
-pub fn p_value_of(
-    directions: impl IntoIterator<Item = Option<Vec3>>,
-    pdf: impl Fn(Vec3) -> f64,
-) -> f64 {
-    fit(directions, pdf).p
+    fit(directions, pdf)
 }
 
 /// How well directions fit a density.
@@ -255,27 +247,25 @@ mod tests {
 
     #[test]
     fn uniform_directions_are_uniform() {
-        let p = p_value(
-            100_000,
-            1,
-            |u, _| Some(warp::uniform_sphere(u)),
-            |_| 0.5 / TAU,
-        );
-        assert!(p > ALARM, "p = {p}");
+        let sphere = |u, _| Some(warp::uniform_sphere(u));
+        let fit = fit_samples(100_000, 1, sphere, |_| 0.5 / TAU);
+        assert!(fit.p > ALARM, "{fit:?}");
         let upper = |w: Vec3| if w.z > 0.0 { 1.0 / TAU } else { 0.0 };
-        let p = p_value(100_000, 2, |u, _| Some(warp::uniform_hemisphere(u)), upper);
-        assert!(p > ALARM, "p = {p}");
+        let hemisphere = |u, _| Some(warp::uniform_hemisphere(u));
+        let fit = fit_samples(100_000, 2, hemisphere, upper);
+        assert!(fit.p > ALARM, "{fit:?}");
     }
 
     /// The test can fail: uniform directions are not distributed by the cosine, nor twice as dense.
     #[test]
     fn a_wrong_density_is_caught() {
         let cosine = |w: Vec3| w.z.max(0.0) / std::f64::consts::PI;
-        let p = p_value(20_000, 3, |u, _| Some(warp::uniform_hemisphere(u)), cosine);
-        assert!(p < ALARM, "p = {p}");
+        let hemisphere = |u, _| Some(warp::uniform_hemisphere(u));
+        let fit = fit_samples(20_000, 3, hemisphere, cosine);
+        assert!(fit.p < ALARM, "{fit:?}");
         let double = |w: Vec3| if w.z > 0.0 { 2.0 / TAU } else { 0.0 };
-        let p = p_value(20_000, 4, |u, _| Some(warp::uniform_hemisphere(u)), double);
-        assert!(p < ALARM, "p = {p}");
+        let fit = fit_samples(20_000, 4, hemisphere, double);
+        assert!(fit.p < ALARM, "{fit:?}");
     }
 
     /// Of two cells a share of 1/2 ± ε/2 each: χ² is the square of a normal variable that is off by √n·ε, so the test is
@@ -303,14 +293,12 @@ mod tests {
     fn a_deviation_that_is_sure_to_be_seen_is_seen() {
         let upper = |w: Vec3| if w.z > 0.0 { 1.0 / TAU } else { 0.0 };
         let uneven = |seed: u64, deviation: f64| {
-            let mut numbers = crate::PixelSampler::new(0, 0, seed);
-            let draw = (0..8000).map(|_| {
-                let u = numbers.get_sample();
+            let sample = |u: Vec2, _| {
                 let even = warp::uniform_hemisphere(u);
                 let squeezed = squeeze(TAU * u.y, std::f64::consts::SQRT_2 * deviation);
                 Some(warp::on_sphere(even.z, squeezed / TAU))
-            });
-            fit(draw, upper)
+            };
+            fit_samples(8000, seed, sample, upper)
         };
         let sure = uneven(0, 0.0).smallest_sure_deviation(ALARM);
         assert!((0.1..0.25).contains(&sure), "{sure}");

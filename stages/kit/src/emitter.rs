@@ -228,14 +228,12 @@ pub(crate) mod tests {
     }
 
     pub(crate) fn assert_follows_pdf(emitter: &Emitter, pdf: impl Fn(Vec3) -> f64) {
-        let mut numbers = PixelSampler::new(0, 0, 5);
-        let mut draw = || emitter.sample(P, numbers.get_sample()).map(|s| s.wi);
-        let directions: Vec<Option<Vec3>> = (0..20_000).map(|_| draw()).collect();
-        let fit = chi_square::fit(directions.iter().copied(), &pdf);
+        let sample = |u, _| emitter.sample(P, u).map(|s| s.wi);
+        let fit = chi_square::fit_samples(20_000, 5, sample, &pdf);
         assert!(fit.p > ALARM, "{emitter:?}: {fit:?}");
         // A deviation of 14 % (root mean square) is sure to be seen, as a density off by 2 is.
         assert!(fit.smallest_sure_deviation(ALARM) < 0.14, "{fit:?}");
-        let half = chi_square::fit(directions, |w| 0.5 * pdf(w));
+        let half = chi_square::fit_samples(20_000, 5, sample, |w| 0.5 * pdf(w));
         assert!(half.p < 1e-30, "{half:?}");
         let mut numbers = PixelSampler::new(0, 0, 1);
         for _ in 0..1000 {

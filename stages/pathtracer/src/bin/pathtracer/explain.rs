@@ -35,18 +35,20 @@ pub(crate) fn table(
 /// The first few causes. Objects that share a name, as instances of one node do, are told once.
 fn in_short(causes: &[String]) -> String {
     let mut named: Vec<(&str, usize)> = Vec::new();
+    let mut others = 0;
     for cause in causes {
+        let is_room = named.len() < NAMED;
         match named.iter_mut().find(|(name, _)| name == cause) {
             Some((_, times)) => *times += 1,
-            None => named.push((cause, 1)),
+            None if is_room => named.push((cause, 1)),
+            None => others += 1,
         }
     }
-    let first = named.iter().take(NAMED).map(|&(name, times)| match times {
+    let named = named.iter().map(|&(name, times)| match times {
         1 => name.to_owned(),
         _ => format!("{name} ({times} times)"),
     });
-    let told = first.collect::<Vec<_>>().join(", ");
-    let others: usize = named.iter().skip(NAMED).map(|(_, times)| times).sum();
+    let told = named.collect::<Vec<_>>().join(", ");
     match others {
         0 => told,
         _ => format!("{told} and {others} more"),

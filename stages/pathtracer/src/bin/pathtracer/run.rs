@@ -131,22 +131,27 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         match &picture {
             Picture::Normals(_) => println!("No light is simulated: nothing to explain"),
             Picture::Lit(lit) => {
-                let all = LightSettings {
-                    force_effects: true,
-                    ..light
+                let forced = if light.force_effects {
+                    rendered.effects
+                } else {
+                    let all = LightSettings {
+                        force_effects: true,
+                        ..light
+                    };
+                    let whole = Job {
+                        samples: match budget {
+                            Some(_) => (rendered.samples() / cell.area()) as u32,
+                            None => job.samples,
+                        },
+                        ..job
+                    };
+                    let hook = &|_, _| ();
+                    threads
+                        .install(|| render_lit(lit, &textures, &accel, &whole, &all, &stop, hook))
+                        .effects
                 };
-                let whole = Job {
-                    samples: match budget {
-                        Some(_) => (rendered.samples() / cell.area()) as u32,
-                        None => job.samples,
-                    },
-                    ..job
-                };
-                let hook = &|_, _| ();
-                let forced = threads
-                    .install(|| render_lit(lit, &textures, &accel, &whole, &all, &stop, hook));
                 // Counts of half a picture say nothing.
-                let forced = (!stop.load(Ordering::Relaxed)).then_some(&forced.effects);
+                let forced = (!stop.load(Ordering::Relaxed)).then_some(&forced);
                 println!(
                     "{}",
                     explain::table(&light.effects(lit), &rendered.effects, forced)

@@ -20,8 +20,8 @@ pub(crate) mod probes;
 pub mod recorded;
 
 use crate::judge::tally::Aspect;
-use crate::oracle::closest::Closest;
-use std::sync::{Arc, OnceLock};
+use crate::judge::truths::Truths;
+use std::sync::Arc;
 use wire::Work;
 
 /// One case of one task.
@@ -42,9 +42,8 @@ pub struct Spec {
     /// The aspects that the case is about and gives its points for; empty: all that its answers show. What goes
     /// wrong everywhere is then told where it belongs, and not in every case.
     pub about_aspects: &'static [Aspect],
-    /// What its rays truly hit, once somebody has asked: that takes seconds in a large scene, and many versions of the
-    /// code are judged by the same.
-    pub(crate) truths: Arc<OnceLock<Vec<Closest>>>,
+    /// What is right, as far as somebody has asked.
+    pub(crate) truths: Arc<Truths>,
 }
 
 /// Milliseconds after which a case has failed. Sound code needs a few.
@@ -128,29 +127,8 @@ pub fn all(seed: u64) -> Vec<Spec> {
 mod tests {
     use super::*;
     use crate::course::{Course, Tier};
-    use crate::judge::expected::{Decision, Expected};
-    use crate::{convert, truth};
-
-    /// What scores on each probe at a single shape of a case.
-    fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
-        match &spec.work {
-            Work::Triangles { triangles, probes } => probes
-                .iter()
-                .map(|probe| {
-                    let triangle = convert::triangle(&triangles[probe.shape as usize]);
-                    truth::triangle(tier, probe.shape, &triangle, &convert::ray(&probe.ray))
-                })
-                .collect(),
-            Work::Spheres { spheres, probes } => probes
-                .iter()
-                .map(|probe| {
-                    let sphere = convert::sphere(&spheres[probe.shape as usize]);
-                    truth::sphere(tier, probe.shape, &sphere, &convert::ray(&probe.ray))
-                })
-                .collect(),
-            _ => Vec::new(),
-        }
-    }
+    use crate::judge::expected::Decision;
+    use crate::judge::truths::expected;
 
     #[test]
     fn core_probes_are_decided() {

@@ -116,8 +116,9 @@ fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
             named
         };
         println!(
-            "  {name}: lost points in {} cases, named as {named}",
-            failed.len()
+            "  {name}: lost points in {} case{}, named as {named}",
+            failed.len(),
+            if failed.len() == 1 { "" } else { "s" },
         );
     }
     for name in table.survivors() {

@@ -3,7 +3,7 @@
 //! [`judge`] picks the judge for the kind of work: `pixels` and `camera` for the rays of Part 1, `shapes` for
 //! what they hit, with `hits` for a single hit record; `lambert`, `direct` (with `lamps` for what lights send), `specular`,
 //! `paths`, `roulette` and `adaptive` for light, with `chance` for what only many samples show and `suspects` for
-//! what mistakes make of the same rays. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
+//! what mistakes make of the same rays. `truths` keeps what the oracle has said. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
 //! form in which truth comes.
 
 mod adaptive;
@@ -27,13 +27,11 @@ mod suspects;
 pub mod tally;
 mod traverse;
 mod tree;
+pub(crate) mod truths;
 
 use crate::cases::{self, Spec};
 use crate::course::Tier;
-use crate::{convert, truth};
-use kit::{Sphere, Triangle, scene::Primitive};
 use tally::{Finding, Tally};
-use wire::work::{Probe, Ray};
 use wire::{Answer, Work};
 
 /// What is right and wrong about `answer` to the case `spec`, which gives points of `tier`: core points ask
@@ -45,40 +43,17 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
         (Work::CameraRays { cameras, sensor }, Answer::CameraRays(answers)) => {
             camera::rays(&mut tally, tier, cameras, sensor, answers);
         }
-        (Work::Triangles { triangles, probes }, Answer::Triangles(answers)) => {
-            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
-            let truth = |probe: &Probe| {
-                let triangle = &triangles[probe.shape as usize];
-                truth::triangle(tier, probe.shape, triangle, &convert::ray(&probe.ray))
-            };
-            shapes::triangles(&mut tally, probes, truth, answers);
+        (Work::Triangles { probes, .. }, Answer::Triangles(answers)) => {
+            let expected = spec.truths.of_shapes(spec, tier);
+            shapes::triangles(&mut tally, probes, expected, answers);
         }
-        (Work::Spheres { spheres, probes }, Answer::Spheres(answers)) => {
-            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
-            let truth = |probe: &Probe| {
-                let sphere = &spheres[probe.shape as usize];
-                truth::sphere(tier, probe.shape, sphere, &convert::ray(&probe.ray))
-            };
-            shapes::spheres(&mut tally, probes, truth, answers);
+        (Work::Spheres { probes, .. }, Answer::Spheres(answers)) => {
+            let expected = spec.truths.of_shapes(spec, tier);
+            shapes::spheres(&mut tally, probes, expected, answers);
         }
-        (
-            Work::BruteForce {
-                triangles,
-                spheres,
-                rays,
-            },
-            Answer::Hits(answer),
-        ) => {
-            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
-            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
-            let shapes: Vec<Primitive<'_>> = triangles
-                .iter()
-                .map(Primitive::Triangle)
-                .chain(spheres.iter().map(Primitive::Sphere))
-                .collect();
-            let truth =
-                |ray: &Ray| truth::first_of(tier, &shapes, &convert::ray(ray), spec.enclosed);
-            shapes::brute_force(&mut tally, rays, truth, answer);
+        (Work::BruteForce { rays, .. }, Answer::Hits(answer)) => {
+            let expected = spec.truths.of_shapes(spec, tier);
+            shapes::brute_force(&mut tally, rays, expected, answer);
         }
         (
             Work::Boxes {
@@ -106,7 +81,7 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
             },
             Answer::Hits(answer),
         ) => {
-            let truths = spec.truths.get_or_init(|| scene::truths(scene, rays));
+            let truths = spec.truths.of_scene(scene, rays);
             scene::hits(&mut tally, tier, truths, rays, *any_hit, answer);
         }
         (Work::Traverse(world), Answer::Traverse(answers)) => {

@@ -10,13 +10,13 @@ use wire::work::{Probe, Ray};
 pub(super) fn triangles(
     tally: &mut Tally,
     probes: &[Probe],
-    truth: impl Fn(&Probe) -> Expected,
+    expected: &[Expected],
     answers: &[TriangleAnswer],
 ) {
     let [test, intersect] = ["test_triangle", "intersect_triangle"];
-    for (number, (probe, answer)) in probes.iter().zip(answers).enumerate() {
-        let expected = truth(probe);
-        expect(tally, &expected, true);
+    let calls = probes.iter().zip(expected).zip(answers);
+    for (number, ((probe, expected), answer)) in calls.enumerate() {
+        expect(tally, expected, true);
         let mut call = Call {
             tally: &mut *tally,
             number,
@@ -24,7 +24,7 @@ pub(super) fn triangles(
             ray: &probe.ray,
         };
         let tested = answer.test.map(|[t, ..]| t);
-        call.decision(&expected, tested);
+        call.decision(expected, tested);
         if let Some([t, b1, b2]) = answer.test
             && let Some(right) = expected.closest_to(probe.shape, t)
         {
@@ -33,7 +33,7 @@ pub(super) fn triangles(
         }
         let hit = answer.hit.as_ref();
         call.function = intersect;
-        record(&mut call, &expected, hit);
+        record(&mut call, expected, hit);
         if let Some(hit) = hit
             && let Some(right) = expected.closest_to(probe.shape, hit.t)
         {
@@ -48,20 +48,20 @@ pub(super) fn triangles(
 pub(super) fn spheres(
     tally: &mut Tally,
     probes: &[Probe],
-    truth: impl Fn(&Probe) -> Expected,
+    expected: &[Expected],
     answers: &[SphereAnswer],
 ) {
     let [test, intersect] = ["test_sphere", "intersect_sphere"];
-    for (number, (probe, answer)) in probes.iter().zip(answers).enumerate() {
-        let expected = truth(probe);
-        expect(tally, &expected, false);
+    let calls = probes.iter().zip(expected).zip(answers);
+    for (number, ((probe, expected), answer)) in calls.enumerate() {
+        expect(tally, expected, false);
         let mut call = Call {
             tally: &mut *tally,
             number,
             function: test,
             ray: &probe.ray,
         };
-        call.decision(&expected, answer.test);
+        call.decision(expected, answer.test);
         if let Some(t) = answer.test
             && let Some(right) = expected.closest_to(probe.shape, t)
         {
@@ -69,7 +69,7 @@ pub(super) fn spheres(
         }
         let hit = answer.hit.as_ref();
         call.function = intersect;
-        record(&mut call, &expected, hit);
+        record(&mut call, expected, hit);
         call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
         call.agrees_with(test, answer.test.is_some(), hit.is_some());
     }
@@ -79,21 +79,21 @@ pub(super) fn spheres(
 pub(super) fn brute_force(
     tally: &mut Tally,
     rays: &[Ray],
-    truth: impl Fn(&Ray) -> Expected,
+    expected: &[Expected],
     answer: &HitsAnswer,
 ) {
     let answers = answer.hits.iter().zip(&answer.max_t);
-    for (number, (ray, (hit, max_t))) in rays.iter().zip(answers).enumerate() {
-        let expected = truth(ray);
+    let calls = rays.iter().zip(expected).zip(answers);
+    for (number, ((ray, expected), (hit, max_t))) in calls.enumerate() {
         let with_uv = expected.hits.iter().all(|hit| hit.uv.is_some());
-        expect(tally, &expected, with_uv);
+        expect(tally, expected, with_uv);
         let mut call = Call {
             tally: &mut *tally,
             number,
             function: "going through all shapes in order",
             ray,
         };
-        record(&mut call, &expected, hit.as_ref());
+        record(&mut call, expected, hit.as_ref());
         if let Some(hit) = hit
             && let Some(right) = expected.closest_to(hit.prim, hit.t)
         {
@@ -174,12 +174,7 @@ mod tests {
         spoil(&mut answer);
         let mut tally = Tally::default();
         let probe = Probe { shape: 0, ray };
-        triangles(
-            &mut tally,
-            &[probe],
-            |probe| expected(&probe.ray),
-            &[answer],
-        );
+        triangles(&mut tally, &[probe], &[expected(&ray)], &[answer]);
         let findings = tally.into_findings().into_iter();
         let failed = findings.filter(|finding| finding.wrong > 0);
         failed.map(|finding| finding.aspect).collect()

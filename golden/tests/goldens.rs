@@ -5,7 +5,7 @@
 
 use grader::cases::{self, Spec};
 use grader::course::Course;
-use grader::judge;
+use grader::judge::{self, tally::Finding};
 use grader::workspace::Workspace;
 use grader::{picture, snapshot};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -121,15 +121,28 @@ fn check_case(workspace: &Workspace, spec: &Spec, bless: bool) -> Result<(), Str
         outcome => return Err(format!("{outcome:?}")),
     };
     let tier = grader::course::Tier::Robust;
-    let lost: Vec<_> = judge::judge(spec, tier, &answer)
-        .into_iter()
+    let lost: Vec<String> = judge::judge(spec, tier, &answer)
+        .iter()
         .filter(|finding| !finding.passed())
+        .map(Finding::to_string)
         .collect();
-    if !lost.is_empty() {
-        return Err(format!("the oracle does not confirm it: {lost:?}"));
+    let unconfirmed =
+        (!lost.is_empty()).then(|| format!("the oracle does not confirm it: {}", lost.join("; ")));
+    if bless && let Some(why) = unconfirmed {
+        return Err(why);
     }
-    check_snapshot(workspace, spec, &answer)?;
-    check_picture(workspace, spec, &answer, bless)
+    // What is not confirmed is left beside the golden, too: a reviewer wants to see it.
+    let complaints = [
+        unconfirmed,
+        check_snapshot(workspace, spec, &answer).err(),
+        check_picture(workspace, spec, &answer, bless).err(),
+    ];
+    let complaints: Vec<String> = complaints.into_iter().flatten().collect();
+    if complaints.is_empty() {
+        Ok(())
+    } else {
+        Err(complaints.join("\n    "))
+    }
 }
 
 fn check_snapshot(workspace: &Workspace, spec: &Spec, answer: &Answer) -> Result<(), String> {

@@ -3,6 +3,7 @@
 use super::errors::{ErrorSpread, NumberError};
 use kit::Vec3;
 use serde::Serialize;
+use std::fmt;
 
 /// One side of an answer that is scored by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -263,6 +264,18 @@ impl Finding {
     /// Whether the aspect earns its points: shown at all where it could be, and never wrong.
     pub fn passed(&self) -> bool {
         self.wrong == 0 && (self.judged > 0 || self.expected == 0)
+    }
+}
+
+impl fmt::Display for Finding {
+    /// What is wrong, in a sentence, with the worst answer.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of = self.judged.max(self.expected);
+        write!(f, "{} wrong on {} of {of}", self.aspect.label(), self.wrong)?;
+        match &self.worst {
+            Some(worst) => write!(f, ": {}", worst.message),
+            None => Ok(()),
+        }
     }
 }
 

@@ -119,7 +119,7 @@ impl Case {
             case.state = State::Differs {
                 changes,
                 pixels,
-                wrong: findings.iter().map(verdict).collect(),
+                wrong: findings.iter().map(Finding::to_string).collect(),
             };
         }
         Ok(case)
@@ -140,14 +140,6 @@ impl Picture {
         let pairs = self.golden.pixels().zip(self.actual.pixels());
         pairs.filter(|(golden, actual)| golden != actual).count()
     }
-}
-
-fn verdict(finding: &Finding) -> String {
-    let worst = finding.worst.as_ref();
-    let worst = worst.map_or(String::new(), |worst| format!(": {}", worst.message));
-    let judged = finding.judged.max(finding.expected);
-    let aspect = finding.aspect.label();
-    format!("{aspect} wrong on {} of {judged}{worst}", finding.wrong)
 }
 
 fn picture(

@@ -94,6 +94,9 @@ proptest! {
             let mut cut = Ray::new(o, (target - o).normalize_or_zero());
             cut.max_t = (target - o).length();
             world.assert_same(&tree, &cut);
+            // From the surface, where `t` is 0 up to rounding, and so is no measure of it.
+            let on_it = Ray { o: target, min_t: -1.0, ..Ray::new(target, o - target) };
+            world.assert_same(&tree, &on_it);
         }
     }
 }

@@ -68,19 +68,22 @@ impl Rendered {
         self.effects = self.effects + other.effects;
     }
 
-    /// How noisy the picture is: the standard error of a pixel's luminance (root mean square over the pixels that have
-    /// samples) as a share of the mean luminance. 0 for a black picture. For Sobol samples it is an upper bound.
-    pub fn relative_error(&self) -> f64 {
+    /// How noisy the picture is: the standard error of a pixel's luminance (root mean square over the pixels that have at
+    /// least two samples: one knows no spread) as a share of the mean luminance. `None` without such a pixel, 0 for a
+    /// black picture. For Sobol samples it is an upper bound.
+    pub fn relative_error(&self) -> Option<f64> {
         let mut mean = Tally::default();
         let mut squared = Tally::default();
-        for pixel in self.luminance.iter().filter(|tally| tally.count() > 0) {
+        for pixel in self.luminance.iter().filter(|tally| tally.count() > 1) {
             mean.push(pixel.mean());
             squared.push(pixel.standard_error().powi(2));
         }
-        if mean.mean() > 0.0 {
-            squared.mean().sqrt() / mean.mean()
-        } else {
-            0.0
-        }
+        (mean.count() > 0).then(|| {
+            if mean.mean() > 0.0 {
+                squared.mean().sqrt() / mean.mean()
+            } else {
+                0.0
+            }
+        })
     }
 }

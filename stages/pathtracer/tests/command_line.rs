@@ -67,6 +67,8 @@ fn refused(args: &str, sentence: &str) {
 fn bad_values_say_what_is_allowed() {
     refused("square.dae", "pathtracer -f picture.png square.dae");
     refused("-f a.png -s 0 square.dae", "whole number from 1 to");
+    refused("-f a.png --seed x square.dae", "whole number from 0 to");
+    refused("-f a.png --seed -1 square.dae", "whole number from 0 to");
     refused("-f a.png -s many square.dae", "whole number from 1 to");
     refused("-f a.png -t 0 square.dae", "whole number from 1 to 1024");
     refused("-f a.png -l 0 square.dae", "whole number from 1 to");

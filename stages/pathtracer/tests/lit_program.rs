@@ -68,16 +68,26 @@ fn refused(args: &str, sentence: &str) {
 
 #[test]
 fn bad_values_say_what_is_allowed() {
-    refused("-f a.png --time 0 lit.dae", "a number above 0");
-    refused("-f a.png --error x lit.dae", "a number above 0");
+    refused("-f a.png --time 0 lit.dae", "a finite number above 0");
+    refused("-f a.png --error x lit.dae", "a finite number above 0");
     refused("-f a.png --error 0.1 -a 8 0.1 lit.dae", "--adaptive");
+    refused("-f a.png --time inf lit.dae", "a finite number above 0");
+    refused("-f a.png --error inf lit.dae", "a finite number above 0");
     refused("-f a.png --lens-radius 0.1 lit.dae", "--focus");
+    refused("-f a.png --focus inf --lens-radius 1 lit.dae", "finite");
+    refused("-f a.png -a 8 inf lit.dae", "a finite number");
     refused(
         "-f a.png --lens-radius -1 --focus 2 lit.dae",
         "not negative",
     );
     refused("-f a.png --lens-radius 1 --focus 0 lit.dae", "above 0");
     refused("-f a.png --layers b.png lit.dae", "end the name in .exr");
+    refused(
+        "-f a.exr --layers ./a.exr lit.dae",
+        "--layers: ./a.exr is the picture itself",
+    );
+    refused("-f a.exr -e a.exr lit.dae", "-f: a.exr is the map of -e");
+    refused("--export mitsuba a.xml a.xml", "a.xml is the scene itself");
     refused("-f a.png -e lit.dae lit.dae", "ends in .exr or .hdr");
     refused("-f a.png -e missing.hdr lit.dae", "missing.hdr");
     refused("-f a.png -H --mis lit.dae", "--mis");
@@ -144,8 +154,14 @@ fn an_explanation_says_what_effects_would_take_if_they_were_forced_on() {
 #[test]
 fn what_is_left_out_is_told() {
     let folder = folder();
-    let (_, quiet) = pathtracer(folder.path(), "-f a.png -r 4 4 -H lit.dae");
+    let (told, quiet) = pathtracer(folder.path(), "-f a.png -r 4 4 -H --lens-radius 0 lit.dae");
     assert_eq!(quiet, "");
+    assert!(!told.contains("Noise"), "one sample knows no noise: {told}");
+    let (_, told) = pathtracer(folder.path(), "-f a.png -r 4 4 -a 32 0.05 lit.dae");
+    assert!(told.contains("no effect: -a 32 0.05"), "{told}");
+    let flags = "-f a.png --export mitsuba a.xml lit.dae";
+    let (_, told) = pathtracer(folder.path(), flags);
+    assert!(told.contains("no effect: -f: --export"), "{told}");
     let point = SCENE.replace("area>", "point>");
     fs::write(folder.path().join("point.dae"), point).expect("a scene file");
     let (_, told) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");

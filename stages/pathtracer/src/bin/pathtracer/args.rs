@@ -80,7 +80,7 @@ pub(crate) struct Args {
     pub(crate) environment: Option<PathBuf>,
 
     /// Radius of the camera's lens, for depth of field: 0 is a pinhole
-    #[arg(long, value_name = "LENGTH", default_value_t = 0.0, value_parser = length, requires = "focus")]
+    #[arg(long, value_name = "LENGTH", default_value_t = 0.0, value_parser = length)]
     pub(crate) lens_radius: f64,
 
     /// Distance from the lens to the plane that is sharp
@@ -126,7 +126,7 @@ pub(crate) struct Args {
     pub(crate) accel: AccelName,
 
     /// Which random numbers to take: another seed gives another noise
-    #[arg(long, value_name = "INT", default_value_t = 0)]
+    #[arg(long, value_name = "INT", default_value_t = 0, value_parser = seed)]
     pub(crate) seed: u64,
 }
 
@@ -239,7 +239,7 @@ impl Args {
         match tolerance.parse::<f64>() {
             Ok(t) if t.is_finite() && t >= 0.0 => Ok(Some((per_batch, t))),
             _ => Err(format!(
-                "-a {batch} {tolerance}: the tolerance is a number that is not negative, such as 0.05"
+                "-a {batch} {tolerance}: the tolerance is a finite number that is not negative, such as 0.05"
             )),
         }
     }
@@ -247,6 +247,12 @@ impl Args {
     /// How light is simulated.
     pub(crate) fn light(&self) -> Result<LightSettings, String> {
         let default = LightSettings::default();
+        if self.lens_radius > 0.0 && self.focus.is_none() {
+            return Err(format!(
+                "--lens-radius {}: say with --focus at which distance the picture is sharp, such as --focus 3.5",
+                self.lens_radius
+            ));
+        }
         Ok(LightSettings {
             light_samples: self.light_samples.unwrap_or(default.light_samples),
             max_depth: self.max_depth.unwrap_or(default.max_depth),
@@ -279,9 +285,22 @@ impl Args {
         }
     }
 
+    /// The given flags that do nothing where the scene is written and not a picture of it.
+    pub(crate) fn idle_in_export(&self) -> Vec<&'static str> {
+        given(&[
+            (self.file.is_some(), "-f"),
+            (self.cell.is_some(), "-p"),
+            (self.layers.is_some(), "--layers"),
+            (self.time.is_some(), "--time"),
+            (self.error.is_some(), "--error"),
+            (self.stats, "--stats"),
+            (self.explain, "--explain"),
+        ])
+    }
+
     /// The given flags that do nothing with normal shading.
     pub(crate) fn without_effect(&self) -> Vec<&'static str> {
-        let flags = [
+        given(&[
             (self.light_samples.is_some(), "-l"),
             (self.max_depth.is_some(), "-m"),
             (self.adaptive.is_some(), "-a"),
@@ -292,10 +311,14 @@ impl Args {
             (self.lens_radius > 0.0, "--lens-radius"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),
-        ];
-        let given = flags.into_iter().filter(|(given, _)| *given);
-        given.map(|(_, flag)| flag).collect()
+        ])
     }
+}
+
+/// The names of those `flags` that are given.
+fn given(flags: &[(bool, &'static str)]) -> Vec<&'static str> {
+    let given = flags.iter().filter(|(given, _)| *given);
+    given.map(|&(_, flag)| flag).collect()
 }
 
 fn within<T: FromStr + PartialOrd + std::fmt::Display>(
@@ -307,6 +330,10 @@ fn within<T: FromStr + PartialOrd + std::fmt::Display>(
         Ok(v) if least <= v && v <= most => Ok(v),
         _ => Err(format!("give a whole number from {least} to {most}")),
     }
+}
+
+fn seed(value: &str) -> Result<u64, String> {
+    within(value, 0, u64::MAX)
 }
 
 fn samples(value: &str) -> Result<u32, String> {
@@ -324,21 +351,23 @@ fn depth(value: &str) -> Result<u32, String> {
 fn positive(value: &str) -> Result<f64, String> {
     match value.parse::<f64>() {
         Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
-        _ => Err("give a number above 0".to_owned()),
+        _ => Err("give a finite number above 0".to_owned()),
     }
 }
 
 fn length(value: &str) -> Result<f64, String> {
     match value.parse::<f64>() {
         Ok(v) if v.is_finite() && v >= 0.0 => Ok(v),
-        _ => Err("give a length in scene units that is not negative, such as 0.05".to_owned()),
+        _ => {
+            Err("give a finite length in scene units that is not negative, such as 0.05".to_owned())
+        }
     }
 }
 
 fn positive_length(value: &str) -> Result<f64, String> {
     match value.parse::<f64>() {
         Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
-        _ => Err("give a length in scene units above 0, such as 3.5".to_owned()),
+        _ => Err("give a finite length in scene units above 0, such as 3.5".to_owned()),
     }
 }
 

@@ -64,7 +64,7 @@ impl Budget {
                 let is_black = so_far.luminance.iter().all(|pixel| pixel.mean() == 0.0);
                 let samples = so_far.luminance.iter().map(|pixel| pixel.count());
                 let known = !is_black || samples.max() >= Some(BLACK_IS_BLACK);
-                known && so_far.relative_error() <= target
+                known && so_far.relative_error().is_some_and(|error| error <= target)
             })
     }
 }

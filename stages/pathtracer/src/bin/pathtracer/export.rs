@@ -2,7 +2,7 @@
 
 use crate::args::Args;
 use crate::failure::Failure;
-use crate::view;
+use crate::{outputs, view};
 use kit::LitScene;
 use pathtracer::{Job, LightSettings, to_mitsuba};
 use std::fs;
@@ -22,6 +22,7 @@ pub(crate) fn run(
             path.display()
         )));
     }
+    outputs::refuse_taken("--export", path, &outputs::inputs(args))?;
     let scene = view::load_scene(&args.scene)?;
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let job = Job {

@@ -5,6 +5,7 @@ mod budget;
 mod explain;
 mod export;
 mod failure;
+mod outputs;
 mod progress;
 mod run;
 mod summary;

@@ -5,15 +5,16 @@ use crate::budget::{Budget, SAMPLES_OF_A_ROUND};
 use crate::explain;
 use crate::export;
 use crate::failure::Failure;
+use crate::outputs::Outputs;
 use crate::progress::Progress;
 use crate::{summary, view};
 use kit::hole;
 use kit::{Emitter, Environment, LitScene, Scene};
 use pathtracer::{
-    Accel, Job, LightSettings, Looking, Output, layers::channels, layers::features,
-    load_environment, render_lit, render_normals,
+    Accel, Job, LightSettings, Looking, layers::channels, layers::features, load_environment,
+    render_lit, render_normals,
 };
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{self, ExitCode};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -26,6 +27,10 @@ const INTERRUPTED: u8 = 130;
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
     if let Some([renderer, path]) = args.export.as_deref() {
+        tell_idle(
+            &args.idle_in_export(),
+            "--export writes the scene instead of a picture",
+        );
         return export::run(args, &light, renderer, Path::new(path));
     }
     let Some(path) = &args.file else {
@@ -40,21 +45,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     println!("{}", summary::scene(&args.scene, &scene, loading));
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
-    let output = Output::create(path)?;
-    let rate_output = match light.adaptive {
-        Some(_) => Some(Output::create(&rate_path(path))?),
-        None => None,
-    };
-    let layers_output = match &args.layers {
-        Some(path) if path.extension().is_none_or(|e| e != "exr") => {
-            return Err(Failure::Input(format!(
-                "--layers {}: only an .exr has room for layers: end the name in .exr",
-                path.display()
-            )));
-        }
-        Some(path) => Some((path, Output::create(path)?)),
-        None => None,
-    };
+    let outputs = Outputs::create(args, path)?;
     let environment = match &args.environment {
         Some(path) => Some(load_environment(path)?),
         None => None,
@@ -62,7 +53,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let picture = Picture::of(args, scene, environment);
     match &picture {
         Picture::Normals(_) => tell_idle_flags(args),
-        Picture::Lit(lit) => tell_what_is_left_out(lit, light.looking),
+        Picture::Lit(lit) => {
+            tell_what_is_left_out(lit, light.looking);
+            tell_whole_batch(light.adaptive, args.samples);
+        }
     }
     let scene = picture.scene();
     let textures = view::load_textures(&args.scene, scene);
@@ -112,17 +106,18 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         "{}",
         summary::rendering(&job, &rendered, args.threads, time)
     );
-    output.write(&rendered.film, cell)?;
+    outputs.picture.file.write(&rendered.film, cell)?;
     println!("Wrote       {}", path.display());
-    if let (Some(rate_output), Picture::Lit(_)) = (rate_output, &picture) {
-        rate_output.write_rate(&rendered.film, cell, args.samples)?;
-        println!("Wrote       {}", rate_path(path).display());
+    if let (Some(rate), Picture::Lit(_)) = (outputs.rate, &picture) {
+        rate.file.write_rate(&rendered.film, cell, args.samples)?;
+        println!("Wrote       {}", rate.path.display());
     }
-    if let Some((path, output)) = layers_output {
+    if let Some(layers) = outputs.layers {
         let features = threads.install(|| features(scene, &textures, &accel, &job));
         let channels = channels(&rendered, &features, &job);
-        output.write_channels(channels, cell.x1 - cell.x0, cell.y1 - cell.y0)?;
-        println!("Wrote       {}", path.display());
+        let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
+        layers.file.write_channels(channels, w, h)?;
+        println!("Wrote       {}", layers.path.display());
     }
     if args.stats {
         println!("{}", summary::stats(&rendered, loading, building, time));
@@ -207,14 +202,18 @@ impl Picture {
     }
 }
 
-/// Says once which of the given flags do nothing here.
+/// Says once which of the given flags do nothing in a picture of normals.
 fn tell_idle_flags(args: &Args) {
-    let idle = args.without_effect();
+    let why = match args.shade {
+        Shade::Normals => "normals are shown",
+        Shade::Auto | Shade::Lit => "the scene has no light, so normals are shown",
+    };
+    tell_idle(&args.without_effect(), why);
+}
+
+/// Says that the flags in `idle` do nothing, and `why`.
+fn tell_idle(idle: &[&str], why: &str) {
     if !idle.is_empty() {
-        let why = match args.shade {
-            Shade::Normals => "normals are shown",
-            Shade::Auto | Shade::Lit => "the scene has no light, so normals are shown",
-        };
         eprintln!("note: no effect: {}: {why}", idle.join(" "));
     }
 }
@@ -228,10 +227,15 @@ fn tell_what_is_left_out(lit: &LitScene, looking: Looking) {
     }
 }
 
-/// Beside `picture.png`, `picture_rate.png`: how many samples each pixel took.
-fn rate_path(path: &Path) -> PathBuf {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!("{stem}_rate.png"))
+/// Says so where the first batch of `-a` is all of `-s`, so that nothing is left to decide.
+fn tell_whole_batch(adaptive: Option<(u32, f64)>, samples: u32) {
+    if let Some((batch, tolerance)) = adaptive.filter(|&(batch, _)| batch >= samples) {
+        eprintln!(
+            "note: no effect: -a {batch} {tolerance}: a batch is no less than the -s {samples} samples that a pixel may take at \
+             most: give a larger -s, such as -s {}",
+            batch.saturating_mul(16)
+        );
+    }
 }
 
 /// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends the program.

@@ -58,10 +58,10 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         each(box_tests),
         each(prim_tests),
     );
-    if !rendered.luminance.is_empty() {
+    if let Some(noise) = rendered.relative_error() {
         told += &format!(
             "\nNoise       {:.2} % of the mean in a pixel, {:.1} samples each",
-            100.0 * rendered.relative_error(),
+            100.0 * noise,
             rendered.samples() as f64 / job.cell.area() as f64
         );
     }

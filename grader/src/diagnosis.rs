@@ -7,6 +7,7 @@ use crate::error::GraderError;
 use crate::signature::{Agreement, Alone, Signature};
 use crate::workspace::Workspace;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// What is known of one mistake.
@@ -75,7 +76,8 @@ pub fn file(workspace: &Workspace, task: &str) -> PathBuf {
 
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
-    let possible = known
+    let in_functions = within(known, &student.functions());
+    let possible = in_functions
         .iter()
         .filter(|known| !student.contradicts(&known.signature));
     let mut ranked: Vec<(&Known, Agreement)> = possible
@@ -107,17 +109,38 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     })
 }
 
-/// The mistake whose faults have the same names as the student's, in whatever cases they come up: a tree that is built in
-/// another way has its leaves elsewhere. None if two mistakes have them, or if a fault has no name.
+/// What is known, as it would show in these functions alone: a mistake that one function hands on to others may be made
+/// in one of them only. Of two that look the same there, the one that is made there alone comes first.
+fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
+    let mut known: Vec<(usize, Known)> = known
+        .iter()
+        .map(|known| {
+            let signature = known.signature.within(functions);
+            let left_out = known.signature.wrong() - signature.wrong();
+            (
+                left_out,
+                Known {
+                    signature,
+                    ..known.clone()
+                },
+            )
+        })
+        .collect();
+    known.sort_by_key(|(left_out, _)| *left_out);
+    known.into_iter().map(|(_, known)| known).collect()
+}
+
+/// The mistake whose faults are of the same kinds as the student's, in whatever cases they come up: a tree that is built in
+/// another way has its leaves elsewhere. None if two mistakes have them, or if a fault says nothing of its kind.
 fn alone_of_its_kind<'a>(
     ranked: &[(&'a Known, Agreement)],
     student: &Signature,
 ) -> Option<&'a Known> {
-    let kinds = student.names()?;
+    let kinds = student.kinds()?;
     let mut alike = ranked
         .iter()
         .map(|(known, _)| *known)
-        .filter(|known| known.signature.names().as_ref() == Some(&kinds));
+        .filter(|known| known.signature.kinds().as_ref() == Some(&kinds));
     let first = alike.next()?;
     alike
         .all(|other| other.mistakes == first.mistakes)

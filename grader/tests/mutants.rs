@@ -95,7 +95,7 @@ fn every_mutant_loses_points_and_no_variant_a_core_point() {
 fn the_tables_are_about_the_corpus_as_it_stands() {
     for task in tasks(&workspace()) {
         let corpus = Corpus::read(&workspace(), &task).expect("the corpus can be read");
-        let (kinds, _) = versions(&workspace(), &task, corpus).expect("every edit fits");
+        let (kinds, _) = versions(&workspace(), &task, corpus.mutants).expect("every edit fits");
         let table = Table::read(&workspace(), &task.key).expect("the table is stored");
         let stored: BTreeSet<&String> = table.mutants.keys().chain(table.correct.keys()).collect();
         let there: BTreeSet<&String> = kinds.iter().map(|(name, _)| name).collect();
@@ -176,7 +176,7 @@ fn mistakes_are_recognised_in_other_clothes() {
     for task in tasks(&workspace()) {
         let corpus = Corpus::read(&workspace(), &task).expect("the corpus can be read");
         let table = Table::read(&workspace(), &task.key).expect("the table is stored");
-        let (kinds, _) = versions(&workspace(), &task, corpus).expect("every edit fits");
+        let (kinds, _) = versions(&workspace(), &task, corpus.mutants).expect("every edit fits");
         let held_out = kinds.iter().filter(|(_, kind)| match kind {
             Kind::Mutant(mutant) => mutant.held_out,
             Kind::Correct => false,

@@ -18,7 +18,7 @@ struct Pasted {
     edits: &'static [[&'static str; 2]],
 }
 
-const PASTED: [Pasted; 8] = [
+const PASTED: [Pasted; 16] = [
     Pasted {
         name: "clamped",
         stage: "raygen",
@@ -104,6 +104,88 @@ const PASTED: [Pasted; 8] = [
             "    blocked & false\n    // STUB",
         ]],
     },
+    Pasted {
+        name: "no_pi",
+        stage: "direct",
+        task: "part3.task1",
+        case: "value",
+        call: 3,
+        edits: &[[
+            "        reflectance * FRAC_1_PI\n    } else",
+            "        reflectance\n    } else",
+        ]],
+    },
+    Pasted {
+        name: "half_density",
+        stage: "direct",
+        task: "part3.task1",
+        case: "seen_from_below",
+        call: 5,
+        edits: &[["pdf: z * FRAC_1_PI,", "pdf: 0.5 * z * FRAC_1_PI,"]],
+    },
+    Pasted {
+        name: "summed",
+        stage: "global",
+        task: "part4.task1",
+        case: "fresnel",
+        call: 120,
+        edits: &[[
+            "    0.5 * (parallel * parallel + perpendicular * perpendicular)",
+            "    parallel * parallel + perpendicular * perpendicular",
+        ]],
+    },
+    Pasted {
+        name: "not_squeezed",
+        stage: "global",
+        task: "part4.task1",
+        case: "squeezed_light",
+        call: 4,
+        edits: &[[
+            "transmittance * (eta * eta / wi.z.abs())",
+            "transmittance / wi.z.abs()",
+        ]],
+    },
+    Pasted {
+        name: "not_scaled",
+        stage: "global",
+        task: "part4.task3",
+        case: "survivors",
+        call: usize::MAX,
+        edits: &[[
+            "(u < q).then(|| throughput / q)",
+            "(u < q).then_some(throughput)",
+        ]],
+    },
+    Pasted {
+        name: "upside_down",
+        stage: "adaptive",
+        task: "part5.task1",
+        case: "spread_against_the_mean",
+        call: 2,
+        edits: &[[
+            "Z95 * samples.standard_error() <= tolerance",
+            "Z95 * samples.standard_error() > tolerance",
+        ]],
+    },
+    Pasted {
+        name: "in_no_batches",
+        stage: "adaptive",
+        task: "part5.task1",
+        case: "batches",
+        call: 1,
+        edits: &[["samples % budget.batch.max(1) == 0 && stop(", "stop("]],
+    },
+    Pasted {
+        name: "half_tolerance",
+        stage: "adaptive",
+        task: "part5.task2",
+        case: "the_plain_rule_decides",
+        call: 0,
+        edits: &[[
+            "&& rule(samples, tolerance)",
+            "&& rule(samples, 0.5 * tolerance)",
+        ]],
+    },
 ];
 
 impl Pasted {
@@ -115,7 +197,7 @@ impl Pasted {
         let test = |call| paste::test(spec, Tier::Core, call);
         let found = match self.call {
             usize::MAX => (0..100).filter_map(test).find(|test| {
-                [" hits\")", " hit\")", ", true)"]
+                [" hits\")", " hit\")", ", true)", " goes on\")"]
                     .iter()
                     .any(|sign| test.contains(sign))
             }),
@@ -133,6 +215,7 @@ impl Pasted {
         let mutant = Mutant {
             mistakes: vec![self.name.into()],
             on: "reference".into(),
+            how: String::new(),
             edits: edits.collect(),
             held_out: false,
         };

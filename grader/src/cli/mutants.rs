@@ -11,7 +11,7 @@ use crate::report::write_whole;
 use crate::signature::Signature;
 use crate::workspace::Workspace;
 use clap::Args;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Which mutants to grade.
 #[derive(Args)]
@@ -22,6 +22,10 @@ pub(super) struct Mutants {
     /// Grade the correct versions with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "bless")]
     seeds: u64,
+    /// Instead, try the diagnosis with mistakes that it need not know: those in FOLDER/<task>.toml, written as in
+    /// `grader/mutants`. Nothing is stored.
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["seeds", "bless"])]
+    with: Option<PathBuf>,
     /// Store the tables and the signatures that the diagnosis uses.
     #[arg(long)]
     bless: bool,
@@ -33,6 +37,15 @@ impl Mutants {
         let course = Course::read(&workspace)?;
         let mut verdict = Verdict::Full;
         for task in course.select(&self.what)? {
+            if let Some(folder) = &self.with {
+                let mutants = Corpus::strangers(folder, task)?;
+                if !mutants.is_empty() {
+                    let known = diagnosis::known(&workspace, &task.key)?;
+                    let graded = run::strangers(&workspace, &course, task, mutants)?;
+                    show_strangers(&task.key, &graded, &known);
+                }
+                continue;
+            }
             let corpus = Corpus::read(&workspace, task)?;
             let graded = run::task(&workspace, &course, task, self.seeds)?;
             let known = run::known(&corpus, &graded);
@@ -87,6 +100,22 @@ fn store(path: &Path, value: &impl serde::Serialize) -> Result<(), GraderError> 
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
     write_whole(path, (text + "\n").as_bytes())
+}
+
+/// What is made of mistakes that the diagnosis need not know.
+fn show_strangers(task: &str, graded: &[run::Graded], known: &[Known]) {
+    let mut table = Table::of(graded, known);
+    // Nothing correct was graded beside them to compare with.
+    for graded in graded {
+        let lost = graded.result.score < graded.result.max_score;
+        if !lost {
+            table.mutants.insert(graded.name.clone(), Vec::new());
+        }
+    }
+    show(task, &table, &[]);
+    for graded in graded {
+        show_what_students_read(&graded.name, Some(graded), known);
+    }
 }
 
 /// What is said to who makes a mistake that is not named rightly.

@@ -1,16 +1,14 @@
 //! Judging stopping rules and pixels that stop by them.
 
 use super::numbers;
+use super::places;
 use super::tally::{Aspect, Class, Tally};
 use kit::{Spectrum, Tally as Numbers};
-use std::collections::HashSet;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
+use wire::work::Xyz;
 
 /// How far means and variances may be off, as a share: they are sums of thousands of numbers.
 const BOUND: f64 = 1e-9;
-
-/// How far a point may be outside its pixel, in pixels.
-const PLACE_BOUND: f64 = 1e-9;
 
 /// Half of the middle 95 % of a normal distribution, in standard deviations.
 const CONFIDENCE: f64 = 1.96;
@@ -24,6 +22,17 @@ fn is_narrow(samples: &Numbers, tolerance: f64) -> bool {
     n > 0.0 && n * wanted * wanted >= CONFIDENCE * CONFIDENCE * samples.variance()
 }
 
+/// What the plain rule should say.
+pub(crate) fn converged(call: &StopCall) -> bool {
+    is_narrow(&samples(call), call.tolerance)
+}
+
+/// Whether the mended rule may ask the plain one, which then has the last word.
+pub(crate) fn may_ask(call: &StopCall) -> bool {
+    let samples = samples(call);
+    samples.count() >= PATIENCE && samples.mean() > 0.0
+}
+
 fn samples(call: &StopCall) -> Numbers {
     let runs = call.runs.iter();
     runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
@@ -33,22 +42,28 @@ fn samples(call: &StopCall) -> Numbers {
 /// Judges the plain rule.
 pub(super) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
-        let samples = samples(call);
-        verdict(tally, i, call, answer, is_narrow(&samples, call.tolerance));
+        verdict(tally, i, call, answer, converged(call));
     }
 }
 
 /// Judges the mended rule.
 pub(super) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
-        let samples = samples(call);
-        let may_ask = samples.count() >= PATIENCE && samples.mean() > 0.0;
+        let (samples, may_ask) = (samples(call), may_ask(call));
         verdict(tally, i, call, answer, may_ask && call.rule);
         tally.expect(Aspect::Questions);
         let right = (samples.count(), samples.mean(), call.tolerance);
         let known = answer.asked.iter().all(|asked| *asked == right);
-        let heard = known && (!may_ask || !answer.asked.is_empty());
-        tally.judge(Aspect::Questions, i, heard, 1.0, || {
+        let class = if !known {
+            let samples_are = |asked: &(u64, f64, f64)| (asked.0, asked.1) == (right.0, right.1);
+            Some(match answer.asked.iter().all(samples_are) {
+                true => Class::Named("another tolerance"),
+                false => Class::Named("other samples"),
+            })
+        } else {
+            (may_ask && answer.asked.is_empty()).then_some(Class::Named("not asked"))
+        };
+        tally.judge_class(Aspect::Questions, i, class, 1.0, || {
             format!(
                 "the plain rule was asked {:?} (count, mean, tolerance); it has the last word on {right:?}",
                 answer.asked
@@ -86,7 +101,7 @@ pub(super) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[Adap
 }
 
 /// The samples that a sound loop takes, and the looks at the rule on the way.
-fn sound(work: &AdaptivePixel) -> (u32, Vec<Numbers>) {
+pub(crate) fn sound(work: &AdaptivePixel) -> (u32, Vec<Numbers>) {
     let mut taken = Numbers::default();
     let mut looks = Vec::new();
     let endless = work.stream.iter().cycle().zip(1..=work.ns_aa);
@@ -105,6 +120,13 @@ fn sound(work: &AdaptivePixel) -> (u32, Vec<Numbers>) {
         }
     }
     (work.ns_aa, looks)
+}
+
+/// The mean of the first so many samples.
+pub(crate) fn mean(work: &AdaptivePixel, samples: u32) -> Xyz {
+    let stream = work.stream.iter().cycle().take(samples as usize);
+    let sum = stream.fold([0.0; 3], |sum, l| [0, 1, 2].map(|i| sum[i] + l[i]));
+    sum.map(|channel| channel / f64::from(samples.max(1)))
 }
 
 fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &AdaptiveAnswer) {
@@ -128,20 +150,33 @@ fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &Adaptive
             answer.samples, answer.traced, answer.foreign, counts[2], about()
         )
     });
-    let stream = work.stream.iter().cycle().take(samples as usize);
-    let sum = stream.fold([0.0; 3], |sum, l| [0, 1, 2].map(|i| sum[i] + l[i]));
-    let mean = sum.map(|channel| channel / f64::from(samples.max(1)));
-    numbers::colour(
-        tally,
-        Aspect::Radiance,
-        call,
-        answer.radiance,
-        mean,
-        BOUND,
-        about,
-    );
+    let (aspect, mean) = (Aspect::Radiance, mean(work, samples));
+    numbers::colour(tally, aspect, call, answer.radiance, mean, BOUND, about);
     questions(tally, call, work, answer, &looks, &about);
-    places(tally, call, work, answer, &about);
+    places::judge(tally, call, work, answer, &about);
+}
+
+/// Which number of each sample the rule heard of instead of its luminance, if it is one of these.
+fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<&'static str> {
+    type Number = fn(&Xyz) -> f64;
+    const NUMBERS: [(&str, Number); 6] = [
+        ("red", |light| light[0]),
+        ("green", |light| light[1]),
+        ("blue", |light| light[2]),
+        ("the sum of the channels", |light| light.iter().sum()),
+        ("the mean of the channels", |light| {
+            light.iter().sum::<f64>() / 3.0
+        }),
+        ("the largest channel", |light| {
+            light.iter().copied().fold(0.0, f64::max)
+        }),
+    ];
+    let is = |number: &&(&str, Number)| {
+        let stream = work.stream.iter().cycle().take(asked.0 as usize);
+        let mean = stream.map(number.1).collect::<Numbers>().mean();
+        (asked.1 - mean).abs() <= BOUND * mean.abs()
+    };
+    NUMBERS.iter().find(is).map(|(name, _)| *name)
 }
 
 /// After each batch the rule hears of all luminances so far. At the last sample it makes no difference.
@@ -168,7 +203,12 @@ fn questions(
     };
     let right = enough && answer.looks.iter().zip(looks).all(same);
     let off = answer.looks.len().abs_diff(looks.len());
-    tally.judge(Aspect::Questions, call, right, 1.0 + off as f64, || {
+    let class = (!right).then(|| {
+        let misheard = answer.looks.iter().zip(looks).find(|pair| !same(*pair));
+        let number = misheard.and_then(|(asked, _)| another_number(work, asked));
+        number.map_or(Class::of_size(1.0 + off as f64), Class::Named)
+    });
+    tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
         let show = |n: &Numbers| (n.count(), n.mean(), n.variance(), work.tolerance);
         let wanted: Vec<_> = looks.iter().take(4).map(show).collect();
         let asked: Vec<_> = answer.looks.iter().take(4).collect();
@@ -178,43 +218,5 @@ fn questions(
             looks.len(),
             about()
         )
-    });
-}
-
-/// Samples lie inside the pixel, each in a place of its own.
-fn places(
-    tally: &mut Tally,
-    call: usize,
-    work: &AdaptivePixel,
-    answer: &AdaptiveAnswer,
-    about: &impl Fn() -> String,
-) {
-    if answer.points.is_empty() {
-        return;
-    }
-    tally.expect(Aspect::Placement);
-    let outside = answer.points.iter().filter(|point| {
-        (0..2).any(|axis| {
-            let place = point[axis] * f64::from(work.film[axis]) - f64::from(work.pixel[axis]);
-            !(-PLACE_BOUND..=1.0 + PLACE_BOUND).contains(&place)
-        })
-    });
-    let (outside, all) = (outside.count(), answer.points.len());
-    tally.judge(
-        Aspect::Placement,
-        call,
-        outside == 0,
-        outside as f64,
-        || {
-            format!(
-                "{outside} of {all} points lie outside the pixel. {}",
-                about()
-            )
-        },
-    );
-    let different: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
-    let different = different.len();
-    tally.judge(Aspect::Placement, call, different == all, 1e3, || {
-        format!("only {different} of {all} points differ. {}", about())
     });
 }

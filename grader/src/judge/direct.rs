@@ -127,6 +127,7 @@ impl One<'_> {
         self.count(tally, wanted, wanted);
         let mut sum = Vec3::ZERO;
         let mut suspects = suspects::LookingAround::default();
+        let wrong_side = self.wrong_side();
         for asked in &self.answer.asked {
             let d = Vec3::from(asked.ray.d);
             self.start(tally, asked);
@@ -146,7 +147,7 @@ impl One<'_> {
             let class = if (length - 1.0).abs() > DIRECTION_BOUND || length.is_nan() {
                 Some(Class::WrongLength)
             } else {
-                (side < 0.0).then_some(Class::Negated)
+                (side < 0.0).then_some(wrong_side)
             };
             tally.judge_class(Aspect::Direction, self.call, class, 1.0, || {
                 format!(
@@ -161,6 +162,22 @@ impl One<'_> {
         self.distinct(tally);
         let share = TAU / f64::from(samples.max(1));
         self.radiance(tally, sum * share, &suspects.sums(share));
+    }
+
+    /// The class of rays that go to the wrong side of the surface.
+    fn wrong_side(&self) -> Class {
+        let to_viewer = self.place.wo.z;
+        let all = |z: &dyn Fn(Vec3) -> f64| {
+            let mut rays = self.answer.asked.iter();
+            rays.all(|asked| z(asked.ray.d.into()) * to_viewer > 0.0)
+        };
+        if all(&|d| -self.place.frame.to_local(d).z) {
+            Class::Named("all on the other side")
+        } else if all(&|d| d.z) {
+            Class::Named("as if they were local")
+        } else {
+            Class::Negated
+        }
     }
 
     fn lights(&self, tally: &mut Tally) {

@@ -7,9 +7,10 @@ use super::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use std::f64::consts::PI;
 use wire::direct::{LambertAnswer, LambertProbe};
+use wire::work::Xyz;
 
 /// A handful of roundings, and room for a π with ten digits.
-const BOUND: f64 = 1e-9;
+pub(crate) const BOUND: f64 = 1e-9;
 
 /// Judges the three functions.
 pub(super) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
@@ -32,6 +33,16 @@ pub(super) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
     }
 }
 
+/// The right f and density of a probe.
+pub(crate) fn right(probe: &LambertProbe) -> (Xyz, f64) {
+    let [wo, wi] = [probe.wo[2], probe.wi[2]];
+    if wo * wi > 0.0 {
+        (probe.reflectance.map(|rho| rho / PI), wi.abs() / PI)
+    } else {
+        ([0.0; 3], 0.0)
+    }
+}
+
 fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
     for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::Decision] {
         tally.expect(aspect);
@@ -41,16 +52,16 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let share = probe.reflectance.map(|rho| rho / PI);
     // How much of it is on the side of the viewer: 0 below and in the plane of the surface.
     let seen = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
-    let right = if seen(wi) > 0.0 { share } else { [0.0; 3] };
-    numbers::colour(tally, Aspect::Bsdf, call, answer.f, right, BOUND, || {
+    let (right_f, right_pdf) = right(probe);
+    numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
         format!(
             "lambert_f: reflectance = {:?}, {}",
             probe.reflectance,
             asked()
         )
     });
-    let right = seen(wi) / PI;
-    numbers::number(tally, Aspect::Pdf, call, answer.pdf, right, BOUND, || {
+    let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
+    numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
         format!("lambert_pdf: {}", asked())
     });
 
@@ -90,35 +101,51 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         )
     });
     // Whoever draws other directions makes the same mistake in other numbers: the kind has a name.
-    let with_cosine = share.map(|channel| channel * seen(drawn_wi));
-    if same_colour(sample.f, with_cosine, BOUND) && !same_colour(sample.f, share, BOUND) {
-        let class = Class::Named("f times the cosine");
-        tally.judge_class(Aspect::SampleRecord, call, Some(class), 1.0, || {
-            let f = sample.f;
+    let f = sample.f;
+    let cosine = seen(drawn_wi);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let suspects = [
+        ("f times the cosine", share.map(|channel| channel * cosine)),
+        ("f over the cosine", share.map(|channel| channel / cosine)),
+        ("f without pi", probe.reflectance),
+        ("f without the reflectance", [1.0 / PI; 3]),
+    ];
+    let is = |right: Xyz| same_colour(f, right, BOUND);
+    let named = suspects
+        .iter()
+        .find(|(_, wrong)| is(*wrong) && !is(share))
+        .map(|(name, _)| Class::Named(name));
+    if named.is_some() {
+        tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
             format!("f = {f:?}, right is {share:?}. f of {}", drawn())
         });
     } else {
-        let (aspect, f) = (Aspect::SampleRecord, sample.f);
-        numbers::colour(tally, aspect, call, f, share, BOUND, || {
+        numbers::colour(tally, Aspect::SampleRecord, call, f, share, BOUND, || {
             format!("f of {}", drawn())
         });
     }
-    let right = seen(drawn_wi) / PI;
+    let right = cosine / PI;
     // Near the horizon the sample may know its height better than its z says.
     let bound = BOUND + 1e-15 / right.max(1e-300);
-    let fixed = [(1.0, "pdf 1"), (0.5 / PI, "pdf of uniform directions")];
-    let fixed = fixed
+    let suspects = [
+        ("pdf 1", 1.0),
+        ("pdf of uniform directions", 0.5 / PI),
+        ("pdf without pi", cosine),
+        ("pdf of the sine", sine / PI),
+        ("pdf of wo", wo.z.abs() / PI),
+        ("pdf negative", -right),
+    ];
+    let pdf = sample.pdf;
+    let named = suspects
         .iter()
-        .find(|(pdf, _)| (sample.pdf - pdf).abs() <= BOUND && (right - pdf).abs() > bound);
-    if let Some((_, name)) = fixed {
-        let class = Some(Class::Named(name));
-        tally.judge_class(Aspect::SampleRecord, call, class, 1.0, || {
-            let pdf = sample.pdf;
+        .find(|(_, wrong)| (pdf - wrong).abs() <= BOUND && (right - wrong).abs() > bound)
+        .map(|(name, _)| Class::Named(name));
+    if named.is_some() {
+        tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
             format!("pdf = {pdf:?}, right is {right:?}. {}", drawn())
         });
     } else {
-        let (aspect, pdf) = (Aspect::SampleRecord, sample.pdf);
-        numbers::number(tally, aspect, call, pdf, right, bound, || {
+        numbers::number(tally, Aspect::SampleRecord, call, pdf, right, bound, || {
             format!("pdf of {}", drawn())
         });
     }

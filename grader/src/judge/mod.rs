@@ -2,27 +2,30 @@
 //!
 //! [`judge`] picks the judge for the kind of work: `pixels` and `camera` for the rays of Part 1, `shapes` for
 //! what they hit, with `hits` for a single hit record; `lambert`, `direct` (with `lamps` for what lights send), `specular`,
-//! `paths`, `roulette` and `adaptive` for light, with `chance` for what only many samples show and `suspects` for
-//! what mistakes make of the same rays. `truths` keeps what the oracle has said. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
+//! `paths` (with `games` for what roulette hears), `roulette` and `adaptive` (with `places` in the pixel) for light, with
+//! `chance` for what only many samples show and `suspects` for what mistakes make of the same rays. `truths` keeps what
+//! the oracle has said. [`tally`] counts aspect by aspect, [`errors`] tells how far off numbers are; [`expected`] is the
 //! form in which truth comes.
 
-mod adaptive;
+pub(crate) mod adaptive;
 mod boxes;
 mod camera;
 mod chance;
 mod direct;
 pub mod errors;
 pub mod expected;
+mod games;
 mod hits;
-mod lambert;
+pub(crate) mod lambert;
 mod lamps;
 mod numbers;
 mod paths;
 mod pixels;
-mod roulette;
+mod places;
+pub(crate) mod roulette;
 pub(crate) mod scene;
 mod shapes;
-mod specular;
+pub(crate) mod specular;
 mod suspects;
 pub mod tally;
 mod traverse;

@@ -14,20 +14,16 @@ pub(super) fn same_colour(answered: Xyz, right: Xyz, bound: f64) -> bool {
         .all(|(a, b)| (a - b).abs() <= bound * scale)
 }
 
-/// The class of a wrong colour: that of its first wrong channel.
+/// The class of a wrong colour.
 fn class_of(answered: Xyz, right: Xyz) -> Class {
-    let wrong = (0..3).max_by(|&a, &b| {
-        let off = |i: usize| (answered[i] - right[i]).abs();
-        off(a).total_cmp(&off(b))
-    });
-    let channel = wrong.unwrap_or(0);
-    if right == [0.0; 3] && answered[channel].is_finite() {
-        return Class::FalseHit;
+    let is_finite = answered.iter().all(|channel| channel.is_finite());
+    if right == [0.0; 3] && is_finite {
+        Class::FalseHit
+    } else if answered == [0.0; 3] {
+        Class::FalseMiss
+    } else {
+        Class::of_colour(answered, right)
     }
-    if answered == [0.0; 3] {
-        return Class::FalseMiss;
-    }
-    Class::of_number(answered[channel], right[channel])
 }
 
 /// Judges a colour.

@@ -1,34 +1,35 @@
 //! Judging paths: which rays were traced, what neighbours were asked, and the sum of the light.
 
+use super::games;
 use super::hits::show;
-use super::numbers::{self, same_colour};
+use super::numbers;
 use super::tally::{Aspect, Class, Tally};
 use kit::{Frame, Vec3};
 use std::collections::BTreeSet;
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::{BsdfSample, Material};
-use wire::work::{Ray, Xyz};
+use wire::work::Ray;
 
 /// How far a sum may be off, as a share; a few roundings a bounce.
-const SUM_BOUND: f64 = 1e-11;
+pub(super) const SUM_BOUND: f64 = 1e-11;
 
 /// How far a direction or an origin may be off.
 const PLACE_BOUND: f64 = 1e-9;
 
 /// What the script of a path makes of it.
-struct Right {
+pub(super) struct Right {
     /// How many surfaces are met.
-    surfaces: usize,
+    pub(super) surfaces: usize,
     /// Whether one more ray goes on and meets nothing.
     leaves: bool,
     /// Directions of the rays, surface after surface, and of the one that leaves.
-    directions: Vec<Vec3>,
+    pub(super) directions: Vec<Vec3>,
     /// By what factor counts what each of these rays sees.
-    weights: Vec<Vec3>,
+    pub(super) weights: Vec<Vec3>,
 }
 
 /// The factor by which light counts that comes in by `sample`.
-fn factor(sample: &BsdfSample) -> Vec3 {
+pub(super) fn factor(sample: &BsdfSample) -> Vec3 {
     Vec3::from(sample.f) * sample.wi[2].abs() / sample.pdf
 }
 
@@ -123,7 +124,7 @@ pub(super) fn paths(tally: &mut Tally, paths: &[ScriptedPath], answers: &[PathAn
         );
         rays(tally, call, path, answer, &right, &about);
         direct(tally, call, path, answer, &right, &about);
-        games(tally, call, path, answer, &right, &about);
+        games::judge(tally, call, path, answer, &right, &about);
         draws(tally, call, path, answer, &right, &about);
     }
 }
@@ -221,42 +222,6 @@ fn direct(
         format!(
             "direct was asked for (surface, wo) {:?}, right are {wanted:?}. {}",
             answer.direct,
-            about()
-        )
-    });
-}
-
-/// What roulette hears: throughput, bounces, random number.
-type Game = (Xyz, u32, f64);
-
-/// Roulette hears of the throughput with the new bounce in it.
-fn games(
-    tally: &mut Tally,
-    call: usize,
-    path: &ScriptedPath,
-    answer: &PathAnswer,
-    right: &Right,
-    about: &impl Fn() -> String,
-) {
-    // The last surface that the depth allows sends no ray on, and neither does one that draws no direction.
-    let most = (path.max_depth as usize)
-        .saturating_sub(1)
-        .min(right.surfaces);
-    let steps = path.steps.iter().zip(&right.weights).take(most);
-    let wanted: Vec<Vec3> = steps
-        .filter_map(|(step, weight)| Some(*weight * factor(&step.sample?)))
-        .collect();
-    tally.expect(Aspect::Throughput);
-    let same = |(i, (game, right)): (usize, (&Game, &Vec3))| {
-        game.1 as usize == i + 1 && same_colour(game.0, (*right).into(), SUM_BOUND)
-    };
-    let all = answer.games.len() == wanted.len()
-        && answer.games.iter().zip(&wanted).enumerate().all(same);
-    let off = answer.games.len() as f64 - wanted.len() as f64;
-    tally.judge(Aspect::Throughput, call, all, 1.0 + off.abs(), || {
-        format!(
-            "roulette was asked with (throughput, bounces, u) {:?}, right are the throughputs {wanted:?} after 1, 2, ... bounces. {}",
-            answer.games,
             about()
         )
     });

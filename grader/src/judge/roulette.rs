@@ -11,7 +11,7 @@ use wire::work::Xyz;
 const FREE_BOUNCES: u32 = 3;
 
 /// A division and its rounding.
-const BOUND: f64 = 1e-12;
+pub(crate) const BOUND: f64 = 1e-12;
 
 /// Judges each game, and over many of them their mean.
 pub(super) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option<Xyz>]) {
@@ -35,41 +35,46 @@ pub(super) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option
     }
 }
 
-fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, answer: Option<Xyz>) {
+/// The probability with which a path goes on.
+fn chance(throughput: Xyz, bounces: u32) -> f64 {
     let brightest = throughput.into_iter().fold(0.0, f64::max);
-    let chance = match bounces {
+    match bounces {
         0..=FREE_BOUNCES if brightest > 0.0 => 1.0,
         _ => brightest.min(1.0),
-    };
-    let lives = u < chance;
+    }
+}
+
+/// The throughput to go on with, if the path does.
+pub(crate) fn right(throughput: Xyz, bounces: u32, u: f64) -> Option<Xyz> {
+    let chance = chance(throughput, bounces);
+    (u < chance).then(|| throughput.map(|channel| channel / chance))
+}
+
+fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, answer: Option<Xyz>) {
+    let right = right(throughput, bounces, u);
     let about = || format!("play_roulette({throughput:?}, {bounces}, {u:?})");
     tally.expect(Aspect::Survival);
-    let class = match (answer, lives) {
-        (Some(_), false) => Some(Class::FalseHit),
-        (None, true) => Some(Class::FalseMiss),
+    let class = match (answer, right) {
+        (Some(_), None) => Some(Class::FalseHit),
+        (None, Some(_)) => Some(Class::FalseMiss),
         _ => None,
     };
     tally.judge_class(Aspect::Survival, call, class, 1.0, || {
         format!(
-            "{} gives {answer:?}; the path goes on with the probability {chance:?}, here {}",
+            "{} gives {answer:?}; the path goes on with the probability {:?}, here {}",
             about(),
-            if lives { "it does" } else { "it does not" }
+            chance(throughput, bounces),
+            if right.is_some() {
+                "it does"
+            } else {
+                "it does not"
+            }
         )
     });
-    if !lives {
-        return;
-    }
+    let Some(right) = right else { return };
     tally.expect(Aspect::Throughput);
     if let Some(answered) = answer {
-        let right = throughput.map(|channel| channel / chance);
-        numbers::colour(
-            tally,
-            Aspect::Throughput,
-            call,
-            answered,
-            right,
-            BOUND,
-            about,
-        );
+        let aspect = Aspect::Throughput;
+        numbers::colour(tally, aspect, call, answered, right, BOUND, about);
     }
 }

@@ -86,97 +86,103 @@ pub(super) fn specular(
     }
 }
 
-fn one(tally: &mut Tally, tier: Tier, call: usize, asked: &SpecularCall, answer: &SpecularAnswer) {
-    let right_sample = |wi: Vec3, pdf: f64, arrives: Vec3| BsdfSample {
+/// The function that a call is of.
+pub(crate) fn function(asked: &SpecularCall) -> &'static str {
+    match asked {
+        SpecularCall::Fresnel { .. } => "fresnel_dielectric",
+        SpecularCall::Reflect { .. } => "reflect",
+        SpecularCall::Refract { .. } => "refract",
+        SpecularCall::Mirror { .. } => "mirror_sample",
+        SpecularCall::Refraction { .. } => "refraction_sample",
+        SpecularCall::Glass { .. } => "glass_sample",
+    }
+}
+
+/// What is right, and how far an answer may be from it.
+pub(crate) enum Right {
+    /// The share of light that is reflected.
+    Share(f64),
+    /// A direction, if there is one.
+    Direction(Option<Vec3>),
+    /// A sample, if there is one.
+    Sample(Option<BsdfSample>),
+}
+
+/// The right answer to a call; for core points this much off is forgiven.
+pub(crate) fn right(tier: Tier, asked: &SpecularCall) -> (Right, f64) {
+    let sample = |wi: Vec3, pdf: f64, arrives: Vec3| BsdfSample {
         wi: wi.into(),
         f: (arrives * pdf / wi.z.abs()).into(),
         pdf,
         delta: true,
     };
     let mirrored = |wo: Xyz| Vec3::new(-wo[0], -wo[1], wo[2]);
-    match (*asked, answer) {
-        (SpecularCall::Fresnel { cos_i, eta }, SpecularAnswer::Share(share)) => {
+    let squeezed = |boundary: &Boundary, tint: Xyz| Vec3::from(tint) / (boundary.n * boundary.n);
+    match *asked {
+        SpecularCall::Fresnel { cos_i, eta } => {
             let boundary = Boundary::new(cos_i, 1.0 / eta);
-            let (right, bound) = (boundary.reflected(), boundary.bound(tier));
+            (Right::Share(boundary.reflected()), boundary.bound(tier))
+        }
+        SpecularCall::Reflect { wo } => (Right::Direction(Some(mirrored(wo))), ROBUST_BOUND),
+        SpecularCall::Refract { wo, ior } => {
+            let boundary = Boundary::seen_from(wo, ior);
+            let wi = boundary.refracted(wo);
+            (Right::Direction(wi), boundary.bound(tier))
+        }
+        SpecularCall::Mirror { reflectance, wo } => {
+            let wi = mirrored(wo);
+            let right = (wi.z != 0.0).then(|| sample(wi, 1.0, reflectance.into()));
+            (Right::Sample(right), ROBUST_BOUND)
+        }
+        SpecularCall::Refraction {
+            transmittance,
+            ior,
+            wo,
+        } => {
+            let boundary = Boundary::seen_from(wo, ior);
+            let arrives = squeezed(&boundary, transmittance);
+            let right = boundary.refracted(wo).map(|wi| sample(wi, 1.0, arrives));
+            (Right::Sample(right), boundary.bound(tier))
+        }
+        SpecularCall::Glass {
+            reflectance,
+            transmittance,
+            ior,
+            wo,
+            choice,
+        } => {
+            let boundary = Boundary::seen_from(wo, ior);
+            let share = boundary.reflected();
+            let right = if wo[2] == 0.0 {
+                None
+            } else if choice < share {
+                Some(sample(mirrored(wo), share, reflectance.into()))
+            } else {
+                let arrives = squeezed(&boundary, transmittance);
+                let wi = boundary.refracted(wo);
+                wi.map(|wi| sample(wi, 1.0 - share, arrives))
+            };
+            (Right::Sample(right), boundary.bound(tier))
+        }
+    }
+}
+
+fn one(tally: &mut Tally, tier: Tier, call: usize, asked: &SpecularCall, answer: &SpecularAnswer) {
+    tally.answers_of(function(asked));
+    match (right(tier, asked), answer) {
+        ((Right::Share(right), bound), SpecularAnswer::Share(share)) => {
             tally.expect(Aspect::Fresnel);
             let off = (share - right).abs();
             let class = (off.is_nan() || off > bound).then(|| Class::of_number(*share, right));
             tally.judge_class(Aspect::Fresnel, call, class, off, || {
-                format!(
-                    "fresnel_dielectric({cos_i:?}, {eta:?}) gives {share:?}, right is {right:?}"
-                )
+                format!("it is {share:?}, right is {right:?}. {asked:?}")
             });
         }
-        (SpecularCall::Reflect { wo }, SpecularAnswer::Direction(wi)) => {
-            way(tally, call, asked, *wi, Some(mirrored(wo)), ROBUST_BOUND);
+        ((Right::Direction(right), bound), SpecularAnswer::Direction(wi)) => {
+            way(tally, call, asked, *wi, right, bound);
         }
-        (SpecularCall::Refract { wo, ior }, SpecularAnswer::Direction(wi)) => {
-            let boundary = Boundary::seen_from(wo, ior);
-            way(
-                tally,
-                call,
-                asked,
-                *wi,
-                boundary.refracted(wo),
-                boundary.bound(tier),
-            );
-        }
-        (SpecularCall::Mirror { reflectance, wo }, SpecularAnswer::Sample(sample)) => {
-            let wi = mirrored(wo);
-            let right = (wi.z != 0.0).then(|| right_sample(wi, 1.0, reflectance.into()));
-            record(tally, call, asked, sample.as_ref(), right, ROBUST_BOUND);
-        }
-        (
-            SpecularCall::Refraction {
-                transmittance,
-                ior,
-                wo,
-            },
-            SpecularAnswer::Sample(sample),
-        ) => {
-            let boundary = Boundary::seen_from(wo, ior);
-            let squeezed = Vec3::from(transmittance) / (boundary.n * boundary.n);
-            let right = boundary
-                .refracted(wo)
-                .map(|wi| right_sample(wi, 1.0, squeezed));
-            record(
-                tally,
-                call,
-                asked,
-                sample.as_ref(),
-                right,
-                boundary.bound(tier),
-            );
-        }
-        (
-            SpecularCall::Glass {
-                reflectance,
-                transmittance,
-                ior,
-                wo,
-                choice,
-            },
-            SpecularAnswer::Sample(sample),
-        ) => {
-            let boundary = Boundary::seen_from(wo, ior);
-            let share = boundary.reflected();
-            let squeezed = Vec3::from(transmittance) / (boundary.n * boundary.n);
-            let right = if wo[2] == 0.0 {
-                None
-            } else if choice < share {
-                Some(right_sample(mirrored(wo), share, reflectance.into()))
-            } else {
-                let wi = boundary.refracted(wo);
-                wi.map(|wi| right_sample(wi, 1.0 - share, squeezed))
-            };
-            record(
-                tally,
-                call,
-                asked,
-                sample.as_ref(),
-                right,
-                boundary.bound(tier),
-            );
+        ((Right::Sample(right), bound), SpecularAnswer::Sample(sample)) => {
+            record(tally, call, asked, sample.as_ref(), right, bound);
         }
         _ => unreachable!("the worker answers each call with its own kind of answer"),
     }
@@ -228,7 +234,6 @@ fn record(
     tally.expect(Aspect::Pdf);
     tally.expect(Aspect::Bsdf);
     let Some(answered) = answered else { return };
-    let bound = bound.max(ROBUST_BOUND);
     let off = (answered.pdf - right.pdf).abs();
     let class = (off.is_nan() || off > bound).then(|| Class::of_number(answered.pdf, right.pdf));
     let class = class.or((!answered.delta).then_some(Class::Wrong));
@@ -240,7 +245,7 @@ fn record(
     });
     // The light that arrives, f · |cos θ| / pdf: what a path multiplies by.
     let arrives = |sample: &BsdfSample| sample.f.map(|f| f * sample.wi[2].abs() / sample.pdf);
-    let (right, bound) = (arrives(&right), bound / right.pdf.max(1e-3));
+    let (right, bound) = (arrives(&right), weight_bound(bound, right.pdf));
     numbers::colour(
         tally,
         Aspect::Bsdf,
@@ -250,6 +255,11 @@ fn record(
         bound,
         || format!("f · |cos| / pdf of {asked:?}, f = {:?}", answered.f),
     );
+}
+
+/// How far the light that arrives by a sample may be off, as a share, where its other numbers may be off by `bound`.
+pub(crate) fn weight_bound(bound: f64, pdf: f64) -> f64 {
+    bound / pdf.max(1e-3)
 }
 
 /// How often glass reflects, over many choices at the same place.

@@ -137,7 +137,11 @@ pub enum Class {
     WrongLength,
     /// A number whose ratio to the right one is about 2 to this power.
     Ratio(i8),
-    /// A direction that goes this way instead, in sixteenths of its length along each axis.
+    /// A colour whose channels have about these ratios to the right ones, in [`PER_OCTAVE`]ths of a power of 2;
+    /// [`BLACK_CHANNEL`] for channels that are black, and rightly so.
+    Colour([i8; 3]),
+    /// A direction that goes this way instead, or many whose middle lies there, in small fractions of its length along
+    /// each axis.
     Towards([i8; 3]),
     /// An infinite number.
     Infinite,
@@ -166,6 +170,22 @@ impl Class {
         } else {
             Class::Wrong
         }
+    }
+
+    /// The class of a wrong colour that is not black instead of another, nor another instead of black.
+    pub fn of_colour(answered: [f64; 3], right: [f64; 3]) -> Class {
+        let mut ratios = [0; 3];
+        for ((ratio, a), r) in ratios.iter_mut().zip(answered).zip(right) {
+            if a == 0.0 && r == 0.0 {
+                *ratio = BLACK_CHANNEL;
+            } else if (a / r).is_finite() && a / r > 0.0 {
+                let steps = PER_OCTAVE * (a / r).log2();
+                *ratio = steps.round().clamp(-99.0, 99.0) as i8;
+            } else {
+                return Class::of_number(a, r);
+            }
+        }
+        Class::Colour(ratios)
     }
 
     /// The class of an answer that is off by `size`, in whatever unit.
@@ -221,6 +241,23 @@ const EPSILONS_FROM: f64 = 1e-9;
 /// up to the largest fixed offset from a surface that anybody would take.
 const EPSILONS_TO: f64 = 0.1;
 
+/// A wrong answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Which call of the case.
+    pub call: u32,
+    /// Which function gave it, where the calls of a case are calls of several.
+    pub function: Option<&'static str>,
+    /// How it is wrong.
+    pub class: Class,
+}
+
+/// How many classes of ratios of colours there are between a number and its double.
+pub(super) const PER_OCTAVE: f64 = 4.0;
+
+/// Stands for the ratio of black to black.
+pub(crate) const BLACK_CHANNEL: i8 = i8::MAX;
+
 /// What was found about one aspect in one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
@@ -234,9 +271,9 @@ pub struct Finding {
     pub wrong: u32,
     /// The worst of them.
     pub worst: Option<Worst>,
-    /// Each of them: its call and its class.
+    /// Each of them.
     #[serde(skip)]
-    pub faults: Vec<(u32, Class)>,
+    pub faults: Vec<Fault>,
     /// Where many answers are judged by chance: the smallest bias or deviation, as a share, that is sure to be seen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sure: Option<f64>,
@@ -283,9 +320,15 @@ impl fmt::Display for Finding {
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     findings: Vec<Finding>,
+    function: Option<&'static str>,
 }
 
 impl Tally {
+    /// What is judged from here on are answers of `function`, in a case that calls several.
+    pub fn answers_of(&mut self, function: &'static str) {
+        self.function = Some(function);
+    }
+
     /// A right answer to this call shows `aspect`.
     pub fn expect(&mut self, aspect: Aspect) {
         self.entry(aspect).expected += 1;
@@ -314,13 +357,18 @@ impl Tally {
         message: impl FnOnce() -> String,
     ) {
         let call = u32::try_from(call).unwrap_or(u32::MAX);
+        let function = self.function;
         let finding = self.entry(aspect);
         // Two functions may show the same aspect in one call: it still counts once.
         finding.judged += u32::from(finding.last_judged.replace(call) != Some(call));
         let Some(class) = class else { return };
-        let again = finding.faults.last().is_some_and(|(last, _)| *last == call);
+        let again = finding.faults.last().is_some_and(|last| last.call == call);
         finding.wrong += u32::from(!again);
-        finding.faults.push((call, class));
+        finding.faults.push(Fault {
+            call,
+            function,
+            class,
+        });
         // NaN is as bad as it gets.
         let badness = if badness.is_nan() {
             f64::INFINITY

@@ -1,7 +1,7 @@
 //! Judging a walk through a tree in a world whose answers are written down.
 
 use super::hits;
-use super::tally::{Aspect, Tally};
+use super::tally::{Aspect, Class, Tally};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
 use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
@@ -133,41 +133,89 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         left_to_right(&world.tree, false),
         left_to_right(&world.tree, true),
     ];
-    let mut made: BTreeMap<usize, (usize, Tests, Tests)> = BTreeMap::new();
+    let mut by_axis: BTreeMap<usize, Made> = BTreeMap::new();
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let axis = kit::Vec3::from(scripted.ray.d).abs().max_position();
-        let (_, made, twice_plain) =
-            made.entry(axis)
-                .or_insert((call, Tests::default(), Tests::default()));
-        made.boxes += answer.box_tests;
-        made.prims += answer.prim_tests;
+        let made = by_axis.entry(axis).or_insert_with(|| Made::since(call));
+        made.tests.boxes += answer.box_tests;
+        made.tests.prims += answer.prim_tests;
+        made.hits += answer.prim_hits;
+        made.could_hit += in_range(scripted).count() as u32;
         for order in &orders {
             let tests = plain_tests(world, order, scripted);
-            twice_plain.boxes += tests.boxes;
-            twice_plain.prims += tests.prims;
+            made.twice_plain.boxes += tests.boxes;
+            made.twice_plain.prims += tests.prims;
         }
     }
     tally.expect(Aspect::Work);
-    for (call, made, twice_plain) in made.into_values() {
-        let mut count = |what: &str, made: u32, twice_plain: u32| {
+    for made in by_axis.into_values() {
+        let Made {
+            call,
+            tests,
+            twice_plain,
+            ..
+        } = made;
+        let mut count = |what: &str, tests: u32, twice_plain: u32| {
             let plain = f64::from(twice_plain) / 2.0;
-            let right = f64::from(made) <= WORK_FACTOR * plain;
-            tally.judge(Aspect::Work, call, right, f64::from(made) / plain, || {
+            let times = f64::from(tests) / plain;
+            let class = (times > WORK_FACTOR).then(|| made.why(times));
+            tally.judge_class(Aspect::Work, call, class, times, || {
                 format!(
-                    "{function} makes {made} {what} tests where taking children as they come makes {plain:.0} (up to {WORK_FACTOR} times that is fine). {}",
+                    "{function} makes {tests} {what} tests where taking children as they come makes {plain:.0} (up to {WORK_FACTOR} times that is fine). {}",
                     hits::show_ray(&world.rays[call].ray)
                 )
             });
         };
-        count("box", made.boxes, twice_plain.boxes);
-        count("primitive", made.prims, twice_plain.prims);
-        tally.judge(Aspect::Work, call, made.boxes > 0, f64::INFINITY, || {
+        count("box", tests.boxes, twice_plain.boxes);
+        count("primitive", tests.prims, twice_plain.prims);
+        tally.judge(Aspect::Work, call, tests.boxes > 0, f64::INFINITY, || {
             format!(
                 "{function} never asks about a box: ask world.hit_box before going below a node"
             )
         });
     }
 }
+
+/// What was made of all rays along an axis.
+struct Made {
+    /// The first of them.
+    call: usize,
+    tests: Tests,
+    /// What taking children as they come makes of them, from the left and from the right together.
+    twice_plain: Tests,
+    /// Primitives that were hit when they were asked for.
+    hits: u32,
+    /// Primitives that are hit in the rays' ranges.
+    could_hit: u32,
+}
+
+impl Made {
+    fn since(call: usize) -> Made {
+        Made {
+            call,
+            tests: Tests::default(),
+            twice_plain: Tests::default(),
+            hits: 0,
+            could_hit: 0,
+        }
+    }
+
+    /// The class of too many tests: going to the farther child first, or on after a hit, finds all that is hit; not
+    /// cutting boxes off at a hit finds no more than the nearest.
+    fn why(&self, times: f64) -> Class {
+        match f64::from(self.hits) / f64::from(self.could_hit.max(1)) {
+            ALL_FROM.. => Class::Named("finds all that is hit"),
+            MANY_FROM.. => Class::Named("finds much of what is hit"),
+            _ => Class::of_size(times),
+        }
+    }
+}
+
+/// From this share on, all of what is hit was found,
+const ALL_FROM: f64 = 0.9;
+
+/// from this one on, much of it.
+const MANY_FROM: f64 = 0.25;
 
 /// All nodes, each before what is below it, left before right or `mirrored`.
 fn left_to_right(tree: &Tree, mirrored: bool) -> Vec<usize> {
@@ -246,6 +294,7 @@ mod tests {
                 },
                 box_tests,
                 prim_tests,
+                prim_hits: 1,
                 repeated_prims: 0,
                 unknown_boxes: 0,
             }

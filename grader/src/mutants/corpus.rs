@@ -43,6 +43,9 @@ pub struct Mutant {
     /// What it is made from: `reference` or the name of a variant.
     #[serde(default = "reference")]
     pub on: String,
+    /// In which way, where the same mistake is made more than once of the same code.
+    #[serde(default)]
+    pub how: String,
     /// The edits that make it.
     pub edits: Vec<Edit>,
     /// Kept out of the signatures: it only tests whether the diagnosis recognises the mistake in other clothes.
@@ -79,14 +82,25 @@ impl Corpus {
     /// Reads the mutants of a task.
     pub fn read(workspace: &Workspace, task: &Task) -> Result<Corpus, GraderError> {
         let path = Corpus::file(workspace, task);
-        let text =
-            std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
-        let corpus: Corpus =
-            toml::from_str(&text).map_err(|e| GraderError::file("understand", &path, e))?;
+        let corpus = Corpus::parse(&path)?;
         corpus
             .check()
             .map_err(|sentence| GraderError::file("use", &path, sentence))?;
         Ok(corpus)
+    }
+
+    /// The mutants in the file of a task in `folder`, whose mistakes need not be listed; none if there is no such file.
+    pub fn strangers(folder: &Path, task: &Task) -> Result<Vec<Mutant>, GraderError> {
+        let path = folder.join(format!("{}.toml", task.key));
+        if !path.is_file() {
+            return Ok(Vec::new());
+        }
+        Ok(Corpus::parse(&path)?.mutants)
+    }
+
+    fn parse(path: &Path) -> Result<Corpus, GraderError> {
+        let text = std::fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))?;
+        toml::from_str(&text).map_err(|e| GraderError::file("understand", path, e))
     }
 
     /// The mistake with this name.
@@ -127,13 +141,13 @@ impl Corpus {
 }
 
 impl Mutant {
-    /// Its name: its mistakes, and what it is made from.
+    /// Its name: its mistakes, and what it is made from in which way.
     pub fn name(&self) -> String {
         let mistakes = self.mistakes.join("+");
-        if self.on == REFERENCE {
-            mistakes
-        } else {
-            format!("{mistakes} on {}", self.on)
+        match (self.on.as_str(), self.how.as_str()) {
+            (REFERENCE, "") => mistakes,
+            (on, "") => format!("{mistakes} on {on}"),
+            (on, how) => format!("{mistakes} on {on}: {how}"),
         }
     }
 

@@ -55,8 +55,8 @@ pub fn task(
     task: &Task,
     seeds: u64,
 ) -> Result<Vec<Graded>, GraderError> {
-    let corpus = Corpus::read(workspace, task)?;
-    let (kinds, versions) = versions(workspace, task, corpus)?;
+    let mutants = Corpus::read(workspace, task)?.mutants;
+    let (kinds, versions) = versions(workspace, task, mutants)?;
     let has_own = |version: &usize| *version == 0 || solves(task, &versions[*version]);
     let host = Host {
         program: host::worker(workspace, &task.stage, &versions)?,
@@ -78,6 +78,25 @@ pub fn task(
         graded.extend(again.into_iter().filter(Graded::is_accused));
     }
     Ok(graded)
+}
+
+/// Grades mutants that need not be in the corpus.
+pub fn strangers(
+    workspace: &Workspace,
+    course: &Course,
+    task: &Task,
+    mutants: Vec<Mutant>,
+) -> Result<Vec<Graded>, GraderError> {
+    let (kinds, versions) = versions(workspace, task, mutants)?;
+    let is_wrong = |kind: &Kind| matches!(kind, Kind::Mutant(_));
+    let wrong = (0..kinds.len()).filter(|&i| is_wrong(&kinds[i].1));
+    let wrong: Vec<usize> = wrong.collect();
+    let host = Host {
+        program: host::worker(workspace, &task.stage, &versions)?,
+        course,
+        versions: kinds,
+    };
+    host.grade(task, &cases::all(0), wrong.into_iter())
 }
 
 /// Whether a variant solves `task` in a way of its own: others of its stage have the reference's.
@@ -160,7 +179,7 @@ pub type Named = (String, Kind);
 pub fn versions(
     workspace: &Workspace,
     task: &Task,
-    corpus: Corpus,
+    mutants: Vec<Mutant>,
 ) -> Result<(Vec<Named>, Vec<Sources>), GraderError> {
     let reference = reference_sources(workspace, &task.stage)?;
     let variants = variants(workspace, &task.stage)?;
@@ -170,7 +189,7 @@ pub fn versions(
         kinds.push((variant.name.clone(), Kind::Correct));
         sources.push(on_reference(&reference, &variant.text));
     }
-    for mutant in corpus.mutants {
+    for mutant in mutants {
         let base = if mutant.on == REFERENCE {
             mutant.apply(&reference)?
         } else {

@@ -2,13 +2,15 @@
 //!
 //! It fails on the code that gave the answer and passes on any that earns the points. One file for each kind of work:
 //! `camera` and `pixel`, `hits` (triangles and spheres), `boxes`, `tree` and
-//! `traverse`.
+//! `traverse`, `light` (matte and smooth surfaces, roulette) and `stop` (when a pixel has had enough).
 
 mod boxes;
 mod camera;
 mod hits;
+mod light;
 mod numbers;
 mod pixel;
+mod stop;
 mod traverse;
 mod tree;
 
@@ -37,9 +39,16 @@ pub fn worst(cases: &[CaseResult], specs: &[Spec], task: &str) -> Option<String>
     })
 }
 
-/// Whether a test of such work asks for the aspect: none of a tree or a walk through one asks what it costs.
+/// Whether a test of one call asks for the aspect: none of a tree or a walk through one asks what it costs, and none of
+/// light asks what only many calls show.
 fn can_show(work: &Work, aspect: Aspect) -> bool {
-    !(matches!(work, Work::Build { .. } | Work::Traverse(_)) && aspect == Aspect::Work)
+    match work {
+        Work::Build { .. } | Work::Traverse(_) => aspect != Aspect::Work,
+        Work::Lambert(_) | Work::Specular(_) | Work::Roulette(_) => {
+            !matches!(aspect, Aspect::Spread | Aspect::Mean)
+        }
+        _ => true,
+    }
 }
 
 /// A test for one call of a case.
@@ -65,6 +74,12 @@ pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
             max_leaf_size,
         } => tree::over(bounds, *max_leaf_size)?,
         Work::Traverse(world) => traverse::walk(world, call)?,
+        Work::Lambert(probes) => light::matte(probes.get(call)?),
+        Work::Specular(calls) => light::smooth(tier, calls.get(call)?),
+        Work::Roulette(work) => light::game(work, call)?,
+        Work::Stop(calls) => stop::plain(calls.get(call)?)?,
+        Work::SureStop(calls) => stop::mended(calls.get(call)?)?,
+        Work::AdaptivePixels(works) => stop::pixel(works.get(call)?)?,
         _ => return None,
     };
     let mut text = format!(

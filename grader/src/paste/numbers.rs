@@ -24,6 +24,11 @@ pub(super) fn vec3([x, y, z]: Xyz) -> String {
     format!("Vec3::new({}, {}, {})", float(x), float(y), float(z))
 }
 
+/// A colour, bit for bit.
+pub(super) fn spectrum([r, g, b]: Xyz) -> String {
+    format!("Spectrum::new({}, {}, {})", float(r), float(g), float(b))
+}
+
 /// A float, bit for bit.
 pub(super) fn float(number: f64) -> String {
     if number.is_nan() {

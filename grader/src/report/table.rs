@@ -204,16 +204,18 @@ fn details(text: &mut String, task: &TaskResult, hint: Hint) {
     // What earns core points comes first.
     let (core, robust): (Vec<_>, Vec<_>) =
         failed.into_iter().partition(|case| case.tier == Tier::Core);
-    for (cases, heading) in [(core, ""), (robust, "  extra credit:\n")] {
-        if !cases.is_empty() {
-            text.push_str(heading);
-        }
-        let (full, rest) = cases.split_at(cases.len().min(CASES_IN_FULL));
-        full.iter().for_each(|case| one_case(text, case, hint));
-        if !rest.is_empty() {
-            let names: Vec<&str> = rest.iter().map(|case| case.name.as_str()).collect();
-            let _ = writeln!(text, "  and {}", names.join(", "));
-        }
+    some_cases(text, &core, hint);
+    if task.score < task.max_score && !robust.is_empty() {
+        // Much of it fails for the same reasons, and none of it matters yet.
+        let _ = writeln!(
+            text,
+            "  extra credit: {} of {} points; what is open there is shown once core is full",
+            number(task.robust_score),
+            number(task.robust_max_score)
+        );
+    } else if !robust.is_empty() {
+        text.push_str("  extra credit:\n");
+        some_cases(text, &robust, hint);
     }
     if hint >= Hint::Ray
         && let Some(test) = &task.worst_as_test
@@ -244,6 +246,16 @@ fn diagnosis(text: &mut String, task: &TaskResult) {
                 "  This looks like none of the mistakes that the grader knows. What fails:"
             );
         }
+    }
+}
+
+/// The first few in full, the names of the others.
+fn some_cases(text: &mut String, cases: &[&CaseResult], hint: Hint) {
+    let (full, rest) = cases.split_at(cases.len().min(CASES_IN_FULL));
+    full.iter().for_each(|case| one_case(text, case, hint));
+    if !rest.is_empty() {
+        let names: Vec<&str> = rest.iter().map(|case| case.name.as_str()).collect();
+        let _ = writeln!(text, "  and {}", names.join(", "));
     }
 }
 
@@ -326,5 +338,25 @@ mod tests {
             summary(&both),
             "1 of 3 cases failed; 2 cases need part1.task3"
         );
+    }
+
+    #[test]
+    fn extra_credit_is_a_line_until_core_is_full() {
+        let mut failing = task(&[Status::Failed, Status::Failed]);
+        failing.cases[1].tier = Tier::Robust;
+        failing.cases[1].name = "by_a_hair".into();
+        failing.robust_max_score = 2.0;
+        let shown = |task: &TaskResult| {
+            let mut text = String::new();
+            details(&mut text, task, Hint::Mistake);
+            text
+        };
+        let folded = shown(&failing);
+        assert!(folded.contains("extra credit: 0 of 2 points"), "{folded}");
+        assert!(!folded.contains("by_a_hair"), "{folded}");
+        failing.cases[0].status = Status::Passed;
+        failing.score = failing.max_score;
+        let open = shown(&failing);
+        assert!(open.contains("extra credit:\n  by_a_hair"), "{open}");
     }
 }

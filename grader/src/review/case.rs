@@ -181,8 +181,8 @@ fn picture(
 fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<&'static str>> {
     let mut wrong: BTreeMap<u32, Vec<&'static str>> = BTreeMap::new();
     for finding in findings {
-        for (call, _) in &finding.faults {
-            let aspects = wrong.entry(*call).or_default();
+        for fault in &finding.faults {
+            let aspects = wrong.entry(fault.call).or_default();
             if !aspects.contains(&finding.aspect.label()) {
                 aspects.push(finding.aspect.label());
             }

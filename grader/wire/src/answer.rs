@@ -190,7 +190,9 @@ pub struct TraverseAnswer {
     pub box_tests: u32,
     /// How many primitives were asked for.
     pub prim_tests: u32,
-    /// How many of these had been asked for before with the same ray.
+    /// How many primitives were hit, in the range that the ray had when they were asked for.
+    pub prim_hits: u32,
+    /// How many primitives had been asked for before with the same ray.
     pub repeated_prims: u32,
     /// How many boxes were asked for that the tree does not have.
     pub unknown_boxes: u32,

@@ -45,6 +45,7 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
         let Counts {
             box_tests,
             prim_tests,
+            prim_hits,
             repeated_prims,
             unknown_boxes,
         } = world.counts;
@@ -53,6 +54,7 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
             ray_after: convert::wire_ray(&ray),
             box_tests,
             prim_tests,
+            prim_hits,
             repeated_prims,
             unknown_boxes,
         }
@@ -73,6 +75,7 @@ pub(crate) fn box_key(b: &Aabb) -> BoxKey {
 struct Counts {
     box_tests: u32,
     prim_tests: u32,
+    prim_hits: u32,
     repeated_prims: u32,
     unknown_boxes: u32,
 }
@@ -92,7 +95,9 @@ impl Script<'_> {
         if std::mem::replace(&mut self.asked[i], true) {
             self.counts.repeated_prims += 1;
         }
-        self.scripted.prims[i].filter(|&t| ray.in_range(t))
+        let t = self.scripted.prims[i].filter(|&t| ray.in_range(t));
+        self.counts.prim_hits += u32::from(t.is_some());
+        t
     }
 }
 

@@ -54,7 +54,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             "What stands before a light takes it away; what stands behind it does not.",
             shadows(),
         )
-        .only(&[Radiance]),
+        .only(&[Radiance, Rays]),
         case(
             "lamp_overhead",
             "A lamp above the floor: f · L · |cos θ| / pdf of each sample, and their mean is the \

@@ -1,0 +1,140 @@
+//! Two mistakes at once.
+
+use super::{Cases, Signature, function};
+use std::collections::BTreeSet;
+
+impl Signature {
+    /// How this signature agrees with that of code which makes two mistakes, `first` and `second`. Where both would
+    /// show in one value either may; where one says miss or crashes, the other may not show at all.
+    pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
+        let mut together = Together::default();
+        let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {
+            true => &signature.robust,
+            false => &signature.core,
+        });
+        let names: BTreeSet<&String> = of_tier.iter().flat_map(|cases| cases.keys()).collect();
+        for name in names {
+            let [student, one, other] = of_tier.map(|cases| {
+                let codes = cases.get(name);
+                codes.map_or(&[][..], |codes| &codes.0)
+            });
+            let hidden_by = [of_tier[2], of_tier[1]].map(|cases| Hiding::of(cases, name));
+            for call in 0..student.len().max(one.len()).max(other.len()) {
+                let at = |codes: &[u16]| codes.get(call).copied().unwrap_or(0);
+                let made = [at(one), at(other)];
+                let seen = at(student);
+                for i in [0, 1] {
+                    if made[i] != 0 && made[1 - i] == 0 && !(seen == 0 && hidden_by[i].at(call)) {
+                        together.alone[i].of += 1;
+                        together.alone[i].shown += usize::from(seen == made[i]);
+                    }
+                }
+                let explained = made.contains(&seen);
+                together.equal += usize::from(seen != 0 && explained);
+                together.either += usize::from(match (seen, made) {
+                    (0, [0, 0]) => false,
+                    (0, [_, 0]) => !hidden_by[0].at(call),
+                    (0, [0, _]) => !hidden_by[1].at(call),
+                    // Something else shows where both do: each spoils it for the other.
+                    (_, [a, b]) => seen == 0 || explained || a == b || a == 0 || b == 0,
+                });
+            }
+        }
+        together
+    }
+}
+
+/// How a signature agrees with those of two mistakes together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Together {
+    /// Values that are wrong as one of the two has them.
+    pub equal: usize,
+    /// Values that are wrong, or should be if both are made.
+    pub either: usize,
+    /// What the first and the second make wrong alone.
+    pub alone: [Alone; 2],
+}
+
+/// Values that one of two mistakes alone makes wrong.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Alone {
+    /// How many there are.
+    pub of: usize,
+    /// How many of them are wrong in that way.
+    pub shown: usize,
+}
+
+impl Together {
+    /// Share of all wrong values that are wrong in the same way.
+    pub fn likeness(&self) -> f64 {
+        self.equal as f64 / self.either.max(1) as f64
+    }
+}
+
+/// What keeps another mistake from showing in an aspect of a case.
+pub(super) struct Hiding<'a> {
+    crashed: bool,
+    /// Calls decided wrongly: nothing else is judged there.
+    decisions: &'a [u16],
+}
+
+impl Hiding<'_> {
+    pub(super) fn of<'a>(cases: &'a Cases, name: &str) -> Hiding<'a> {
+        let case = name.split(' ').next().unwrap_or_default();
+        let decision = match function(name) {
+            Some(function) => format!("{case} Decision@{function}"),
+            None => format!("{case} Decision"),
+        };
+        let decisions = cases.get(&decision).filter(|_| name != decision);
+        Hiding {
+            crashed: cases.contains_key(&format!("{case} crashed")),
+            decisions: decisions.map_or(&[], |codes| &codes.0),
+        }
+    }
+
+    pub(super) fn at(&self, call: usize) -> bool {
+        self.crashed || self.decisions.get(call).is_some_and(|code| *code != 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::codes::Codes;
+    use super::super::tests::signature;
+    use super::*;
+
+    #[test]
+    fn two_mistakes_explain_what_neither_does_alone() {
+        let (first, second) = (signature("1 2*a 1*b"), signature("3 1*d 2*f"));
+        let both = signature("1 2*a 1*c 2*f").agreement_with_both(&first, &second);
+        let alone = |shown, of| Alone { of, shown };
+        assert_eq!(
+            both,
+            Together {
+                equal: 4,
+                either: 4,
+                alone: [alone(2, 2), alone(2, 2)]
+            }
+        );
+        let not_made = signature("1 2*a 1*b").agreement_with_both(&first, &second);
+        assert_eq!(not_made.alone[1], alone(0, 2));
+        assert!(not_made.likeness() < 1.0);
+    }
+
+    #[test]
+    fn a_miss_hides_what_else_is_wrong() {
+        let with_miss = |codes: &str| {
+            let mut signature = signature(codes);
+            let case = signature.core.remove("case").unwrap();
+            signature.core.insert("case T".to_string(), case);
+            signature
+        };
+        let mut miss = Signature::default();
+        let decision = Codes::try_from("1 1*e".to_string()).unwrap();
+        miss.core.insert("case Decision".to_string(), decision);
+        let mut both = with_miss("1*a");
+        both.core.extend(miss.core.clone());
+        let together = both.agreement_with_both(&with_miss("2*a"), &miss);
+        assert!((together.likeness() - 1.0).abs() < 1e-12);
+    }
+}

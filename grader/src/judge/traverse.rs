@@ -363,4 +363,23 @@ mod tests {
             [Aspect::Work]
         );
     }
+
+    #[test]
+    fn what_is_found_on_the_way_tells_why_too_much_is_asked() {
+        let world = script("nearer_first");
+        let class = |prim_hits: u32| {
+            let mut answers = right(&world, 511, 256);
+            for answer in &mut answers {
+                answer.prim_hits = prim_hits;
+            }
+            let mut tally = Tally::default();
+            traverse(&mut tally, &world, &answers, true);
+            let findings = tally.into_findings();
+            let work = findings.iter().find(|finding| !finding.passed());
+            work.map(|finding| finding.faults[0].class)
+        };
+        assert_eq!(class(256), Some(Class::Named("finds all that is hit")));
+        assert_eq!(class(128), Some(Class::Named("finds much of what is hit")));
+        assert!(matches!(class(1), Some(Class::Off(_))));
+    }
 }

@@ -264,6 +264,30 @@ mod tests {
     }
 
     #[test]
+    fn a_mistake_shows_in_the_functions_that_make_it() {
+        let of = |keys: &[&str]| Signature {
+            core: keys
+                .iter()
+                .map(|key| (key.to_string(), Codes(vec![1])))
+                .collect(),
+            robust: Cases::new(),
+        };
+        let handed_on = of(&[
+            "one Decision@refract",
+            "one T@refract",
+            "one T@glass",
+            "two T",
+        ]);
+        let in_refract = of(&["one Decision@refract", "one T@refract", "two T"]);
+        assert_eq!(in_refract.functions(), BTreeSet::from(["refract"]));
+        assert_eq!(handed_on.within(&in_refract.functions()), in_refract);
+        // What is decided wrongly in one function hides nothing in another.
+        let wrong_t = of(&["one T@glass"]);
+        assert!(of(&["one Decision@refract"]).contradicts(&wrong_t));
+        assert!(!of(&["one Decision@glass"]).contradicts(&wrong_t));
+    }
+
+    #[test]
     fn kinds_are_those_of_faults_in_whatever_case_and_call() {
         let of = |keys: &[(&str, &str)]| Signature {
             core: keys

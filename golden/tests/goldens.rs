@@ -31,17 +31,14 @@ fn every_box_that_is_counted_is_a_visit() {
         .find(|spec| spec.is("part2.task3", "mesh_in_cornell_box"));
     let case = spec.expect("the case is there").case();
     let Work::SceneHits {
-        scene,
-        max_leaf_size,
-        rays,
-        ..
+        scene, tree, rays, ..
     } = case.work.clone()
     else {
         panic!("{case:?}")
     };
     let work = Work::Visits {
         scene,
-        max_leaf_size,
+        tree: tree.clone(),
         rays,
     };
     let visits = match worker::run(
@@ -63,7 +60,6 @@ fn every_box_that_is_counted_is_a_visit() {
     };
     let count: usize = visits.rays.iter().map(Vec::len).sum();
     assert_eq!(count as u64, hits.box_tests);
-    let tree = &visits.tree;
     for (visits, hit) in visits.rays.iter().zip(&hits.hits) {
         assert_eq!(visits[0].node, 0, "the root comes first");
         // Who hits something has met the box of a leaf.

@@ -180,7 +180,10 @@ pub fn grade_tasks(
                 Err(status) => (status, Vec::new()),
                 Ok(answer) => (Status::Passed, judge::judge(spec, entry.tier, answer)),
             };
-            case_results.push(CaseResult::new(entry, spec.about, status, findings));
+            case_results.push(CaseResult {
+                with_neighbours: spec.needs_neighbours(),
+                ..CaseResult::new(entry, spec.about, status, findings)
+            });
         }
         results.push(TaskResult::new(task, case_results));
     }

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
-use wire::{Case, Frame, Outcome, Record, file};
+use wire::{Case, Frame, Outcome, Record, Work, file};
 
 /// What became of one case, seen from outside the worker.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +23,7 @@ pub enum Ending {
     },
     /// The worker died: how, in words for the student.
     Died(String),
-    /// Not run, because earlier cases of this task timed out.
+    /// Not run, because what is smaller has timed out.
     Skipped,
 }
 
@@ -36,8 +36,11 @@ pub struct Run {
     pub printed: String,
 }
 
-/// After this many timeouts the rest of a task is skipped: an endless loop should not cost the student minutes.
+/// After this many timeouts the rest of a task has to hurry: an endless loop should not cost the student minutes.
 const TIMEOUTS_A_TASK: u32 = 2;
+
+/// Milliseconds for a case that has to. Sound code needs a few.
+const HURRIED_MS: u64 = 500;
 
 /// Memory that a worker may take beyond its cases.
 const MEMORY_MB: u32 = 4096;
@@ -110,19 +113,25 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
         };
         endings[started].get_or_insert_with(|| Ending::Died(death(status, &printed)));
         first = started + 1;
-        while first < cases.len()
-            && timeouts
-                .get(cases[first].task.as_str())
-                .copied()
-                .unwrap_or(0)
-                >= TIMEOUTS_A_TASK
-        {
-            endings[first] = Some(Ending::Skipped);
+        for (case, ending) in cases_to_run[first..].iter_mut().zip(&mut endings[first..]) {
+            if timeouts
+                .get(case.task.as_str())
+                .is_none_or(|&timeouts| timeouts < TIMEOUTS_A_TASK)
+            {
+                continue;
+            }
+            match case.work {
+                // What is timed takes its time, and more the larger it is.
+                Work::Timing(_) => *ending = Some(Ending::Skipped),
+                _ => case.limit_ms = case.limit_ms.min(HURRIED_MS),
+            }
+        }
+        while first < cases.len() && endings[first].is_some() {
             first += 1;
         }
         // A worker reads all cases before it starts: later ones need not see the ones that are done.
         cases_to_run[..first].iter_mut().for_each(|case| {
-            case.work = wire::Work::Boxes {
+            case.work = Work::Boxes {
                 boxes: vec![],
                 probes: vec![],
             }

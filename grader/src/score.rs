@@ -25,8 +25,6 @@ pub enum Status {
     Crashed(String),
     /// The stage does not compile.
     DoesNotCompile,
-    /// Not run, because earlier cases of the task timed out.
-    Skipped,
 }
 
 /// The result of one case.
@@ -47,6 +45,9 @@ pub struct CaseResult {
     pub about: String,
     /// What was found, aspect by aspect.
     pub findings: Vec<Finding>,
+    /// Whether it is made with other stages, too, whose mistakes may show.
+    #[serde(skip)]
+    pub with_neighbours: bool,
 }
 
 /// The result of one task. Core and robust points are apart.
@@ -122,6 +123,7 @@ impl CaseResult {
             status,
             about: about.into(),
             findings,
+            with_neighbours: false,
         }
     }
 
@@ -133,11 +135,11 @@ impl CaseResult {
     }
 }
 
-/// The share of a case's points that was earned. The aspects that the case can show share them evenly, but for hit or
-/// miss, which weighs as much as all others together: they mean little where it is wrong.
+/// The share of a case's points that was earned. The aspects that the case can show share them evenly, but for two that
+/// weigh as much as all others together: hit or miss, without which they mean little, and work, which a tree is for.
 fn share_earned(findings: &[Finding]) -> f64 {
     let weight = |finding: &Finding| match finding.aspect {
-        Aspect::Decision => (findings.len() - 1).max(1),
+        Aspect::Decision | Aspect::Work => (findings.len() - 1).max(1),
         _ => 1,
     };
     let all: usize = findings.iter().map(weight).sum();
@@ -226,7 +228,11 @@ pub fn status_without_answer(
             *limit_ms as f64 / 1e3
         ))),
         Ending::Died(how) => Some(Status::Crashed(how.clone())),
-        Ending::Skipped => Some(Status::Skipped),
+        Ending::Skipped => {
+            return Err(GraderError::new(format!(
+                "a case of {task} was skipped, as only timings are"
+            )));
+        }
         Ending::Recorded(record) if record.untouched.iter().any(|key| key == task) => {
             Some(Status::NotAttempted)
         }

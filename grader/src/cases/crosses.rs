@@ -3,9 +3,10 @@
 //! A primitive is a box with three plates inside, one across each axis. Rays run along an axis, so a ray that passes
 //! through the box meets the plate across its axis: nothing rounds, and no intersection code is needed.
 
+use super::plan::Plan;
 use kit::{Aabb, Ray, Vec3};
 use wire::Work;
-use wire::work::{self, Node, NodeKind, ScriptedRay, ScriptedWorld, Tree};
+use wire::work::{self, ScriptedRay, ScriptedWorld, Tree};
 
 /// A box, and the point in which its three plates meet.
 #[derive(Clone, Copy, Debug)]
@@ -14,14 +15,6 @@ pub(super) struct Cross {
     pub(super) bounds: Aabb,
     /// Inside it.
     pub(super) at: Vec3,
-}
-
-/// A tree as it is drawn on paper.
-pub(super) enum Plan {
-    /// A leaf with these primitives.
-    Leaf(Vec<u32>),
-    /// Two children, left and right.
-    Split(Box<Plan>, Box<Plan>),
 }
 
 /// Crosses in a tree.
@@ -56,29 +49,13 @@ impl Cross {
     }
 }
 
-impl Plan {
-    pub(super) fn split(left: Plan, right: Plan) -> Plan {
-        Plan::Split(Box::new(left), Box::new(right))
-    }
-
-    /// Leaves of one primitive each, and each half of `ids` below a child of its own.
-    pub(super) fn halves(ids: &[u32]) -> Plan {
-        match ids {
-            [_] | [] => Plan::Leaf(ids.to_vec()),
-            _ => {
-                let (low, high) = ids.split_at(ids.len() / 2);
-                Plan::split(Plan::halves(low), Plan::halves(high))
-            }
-        }
-    }
-}
-
 impl World {
     pub(super) fn new(crosses: Vec<Cross>, plan: &Plan) -> World {
-        let mut tree = Tree::default();
-        tree.nodes.push(unfinished());
-        grow(&mut tree, 0, plan, &crosses);
-        World { crosses, tree }
+        let bounds: Vec<Aabb> = crosses.iter().map(|cross| cross.bounds).collect();
+        World {
+            tree: plan.tree(&bounds),
+            crosses,
+        }
     }
 
     /// Nothing, in a tree without nodes.
@@ -153,44 +130,4 @@ pub(super) fn wire_ray(ray: &Ray) -> work::Ray {
         min_t: ray.min_t,
         max_t: ray.max_t,
     }
-}
-
-/// Holds a node's place until what is below it is known.
-fn unfinished() -> Node {
-    Node {
-        bounds: [[0.0; 3]; 2],
-        kind: NodeKind::Leaf { first: 0, count: 0 },
-    }
-}
-
-/// Writes `plan` into place `at` of the tree; gives its box.
-fn grow(tree: &mut Tree, at: usize, plan: &Plan, crosses: &[Cross]) -> Aabb {
-    let (bounds, kind) = match plan {
-        Plan::Leaf(ids) => {
-            let first = tree.order.len() as u32;
-            tree.order.extend(ids);
-            let boxes = ids.iter().map(|&id| crosses[id as usize].bounds);
-            let kind = NodeKind::Leaf {
-                first,
-                count: ids.len() as u32,
-            };
-            (boxes.fold(Aabb::EMPTY, Aabb::union), kind)
-        }
-        Plan::Split(left, right) => {
-            let children = tree.nodes.len();
-            tree.nodes.extend([unfinished(), unfinished()]);
-            let bounds =
-                grow(tree, children, left, crosses).union(grow(tree, children + 1, right, crosses));
-            let kind = NodeKind::Interior {
-                left: children as u32,
-                right: children as u32 + 1,
-            };
-            (bounds, kind)
-        }
-    };
-    tree.nodes[at] = Node {
-        bounds: [bounds.min.into(), bounds.max.into()],
-        kind,
-    };
-    bounds
 }

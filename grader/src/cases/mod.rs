@@ -16,6 +16,7 @@ pub(crate) mod part2_task3;
 mod part3;
 mod part4;
 mod part5;
+mod plan;
 pub(crate) mod probes;
 pub mod recorded;
 

@@ -77,6 +77,24 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             ),
         )
         .only(&[Radiance]),
+        case(
+            "no_samples",
+            "No samples: nothing is known, so the pixel is black and says so; a mean would be 0 / 0.",
+            work([3, 2], all([3, 2]), 0, PixelWorld::Ramp, 0),
+        )
+        .only(&[Calls, Radiance]),
+        case(
+            "beyond_the_film",
+            "Pixels beside and above the film: a camera sees there, too.",
+            work(
+                [4, 3],
+                vec![[4, 0], [0, 3], [9, 7], [400, 300]],
+                1,
+                PixelWorld::Ramp,
+                0,
+            ),
+        )
+        .only(&[Calls, Placement]),
         Spec {
             picture: Some(PICTURE),
             ..case(

@@ -27,7 +27,7 @@ pub(super) fn cases() -> Vec<Spec> {
         ),
         case(
             "exactly_max_leaf_size",
-            "max_leaf_size primitives in one place: \"at most\" counts the end, so they fit into one leaf.",
+            "max_leaf_size primitives in one place: \"at most\" counts the end, so they may share a leaf, and no split tells them apart.",
             vec![cube(Vec3::ONE, 0.5); 2],
             2,
         ),
@@ -77,6 +77,12 @@ pub(super) fn cases() -> Vec<Spec> {
             "The boxes of a terrain of 100,000 triangles: the time grows as n log n, or the time limit ends it.",
             terrain(),
             4,
+        ),
+        case(
+            "leaf_size_0",
+            "Leaves of at most 0 primitives: that counts as 1, or the recursion never ends.",
+            cloud(20, Vec3::ZERO),
+            0,
         ),
         case(
             "halving_distances",

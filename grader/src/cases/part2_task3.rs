@@ -1,7 +1,8 @@
 //! Walking the tree.
 
 use super::Spec;
-use super::crosses::{Cross, Plan, World, along};
+use super::crosses::{Cross, World, along};
+use super::plan::Plan;
 use kit::{PixelSampler, Ray, Vec3};
 use wire::Work;
 use wire::work::NodeKind;
@@ -343,7 +344,7 @@ fn layers() -> Work {
             crosses.push(Cross::new(min, min + size));
         }
         let ids: Vec<u32> = (first..first + LAYERS).collect();
-        stacks.push(Plan::halves(&ids));
+        stacks.push(Plan::halves(&ids, 1));
         for i in 0..16 {
             let mut start =
                 corner + 0.5 + f64::from(i % 4) * Vec3::AXES[(axis + 2) % 3] + f64::from(i / 4);
@@ -379,7 +380,7 @@ fn crowd() -> Work {
             }
         })
         .collect();
-    World::new(crosses, &Plan::halves(&ids)).any(&rays)
+    World::new(crosses, &Plan::halves(&ids, 1)).any(&rays)
 }
 
 fn deep() -> Vec<Spec> {

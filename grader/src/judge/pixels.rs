@@ -112,7 +112,8 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
     let samples = answer.traced_radiance.len() as f64;
     let mean = [0, 1, 2].map(|channel| {
         let sum: f64 = answer.traced_radiance.iter().map(|l| l[channel]).sum();
-        sum / samples
+        // Of no samples: black.
+        sum / samples.max(1.0)
     });
     let brightest = |channel: usize| {
         let each = answer.traced_radiance.iter().map(|l| l[channel].abs());

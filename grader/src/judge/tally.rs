@@ -388,6 +388,11 @@ impl Tally {
         }
     }
 
+    /// Whether no answer so far is wrong about `aspect`.
+    pub fn is_right(&mut self, aspect: Aspect) -> bool {
+        self.entry(aspect).wrong == 0
+    }
+
     /// What is judged of `aspect` by chance is sure to be seen from this share on; of several tests the weakest counts.
     pub fn sure(&mut self, aspect: Aspect, share: f64) {
         let weakest = &mut self.entry(aspect).sure;

@@ -26,7 +26,11 @@ pub(super) fn traverse(
         }
     }
     if counts_work {
-        work(tally, world, answers);
+        tally.expect(Aspect::Work);
+        // Whoever does not find the hits is soon done.
+        if tally.is_right(Aspect::Decision) {
+            work(tally, world, answers);
+        }
     }
 }
 
@@ -147,7 +151,6 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
             made.twice_plain.prims += tests.prims;
         }
     }
-    tally.expect(Aspect::Work);
     for made in by_axis.into_values() {
         let Made {
             call,

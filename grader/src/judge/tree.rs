@@ -268,6 +268,8 @@ fn show(b: &Aabb) -> String {
 }
 
 fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size: u32) {
+    // 0 counts as 1.
+    let max_leaf_size = max_leaf_size.max(1);
     if tree.nodes.is_empty() {
         tally.judge(Aspect::LeafSize, 0, true, 0.0, String::new);
     }

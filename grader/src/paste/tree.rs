@@ -28,6 +28,7 @@ pub(super) fn over(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> Option<String> {
         text =
             String::from("use kit::{Aabb, Bvh, NodeKind};\nlet bounds: Vec<Aabb> = Vec::new();\n");
     }
+    let most = max_leaf_size.max(1);
     let _ = write!(
         text,
         "
@@ -37,7 +38,7 @@ fn below(tree: &Bvh, bounds: &[Aabb], node: u32) -> Vec<u32> {{
     let ids: Vec<u32> = match node.kind {{
         NodeKind::Interior {{ left, right }} => [below(tree, bounds, left), below(tree, bounds, right)].concat(),
         NodeKind::Leaf {{ first, count }} => {{
-            assert!((1..={max_leaf_size}).contains(&count), \"a leaf of {{count}}\");
+            assert!((1..={most}).contains(&count), \"a leaf of {{count}}\");
             tree.leaf(first, count).iter().map(|id| id.0).collect()
         }}
     }};

@@ -41,17 +41,14 @@ pub fn asked_for(
         }
         (
             Work::SceneHits {
-                scene,
-                max_leaf_size,
-                rays,
-                ..
+                scene, tree, rays, ..
             },
             _,
             Ok(together),
         ) => {
             let work = Work::Visits {
                 scene: scene.clone(),
-                max_leaf_size: *max_leaf_size,
+                tree: tree.clone(),
                 rays: rays.clone(),
             };
             let case = Case {
@@ -70,7 +67,7 @@ pub fn asked_for(
                     .collect()
             });
             Ok(Some(Boxes {
-                boxes: of_tree(&visits.tree.nodes),
+                boxes: of_tree(&tree.nodes),
                 asked: asked.collect(),
             }))
         }

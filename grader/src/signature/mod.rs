@@ -48,10 +48,11 @@ const TELLING: f64 = 0.1;
 const SHOWN: f64 = 0.25;
 
 impl Signature {
-    /// The signature of a task's results.
+    /// The signature of a task's results. Cases with neighbours do not speak: the fault may be theirs.
     pub fn of(cases: &[CaseResult]) -> Signature {
         let of_tier = |tier: Tier| {
-            let cases = cases.iter().filter(|case| case.tier == tier);
+            let cases = cases.iter();
+            let cases = cases.filter(|case| case.tier == tier && !case.with_neighbours);
             cases.flat_map(codes_of).collect()
         };
         Signature {

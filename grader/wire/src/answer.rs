@@ -226,8 +226,6 @@ pub struct TimingAnswer {
 /// For which boxes of a tree a traversal asks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VisitsAnswer {
-    /// The tree.
-    pub tree: Tree,
     /// For each ray its visits in order. Boxes that the tree does not have are left out.
     pub rays: Vec<Vec<Visit>>,
 }

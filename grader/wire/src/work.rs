@@ -72,12 +72,12 @@ pub enum Work {
     },
     /// Call `intersect_bvh` or `occludes_bvh` in a world whose answers are written down beforehand.
     Traverse(ScriptedWorld),
-    /// Build a tree over a scene and trace rays through it with all of the student's stages.
+    /// Trace rays through a scene with all of the student's stages but for the tree, which is given.
     SceneHits {
         /// The scene.
         scene: SceneSource,
-        /// The largest number of primitives in a leaf.
-        max_leaf_size: u32,
+        /// A tree over it.
+        tree: Tree,
         /// The rays.
         rays: Vec<Ray>,
         /// Whether to ask for any hit instead of the closest.
@@ -87,13 +87,12 @@ pub enum Work {
     Timing(TimingWork),
     /// Time one test of the student's.
     TimeTest(TestTiming),
-    /// Build a tree over a scene, trace rays through it for their closest hits, and write down for which boxes the
-    /// traversal asks.
+    /// Trace rays through a scene for their closest hits, and write down for which boxes of its tree the traversal asks.
     Visits {
         /// The scene.
         scene: SceneSource,
-        /// The largest number of primitives in a leaf.
-        max_leaf_size: u32,
+        /// A tree over it.
+        tree: Tree,
         /// The rays.
         rays: Vec<Ray>,
     },

@@ -131,7 +131,7 @@ impl World for Script<'_> {
     }
 }
 
-pub(crate) fn wire_tree(tree: &Bvh) -> Tree {
+fn wire_tree(tree: &Bvh) -> Tree {
     let node = |node: &BvhNode| wire::work::Node {
         bounds: convert::wire_aabb(&node.bounds),
         kind: match node.kind {
@@ -145,7 +145,7 @@ pub(crate) fn wire_tree(tree: &Bvh) -> Tree {
     }
 }
 
-fn kit_tree(tree: &Tree) -> Bvh {
+pub(crate) fn kit_tree(tree: &Tree) -> Bvh {
     let node = |node: &wire::work::Node| BvhNode {
         bounds: convert::aabb(&node.bounds),
         kind: match node.kind {

@@ -1,21 +1,22 @@
 //! Rays through whole scenes: all of the student's stages together.
 
+use crate::bvh::kit_tree;
 use crate::{convert, isolate};
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World};
 use scenes::generate::{MeshKind, cornell_with, generate};
 use std::time::{Duration, Instant};
 use wire::answer::{HitsAnswer, TimingAnswer};
-use wire::work::{self, SceneSource, TimingWork};
+use wire::work::{self, SceneSource, TimingWork, Tree};
 
-/// Builds a tree over the scene and traces `rays` through it.
+/// Traces `rays` through the scene by `tree`.
 pub(crate) fn scene_hits(
     source: &SceneSource,
-    max_leaf_size: u32,
+    tree: &Tree,
     rays: &[work::Ray],
     any_hit: bool,
 ) -> Result<HitsAnswer, String> {
     let scene = load(source)?;
-    let tree = bvh::construct_bvh(&scene.primitive_bounds(), max_leaf_size as usize);
+    let tree = kit_tree(tree);
     let mut world = SceneWorld::new(&scene);
     let mut answer = HitsAnswer {
         hits: Vec::new(),

@@ -115,18 +115,16 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
         #[cfg(feature = "meshes")]
         Work::SceneHits {
             scene,
-            max_leaf_size,
+            tree,
             rays,
             any_hit,
-        } => crate::meshes::scene_hits(scene, *max_leaf_size, rays, *any_hit).map(Answer::Hits),
+        } => crate::meshes::scene_hits(scene, tree, rays, *any_hit).map(Answer::Hits),
         #[cfg(feature = "meshes")]
         Work::Timing(timing) => crate::meshes::time(timing).map(Answer::Timing),
         #[cfg(feature = "meshes")]
-        Work::Visits {
-            scene,
-            max_leaf_size,
-            rays,
-        } => crate::visits::visits(scene, *max_leaf_size, rays).map(Answer::Visits),
+        Work::Visits { scene, tree, rays } => {
+            crate::visits::visits(scene, tree, rays).map(Answer::Visits)
+        }
         #[cfg(not(feature = "meshes"))]
         Work::SceneHits { .. } | Work::Timing(_) | Work::Visits { .. } => not_linked("meshes"),
     }

@@ -1,21 +1,21 @@
 //! For which boxes a traversal asks: rays through a whole scene, watched.
 
-use crate::bvh::{BoxKey, box_key, wire_tree};
+use crate::bvh::{BoxKey, box_key, kit_tree};
 use crate::meshes::{SceneWorld, load};
 use crate::{convert, isolate};
 use kit::{Aabb, Hit, Interval, PrimId, Ray, World};
 use std::collections::HashMap;
 use wire::answer::{Visit, VisitsAnswer};
-use wire::work::{self, SceneSource};
+use wire::work::{self, SceneSource, Tree};
 
-/// Builds a tree over the scene, traces `rays` through it and writes down the boxes that each asks for.
+/// Traces `rays` through the scene by `tree` and writes down the boxes that each asks for.
 pub(crate) fn visits(
     source: &SceneSource,
-    max_leaf_size: u32,
+    tree: &Tree,
     rays: &[work::Ray],
 ) -> Result<VisitsAnswer, String> {
     let scene = load(source)?;
-    let tree = bvh::construct_bvh(&scene.primitive_bounds(), max_leaf_size as usize);
+    let tree = kit_tree(tree);
     let mut nodes_of: HashMap<BoxKey, Vec<u32>> = HashMap::new();
     for (node, number) in tree.nodes.iter().zip(0..) {
         let nodes = nodes_of.entry(box_key(&node.bounds)).or_default();
@@ -34,7 +34,6 @@ pub(crate) fn visits(
     });
     Ok(VisitsAnswer {
         rays: rays.collect(),
-        tree: wire_tree(&tree),
     })
 }
 

@@ -22,7 +22,10 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             "survivors",
             "From the fourth bounce on the path lives if u < q, where q is the largest channel, \
              and counts 1 / q times as much for those who do not.",
-            work(&[DIM, [0.1, 0.9, 0.5], [0.0, 0.0, 0.5]], &[4, 5, 17, 1000]),
+            work(
+                &[DIM, [0.1, 0.9, 0.5], [0.0, 0.0, 0.5], [0.02, 0.01, 0.0]],
+                &[4, 5, 17, 1000],
+            ),
         ),
         case(
             "bright_paths",

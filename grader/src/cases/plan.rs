@@ -1,0 +1,157 @@
+//! Trees to walk, drawn by hand or along a curve.
+
+use kit::{Aabb, Vec3};
+use wire::work::{Node, NodeKind, Tree};
+
+/// A tree as it is drawn on paper.
+pub(super) enum Plan {
+    /// A leaf with these primitives.
+    Leaf(Vec<u32>),
+    /// Two children, left and right.
+    Split(Box<Plan>, Box<Plan>),
+}
+
+impl Plan {
+    pub(super) fn split(left: Plan, right: Plan) -> Plan {
+        Plan::Split(Box::new(left), Box::new(right))
+    }
+
+    /// Leaves of at most so many primitives, and each half of `ids` below a child of its own.
+    pub(super) fn halves(ids: &[u32], max_leaf_size: usize) -> Plan {
+        if ids.len() <= max_leaf_size {
+            return Plan::Leaf(ids.to_vec());
+        }
+        let (low, high) = ids.split_at(ids.len() / 2);
+        Plan::split(
+            Plan::halves(low, max_leaf_size),
+            Plan::halves(high, max_leaf_size),
+        )
+    }
+
+    /// The tree; primitive `i` has the box `bounds[i]`.
+    pub(super) fn tree(&self, bounds: &[Aabb]) -> Tree {
+        let mut tree = Tree::default();
+        tree.nodes.push(unfinished());
+        grow(&mut tree, 0, self, bounds);
+        tree
+    }
+}
+
+/// A tree over boxes, with leaves of at most so many: halves of a list that is sorted along a curve through all cells of a
+/// grid, so that neighbours in the list are neighbours in space (Morton 1966; Lauterbach and others, "Fast BVH construction
+/// on GPUs", 2009).
+pub(super) fn along_a_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
+    let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+    let mut ids: Vec<u32> = (0..bounds.len() as u32).collect();
+    ids.sort_by_key(|&id| place(&all, bounds[id as usize].centroid()));
+    Plan::halves(&ids, max_leaf_size).tree(bounds)
+}
+
+/// Where a point comes on the curve: the digits of its cell's three coordinates, shuffled.
+fn place(all: &Aabb, p: Vec3) -> u32 {
+    const DIGITS: u32 = 10;
+    let share = (p - all.min) / all.extent().max(Vec3::splat(f64::MIN_POSITIVE));
+    let cell = share
+        .to_array()
+        .map(|s| (s * f64::from(1 << DIGITS)) as u32);
+    let digits = (0..DIGITS)
+        .rev()
+        .flat_map(|digit| cell.map(|c| c >> digit & 1));
+    digits.fold(0, |place, digit| place << 1 | digit)
+}
+
+/// Holds a node's place until what is below it is known.
+fn unfinished() -> Node {
+    Node {
+        bounds: [[0.0; 3]; 2],
+        kind: NodeKind::Leaf { first: 0, count: 0 },
+    }
+}
+
+/// Writes `plan` into place `at` of the tree; gives its box.
+fn grow(tree: &mut Tree, at: usize, plan: &Plan, prims: &[Aabb]) -> Aabb {
+    let (bounds, kind) = match plan {
+        Plan::Leaf(ids) => {
+            let first = tree.order.len() as u32;
+            tree.order.extend(ids);
+            let boxes = ids.iter().map(|&id| prims[id as usize]);
+            let kind = NodeKind::Leaf {
+                first,
+                count: ids.len() as u32,
+            };
+            (boxes.fold(Aabb::EMPTY, Aabb::union), kind)
+        }
+        Plan::Split(left, right) => {
+            let children = tree.nodes.len();
+            tree.nodes.extend([unfinished(), unfinished()]);
+            let bounds =
+                grow(tree, children, left, prims).union(grow(tree, children + 1, right, prims));
+            let kind = NodeKind::Interior {
+                left: children as u32,
+                right: children as u32 + 1,
+            };
+            (bounds, kind)
+        }
+    };
+    tree.nodes[at] = Node {
+        bounds: [bounds.min.into(), bounds.max.into()],
+        kind,
+    };
+    bounds
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The primitives below a node, in order; its box is around theirs.
+    fn below(tree: &Tree, bounds: &[Aabb], node: usize, max_leaf_size: u32) -> Vec<u32> {
+        let ids: Vec<u32> = match tree.nodes[node].kind {
+            NodeKind::Leaf { first, count } => {
+                assert!((1..=max_leaf_size).contains(&count));
+                tree.order[first as usize..][..count as usize].to_vec()
+            }
+            NodeKind::Interior { left, right } => [left, right]
+                .map(|child| below(tree, bounds, child as usize, max_leaf_size))
+                .concat(),
+        };
+        let boxes = ids.iter().map(|&id| bounds[id as usize]);
+        let around = boxes.fold(Aabb::EMPTY, Aabb::union);
+        assert_eq!(
+            tree.nodes[node].bounds.map(Vec3::from),
+            [around.min, around.max]
+        );
+        ids
+    }
+
+    #[test]
+    fn along_a_curve_neighbours_share_leaves() {
+        // The cells of a grid of 8 a side, from last to first.
+        let bounds: Vec<Aabb> = (0..512_i32)
+            .rev()
+            .map(|i| {
+                let min = Vec3::new(f64::from(i % 8), f64::from(i / 8 % 8), f64::from(i / 64));
+                Aabb {
+                    min,
+                    max: min + 1.0,
+                }
+            })
+            .collect();
+        let tree = along_a_curve(&bounds, 8);
+        let mut ids = below(&tree, &bounds, 0, 8);
+        ids.sort_unstable();
+        assert_eq!(ids, (0..512).collect::<Vec<u32>>());
+        let leaves = tree
+            .nodes
+            .iter()
+            .filter(|node| matches!(node.kind, NodeKind::Leaf { .. }));
+        for leaf in leaves {
+            let [min, max] = leaf.bounds.map(Vec3::from);
+            assert_eq!(
+                max - min,
+                Vec3::splat(2.0),
+                "a leaf is a cube of eight cells"
+            );
+        }
+    }
+}

@@ -30,6 +30,7 @@ pub struct Change {
 pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(key)?;
+    workspace.ensure_full("goldens are blessed from the reference, which is not in it")?;
     // What an earlier run left, `cargo test` or one that was interrupted, is of another reference.
     for (_, stale) in new_files(workspace, &tasks)? {
         remove(&stale)?;
@@ -40,12 +41,13 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
         .args([
             "test",
             "--release",
-            "--quiet",
             "--package",
             "golden",
             "--test",
             "goldens",
         ])
+        // Cargo tells how its build goes: the first one takes minutes. The test itself says little.
+        .args(["--", "--quiet"])
         .env("INSTA_UPDATE", "new")
         .env("INSTA_OUTPUT", "none")
         .env("INSTA_FORCE_PASS", "1")
@@ -56,10 +58,9 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
     let (child, _running) = running::start(&mut cargo).map_err(failed)?;
     let output = child.wait_with_output().map_err(failed)?;
     if !output.status.success() {
-        return Err(GraderError::new(format!(
-            "nothing is blessed, because the goldens' test failed:\n{}",
-            String::from_utf8_lossy(&output.stdout).trim()
-        )));
+        return Err(GraderError::new(nothing_blessed(&String::from_utf8_lossy(
+            &output.stdout,
+        ))));
     }
     new_files(workspace, &tasks)?
         .into_iter()
@@ -71,6 +72,17 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
             })
         })
         .collect()
+}
+
+/// What is said when cargo fails, whose test printed `said`: nothing if it was not even built.
+fn nothing_blessed(said: &str) -> String {
+    match said.trim() {
+        "" => {
+            "nothing is blessed, because the goldens' test could not be built: cargo says above why"
+                .into()
+        }
+        said => format!("nothing is blessed, because the goldens' test failed:\n{said}"),
+    }
 }
 
 /// Takes the changes over and writes down where they come from.
@@ -225,6 +237,7 @@ fn fnv(bytes: &[u8]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mutants::corpus::Corpus;
 
     const COURSE: &str = r#"
 conventions = []
@@ -265,6 +278,30 @@ cases = [{ name = "a", tier = "core", points = 1 }]
         let goldens: Vec<&Path> = found.iter().map(|(golden, _)| golden.as_path()).collect();
         let folder = workspace.root().join("golden/part1.task1");
         assert_eq!(goldens, [folder.join("a.png"), folder.join("a.snap")]);
+    }
+
+    #[test]
+    fn a_handout_is_told_that_it_is_one() {
+        let folder = tempfile::tempdir().unwrap();
+        for (path, text) in [
+            ("stages/course.toml", COURSE),
+            ("stages/bbox/src/lib.rs", ""),
+        ] {
+            crate::tree::write(&folder.path().join(path), text.as_bytes()).unwrap();
+        }
+        let workspace = Workspace::above(folder.path()).unwrap();
+        let error = propose(&workspace, "all").unwrap_err().to_string();
+        assert!(error.contains("is a handout"), "{error}");
+        let course = Course::read(&workspace).unwrap();
+        let task = course.select("part1.task1").unwrap()[0];
+        let error = Corpus::read(&workspace, task).unwrap_err().to_string();
+        assert!(error.contains("is a handout"), "{error}");
+    }
+
+    #[test]
+    fn a_test_that_was_not_built_says_nothing() {
+        assert!(nothing_blessed(" \n").contains("cargo says above why"));
+        assert!(nothing_blessed("a panicked\n").ends_with("failed:\na panicked"));
     }
 
     #[test]

@@ -101,6 +101,17 @@ impl Course {
         self.parts.iter().flat_map(|part| &part.tasks)
     }
 
+    /// The stages that its tasks are written in, in the order of the course, each once.
+    pub fn stages(&self) -> Vec<&str> {
+        let mut stages = Vec::new();
+        for task in self.tasks() {
+            if !stages.contains(&task.stage.as_str()) {
+                stages.push(task.stage.as_str());
+            }
+        }
+        stages
+    }
+
     /// The tasks that `what` names: `all`, a part such as `part2`, or a task such as `part2.task3`.
     pub fn select(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
         let chosen: Vec<&Task> = self
@@ -108,6 +119,14 @@ impl Course {
             .filter(|task| what == "all" || task.key == what || task.part_key() == what)
             .collect();
         if chosen.is_empty() {
+            if let Some(part) = self.parts.iter().find(|part| part.is_meant_by(what)) {
+                let keys: Vec<&str> = part.tasks.iter().map(|task| task.key.as_str()).collect();
+                return Err(GraderError::new(format!(
+                    "the course has no `{what}`. The tasks of its part {} are {}",
+                    part.number,
+                    keys.join(", ")
+                )));
+            }
             let parts: Vec<String> = self
                 .parts
                 .iter()
@@ -168,6 +187,14 @@ impl Course {
     }
 }
 
+impl Part {
+    /// Whether a key such as `part1.task9` asks for a task of this part.
+    fn is_meant_by(&self, key: &str) -> bool {
+        key.split_once('.')
+            .is_some_and(|(part, _)| part == format!("part{}", self.number))
+    }
+}
+
 impl Task {
     /// The part it belongs to, such as `part1`.
     pub fn part_key(&self) -> &str {
@@ -216,5 +243,21 @@ fn ensure(holds: bool, sentence: impl FnOnce() -> String) -> Result<(), GraderEr
         Ok(())
     } else {
         Err(GraderError::new(sentence()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_task_that_is_not_there_is_answered_by_those_of_its_part() {
+        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is sound");
+        let told = |what: &str| course.select(what).unwrap_err().to_string();
+        let tasks = told("part1.task9");
+        assert!(tasks.contains("part1.task1, part1.task2"), "{tasks}");
+        assert!(!tasks.contains("part2"), "{tasks}");
+        let parts = told("part9");
+        assert!(parts.contains("part1, part2"), "{parts}");
     }
 }

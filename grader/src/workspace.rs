@@ -37,6 +37,18 @@ impl Workspace {
         &self.root
     }
 
+    /// Refuses a handout, for `work` that needs what only the course's full checkout has.
+    pub fn ensure_full(&self, work: &str) -> Result<(), GraderError> {
+        // The test of the goldens, and with it this manifest, is about the reference: no handout takes it.
+        if self.root.join("golden/Cargo.toml").is_file() {
+            return Ok(());
+        }
+        Err(GraderError::new(format!(
+            "{} is a handout or a submission: {work}. Run this in the course's full checkout",
+            self.root.display()
+        )))
+    }
+
     /// The course's list of parts and tasks.
     pub fn course_toml(&self) -> PathBuf {
         self.root.join(COURSE)

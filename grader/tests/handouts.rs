@@ -109,6 +109,20 @@ fn a_handout_is_a_project_and_no_more() {
 }
 
 #[test]
+fn the_readme_says_what_is_handed_in() {
+    for (part, stages) in [
+        (
+            1,
+            "stages/{raygen,intersect,bvh,bbox,direct,global,adaptive}/src`",
+        ),
+        (2, "stages/{bvh,bbox,direct,global,adaptive}/src`"),
+    ] {
+        let readme = text(handout(part), "README.md");
+        assert!(readme.contains(stages), "{readme}");
+    }
+}
+
+#[test]
 fn nobody_sees_a_marker_and_carving_a_handout_again_changes_nothing() {
     for part in [1, 2] {
         let handout = handout(part);

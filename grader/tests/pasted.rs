@@ -226,7 +226,7 @@ impl Pasted {
 /// Writes a package of that name whose library is called like the stage, with the test in its `tests` folder.
 fn write_package(folder: &Path, pasted: &Pasted, sources: &Sources, kit: &Path) {
     let manifest = format!(
-        "[package]\nname = \"{}\"\nedition = \"2024\"\n\n[lib]\nname = \"{}\"\n\n[dependencies]\nkit = {{ path = {kit:?} }}\n",
+        "[package]\nname = \"{}\"\nedition = \"2024\"\n\n[lib]\nname = \"{}\"\n\n[dependencies]\nkit = {{ path = {kit:?} }}\n\n[lints]\nworkspace = true\n",
         folder.file_name().unwrap().display(),
         pasted.stage
     );
@@ -235,7 +235,8 @@ fn write_package(folder: &Path, pasted: &Pasted, sources: &Sources, kit: &Path) 
         std::fs::write(path, text).unwrap();
     };
     write(&folder.join("Cargo.toml"), &manifest);
-    write(&folder.join("tests/pasted.rs"), &pasted.test());
+    let test = paste::as_file(pasted.task, &pasted.test());
+    write(&folder.join("tests/pasted.rs"), &test);
     for (path, text) in sources {
         write(&folder.join("src").join(path), text);
     }
@@ -267,7 +268,7 @@ fn pasted_tests_fail_on_the_mistake_and_pass_on_the_reference() {
         .flat_map(|pasted| ["right", "wrong"].map(|kind| format!("\"{kind}_{}\"", pasted.name)));
     let members: Vec<String> = members.collect();
     let manifest = format!(
-        "[workspace]\nresolver = \"3\"\nmembers = [{}]\n",
+        "[workspace]\nresolver = \"3\"\nmembers = [{}]\n\n[workspace.lints.rust]\nmissing_docs = \"warn\"\n",
         members.join(", ")
     );
     std::fs::write(job.join("Cargo.toml"), manifest).unwrap();
@@ -289,6 +290,7 @@ fn pasted_tests_fail_on_the_mistake_and_pass_on_the_reference() {
         said.matches("test result: ok. 1 passed").count(),
         PASTED.len()
     );
+    assert!(!told.contains("tests/pasted.rs:"), "a warning:\n{told}");
     let wrong = run(&job, &target, "wrong");
     let said = String::from_utf8_lossy(&wrong.stdout);
     let told = String::from_utf8_lossy(&wrong.stderr);

@@ -32,7 +32,8 @@ pub struct Spec {
     pub task: &'static str,
     /// Name, as in `course.toml`.
     pub name: &'static str,
-    /// What is checked, and what a naive formula does there, in a sentence for students.
+    /// What is checked, in a sentence for students, and after [`PITFALL`] what a naive formula does there: [`checked`]
+    /// is what is told to who wants no more of a hint.
     pub about: &'static str,
     /// What the worker does.
     pub work: Work,
@@ -45,6 +46,16 @@ pub struct Spec {
     pub about_aspects: &'static [Aspect],
     /// What is right, as far as somebody has asked.
     pub(crate) truths: Arc<Truths>,
+}
+
+/// Where, in the sentence about a case, it goes on with a mistake that is made there.
+pub const PITFALL: &str = " Pitfall: ";
+
+/// What a case checks, of the sentence `about` it: no mistake is named.
+pub fn checked(about: &str) -> &str {
+    about
+        .split_once(PITFALL)
+        .map_or(about, |(checked, _)| checked)
 }
 
 /// Milliseconds after which a case has failed. Sound code needs a few.
@@ -184,6 +195,18 @@ mod tests {
                 _ => 0,
             };
             assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
+        }
+    }
+
+    #[test]
+    fn what_is_checked_names_no_mistake() {
+        for spec in all(0) {
+            let told = checked(spec.about);
+            let name = format!("{} {}: {told}", spec.task, spec.name);
+            assert!(told.len() > 10, "{name}");
+            for word in ["itfall", "whoever", "instead", "epsilon"] {
+                assert!(!told.contains(word), "{name}");
+            }
         }
     }
 

@@ -10,9 +10,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "center_of_each_pixel",
-            "One sample a pixel goes through its centre, ((x + 0.5) / w, (y + 0.5) / h); \
-             integer division makes every pixel (0, 0), and a film that is not square tells x \
-             from y and w from h.",
+            "One sample a pixel goes through its centre, ((x + 0.5) / w, (y + 0.5) / h); the film \
+             is not square. Pitfall: integer division makes every pixel (0, 0).",
             work([7, 3], all([7, 3]), 1, PixelWorld::Ramp, 0),
         ),
         case(
@@ -47,14 +46,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "odd_number_of_samples",
-            "7 samples: whoever takes whole rows of samples, or starts the loop at 1, has \
-             another number.",
+            "7 samples a pixel: as many rays, and their mean. Pitfall: whoever takes whole rows of \
+             samples, or starts the loop at 1, has another number.",
             work([5, 4], all([5, 4]), 7, PixelWorld::Ramp, 0),
         )
         .only(&[Calls, Radiance]),
         case(
             "bright_light",
-            "Radiance may be far above 1: it is averaged as it comes, without clamping.",
+            "Radiance may be far above 1: it is averaged as it comes. Pitfall: a mean of clamped \
+             values is too dark.",
             work(
                 [3, 2],
                 all([3, 2]),
@@ -66,8 +66,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "light_and_dark",
-            "Samples are bright and black by turns: the pixel is their mean, neither the sum \
-             nor the last one.",
+            "Samples are bright and black by turns: the pixel is their mean. Pitfall: neither their \
+             sum nor the last one is.",
             work(
                 [3, 2],
                 all([3, 2]),

@@ -27,7 +27,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Direction, UnitLength]),
         case(
             "camera_to_world",
-            "Rotated and rolled cameras: c2w takes the direction to world space. Its \
+            "Rotated and rolled cameras: c2w takes the direction to world space. Pitfall: its \
              transpose turns the other way.",
             rotated(),
             nine_points(),

@@ -15,7 +15,8 @@ pub(super) fn cases() -> Vec<Spec> {
         ),
         case(
             "one_primitive",
-            "One primitive and leaves of one: `<` instead of `<=` in the leaf's condition never ends here.",
+            "One primitive and leaves of one: one leaf. Pitfall: `<` instead of `<=` in the leaf's \
+             condition never ends here.",
             vec![cube(Vec3::new(1.0, 2.0, 3.0), 0.5)],
             1,
         ),
@@ -41,31 +42,36 @@ pub(super) fn cases() -> Vec<Spec> {
         ),
         case(
             "duplicates_among_others",
-            "Forty copies of one box among others: once the others are split off, one side of every split is empty.",
+            "Forty copies of one box among others. Pitfall: once the others are split off, one side \
+             of every split is empty.",
             duplicates_among_others(),
             4,
         ),
         case(
             "one_side_empty",
-            "A huge box beside small ones: the middle of the node's box leaves one side of the split empty.",
+            "A huge box beside small ones. Pitfall: the middle of the node's box leaves one side of \
+             the split empty.",
             one_side_empty(),
             2,
         ),
         case(
             "centroids_on_the_split",
-            "A grid whose centroids lie on the split planes: with `<` for one side and `>` for the other they are lost.",
+            "A grid whose centroids lie on the split planes: each primitive goes to one side. \
+             Pitfall: with `<` for one side and `>` for the other they are lost.",
             grid(),
             4,
         ),
         case(
             "long_boxes",
-            "Boxes that are long for their distance: splitting by a corner instead of the centroid peels off one at a time, and boxes around centroids are too small.",
+            "Boxes that are long for their distance. Pitfall: splitting by a corner instead of the \
+             centroid peels off one at a time, and boxes around centroids are too small.",
             long_boxes(),
             4,
         ),
         case(
             "far_from_the_origin",
-            "A cloud of boxes far away: a node's box that starts at (0, 0, 0) instead of empty reaches back to the origin.",
+            "A cloud of boxes far away: each node's box holds its primitives and no more. Pitfall: \
+             a box that starts at (0, 0, 0) instead of empty reaches back to the origin.",
             cloud(500, Vec3::new(3e3, -5e3, 4e3)),
             4,
         ),
@@ -86,19 +92,21 @@ pub(super) fn cases() -> Vec<Spec> {
         ),
         case(
             "halving_distances",
-            "Each box half as far as the one before: midpoint splits peel them off one by one, a thousand levels deep.",
+            "Each box half as far as the one before. Pitfall: midpoint splits peel them off one by \
+             one, a thousand levels deep.",
             (0..1000).map(halving).collect(),
             1,
         ),
         case(
             "thin_boxes",
-            "Boxes without extent on one axis, nearly none on another: a division by the extent finds no bin.",
+            "Boxes without extent on one axis, nearly none on another. Pitfall: a division by the \
+             extent finds no bin.",
             thin_boxes(),
             2,
         ),
         case(
             "near_the_largest_float",
-            "Coordinates near f64::MAX: max - min and min + max overflow.",
+            "Coordinates near f64::MAX. Pitfall: max - min and min + max overflow.",
             near_max(),
             2,
         ),
@@ -192,7 +200,7 @@ fn cloud(n: u32, center: Vec3) -> Vec<Aabb> {
 fn strip_case(name: &'static str, axis: usize) -> Spec {
     case(
         name,
-        "A strip of boxes, in no order: only splits along the longest axis get anywhere.",
+        "A strip of boxes, in no order. Pitfall: only splits along the longest axis get anywhere.",
         strip(axis),
         4,
     )

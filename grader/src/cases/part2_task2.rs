@@ -11,12 +11,14 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     let mut cases = vec![
         case(
             "all_octants",
-            "Rays from every corner of the sky through a box: where d is negative the ray meets the max plane first.",
+            "Rays from every corner of the sky through a box. Pitfall: where d is negative the ray \
+             meets the max plane first.",
             octants(),
         ),
         case(
             "miss_on_one_axis",
-            "Rays inside two of the three slabs, but beside the box on the third: all three axes must agree before anything is returned.",
+            "Rays inside two of the three slabs, but beside the box on the third. Pitfall: all \
+             three axes must agree before anything is returned.",
             beside_on_one_axis(),
         ),
         case(
@@ -56,7 +58,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "near_misses",
-            "Rays that pass the box at a millionth of its size, at scales from 1e-6 to 1e6: padding by an epsilon makes hits of them.",
+            "Rays that pass the box at a millionth of its size, at scales from 1e-6 to 1e6. \
+             Pitfall: padding by an epsilon makes hits of them.",
             near_misses(),
         ),
         case(
@@ -66,7 +69,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "origin_on_a_face",
-            "The origin on a plane of the box and the ray along it: 0 / 0 is NaN, and a comparison with NaN is false.",
+            "The origin on a plane of the box and the ray along it. Pitfall: 0 / 0 is NaN, and a \
+             comparison with NaN is false.",
             on_faces(),
         ),
         case(
@@ -86,13 +90,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "empty_box",
-            "The box that holds nothing (min > max): sorting its two planes turns it inside out, into one that holds everything. \
-             And a range that holds nothing (min_t > max_t), which a comparison with each end alone does not notice.",
+            "The box that holds nothing (min > max), and a range that holds nothing (min_t > \
+             max_t): both are a miss. Pitfall: sorting a box's two planes turns it inside out, into \
+             one that holds everything, and a comparison with each end alone does not notice an \
+             empty range.",
             empty_boxes(),
         ),
         case(
             "infinite_box",
-            "Boxes without end on some axes: inf - inf and 0 * inf are NaN.",
+            "Boxes without end on some axes. Pitfall: inf - inf and 0 * inf are NaN.",
             infinite_boxes(),
         ),
         case(

@@ -110,12 +110,14 @@ fn by_hand() -> Vec<Spec> {
         ),
         case(
             "both_children",
-            "Hits on the left, on the right and on both sides: one child alone, or `||` between the two, loses some.",
+            "Hits on the left, on the right and on both sides. Pitfall: one child alone, or `||` \
+             between the two, loses some.",
             siblings.closest(&through_blocks()),
         ),
         case(
             "box_in_box",
-            "The box that the ray enters first holds the farther hit: the first hit found is not the closest.",
+            "The box that the ray enters first holds the farther hit. Pitfall: the first hit found \
+             is not the closest.",
             box_in_box.closest(&through_blocks()),
         ),
         case(
@@ -150,7 +152,8 @@ fn by_hand() -> Vec<Spec> {
         ),
         case(
             "rounded_boxes",
-            "Boxes that begin a few units in the last place behind their primitive, as rounding has it: skipping them against max_t without slack loses the closest hit.",
+            "Boxes that begin a few units in the last place behind their primitive, as rounding has \
+             it. Pitfall: skipping them against max_t without slack loses the closest hit.",
             rounded_boxes(),
         ),
     ]
@@ -317,7 +320,7 @@ fn counted() -> Vec<Spec> {
     vec![
         case(
             "nearer_first",
-            "Layers behind layers: after a hit, boxes beyond max_t are skipped. Left child first is fine, nearer child first is better, the farther child first or every box is too much.",
+            "Layers behind layers: after a hit, boxes beyond max_t are skipped. Left child first is fine, nearer child first is better. Pitfall: the farther child first, or every box, is too much.",
             layers(),
         ),
         case(
@@ -387,12 +390,13 @@ fn deep() -> Vec<Spec> {
     vec![
         case(
             "deep_tree",
-            "A tree of 48 levels whose last leaf holds the hit: a stack of 32 nodes is too small.",
+            "A tree of 48 levels whose last leaf holds the hit. Pitfall: a stack of 32 nodes is too \
+             small.",
             chains(48),
         ),
         case(
             "very_deep_tree",
-            "The same with 500 levels: a stack of fixed size overflows.",
+            "The same with 500 levels. Pitfall: a stack of fixed size overflows.",
             chains(500),
         ),
     ]

@@ -23,7 +23,7 @@ fn plain(seed: u64) -> Vec<Spec> {
         ),
         rule(
             "confidence",
-            "1.96 is for 95 %: neither 1.645 (90 %) nor 2 nor 2.58 (99 %).",
+            "1.96 is for 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 %, and 2 is rounded.",
             near_the_turn("confidence", 0, 0.001),
         ),
         rule(
@@ -50,7 +50,8 @@ fn plain(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Questions]),
         pixel(
             "mean_of_what_was_taken",
-            "A pixel that stops early divides by the samples that it took, not by -s.",
+            "A pixel that stops early divides by the samples that it took. Pitfall: dividing by -s \
+             makes it too dark.",
             (1..6)
                 .map(|i| of(i, 640, 8, StopRule::From(u64::from(8 * i))))
                 .collect(),
@@ -114,8 +115,9 @@ fn mended(seed: u64) -> Vec<Spec> {
         ),
         sure(
             "black_is_never_enough",
-            "Black samples have no spread, and 0 <= 0: but a lamp that one sample in a thousand \
-             finds leaves most pixels black for long. However many they are, the answer is no.",
+            "Black samples: however many they are, the answer is no. Pitfall: they have no spread, \
+             and 0 <= 0; but a lamp that one sample in a thousand finds leaves most pixels black \
+             for long.",
             [32, 255, 256, 1000, 100_000]
                 .map(|n| call(vec![(n, 0.0)], true))
                 .into(),

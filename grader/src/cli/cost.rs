@@ -26,7 +26,7 @@ pub(super) struct Cost {
     #[arg(long)]
     quick: bool,
     /// What the rays are drawn from.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = super::seed, allow_negative_numbers = true)]
     seed: u64,
 }
 

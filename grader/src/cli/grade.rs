@@ -15,13 +15,16 @@ use std::path::Path;
 pub(super) struct Grade {
     /// What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`.
     what: String,
+    /// What cannot be graded with it.
+    #[arg(hide = true)]
+    more: Vec<String>,
     /// How to print the report.
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
     /// Seed of the fresh random probes.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = super::seed, allow_negative_numbers = true)]
     seed: u64,
-    /// How much to give away: 1 which kinds of rays fail, 2 also what is wrong, 3 also the worst ray, 4 also the mistake.
+    /// How much to give away: 1 what the cases that fail check, 2 also what is wrong, 3 also the worst ray, 4 also the mistake.
     #[arg(long, value_enum, default_value_t = Hint::Mistake)]
     hint: Hint,
     /// Leave out the table of speedups.
@@ -31,6 +34,12 @@ pub(super) struct Grade {
 
 impl Grade {
     pub(super) fn run(&self, submission: &Submission) -> Result<Verdict, GraderError> {
+        if let Some(second) = self.more.first() {
+            return Err(GraderError::new(format!(
+                "one at a time: `grader {}`, then `grader {second}`; or `grader all`",
+                self.what
+            )));
+        }
         let workspace = Workspace::above(Path::new("."))?;
         let order = Order {
             what: self.what.clone(),

@@ -11,11 +11,16 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The first part that the student writes; the reference of the parts before stays.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = part, allow_negative_numbers = true)]
     part: u32,
     /// A new folder, outside the course.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+}
+
+fn part(value: &str) -> Result<u32, String> {
+    super::whole_number(value, 1, u32::MAX)
+        .map_err(|_| "give a part's number, such as 1".to_owned())
 }
 
 impl Arguments {

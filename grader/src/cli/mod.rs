@@ -14,7 +14,9 @@ mod submission;
 use crate::error::GraderError;
 use crate::interrupt;
 use clap::{Parser, Subcommand, ValueEnum};
+use std::fmt::Display;
 use std::process::ExitCode;
+use std::str::FromStr;
 
 /// Scores your ray tracer, stage by stage.
 #[derive(Parser)]
@@ -58,6 +60,22 @@ enum Format {
     Json,
 }
 
+/// Reads a whole number from `least` up, and says so where it is none.
+fn whole_number<T: FromStr + PartialOrd + Display>(
+    value: &str,
+    least: T,
+    most: T,
+) -> Result<T, String> {
+    match value.parse() {
+        Ok(number) if least <= number && number <= most => Ok(number),
+        _ => Err(format!("give a whole number from {least} to {most}")),
+    }
+}
+
+fn seed(value: &str) -> Result<u64, String> {
+    whole_number(value, 0, u64::MAX)
+}
+
 /// How a run that came to its end ends the program.
 enum Verdict {
     /// Every core point, or nothing to complain of.
@@ -94,5 +112,51 @@ fn run(cli: Cli) -> Result<Verdict, GraderError> {
         (None, None) => Err(GraderError::new(
             "say what to grade: `grader part1`, or `grader --help` for all there is",
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refusal(line: &str) -> String {
+        let refused = Cli::try_parse_from(line.split(' ')).err();
+        refused.expect("this line is refused").to_string()
+    }
+
+    #[test]
+    fn numbers_that_cannot_be_used_say_what_is_allowed() {
+        for (line, allowed) in [
+            ("grader part1 --seed x", "give a whole number from 0 to"),
+            ("grader part1 --seed -1", "give a whole number from 0 to"),
+            ("grader cost --seed -1", "give a whole number from 0 to"),
+            ("grader mutants --seeds 0", "give a whole number from 1 to"),
+            (
+                "grader handout --part x --out a",
+                "a part's number, such as 1",
+            ),
+            (
+                "grader handout --part -1 --out a",
+                "a part's number, such as 1",
+            ),
+            (
+                "grader handout --part 99999999999 --out a",
+                "a part's number",
+            ),
+        ] {
+            let told = refusal(line);
+            assert!(told.contains(allowed), "`{line}` says:\n{told}");
+            assert!(!told.contains("-- -1"), "a tip that cannot help:\n{told}");
+        }
+    }
+
+    #[test]
+    fn one_thing_is_graded_at_a_time() {
+        let cli = Cli::try_parse_from(["grader", "part1", "part2"]).expect("it is understood");
+        let refused = run(cli).err().expect("and refused").to_string();
+        assert!(
+            refused.contains("one at a time: `grader part1`, then `grader part2`"),
+            "{refused}"
+        );
     }
 }

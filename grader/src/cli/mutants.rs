@@ -20,7 +20,7 @@ pub(super) struct Mutants {
     #[arg(default_value = "all")]
     what: String,
     /// Grade the correct versions with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "bless")]
+    #[arg(long, default_value_t = 1, value_parser = seeds, allow_negative_numbers = true, conflicts_with = "bless")]
     seeds: u64,
     /// Instead, try the diagnosis with mistakes that it need not know: those in FOLDER/<task>.toml, written as in
     /// `grader/mutants`. Nothing is stored.
@@ -29,6 +29,10 @@ pub(super) struct Mutants {
     /// Store the tables and the signatures that the diagnosis uses.
     #[arg(long)]
     bless: bool,
+}
+
+fn seeds(value: &str) -> Result<u64, String> {
+    super::whole_number(value, 1, u64::MAX)
 }
 
 impl Mutants {

@@ -14,14 +14,14 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
     let here = course.parts.iter().find(|p| p.number == part);
     let here = here.ok_or_else(|| GraderError::new(format!("the course has no part {part}")))?;
     let mut tasks = String::new();
+    let mut stages: Vec<&str> = Vec::new();
     for part in course.parts.iter().filter(|p| p.number >= part) {
         tasks.push_str(&section(part, files)?);
         tasks.push('\n');
-    }
-    let mut stages: Vec<&str> = Vec::new();
-    for task in &here.tasks {
-        if !stages.contains(&task.stage.as_str()) {
-            stages.push(&task.stage);
+        for task in &part.tasks {
+            if !stages.contains(&task.stage.as_str()) {
+                stages.push(&task.stage);
+            }
         }
     }
     let stages = match stages.as_slice() {

@@ -81,6 +81,7 @@ impl Corpus {
 
     /// Reads the mutants of a task.
     pub fn read(workspace: &Workspace, task: &Task) -> Result<Corpus, GraderError> {
+        workspace.ensure_full("it has no list of typical mistakes")?;
         let path = Corpus::file(workspace, task);
         let corpus = Corpus::parse(&path)?;
         corpus

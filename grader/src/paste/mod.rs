@@ -26,7 +26,7 @@ use wire::Work;
 pub fn worst(cases: &[CaseResult], specs: &[Spec], task: &str) -> Option<String> {
     let mut failed: Vec<&CaseResult> = cases.iter().filter(|case| case.worst().is_some()).collect();
     failed.sort_by_key(|case| case.tier == Tier::Robust);
-    failed.into_iter().find_map(|case| {
+    let found = failed.into_iter().find_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(task, &case.name))?;
         let worst = case
             .findings
@@ -36,7 +36,13 @@ pub fn worst(cases: &[CaseResult], specs: &[Spec], task: &str) -> Option<String>
             .into_iter()
             .filter(|(aspect, _)| can_show(&spec.work, *aspect))
             .find_map(|(_, worst)| test(spec, case.tier, worst.call as usize))
-    })
+    });
+    found.map(|test| as_file(task, &test))
+}
+
+/// The test as a file of a stage's `tests/` folder, where the compiler asks for a comment at the top.
+pub fn as_file(task: &str, test: &str) -> String {
+    format!("//! The worst answer of {task}, as the grader saw it.\n\n{test}")
 }
 
 /// Whether a test of one call asks for the aspect: none of a tree or a walk through one asks what it costs, and none of

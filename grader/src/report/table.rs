@@ -1,5 +1,6 @@
 //! The report as a table, then what failed: as much of it as the hint level says.
 
+use crate::cases::checked;
 use crate::course::Tier;
 use crate::judge::errors::ErrorSpread;
 use crate::judge::tally::{Aspect, Finding};
@@ -11,10 +12,10 @@ use std::fmt::Write;
 /// How much the report gives away, from the least to the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 pub enum Hint {
-    /// Which kinds of rays fail.
+    /// What the cases that fail check.
     #[value(name = "1")]
     Class,
-    /// Also what is wrong about the answers.
+    /// Also what is wrong about the answers, and what a naive formula does there.
     #[value(name = "2")]
     Field,
     /// Also the worst ray, and a test to paste.
@@ -33,7 +34,7 @@ pub fn show(report: &Report, hint: Hint) -> String {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_BORDERS_ONLY)
-        .set_header(["task", "", "core", "extra", ""]);
+        .set_header(["task", "", "core", "extra", "status"]);
     for task in &report.tasks {
         table.add_row([
             Cell::new(&task.key),
@@ -142,7 +143,9 @@ fn summary(task: &TaskResult) -> String {
             )
         }
         Status::Failed if lost(Tier::Robust) > 0 => {
-            format!("passed; {} cases of extra credit open", lost(Tier::Robust))
+            let open = lost(Tier::Robust);
+            let cases = if open == 1 { "case" } else { "cases" };
+            format!("passed; {open} {cases} of extra credit open")
         }
         Status::Failed => "passed".into(),
         status => return describe(status),
@@ -221,7 +224,8 @@ fn details(text: &mut String, task: &TaskResult, hint: Hint) {
     {
         let _ = writeln!(
             text,
-            "\n  The worst of it as a test, for stages/{}/tests/worst.rs:\n",
+            "\n  The worst of it as a test. Save it as stages/{0}/tests/worst.rs (make the folder if there is none), \
+             then `cargo test -p {0} --test worst`:\n",
             task.stage
         );
         test.lines().for_each(|line| {
@@ -260,7 +264,12 @@ fn some_cases(text: &mut String, cases: &[&CaseResult], hint: Hint) {
 
 fn one_case(text: &mut String, case: &CaseResult, hint: Hint) {
     let (score, max_score) = (number(case.score), number(case.max_score));
-    let _ = writeln!(text, "  {}  {score}/{max_score}  {}", case.name, case.about);
+    let about = if hint >= Hint::Field {
+        &case.about
+    } else {
+        checked(&case.about)
+    };
+    let _ = writeln!(text, "  {}  {score}/{max_score}  {about}", case.name);
     if case.status != Status::Failed {
         let _ = writeln!(text, "      {}", describe(&case.status));
     }
@@ -326,6 +335,35 @@ mod tests {
             worst_as_test: None,
             cases: cases.collect(),
         }
+    }
+
+    #[test]
+    fn the_first_hint_names_no_mistake() {
+        let mut task = task(&[Status::Failed]);
+        task.cases[0].about = "Rays beside it. Pitfall: an epsilon.".into();
+        let told = |hint| {
+            let mut text = String::new();
+            details(&mut text, &task, hint);
+            text
+        };
+        let first = told(Hint::Class);
+        assert!(first.contains("Rays beside it.\n"), "{first}");
+        assert!(told(Hint::Field).contains("Pitfall: an epsilon."));
+    }
+
+    #[test]
+    fn one_open_case_is_one() {
+        let robust = |statuses: &[Status]| {
+            let mut task = task(statuses);
+            task.cases
+                .iter_mut()
+                .for_each(|case| case.tier = Tier::Robust);
+            summary(&task)
+        };
+        let one = robust(&[Status::Passed, Status::Failed]);
+        assert_eq!(one, "passed; 1 case of extra credit open");
+        let two = robust(&[Status::Failed, Status::Failed]);
+        assert_eq!(two, "passed; 2 cases of extra credit open");
     }
 
     #[test]

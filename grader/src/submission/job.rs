@@ -23,10 +23,17 @@ impl Job {
     pub fn open(workspace: &Workspace) -> Result<Job, GraderError> {
         let top = workspace.root().join("target/submissions");
         std::fs::create_dir_all(&top).map_err(|e| GraderError::file("make", &top, e))?;
+        let target = top.join("target");
+        if !target.is_dir() {
+            // What cargo says about code that is not the caller's own is kept for the report.
+            eprintln!(
+                "Building the course for submissions: this first time it takes a few minutes."
+            );
+        }
         let claim = interrupt::claim(&top.join("in_use"))?;
         Ok(Job {
             folder: top.join("job"),
-            target: top.join("target"),
+            target,
             trusted: trusted(workspace)?,
             _claim: claim,
         })

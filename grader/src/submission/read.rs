@@ -3,7 +3,7 @@
 use crate::course::Course;
 use crate::error::GraderError;
 use crate::tree::{self, Files};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A submission as it was read. None of its code has run.
@@ -50,7 +50,7 @@ impl Submission {
             top.clone()
         };
         let mut submission = Submission::default();
-        let stages: BTreeSet<&str> = course.tasks().map(|task| task.stage.as_str()).collect();
+        let stages = course.stages();
         for stage in &stages {
             let src = stages_folder.join(stage).join("src");
             if is_there(&src)? {
@@ -62,10 +62,10 @@ impl Submission {
             }
         }
         if submission.stages.is_empty() {
-            let first = stages.iter().next().copied().unwrap_or("intersect");
             return Err(GraderError::new(format!(
-                "{} holds no stage: looked for stages/{first}/src and the like. Is it the right folder?",
-                folder.display()
+                "{} holds no stage: looked for stages/<stage>/src, where <stage> is {}. Is it the right folder?",
+                folder.display(),
+                stages.join(" or ")
             )));
         }
         let taken = |path: &Path| {
@@ -74,7 +74,7 @@ impl Submission {
                 .into_iter()
                 .flat_map(Path::iter)
                 .map(|name| name.to_string_lossy());
-            names.next().is_some_and(|stage| stages.contains(&*stage))
+            names.next().is_some_and(|stage| stages.contains(&&*stage))
                 && names.next().is_some_and(|src| src == "src")
                 && path.extension().is_some_and(|extension| extension == "rs")
         };
@@ -139,28 +139,35 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
 
 /// One source file, checked before it is read.
 fn source(top: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
-    let refused = |why: String| GraderError::new(format!("{}: {why}", path.display()));
+    let refused = |why: String| GraderError::new(format!("{} {why}", path.display()));
     let real = path
         .canonicalize()
         .map_err(|e| GraderError::file("read", path, e))?;
     if !real.starts_with(top) {
-        return Err(refused("a link to a file outside the submission".into()));
+        return Err(refused(
+            "is a link to a file outside the submission: put the file itself in its place".into(),
+        ));
     }
     let about = real
         .metadata()
         .map_err(|e| GraderError::file("read", path, e))?;
     if !about.is_file() {
-        return Err(refused("not a plain file".into()));
+        return Err(refused(
+            "is no plain file: put a text file in its place".into(),
+        ));
     }
     if about.len() > LARGEST_FILE {
-        return Err(refused(format!("{} bytes are no source file", about.len())));
+        return Err(refused(format!(
+            "has {} bytes, and no source file has more than {LARGEST_FILE}",
+            about.len()
+        )));
     }
     if path.to_str().is_none() {
-        return Err(refused("its name is not UTF-8".into()));
+        return Err(refused("has a name that is not UTF-8: rename it".into()));
     }
     let contents = tree::read(top, &real)?;
     if std::str::from_utf8(&contents).is_err() {
-        return Err(refused("not UTF-8 text. Save it as UTF-8".into()));
+        return Err(refused("is not UTF-8 text: save it as UTF-8".into()));
     }
     Ok(contents)
 }
@@ -359,9 +366,15 @@ mod tests {
         let lib = "stages/intersect/src/lib.rs";
         let large = vec![b' '; LARGEST_FILE as usize + 1];
         for (files, why) in [
-            (&[("README.md", b"x".as_slice())], "holds no stage"),
-            (&[(lib, b"\xff\xfe".as_slice())], "not UTF-8"),
-            (&[(lib, large.as_slice())], "bytes are no source file"),
+            (
+                &[("README.md", b"x".as_slice())],
+                "holds no stage: looked for stages/<stage>/src, where <stage> is intersect.",
+            ),
+            (
+                &[(lib, b"\xff\xfe".as_slice())],
+                "lib.rs is not UTF-8 text: save it as UTF-8",
+            ),
+            (&[(lib, large.as_slice())], "no source file has more than"),
         ] {
             let (_folder, submission) = read(files);
             let error = submission.unwrap_err();
@@ -421,7 +434,7 @@ mod tests {
         assert!(
             reread(&folder)
                 .unwrap_err()
-                .contains("outside the submission")
+                .contains("b.rs is a link to a file outside the submission")
         );
         std::fs::remove_file(src.join("b.rs")).unwrap();
         symlink(folder.path(), src.join("round")).unwrap();

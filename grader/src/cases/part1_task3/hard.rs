@@ -12,9 +12,9 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             enclosed: true,
             ..case(
                 "shared_edges",
-                "Rays from inside a closed mesh, aimed at its edges and vertices: one of the \
-                 faces must be hit. Möller-Trumbore rounds each face differently and lets \
-                 about one such ray in ten out.",
+                "Rays from inside a closed mesh, aimed at its edges and vertices: one of the faces \
+                 must be hit. Pitfall: Möller-Trumbore rounds each face differently and lets about \
+                 one such ray in ten out.",
                 closed::shared_edges(),
             )
             .only(&[Decision])
@@ -23,16 +23,16 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             enclosed: true,
             ..case(
                 "needle_and_pancake",
-                "The same in closed meshes a million times as long as wide, and as wide as \
-                 thick: no epsilon on t or on the determinant keeps them closed.",
+                "The same in closed meshes a million times as long as wide, and as wide as thick. \
+                 Pitfall: no epsilon on t or on the determinant keeps them closed.",
                 closed::needle_and_pancake(),
             )
             .only(&[Decision])
         },
         case(
             "tiny_and_huge",
-            "Whole scenes from 1e-30 to 1e30 in size: a determinant below an absolute epsilon \
-             is no reason to miss.",
+            "Whole scenes from 1e-30 to 1e30 in size. Pitfall: a determinant below an absolute \
+             epsilon is no reason to miss.",
             scale::tiny_and_huge(),
         )
         .only(&[Decision, T, Barycentrics]),
@@ -44,8 +44,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision, T, Barycentrics, Position]),
         case(
             "far_from_the_world_origin",
-            "Triangles a million away from the world's origin: subtract the ray's origin \
-             first, multiply then.",
+            "Triangles a million away from the world's origin. Pitfall: products of such large \
+             coordinates keep few digits; subtract the ray's origin first, multiply then.",
             scale::far_from_the_world_origin(),
         )
         .only(&[Decision, T, Barycentrics, Position]),
@@ -57,8 +57,9 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision, T]),
         case(
             "a_million_away",
-            "Hits at t = 1e6: o + t d drifts off the surface, a mix of the vertices stays on \
-             it.",
+            "Hits at t = 1e6: the hit point is still the one on the surface. Pitfall: o + t d \
+             drifts off the surface; a mix of the vertices stays on it, but moves along it where \
+             its weights are rounded.",
             scale::a_million_away(),
         )
         .only(&[Position, T]),
@@ -77,15 +78,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision]),
         case(
             "by_a_hair",
-            "Rays a billionth of the triangle's size and less inside its edges and outside: \
-             an epsilon on the weights is too coarse.",
+            "Rays a billionth of the triangle's size and less inside its edges and outside. \
+             Pitfall: an epsilon on the weights is too coarse.",
             scale::by_a_hair(),
         )
         .only(&[Decision]),
         case(
             "not_a_number",
-            "NaN in the ray or in a vertex, d = 0, min_t > max_t: a miss. Write tests so that \
-             NaN fails them.",
+            "NaN in the ray or in a vertex, d = 0, min_t > max_t: a miss. Pitfall: comparisons with \
+             NaN are false; write tests so that NaN fails them.",
             odd::not_a_number(),
         )
         .only(&[Decision]),

@@ -59,14 +59,14 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "edges_and_vertices",
             "Rays exactly through edges and vertices, in small integers: they count as hits. \
-             Strict comparisons leave cracks between neighbours.",
+             Pitfall: strict comparisons leave cracks between neighbours.",
             boundary::edges_and_vertices(),
         )
         .only(&[Decision]),
         case(
             "parallel_rays",
-            "Rays parallel to the triangle, above it and inside its plane: all miss. Dividing \
-             by their determinant, 0, makes NaN, and NaN passes every test that asks for < \
+            "Rays parallel to the triangle, above it and inside its plane: all miss. Pitfall: \
+             dividing by their determinant, 0, makes NaN, and NaN passes every test that asks for < \
              and >.",
             boundary::parallel(),
         )
@@ -93,8 +93,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Normal, GeometricNormal, Barycentrics]),
         case(
             "close_up",
-            "Hits from 0.0001 to 0.01 away. A minimal t of one's own makes holes close to the \
-             camera; min_t says where to begin.",
+            "Hits from 0.0001 to 0.01 away: min_t says where to begin. Pitfall: a minimal t of \
+             one's own makes holes close to the camera.",
             hits::close_up(),
         )
         .only(&[Decision, T]),

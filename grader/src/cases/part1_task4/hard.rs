@@ -12,16 +12,15 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "far_away",
-            "Spheres a thousand to a million radii away: b * b and 4ac are so large that \
-             their difference keeps no digit. Take it as r * r - |f - (f.d / d.d) d|^2 \
-             instead.",
+            "Spheres a thousand to a million radii away. Pitfall: b * b and 4ac are so large that \
+             their difference keeps no digit; take it as r * r - |f - (f.d / d.d) d|^2 instead.",
             far_away(),
         )
         .only(&[Decision, T]),
         case(
             "ground_sphere",
-            "A sphere of radius 1e5 as the ground, the ray close above it: -b and the root \
-             cancel. Divide c by the root that adds up.",
+            "A sphere of radius 1e5 as the ground, the ray close above it. Pitfall: -b and the root \
+             cancel; divide c by the root that adds up.",
             ground(),
         )
         .only(&[Decision, T]),
@@ -41,8 +40,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision]),
         case(
             "hit_point_on_the_sphere",
-            "Hits from far away: o + t d is off the sphere by the rounding of t. Scale \
-             center- to-p back to the radius.",
+            "Hits from far away: the hit point lies on the sphere. Pitfall: o + t d is off by the \
+             rounding of t; scale the way from the centre to p back to the radius.",
             hit_point_on_the_sphere(),
         )
         .only(&[Position, Normal]),
@@ -55,8 +54,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision, Normal]),
         case(
             "range_ends_beside_the_center",
-            "A root is exactly min_t or exactly max_t, in small integers beside the centre: a division by the radius \
-             would round it away.",
+            "A root is exactly min_t or exactly max_t, in small integers beside the centre. \
+             Pitfall: a division by the radius rounds it away.",
             boundary::range_ends_beside_the_center(),
         )
         .only(&[Decision, T]),
@@ -69,7 +68,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "not_a_number",
             "NaN in the ray or the sphere, d = 0, min_t > max_t, a negative radius: a miss. \
-             Write tests so that NaN fails them.",
+             Pitfall: comparisons with NaN are false; write tests so that NaN fails them.",
             not_a_number(),
         )
         .only(&[Decision]),

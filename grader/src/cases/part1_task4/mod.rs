@@ -23,7 +23,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "around_the_rim",
-            "Rays just inside the rim hit, those just outside miss. A radius that is not \
+            "Rays just inside the rim hit, those just outside miss. Pitfall: a radius that is not \
              squared, or half of b, moves the rim.",
             hits::around_the_rim(),
         )
@@ -64,7 +64,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision]),
         case(
             "length_of_direction",
-            "d need not have length 1: a is d.d, and the whole numerator is divided by 2a.",
+            "d need not have length 1: t counts lengths of d. Pitfall: a is d.d, not 1, and the \
+             whole numerator is divided by 2a.",
             hits::length_of_direction(),
         )
         .only(&[Decision, T, Position]),

@@ -12,8 +12,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "value",
-            "f of two directions above the surface is reflectance / π, the same for all of them: \
-             without the π a white wall gives back three times what it gets.",
+            "f of two directions above the surface is reflectance / π, the same for all of them. \
+             Pitfall: without the π a white wall gives back three times what it gets.",
             probes("value", 0, 200, |dice| (above(dice), above(dice))),
         )
         .only(&[Bsdf]),
@@ -29,7 +29,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf]),
         case(
             "density",
-            "The density is |cos θ| / π of wi, not of wo, and not 1 / 2π.",
+            "The density is |cos θ| / π of wi. Pitfall: that of wo is another, and so is 1 / 2π.",
             probes("density", 0, 200, |dice| (above(dice), above(dice))),
         )
         .only(&[Pdf]),
@@ -46,8 +46,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf, Decision]),
         case(
             "sampled_directions",
-            "Many samples: unit vectors on the side of wo, as dense as the cosine to the normal \
-             (a χ² test over 512 cells). A deviation of 24 % is sure to be seen; a radius of u \
+            "Many samples: unit vectors on the side of wo, as dense as the cosine to the normal (a \
+             χ² test over 512 cells). A deviation of 24 % is sure to be seen. Pitfall: a radius of u \
              instead of its root crowds them at the normal.",
             probes("sampled_directions", 0, 16_000, |dice| {
                 let wo = above(dice);
@@ -83,9 +83,9 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "corners_of_the_square",
-            "u at the corners of the unit square: 1 - x² - y² rounds to 0 or below at the rim, \
-             the density to 0, and f / pdf to infinity. The height is the root of 1 - u, which \
-             is exact.",
+            "u at the corners of the unit square: the direction and f / pdf stay finite. Pitfall: 1 \
+             - x² - y² rounds to 0 or below at the rim, the density to 0, and f / pdf to infinity; \
+             the height is the root of 1 - u, which is exact.",
             corners(),
         )
         .only(&[SampledDirection, SampleRecord]),

@@ -37,8 +37,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Range]),
         case(
             "one_sample_of_a_point",
-            "A light without extent gets one sample, whatever -l says: more would all be the \
-             same. Its light is not divided by -l.",
+            "A light without extent gets one sample, whatever -l says: more would all be the same. \
+             Pitfall: its light is not divided by -l.",
             anywhere_lit(vec![point(), sun()], Vec::new(), 4),
         )
         .only(&[Rays, Radiance]),
@@ -64,8 +64,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Mean]),
         case(
             "several_samples",
-            "With -l 4 a lamp gives the mean of four different samples, not their sum. A bias of 4 % \
-             is sure to be seen.",
+            "With -l 4 a lamp gives the mean of four different samples. A bias of 4 % is sure to be \
+             seen. Pitfall: their sum is four times as bright.",
             same(vec![lamp(1.5, [5.0; 3])], Vec::new(), floor(), 4),
         )
         .only(&[Rays, Radiance, Spread, Mean]),

@@ -24,8 +24,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "rays_start_at_the_surface",
-            "Every ray starts where Surface::leave puts it, with all of its range: a ray from \
-             the point itself may hit the surface that it leaves.",
+            "Every ray starts where Surface::leave puts it, with all of its range. Pitfall: a ray \
+             from the point itself may hit the surface that it leaves.",
             hemisphere("start", around(0.5), 60, 4),
         )
         .only(&[Origin, Range]),

@@ -41,8 +41,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Rays]),
         case(
             "lamp_met_by_chance",
-            "A matte surface got the lamp's light as direct light already: a ray that meets the \
-             lamp by chance afterwards must not count it again.",
+            "A matte surface got the lamp's light as direct light already, and then a ray meets the \
+             lamp by chance: it counts once. Pitfall: adding what it emits there counts it again.",
             every(&["D L", "D D L", "M D L"], &[2, 3, 5]),
         )
         .only(&[Radiance]),

@@ -89,8 +89,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision, SampledDirection, Fresnel, Bsdf]),
         case(
             "fresnel",
-            "Fresnel's share from head-on (0.04 for glass) to grazing (1), into the denser side \
-             and out of it. Schlick's formula is near it, and not it.",
+            "Fresnel's share from head-on (0.04 for glass) to grazing (1), into the denser side and \
+             out of it. Pitfall: Schlick's formula is near it, and not it.",
             shares(),
         ),
         case(
@@ -150,8 +150,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "nearly_grazing",
-            "Light that comes in almost along the surface: 1 - cos² rounds to 1, and the few \
-             digits that the cosine has are lost on the way. η² cos² + (1 - η)(1 + η) keeps \
+            "Light that comes in almost along the surface. Pitfall: 1 - cos² rounds to 1, and the \
+             few digits that the cosine has are lost on the way; η² cos² + (1 - η)(1 + η) keeps \
              them.",
             grazing(),
         )

@@ -38,6 +38,13 @@ pub struct Diagnosis {
     pub of: usize,
 }
 
+impl Diagnosis {
+    /// Whether more than half of the calls tell for it. Else only the kinds of the faults do.
+    pub fn is_likely(&self) -> bool {
+        2 * self.equal > self.of
+    }
+}
+
 /// From this likeness on, the mistake is named as what it is.
 const SURE: f64 = 0.95;
 
@@ -93,8 +100,8 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         true => (alone_of_its_kind(&ranked, student)?, likeness),
         false => (best, likeness),
     };
-    let (mistakes, says) = with_twins(&ranked, best);
     let (equal, of) = student.calls_alike(&best.signature);
+    let (mistakes, says, hint) = with_twins(&ranked, best);
     let verb = if likeness >= SURE {
         "equal"
     } else {
@@ -103,7 +110,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     Some(Diagnosis {
         mistakes,
         says: format!("your answers {verb} those of code that {says}: on {equal} of {of} calls"),
-        hint: best.hints.join(" "),
+        hint,
         equal,
         of,
     })
@@ -147,10 +154,12 @@ fn alone_of_its_kind<'a>(
         .then_some(first)
 }
 
-/// The names of a mistake and of those that cannot be told from it, and how the sentence about them ends.
-fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String) {
+/// The names of a mistake and of those that cannot be told from it, how the sentence about them ends, and the hints of
+/// all of them.
+fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String, String) {
     let mut mistakes = best.mistakes.clone();
     let mut says = best.says.join(", and ");
+    let mut hint = best.hints.join(" ");
     let twins = ranked.iter().map(|(twin, _)| twin).filter(|twin| {
         let single = twin.mistakes.len() == 1;
         single && twin.signature.shows_the_same(&best.signature)
@@ -159,9 +168,10 @@ fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, Str
         if !mistakes.contains(&twin.mistakes[0]) {
             mistakes.extend(twin.mistakes.iter().cloned());
             says = format!("{says}; or of code that {}", twin.says.join(", and "));
+            hint = format!("{hint} Or: {}", twin.hints.join(" "));
         }
     }
-    (mistakes, says)
+    (mistakes, says, hint)
 }
 
 /// Two mistakes that together explain what neither explains alone.
@@ -201,7 +211,7 @@ fn two_at_once(
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
     (explains && likeness > alone).then(|| {
-        let [(mut mistakes, says), (others, and_says)] =
+        let [(mut mistakes, says, hint), (others, and_says, and_hint)] =
             [first, second].map(|known| with_twins(ranked, known));
         mistakes.extend(others);
         Diagnosis {
@@ -210,9 +220,53 @@ fn two_at_once(
                 "two mistakes at once: your answers look like those of code that {says}, and that {and_says}: together they explain {} of {} wrong values",
                 together.equal, together.either,
             ),
-            hint: [&first.hints[..], &second.hints[..]].concat().join(" "),
+            hint: format!("{hint} {and_hint}"),
             equal: together.equal,
             of: together.either,
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn signature(sides: &[(&str, &str)]) -> Signature {
+        let core: std::collections::BTreeMap<String, &str> = sides
+            .iter()
+            .map(|(side, codes)| (format!("case {side}"), *codes))
+            .collect();
+        let stored = serde_json::json!({ "core": core, "robust": {} });
+        serde_json::from_value(stored).expect("it is a signature")
+    }
+
+    fn known(name: &str, signature: Signature) -> Known {
+        Known {
+            mistakes: vec![name.into()],
+            says: vec![format!("does {name}")],
+            hints: vec![format!("Not {name}.")],
+            signature,
+        }
+    }
+
+    #[test]
+    fn who_cannot_be_told_apart_are_both_told_with_their_hints() {
+        let wrong = signature(&[("t", "2 8*a")]);
+        let all = [known("this", wrong.clone()), known("that", wrong.clone())];
+        let told = diagnose(&all, &wrong).expect("it is known");
+        assert_eq!(told.mistakes, ["this", "that"]);
+        assert_eq!(told.hint, "Not this. Or: Not that.");
+    }
+
+    #[test]
+    fn what_is_alike_on_half_of_the_calls_is_no_more_than_possible() {
+        let [t, n, p] = [("t", "10*a"), ("n", "10*a"), ("p", "10*a")];
+        let all = [known("this", signature(&[t, n, p]))];
+        let likely = |codes| {
+            let told = diagnose(&all, &signature(&[t, n, p, ("uv", codes)]));
+            told.expect("it is known").is_likely()
+        };
+        assert!(likely("6 4*b"));
+        assert!(!likely("5 5*b"));
+    }
 }

@@ -235,6 +235,10 @@ impl Call<'_> {
         let class = wrong_unless(after.to_bits() == right.to_bits(), || {
             if after.to_bits() == self.ray.max_t.to_bits() {
                 Class::Named("max_t as before")
+            } else if after < right {
+                Class::Named("max_t too near")
+            } else if after > right {
+                Class::Named("max_t too far")
             } else {
                 Class::Wrong
             }

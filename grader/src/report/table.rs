@@ -239,8 +239,14 @@ fn diagnosis(text: &mut String, task: &TaskResult) {
         Some(diagnosis) => {
             let _ = writeln!(
                 text,
-                "  Likely: {}.\n  Hint: {}",
-                diagnosis.says, diagnosis.hint
+                "  {}: {}.\n  Hint: {}",
+                if diagnosis.is_likely() {
+                    "Likely"
+                } else {
+                    "Perhaps"
+                },
+                diagnosis.says,
+                diagnosis.hint
             );
         }
         None => {

@@ -23,7 +23,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
 /// direction takes numbers of its own from the sampler, one `next_2d` if it can.
 ///
 /// Lights without extent (points, spots, suns) are never found this way: with them alone all is black. Mirrors and
-/// smooth glass get nothing either, and cast no ray: no direction chosen at random is theirs. 0 samples give black.
+/// smooth glass ([`Material::is_delta`](kit::Material::is_delta)) get nothing either, and cast no ray: no direction chosen
+/// at random is theirs. 0 samples give black.
 pub fn estimate_direct_lighting_hemisphere(
     lit: &LitScene,
     surface: &Surface,

@@ -12,8 +12,8 @@ use kit::{LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 /// Each sample takes one `next_2d` of the sampler. In which order samples are taken makes no difference.
 ///
 /// A sample that the light does not send (`None`) or the surface does not scatter (`f` black) counts as 0 in the mean,
-/// and no shadow ray is cast for it. Mirrors and smooth glass cast none at all. With `ns_area_light` 0, lights with an
-/// extent give nothing.
+/// and no shadow ray is cast for it. Mirrors and smooth glass ([`Material::is_delta`](kit::Material::is_delta)) cast none
+/// at all; rough glass is lit like a matte surface. With `ns_area_light` 0, lights with an extent give nothing.
 pub fn estimate_direct_lighting_importance(
     lit: &LitScene,
     surface: &Surface,

@@ -19,8 +19,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 ///   ([`BsdfSample::delta`](kit::BsdfSample::delta)), where no direct light was asked for. The same holds for
 ///   [`LitScene::background`] where nothing is hit. Anywhere else the direct light of the surface before has counted it
 ///   already.
-/// - Unless `max_depth` is 0, `direct` gives the direct light of each surface that is no mirror and no glass, towards the
-///   unit world direction `wo` (part 3).
+/// - Unless `max_depth` is 0, `direct` gives the direct light of each surface that is no mirror and no smooth glass
+///   ([`Material::is_delta`](kit::Material::is_delta)), towards the unit world direction `wo` (part 3).
 /// - While rays are left, `next_2d` and `next_1d` of the sampler, in this order, choose where to go on.
 /// - `roulette` (task 3) gets the new throughput, how many bounces the path has made (1 after the first) and a `next_1d` of
 ///   the sampler, and answers with the throughput to go on with, or ends the path.

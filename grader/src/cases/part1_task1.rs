@@ -79,7 +79,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "no_samples",
-            "No samples: nothing is known, so the pixel is black and says so; a mean would be 0 / 0.",
+            "No samples: nothing is known, so the pixel is black and says so. Pitfall: their mean is 0 / 0.",
             work([3, 2], all([3, 2]), 0, PixelWorld::Ramp, 0),
         )
         .only(&[Calls, Radiance]),

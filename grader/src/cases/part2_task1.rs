@@ -86,7 +86,7 @@ pub(super) fn cases() -> Vec<Spec> {
         ),
         case(
             "leaf_size_0",
-            "Leaves of at most 0 primitives: that counts as 1, or the recursion never ends.",
+            "Leaves of at most 0 primitives: that counts as 1. Pitfall: a recursion that never ends.",
             cloud(20, Vec3::ZERO),
             0,
         ),

@@ -137,8 +137,8 @@ pub enum Class {
     WrongLength,
     /// A number whose ratio to the right one is about 2 to this power.
     Ratio(i8),
-    /// A colour whose channels have about these ratios to the right ones, in [`PER_OCTAVE`]ths of a power of 2;
-    /// [`BLACK_CHANNEL`] for channels that are black, and rightly so.
+    /// A colour whose channels have about these ratios to the right ones, in `PER_OCTAVE`ths of a power of 2;
+    /// `BLACK_CHANNEL` for channels that are black, and rightly so.
     Colour([i8; 3]),
     /// A direction that goes this way instead, or many whose middle lies there, in small fractions of its length along
     /// each axis.

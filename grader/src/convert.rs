@@ -1,6 +1,6 @@
 //! From the plain numbers of the wire to the kit's types.
 
-use kit::{Ray, Sphere, Triangle, Vec3};
+use kit::{Ray, Scene, Sphere, Triangle, Vec3};
 use wire::work::{self, Xyz};
 
 /// A ray.
@@ -31,5 +31,14 @@ pub fn sphere(&(center, radius): &(Xyz, f64)) -> Sphere {
     Sphere {
         center: center.into(),
         radius,
+    }
+}
+
+/// A list of triangles and, numbered after them, spheres.
+pub fn scene(triangles: &[[Xyz; 6]], spheres: &[(Xyz, f64)]) -> Scene {
+    Scene {
+        triangles: triangles.iter().map(triangle).collect(),
+        spheres: spheres.iter().map(sphere).collect(),
+        ..Scene::default()
     }
 }

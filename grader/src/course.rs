@@ -103,13 +103,7 @@ impl Course {
 
     /// The stages that its tasks are written in, in the order of the course, each once.
     pub fn stages(&self) -> Vec<&str> {
-        let mut stages = Vec::new();
-        for task in self.tasks() {
-            if !stages.contains(&task.stage.as_str()) {
-                stages.push(task.stage.as_str());
-            }
-        }
-        stages
+        stages_of(self.tasks())
     }
 
     /// The tasks that `what` names: `all`, a part such as `part2`, or a task such as `part2.task3`.
@@ -185,6 +179,17 @@ impl Course {
         }
         ensure(!keys.is_empty(), || "the course has no task".to_string())
     }
+}
+
+/// The stages that `tasks` are written in, in their order, each once.
+pub fn stages_of<'a>(tasks: impl IntoIterator<Item = &'a Task>) -> Vec<&'a str> {
+    let mut stages = Vec::new();
+    for task in tasks {
+        if !stages.contains(&task.stage.as_str()) {
+            stages.push(task.stage.as_str());
+        }
+    }
+    stages
 }
 
 impl Part {

@@ -1,7 +1,7 @@
 //! A whole run: build the worker, run the cases, judge, add up.
 
 use crate::cases::{self, Spec};
-use crate::course::{Course, Task};
+use crate::course::{Course, Task, stages_of};
 use crate::crew::Crew;
 use crate::diagnosis;
 use crate::error::GraderError;
@@ -99,11 +99,10 @@ pub fn crew(
     Crew::build(site, &stages(tasks), together)
 }
 
-/// The stages that `tasks` are written in, each once.
+/// The stages that `tasks` are written in, by name, each once.
 pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
-    let mut stages: Vec<&str> = tasks.iter().map(|task| task.stage.as_str()).collect();
+    let mut stages = stages_of(tasks.iter().copied());
     stages.sort_unstable();
-    stages.dedup();
     stages
 }
 

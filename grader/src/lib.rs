@@ -42,5 +42,6 @@ pub mod speedup;
 pub mod submission;
 pub mod tree;
 pub mod truth;
+mod words;
 pub mod workers;
 pub mod workspace;

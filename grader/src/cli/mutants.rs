@@ -9,6 +9,7 @@ use crate::mutants::run;
 use crate::mutants::table::Table;
 use crate::report::write_whole;
 use crate::signature::Signature;
+use crate::words::plural;
 use crate::workspace::Workspace;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -149,9 +150,8 @@ fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
             named
         };
         println!(
-            "  {name}: lost points in {} case{}, named as {named}",
-            failed.len(),
-            if failed.len() == 1 { "" } else { "s" },
+            "  {name}: lost points in {}, named as {named}",
+            plural(failed.len(), "case", "cases")
         );
     }
     for name in table.survivors() {

@@ -1,6 +1,6 @@
 //! The README of a handout, from the template `student.md`.
 
-use crate::course::{Course, Part, Task, Tier};
+use crate::course::{Course, Part, Task, Tier, stages_of};
 use crate::error::GraderError;
 use crate::tree::Files;
 use std::collections::BTreeSet;
@@ -14,17 +14,12 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
     let here = course.parts.iter().find(|p| p.number == part);
     let here = here.ok_or_else(|| GraderError::new(format!("the course has no part {part}")))?;
     let mut tasks = String::new();
-    let mut stages: Vec<&str> = Vec::new();
-    for part in course.parts.iter().filter(|p| p.number >= part) {
+    let to_write = course.parts.iter().filter(|p| p.number >= part);
+    for part in to_write.clone() {
         tasks.push_str(&section(part, files)?);
         tasks.push('\n');
-        for task in &part.tasks {
-            if !stages.contains(&task.stage.as_str()) {
-                stages.push(&task.stage);
-            }
-        }
     }
-    let stages = match stages.as_slice() {
+    let stages = match stages_of(to_write.flat_map(|part| &part.tasks)).as_slice() {
         [one] => (*one).to_string(),
         several => format!("{{{}}}", several.join(",")),
     };

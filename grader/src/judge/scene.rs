@@ -6,7 +6,7 @@ use crate::convert;
 use crate::course::Tier;
 use crate::oracle::closest::{Closest, ClosestJudgement, closest};
 use crate::oracle::verdict::{Judgement, Kernel};
-use kit::{PrimId, Primitive, Scene};
+use kit::{PrimId, Scene};
 use rayon::prelude::*;
 use scenes::generate::{MeshKind, cornell_with, generate};
 use wire::answer::{Hit, HitsAnswer};
@@ -73,9 +73,7 @@ pub(crate) fn load(source: &SceneSource) -> Scene {
 }
 
 fn truth(scene: &Scene, ray: &Ray) -> Closest {
-    let triangles = scene.triangles.iter().map(Primitive::Triangle);
-    let spheres = scene.spheres.iter().map(Primitive::Sphere);
-    closest(triangles.chain(spheres), &convert::ray(ray))
+    closest(scene.primitives(), &convert::ray(ray))
 }
 
 fn one(

@@ -61,13 +61,8 @@ pub(crate) fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
             spheres,
             rays,
         } => {
-            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
-            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
-            let shapes: Vec<Primitive<'_>> = triangles
-                .iter()
-                .map(Primitive::Triangle)
-                .chain(spheres.iter().map(Primitive::Sphere))
-                .collect();
+            let scene = convert::scene(triangles, spheres);
+            let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
             let of = rays
                 .iter()
                 .map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), spec.enclosed));

@@ -5,7 +5,7 @@ use crate::convert;
 use crate::course::Tier;
 use crate::judge::expected::{Expected, ExpectedHit};
 use crate::truth;
-use kit::{Primitive, Sphere, Triangle, Vec3};
+use kit::{Primitive, Vec3};
 use std::fmt::Write;
 use wire::work::{Probe, Ray, Xyz};
 
@@ -80,27 +80,22 @@ pub(super) fn first_of(
         ..*probe
     };
     let line = convert::ray(&line);
-    let solid: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
-    let round: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
+    let scene = convert::scene(triangles, spheres);
     let meets = |expected: Expected| !expected.hits.is_empty();
     let (kind, function, met): (&str, &str, Vec<(usize, String)>) = if spheres.is_empty() {
-        let each = triangles.iter().zip(&solid).enumerate();
+        let each = triangles.iter().zip(&scene.triangles).enumerate();
         let met = each.filter(|(_, (_, shape))| meets(truth::triangle(tier, 0, shape, &line)));
         let met = met.map(|(id, (numbers, _))| (id, triangle_literal(numbers)));
         ("Triangle", "intersect_triangle", met.collect())
     } else if triangles.is_empty() {
-        let each = spheres.iter().zip(&round).enumerate();
+        let each = spheres.iter().zip(&scene.spheres).enumerate();
         let met = each.filter(|(_, (_, shape))| meets(truth::sphere(tier, 0, shape, &line)));
         let met = met.map(|(id, (numbers, _))| (id, sphere_literal(numbers)));
         ("Sphere", "intersect_sphere", met.collect())
     } else {
         return None;
     };
-    let shapes: Vec<Primitive<'_>> = solid
-        .iter()
-        .map(Primitive::Triangle)
-        .chain(round.iter().map(Primitive::Sphere))
-        .collect();
+    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
     let expected = truth::first_of(tier, &shapes, &convert::ray(probe), false);
     if met.is_empty() || met.len() > SHAPES || expected.hits.len() > 1 {
         return None;

@@ -5,6 +5,7 @@ use crate::course::Tier;
 use crate::judge::errors::ErrorSpread;
 use crate::judge::tally::{Aspect, Finding};
 use crate::score::{CaseResult, Report, Status, TaskResult};
+use crate::words::plural;
 use clap::ValueEnum;
 use comfy_table::{Cell, CellAlignment, Color, Table, presets};
 use std::fmt::Write;
@@ -143,9 +144,8 @@ fn summary(task: &TaskResult) -> String {
             )
         }
         Status::Failed if lost(Tier::Robust) > 0 => {
-            let open = lost(Tier::Robust);
-            let cases = if open == 1 { "case" } else { "cases" };
-            format!("passed; {open} {cases} of extra credit open")
+            let open = plural(lost(Tier::Robust), "case", "cases");
+            format!("passed; {open} of extra credit open")
         }
         Status::Failed => "passed".into(),
         status => return describe(status),
@@ -163,14 +163,8 @@ fn waiting(task: &TaskResult) -> Option<String> {
         _ => None,
     });
     let count = needs.clone().count();
-    let verb = if count == 1 {
-        "case needs"
-    } else {
-        "cases need"
-    };
-    needs
-        .next_back()
-        .map(|other| format!("{count} {verb} {other}"))
+    let cases = plural(count, "case needs", "cases need");
+    needs.next_back().map(|other| format!("{cases} {other}"))
 }
 
 /// A status for people.

@@ -6,7 +6,7 @@ use crate::judge::expected::{Expected, ExpectedHit};
 use crate::judge::scene;
 use crate::snapshot::{Fields, record};
 use crate::{convert, truth};
-use kit::{Primitive, Sphere, Triangle};
+use kit::{Primitive, Scene};
 use rayon::prelude::*;
 use wire::Work;
 use wire::answer::Hit;
@@ -21,35 +21,21 @@ pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
             spheres,
             rays,
         } => {
-            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
-            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
-            Some(of_scene(spec, &triangles, &spheres, rays, calls))
+            let scene = convert::scene(triangles, spheres);
+            Some(of_scene(spec, &scene, rays, calls))
         }
         Work::SceneHits {
             scene,
             rays,
             any_hit: false,
             ..
-        } => {
-            let scene = scene::load(scene);
-            let (triangles, spheres) = (&scene.triangles, &scene.spheres);
-            Some(of_scene(spec, triangles, spheres, rays, calls))
-        }
+        } => Some(of_scene(spec, &scene::load(scene), rays, calls)),
         _ => None,
     }
 }
 
-fn of_scene(
-    spec: &Spec,
-    triangles: &[Triangle],
-    spheres: &[Sphere],
-    rays: &[Ray],
-    calls: &[u32],
-) -> Vec<Fields> {
-    let triangles = triangles.iter().map(Primitive::Triangle);
-    let shapes: Vec<Primitive<'_>> = triangles
-        .chain(spheres.iter().map(Primitive::Sphere))
-        .collect();
+fn of_scene(spec: &Spec, scene: &Scene, rays: &[Ray], calls: &[u32]) -> Vec<Fields> {
+    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
     let first_of =
         |ray: &Ray| truth::first_of(Tier::Robust, &shapes, &convert::ray(ray), spec.enclosed);
     let calls = calls.par_iter();

@@ -1,6 +1,7 @@
 //! What changed between two snapshots, in words.
 
 use super::parse::Snapshot;
+use crate::words::plural;
 use std::fmt;
 
 /// The changes that a reviewer is told of.
@@ -74,10 +75,7 @@ impl fmt::Display for Changes {
         let mut said = Vec::new();
         let mut say = |count: usize, what: &str| {
             if count > 0 {
-                said.push(format!(
-                    "{count} {}{what}",
-                    if count == 1 { "call " } else { "calls " }
-                ));
+                said.push(format!("{} {what}", plural(count, "call", "calls")));
             }
         };
         say(self.calls, "added or removed");

@@ -83,6 +83,12 @@ impl Scene {
         }
     }
 
+    /// All primitives, by number.
+    pub fn primitives(&self) -> impl Iterator<Item = Primitive<'_>> {
+        let triangles = self.triangles.iter().map(Primitive::Triangle);
+        triangles.chain(self.spheres.iter().map(Primitive::Sphere))
+    }
+
     /// The boxes of all primitives, by number.
     pub fn primitive_bounds(&self) -> Vec<Aabb> {
         let triangles = self.triangles.iter().map(Triangle::bounds);

@@ -9,8 +9,9 @@ use super::case::{Case, State};
 use super::{Author, Review};
 use crate::error::GraderError;
 use crate::html::escape;
+use crate::words::plural;
 use std::fmt::Write;
-use words::{count, differs, is_refuted, is_silent, plural};
+use words::{count, differs, is_refuted, is_silent};
 
 const TEMPLATE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");

@@ -1,10 +1,11 @@
 //! The cases of the page one by one; those that are as they were in one line.
 
 use super::rows::rows;
-use super::words::{self, differs, is_silent, meaning, plural};
+use super::words::{self, differs, is_silent, meaning};
 use crate::html::escape;
 use crate::review::Review;
 use crate::review::case::{Case, State};
+use crate::words::plural;
 use std::fmt::Write;
 
 /// Every case.

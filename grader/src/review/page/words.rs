@@ -21,10 +21,6 @@ pub(super) fn is_silent(state: &State) -> bool {
     matches!(state, State::Silent(_))
 }
 
-pub(super) fn plural(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
-}
-
 /// What is to be said of a case under its name.
 pub(super) fn of_case(case: &Case) -> String {
     let mut text = format!("<p class=\"about\">{}</p>\n", escape(case.about));

@@ -4,10 +4,10 @@ use crate::layers::{Channel, Values};
 use crate::tone;
 use adaptive::rate_colour;
 use exr::image::write::WritableImage;
-use exr::image::{AnyChannel, AnyChannels, FlatSamples};
+use exr::image::{AnyChannel, AnyChannels, FlatSamples, Image};
+use exr::prelude::SmallVec;
 use image::Rgb;
 use image::codecs::hdr::HdrEncoder;
-use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
 use kit::Film;
@@ -112,7 +112,6 @@ impl Output {
 
     /// Writes the channels of a picture `w` by `h` pixels large as one `.exr`.
     pub fn write_channels(self, channels: Vec<Channel>, w: u32, h: u32) -> Result<(), OutputError> {
-        let size = (w as usize, h as usize);
         let channels = channels.into_iter().map(|channel| {
             let samples = match channel.values {
                 Values::Real(values) => FlatSamples::F32(values),
@@ -120,12 +119,7 @@ impl Output {
             };
             AnyChannel::new(channel.name, samples)
         });
-        let picture = exr::image::Image::from_channels(size, AnyChannels::sort(channels.collect()));
-        // The encoder goes back to write where its blocks are.
-        picture
-            .write()
-            .to_buffered(&self.file)
-            .map_err(|why| io::Error::other(why.to_string()))
+        self.encode_exr(w, h, channels.collect())
             .and_then(|()| self.file.sync_all())
             .and_then(|()| fs::rename(&self.temporary, &self.path))
             .map_err(|why| OutputError::NotWritable(self.path.clone(), why))
@@ -166,19 +160,30 @@ impl Output {
                 HdrEncoder::new(&mut file).encode(&pixels, w as usize, h as usize)?;
             }
             Format::Exr => {
-                let bytes: Vec<u8> = radiance
-                    .flat_map(|c| c.to_array())
-                    .flat_map(|c| (c as f32).to_ne_bytes())
-                    .collect();
-                OpenExrEncoder::new(&mut file).write_image(
-                    &bytes,
-                    w,
-                    h,
-                    ExtendedColorType::Rgb32F,
-                )?;
+                let channels = ["R", "G", "B"].iter().enumerate().map(|(i, &name)| {
+                    let values = radiance.clone().map(|c| c.to_array()[i] as f32);
+                    AnyChannel::new(name, FlatSamples::F32(values.collect()))
+                });
+                self.encode_exr(w, h, channels.collect())?;
             }
         }
         Ok(file.flush()?)
+    }
+
+    /// Its blocks one after the other, so that the same picture is the same bytes.
+    fn encode_exr(
+        &self,
+        w: u32,
+        h: u32,
+        channels: SmallVec<[AnyChannel<FlatSamples>; 4]>,
+    ) -> io::Result<()> {
+        let size = (w as usize, h as usize);
+        Image::from_channels(size, AnyChannels::sort(channels))
+            .write()
+            .non_parallel()
+            // The encoder goes back to write where its blocks are.
+            .to_buffered(&self.file)
+            .map_err(|why| io::Error::other(why.to_string()))
     }
 }
 

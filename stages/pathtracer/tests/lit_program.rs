@@ -55,6 +55,25 @@ fn pathtracer(folder: &Path, args: &str) -> (String, String) {
     (text(&output.stdout), text(&output.stderr))
 }
 
+/// Several blocks of each format.
+#[test]
+fn the_same_command_writes_the_same_bytes() {
+    let folder = folder();
+    let run = |name: &str| {
+        pathtracer(
+            folder.path(),
+            &format!("-f {name} -r 200 150 -s 2 -t 2 --layers layers.exr lit.dae"),
+        );
+        [name, "layers.exr"].map(|name| fs::read(folder.path().join(name)).expect("a picture"))
+    };
+    for name in ["a.png", "a.hdr", "a.exr"] {
+        let first = run(name);
+        for _ in 0..4 {
+            assert!(run(name) == first, "{name} or its layers differ");
+        }
+    }
+}
+
 fn refused(args: &str, sentence: &str) {
     let folder = folder();
     let run = Command::new(cargo_bin!("pathtracer"))

@@ -15,6 +15,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
     ("global", &["kit"]),
     ("adaptive", &["kit"]),
     ("simd_bvh", &["kit"]),
+    ("simd_paths", &["kit"]),
     ("scenes", &["kit"]),
     (
         "pathtracer",
@@ -29,6 +30,7 @@ const MAY_KNOW: &[(&str, &[&str])] = &[
             "global",
             "adaptive",
             "simd_bvh",
+            "simd_paths",
         ],
     ),
     ("wire", &[]),

@@ -28,6 +28,17 @@ pub struct EmittingTriangle {
     pub front: Vec3,
 }
 
+/// A triangle of a mesh that emits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EmittingPart {
+    /// The triangle.
+    pub triangle: EmittingTriangle,
+    /// Area of the triangles before it: it is chosen from there on.
+    pub before: f64,
+    /// One over its own area.
+    pub inverse_area: f64,
+}
+
 impl EmittingTriangle {
     /// The triangle as a light: the side that shines is the side of its vertex normals.
     pub(crate) fn of(t: &Triangle) -> EmittingTriangle {
@@ -75,6 +86,23 @@ impl EmittingMesh {
         *self.area_up_to.last().expect("a light has a triangle")
     }
 
+    /// How many triangles there are.
+    #[expect(clippy::len_without_is_empty, reason = "a light has a triangle")]
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Triangle number `i`, and what it takes to know whether and where it is chosen.
+    #[inline]
+    pub fn part(&self, i: usize) -> EmittingPart {
+        EmittingPart {
+            triangle: self.triangles[i],
+            before: if i == 0 { 0.0 } else { self.area_up_to[i - 1] },
+            inverse_area: self.inverse_areas[i],
+        }
+    }
+
     /// A point uniform over the area and the normal there, from `u` in [0, 1)².
     #[inline]
     pub(crate) fn sample(&self, u: Vec2) -> (Vec3, Vec3) {
@@ -83,10 +111,13 @@ impl EmittingMesh {
             .area_up_to
             .partition_point(|&a| a <= target)
             .min(self.triangles.len() - 1);
-        let before = if i == 0 { 0.0 } else { self.area_up_to[i - 1] };
-        let within = (target - before) * self.inverse_areas[i];
+        let EmittingPart {
+            triangle: t,
+            before,
+            inverse_area,
+        } = self.part(i);
+        let within = (target - before) * inverse_area;
         let b = warp::uniform_triangle(Vec2::new(within.min(1.0), u.y));
-        let t = &self.triangles[i];
         (t.p0 + b.x * t.e1 + b.y * t.e2, t.front)
     }
 }

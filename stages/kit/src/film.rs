@@ -137,17 +137,30 @@ pub fn render<S: Send>(
     tile_done: impl Fn(Cell, &S) + Sync,
 ) -> (Film, Vec<S>) {
     let sampling = sampling.into();
+    let tile = |state: &mut S, tile: Cell| {
+        tile.pixels()
+            .map(|(x, y)| pixel(state, x, y, &mut PixelSampler::new(x, y, sampling)))
+            .collect()
+    };
+    render_tiles(size, cell, new_state, tile, tile_done)
+}
+
+/// As [`render`], but `tile` fills a whole tile: it gives one estimate for each of its pixels, in their order.
+pub fn render_tiles<S: Send>(
+    size: FilmSize,
+    cell: Cell,
+    new_state: impl Fn() -> S + Sync,
+    tile: impl Fn(&mut S, Cell) -> Vec<PixelEstimate> + Sync,
+    tile_done: impl Fn(Cell, &S) + Sync,
+) -> (Film, Vec<S>) {
     let tiles: Vec<(Cell, Vec<PixelEstimate>, S)> = cell
         .tiles()
         .into_par_iter()
-        .map(|tile| {
+        .map(|cell| {
             let mut state = new_state();
-            let pixels: Vec<PixelEstimate> = tile
-                .pixels()
-                .map(|(x, y)| pixel(&mut state, x, y, &mut PixelSampler::new(x, y, sampling)))
-                .collect();
-            tile_done(tile, &state);
-            (tile, pixels, state)
+            let pixels = tile(&mut state, cell);
+            tile_done(cell, &state);
+            (cell, pixels, state)
         })
         .collect();
     let mut film = Film::new(size);

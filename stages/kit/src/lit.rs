@@ -67,6 +67,13 @@ impl LitScene {
             .sum()
     }
 
+    /// Whether a ray that hits nothing may see light.
+    pub fn has_background(&self) -> bool {
+        let is_background =
+            |e: &Emitter| matches!(e, Emitter::Sky { .. } | Emitter::Environment(_));
+        self.emitters.iter().any(is_background)
+    }
+
     /// Whether there is any light at all.
     pub fn has_light(&self) -> bool {
         !self.emitters.is_empty()

@@ -27,6 +27,36 @@ pub(crate) fn point(index: u32, key: u64) -> [u32; 2] {
     [xy as u32, (xy >> 32) as u32]
 }
 
+/// [`point`] for each of several indices and keys: all first numbers, all second ones.
+#[inline(always)]
+pub(crate) fn points<const N: usize>(indices: &[u32; N], keys: &[u64; N]) -> [[u32; N]; 2] {
+    let (mut low, mut high, mut index) = ([0; N], [0; N], *indices);
+    for i in 0..N {
+        (low[i], high[i]) = (keys[i] as u32, (keys[i] >> 32) as u32);
+    }
+    reverse_bits(&mut index);
+    for i in 0..N {
+        index[i] = scramble(index[i], low[i]);
+    }
+    reverse_bits(&mut index);
+    let mut points = [[0; N]; 2];
+    for i in 0..N {
+        points[0][i] = scramble(index[i], high[i]);
+        let seed = high[i].wrapping_mul(0x9e37_79b1) ^ low[i];
+        points[1][i] = scramble(second_dimension(index[i]), seed);
+    }
+    reverse_bits(&mut points[0]);
+    reverse_bits(&mut points[1]);
+    points
+}
+
+#[inline(always)]
+fn reverse_bits<const N: usize>(numbers: &mut [u32; N]) {
+    for number in numbers {
+        *number = number.reverse_bits();
+    }
+}
+
 /// The second dimension, its highest digit in the lowest bit: each bit of the index adds, without carry, a row of Pascal's
 /// triangle modulo 2.
 ///

@@ -15,10 +15,12 @@ pub mod lit;
 pub mod materials;
 pub mod mitsuba;
 pub mod normals;
+mod octet;
 pub mod output;
 pub mod rendered;
 pub mod textures;
 pub mod tone;
+mod walk;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};

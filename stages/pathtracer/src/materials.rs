@@ -37,7 +37,13 @@ impl Materials {
     /// Counts an operation of `effect`.
     #[inline]
     pub fn count(&self, effect: Effect) {
-        self.counts[effect as usize].update(|count| count + 1);
+        self.count_more(effect, 1);
+    }
+
+    /// Counts `more` operations of `effect`.
+    #[inline]
+    pub fn count_more(&self, effect: Effect, more: u64) {
+        self.counts[effect as usize].update(|count| count + more);
     }
 
     /// From now on matte surfaces are tinted so, until they are told otherwise.

@@ -171,7 +171,7 @@ pub(crate) enum AccelName {
     Brute,
     /// Through a bounding volume hierarchy
     Bvh,
-    /// Through a wide one, eight boxes or triangles at a time
+    /// Through a wide one, eight boxes or triangles at a time; and eight paths of light at a time where they fit
     Simd,
 }
 

@@ -1,0 +1,134 @@
+//! Eight paths at a time make the picture that one at a time makes, bit for bit, with the same operations of light.
+// BEGIN SOLUTION(part6.task2)
+
+use kit::sampler::{Pattern, Sampling};
+use kit::{FilmSize, LitScene};
+use pathtracer::{Accel, AccelKind, Job, LightSettings, Looking, Rendered, Textures, render_lit};
+use scenes::placement;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+use std::{env, fs};
+
+/// The scenes of the course, and whatever others there are.
+fn scene_files() -> Vec<PathBuf> {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
+    let others = env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from);
+    let mut files: Vec<PathBuf> = [Some(own), others]
+        .into_iter()
+        .flatten()
+        .flat_map(|folder| fs::read_dir(&folder).expect("a folder of scenes"))
+        .map(|file| file.expect("a file").path())
+        .filter(|file| file.extension().is_some_and(|end| end == "dae"))
+        .collect();
+    files.sort();
+    assert!(files.len() > 3, "{files:?}");
+    files
+}
+
+fn render(lit: &LitScene, accel: &Accel, samples: u32, settings: &LightSettings) -> Rendered {
+    let film = FilmSize { w: 21, h: 18 };
+    let job = Job {
+        camera: placement::place(&lit.scene, film).camera,
+        film,
+        cell: film.whole(),
+        samples,
+        sampling: Sampling {
+            pattern: Pattern::Sobol,
+            seed: 5,
+            first_sample: 3,
+        },
+    };
+    let (stop, textures) = (AtomicBool::new(false), Textures::default());
+    render_lit(lit, &textures, accel, &job, settings, &stop, &|_, _| {})
+}
+
+/// Settings that go their own ways through the sample loop and the paths.
+fn all_settings() -> Vec<(u32, LightSettings)> {
+    let deep = LightSettings {
+        max_depth: 6,
+        ..LightSettings::default()
+    };
+    let adaptive = |batch| LightSettings {
+        adaptive: Some((batch, 0.3)),
+        ..deep
+    };
+    vec![
+        (1, deep),
+        (3, deep),
+        (
+            70,
+            LightSettings {
+                max_depth: 2,
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                max_depth: 1,
+                light_samples: 3,
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                max_depth: 0,
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                light_samples: 0,
+                ..deep
+            },
+        ),
+        (
+            2,
+            LightSettings {
+                roulette: false,
+                ..deep
+            },
+        ),
+        (
+            2,
+            LightSettings {
+                looking: Looking::Both,
+                ..deep
+            },
+        ),
+        (
+            2,
+            LightSettings {
+                looking: Looking::Hemisphere,
+                ..deep
+            },
+        ),
+        (20, adaptive(8)),
+        (7, adaptive(32)),
+        (1, adaptive(1)),
+        (0, deep),
+    ]
+}
+
+#[test]
+fn pictures_and_counts_are_those_of_one_path_at_a_time() {
+    for file in scene_files() {
+        let mut scene = scenes::load(&file).expect("a scene").scene;
+        scene.textures = Default::default();
+        let lit = LitScene::new(scene, None);
+        let accels = [AccelKind::Bvh, AccelKind::Simd].map(|kind| Accel::build(kind, &lit.scene));
+        for (samples, settings) in all_settings() {
+            let [one, eight] = accels
+                .each_ref()
+                .map(|accel| render(&lit, accel, samples, &settings));
+            let what = format!("{}: {samples} samples, {settings:?}", file.display());
+            assert!(eight.film == one.film, "{what}: other pictures");
+            assert!(eight.luminance == one.luminance, "{what}: other spreads");
+            assert_eq!(eight.effects, one.effects, "{what}");
+            assert_eq!(eight.counters.rays, one.counters.rays, "{what}");
+        }
+    }
+}
+// END SOLUTION(part6.task2)

@@ -1,0 +1,57 @@
+// BEGIN SOLUTION(part6.task2)
+//! Where paths start.
+
+use crate::batch::{Batch, Paths};
+use crate::rays::NONE;
+use crate::vec3x8::{LANES, Vec3x8};
+use crate::{Start, View};
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::Vec3;
+use kit::math::tan;
+
+/// Fills the batch with paths, one for each of `starts`: by the arithmetic of the stage `raygen`, operation by operation.
+#[inline(always)]
+pub(crate) fn start<S: Simd>(simd: S, view: &View, starts: &[Start], batch: &mut Batch) {
+    let camera = &view.camera;
+    let half_width = tan((0.5 * camera.h_fov).to_radians());
+    let half_height = tan((0.5 * camera.v_fov).to_radians());
+    let [right, up, back] = [camera.c2w.x_axis, camera.c2w.y_axis, camera.c2w.z_axis]
+        .map(|axis| Vec3x8::splat(simd, axis));
+    let white = Vec3x8::splat(simd, Vec3::ONE);
+    batch.count = starts.len();
+    for (first, eight) in (0..).step_by(LANES).zip(starts.chunks(LANES)) {
+        let of = |lane: usize| &eight[lane.min(eight.len() - 1)];
+        for (lane, sampler) in batch.samplers[first..first + LANES].iter_mut().enumerate() {
+            *sampler = of(lane).1.clone();
+        }
+        let mut samplers = batch.samplers(first);
+        let place = if view.centered {
+            [f64x8::splat(simd, 0.5); 2]
+        } else {
+            let [x, y] = samplers.next_2d();
+            [f64x8::load_array(simd, x), f64x8::load_array(simd, y)]
+        };
+        let x = f64x8::from_fn(simd, |lane| f64::from(of(lane).0.0)) + place[0];
+        let y = f64x8::from_fn(simd, |lane| f64::from(of(lane).0.1)) + place[1];
+        let sensor_x = x / f64::from(view.film.w);
+        let sensor_y = y / f64::from(view.film.h);
+        let local_x = (sensor_x * 2.0 - 1.0) * half_width;
+        let local_y = (sensor_y * 2.0 - 1.0) * half_height;
+        let d = right * local_x + up * local_y + back * f64x8::splat(simd, -1.0);
+        let d = d * (f64x8::splat(simd, 1.0) / d.length());
+        let paths = Paths {
+            o: Vec3x8::splat(simd, camera.pos),
+            d,
+            throughput: white,
+            radiance: Vec3x8::splat(simd, Vec3::ZERO),
+            left: f64x8::splat(simd, NONE),
+            sees_light: f64x8::splat(simd, 1.0),
+            slot: f64x8::from_fn(simd, |lane| (first + lane) as f64),
+        };
+        for (lane, sampler) in batch.samplers[first..first + LANES].iter_mut().enumerate() {
+            *sampler = samplers.get(lane);
+        }
+        batch.store(first, &paths, mask64x8::splat(simd, true));
+    }
+}
+// END SOLUTION(part6.task2)

@@ -1,0 +1,101 @@
+// BEGIN SOLUTION(part6.task2)
+//! Lights, sampled for eight points at once.
+
+use crate::vec3x8::{LANES, Vec3x8};
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::{Emitter, EmittingMesh, Vec2};
+
+/// What [`Emitter::sample`] gives, lane by lane.
+pub(crate) struct Samples<S: Simd> {
+    /// The lanes that have one.
+    pub(crate) some: mask64x8<S>,
+    pub(crate) wi: Vec3x8<S>,
+    pub(crate) distance: f64x8<S>,
+    pub(crate) pdf: f64x8<S>,
+    pub(crate) radiance: Vec3x8<S>,
+}
+
+/// Lamps of more triangles are asked point by point.
+const MOST_TRIANGLES: usize = 4;
+
+/// [`Emitter::sample`] for each of eight points.
+#[inline(always)]
+pub(crate) fn sample<S: Simd>(
+    simd: S,
+    emitter: &Emitter,
+    p: Vec3x8<S>,
+    u: [f64x8<S>; 2],
+) -> Samples<S> {
+    match emitter {
+        Emitter::Mesh(mesh) if mesh.len() <= MOST_TRIANGLES => sample_mesh(simd, mesh, p, u),
+        _ => sample_each(simd, emitter, p, u),
+    }
+}
+
+/// By the arithmetic of [`Emitter::sample`], operation by operation.
+#[inline(always)]
+fn sample_mesh<S: Simd>(
+    simd: S,
+    mesh: &EmittingMesh,
+    p: Vec3x8<S>,
+    u: [f64x8<S>; 2],
+) -> Samples<S> {
+    let splat = |x| f64x8::splat(simd, x);
+    let target = u[0] * mesh.area();
+    let part = mesh.part(0);
+    let mut before = splat(part.before);
+    let mut inverse_area = splat(part.inverse_area);
+    let mut p0 = Vec3x8::splat(simd, part.triangle.p0);
+    let mut e1 = Vec3x8::splat(simd, part.triangle.e1);
+    let mut e2 = Vec3x8::splat(simd, part.triangle.e2);
+    let mut front = Vec3x8::splat(simd, part.triangle.front);
+    for i in 1..mesh.len() {
+        let part = mesh.part(i);
+        let here = splat(part.before).simd_le(target);
+        before = here.select(splat(part.before), before);
+        inverse_area = here.select(splat(part.inverse_area), inverse_area);
+        p0 = Vec3x8::splat(simd, part.triangle.p0).or(here, p0);
+        e1 = Vec3x8::splat(simd, part.triangle.e1).or(here, e1);
+        e2 = Vec3x8::splat(simd, part.triangle.e2).or(here, e2);
+        front = Vec3x8::splat(simd, part.triangle.front).or(here, front);
+    }
+    let one = splat(1.0);
+    let within = ((target - before) * inverse_area).min(one);
+    let s = within.sqrt();
+    let (b1, b2) = (s * (one - u[1]), s * u[1]);
+    let d = p0 + e1 * b1 + e2 * b2 - p;
+    let height = -d.dot(front);
+    let distance2 = d.dot(d);
+    let distance = distance2.sqrt();
+    let pdf = distance2 * distance / (height * mesh.area());
+    let zero = splat(0.0);
+    let some = zero.simd_lt(height) & zero.simd_lt(pdf) & pdf.simd_lt(splat(f64::INFINITY));
+    Samples {
+        some,
+        wi: d.over(distance),
+        distance,
+        pdf,
+        radiance: Vec3x8::splat(simd, mesh.radiance.to_array().into()),
+    }
+}
+
+#[inline(always)]
+fn sample_each<S: Simd>(simd: S, emitter: &Emitter, p: Vec3x8<S>, u: [f64x8<S>; 2]) -> Samples<S> {
+    let samples: [_; LANES] =
+        std::array::from_fn(|i| emitter.sample(p.lane(i), Vec2::new(u[0][i], u[1][i])));
+    let number = |of: fn(&kit::LightSample) -> f64| {
+        f64x8::from_fn(simd, |i| samples[i].as_ref().map_or(1.0, of))
+    };
+    let vector = |of: fn(&kit::LightSample) -> [f64; 3]| {
+        Vec3x8::gather(simd, |i| samples[i].as_ref().map_or([0.0; 3], of))
+    };
+    let bits = (0..LANES).filter(|&i| samples[i].is_some());
+    Samples {
+        some: mask64x8::from_bitmask(simd, bits.map(|i| 1 << i).sum()),
+        wi: vector(|s| s.wi.to_array()),
+        distance: number(|s| s.distance),
+        pdf: number(|s| s.pdf),
+        radiance: vector(|s| s.radiance.to_array()),
+    }
+}
+// END SOLUTION(part6.task2)

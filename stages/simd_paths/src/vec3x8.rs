@@ -1,0 +1,139 @@
+// BEGIN SOLUTION(part6.task2)
+//! Eight vectors, one a lane, with the arithmetic of [`kit::Vec3`] operation by operation: so every lane has the bits that
+//! a vector alone would have.
+
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::Vec3;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// How many paths are followed at once.
+pub(crate) const LANES: usize = 8;
+
+/// A vector a lane, or a colour.
+#[derive(Clone, Copy)]
+pub(crate) struct Vec3x8<S: Simd> {
+    pub(crate) x: f64x8<S>,
+    pub(crate) y: f64x8<S>,
+    pub(crate) z: f64x8<S>,
+}
+
+impl<S: Simd> Vec3x8<S> {
+    #[inline(always)]
+    pub(crate) fn splat(simd: S, v: Vec3) -> Vec3x8<S> {
+        Vec3x8 {
+            x: f64x8::splat(simd, v.x),
+            y: f64x8::splat(simd, v.y),
+            z: f64x8::splat(simd, v.z),
+        }
+    }
+
+    /// What `of` says about each lane, gathered from anywhere.
+    #[inline(always)]
+    pub(crate) fn gather(simd: S, of: impl Fn(usize) -> [f64; 3]) -> Vec3x8<S> {
+        Vec3x8 {
+            x: f64x8::from_fn(simd, |lane| of(lane)[0]),
+            y: f64x8::from_fn(simd, |lane| of(lane)[1]),
+            z: f64x8::from_fn(simd, |lane| of(lane)[2]),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn lane(&self, lane: usize) -> Vec3 {
+        Vec3::new(self.x[lane], self.y[lane], self.z[lane])
+    }
+
+    #[inline(always)]
+    pub(crate) fn set(&mut self, lane: usize, v: [f64; 3]) {
+        (self.x[lane], self.y[lane], self.z[lane]) = (v[0], v[1], v[2]);
+    }
+
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Vec3x8<S>) -> f64x8<S> {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    #[inline(always)]
+    pub(crate) fn length(self) -> f64x8<S> {
+        self.dot(self).sqrt()
+    }
+
+    #[inline(always)]
+    pub(crate) fn over(self, s: f64x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x / s,
+            y: self.y / s,
+            z: self.z / s,
+        }
+    }
+
+    /// `self` in the lanes of `mask`, `other` elsewhere.
+    #[inline(always)]
+    pub(crate) fn or(self, mask: mask64x8<S>, other: Vec3x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: mask.select(self.x, other.x),
+            y: mask.select(self.y, other.y),
+            z: mask.select(self.z, other.z),
+        }
+    }
+}
+
+impl<S: Simd> Add for Vec3x8<S> {
+    type Output = Vec3x8<S>;
+    #[inline(always)]
+    fn add(self, other: Vec3x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x + other.x,
+            y: self.y + other.y,
+            z: self.z + other.z,
+        }
+    }
+}
+
+impl<S: Simd> Sub for Vec3x8<S> {
+    type Output = Vec3x8<S>;
+    #[inline(always)]
+    fn sub(self, other: Vec3x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x - other.x,
+            y: self.y - other.y,
+            z: self.z - other.z,
+        }
+    }
+}
+
+impl<S: Simd> Mul for Vec3x8<S> {
+    type Output = Vec3x8<S>;
+    #[inline(always)]
+    fn mul(self, other: Vec3x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x * other.x,
+            y: self.y * other.y,
+            z: self.z * other.z,
+        }
+    }
+}
+
+impl<S: Simd> Mul<f64x8<S>> for Vec3x8<S> {
+    type Output = Vec3x8<S>;
+    #[inline(always)]
+    fn mul(self, s: f64x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x * s,
+            y: self.y * s,
+            z: self.z * s,
+        }
+    }
+}
+
+impl<S: Simd> Neg for Vec3x8<S> {
+    type Output = Vec3x8<S>;
+    #[inline(always)]
+    fn neg(self) -> Vec3x8<S> {
+        Vec3x8 {
+            x: -self.x,
+            y: -self.y,
+            z: -self.z,
+        }
+    }
+}
+// END SOLUTION(part6.task2)

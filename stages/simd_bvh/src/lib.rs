@@ -6,7 +6,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! Read in this order: `sah` and `binary` (the binary tree that is cheapest), `collapse` and `wide` (made eight wide),
 //! `space`, `node`, `block` and `sphere_block` (how boxes, triangles and spheres lie in memory), `probe` and `lanes` (one
-//! box, eight boxes at once), `stack` and `traverse` (the walk).
+//! box, eight boxes at once), `stack`, `search` and `traverse` (the walk).
 //!
 //! Fast and exact at the same time: boxes are single precision and only ever too large; triangles are double precision,
 //! by the very arithmetic of the plain kernel, and where that one thinks twice it is asked. So the hits are those of
@@ -23,6 +23,7 @@ mod lanes;
 mod node;
 mod probe;
 mod sah;
+mod search;
 mod space;
 mod sphere_block;
 mod stack;

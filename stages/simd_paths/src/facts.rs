@@ -1,8 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! What shading asks about each primitive and does not have to work out at every hit.
 
-use kit::surface::POSITION_ERROR;
-use kit::{LitScene, Material, PrimId, Primitive, Spectrum, Vec3};
+use kit::{Hit, LitScene, Material, PrimId, Spectrum, Vec2, Vec3};
 
 /// What a surface does with light, as far as the lanes know it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,21 +32,21 @@ pub(crate) struct Facts {
 impl Facts {
     /// Those of primitive `id`; `ng` is a triangle's geometric normal.
     pub(crate) fn of(lit: &LitScene, id: PrimId, ng: Vec3) -> Facts {
-        let scene = &lit.scene;
-        let (largest, side) = match scene.primitive(id) {
-            Primitive::Triangle(t) => (
-                t.p0.abs().max(t.p1.abs()).max(t.p2.abs()),
-                t.n0 + t.n1 + t.n2,
-            ),
-            Primitive::Sphere(s) => (s.center.abs() + s.radius, ng),
-        };
-        let error = POSITION_ERROR * largest;
+        // Anywhere on it: this says where its surface faces and how far off points on it may be.
+        let anywhere = lit.surface(&Hit {
+            t: 0.0,
+            p: Vec3::ZERO,
+            n: ng,
+            ng,
+            uv: Vec2::ZERO,
+            prim: id,
+        });
         Facts {
             ng,
-            side: if ng.dot(side) < 0.0 { -1.0 } else { 1.0 },
-            distance: error.dot(ng.abs()),
-            error,
-            material: scene.objects[scene.object_of[id.0 as usize] as usize].material,
+            side: if anywhere.ng == ng { 1.0 } else { -1.0 },
+            distance: anywhere.error.dot(ng.abs()),
+            error: anywhere.error,
+            material: lit.scene.objects[lit.scene.object_of[id.0 as usize] as usize].material,
         }
     }
 }

@@ -77,41 +77,23 @@ impl<S: Simd> Vec3x8<S> {
     }
 }
 
-impl<S: Simd> Add for Vec3x8<S> {
-    type Output = Vec3x8<S>;
-    #[inline(always)]
-    fn add(self, other: Vec3x8<S>) -> Vec3x8<S> {
-        Vec3x8 {
-            x: self.x + other.x,
-            y: self.y + other.y,
-            z: self.z + other.z,
+macro_rules! by_component {
+    ($($operator:ident $method:ident),*) => {$(
+        impl<S: Simd> $operator for Vec3x8<S> {
+            type Output = Vec3x8<S>;
+            #[inline(always)]
+            fn $method(self, other: Vec3x8<S>) -> Vec3x8<S> {
+                Vec3x8 {
+                    x: self.x.$method(other.x),
+                    y: self.y.$method(other.y),
+                    z: self.z.$method(other.z),
+                }
+            }
         }
-    }
+    )*};
 }
 
-impl<S: Simd> Sub for Vec3x8<S> {
-    type Output = Vec3x8<S>;
-    #[inline(always)]
-    fn sub(self, other: Vec3x8<S>) -> Vec3x8<S> {
-        Vec3x8 {
-            x: self.x - other.x,
-            y: self.y - other.y,
-            z: self.z - other.z,
-        }
-    }
-}
-
-impl<S: Simd> Mul for Vec3x8<S> {
-    type Output = Vec3x8<S>;
-    #[inline(always)]
-    fn mul(self, other: Vec3x8<S>) -> Vec3x8<S> {
-        Vec3x8 {
-            x: self.x * other.x,
-            y: self.y * other.y,
-            z: self.z * other.z,
-        }
-    }
-}
+by_component!(Add add, Sub sub, Mul mul);
 
 impl<S: Simd> Mul<f64x8<S>> for Vec3x8<S> {
     type Output = Vec3x8<S>;

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::{outputs, view};
 use kit::LitScene;
 use pathtracer::{Job, LightSettings, to_mitsuba};
-use std::fs;
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -40,11 +40,29 @@ pub(crate) fn run(
             problems.join("\n  ")
         ))
     })?;
+    // All of them beside their places first: an old scene never goes with new meshes.
+    let mut written = Vec::new();
     for file in files {
         let path = path.with_file_name(format!("{stem}{}", file.ending));
-        fs::write(&path, file.text)
-            .map_err(|why| Failure::Input(format!("cannot write {}: {why}", path.display())))?;
+        let folder = path.parent().filter(|folder| *folder != Path::new(""));
+        let part = tempfile::Builder::new()
+            .prefix(".export")
+            .tempfile_in(folder.unwrap_or(Path::new(".")))
+            .and_then(|mut part| part.write_all(file.text.as_bytes()).map(|()| part))
+            .map_err(|why| cannot_write(&path, &why))?;
+        written.push((path, part));
+    }
+    for (path, part) in written {
+        part.persist(&path)
+            .map_err(|why| cannot_write(&path, &why.error))?;
         println!("Wrote       {}", path.display());
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn cannot_write(path: &Path, why: &io::Error) -> Failure {
+    Failure::Input(format!(
+        "cannot write {}: {why}: choose a place that exists and that you may write to",
+        path.display()
+    ))
 }

@@ -1,6 +1,7 @@
 //! The `pathtracer` program: from a scene file to a picture file.
 
 mod args;
+mod asked;
 mod budget;
 mod explain;
 mod export;
@@ -9,6 +10,7 @@ mod outputs;
 mod progress;
 mod run;
 mod summary;
+mod values;
 mod view;
 
 use args::Args;

@@ -159,6 +159,11 @@ pub fn render_tiles<S: Send>(
         .map(|cell| {
             let mut state = new_state();
             let pixels = tile(&mut state, cell);
+            assert_eq!(
+                pixels.len() as u64,
+                cell.area(),
+                "an estimate for each pixel of {cell:?}"
+            );
             tile_done(cell, &state);
             (cell, pixels, state)
         })

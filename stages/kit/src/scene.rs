@@ -107,7 +107,12 @@ impl Scene {
     /// The material of primitive `id`. Panics if the scene has no objects.
     #[inline]
     pub fn material_of(&self, id: PrimId) -> &Material {
-        let object = &self.objects[self.object_of[id.0 as usize] as usize];
-        &self.materials[object.material as usize].material
+        &self.materials[self.material_number(id)].material
+    }
+
+    /// Which of the materials that is.
+    #[inline]
+    pub fn material_number(&self, id: PrimId) -> usize {
+        self.objects[self.object_of[id.0 as usize] as usize].material as usize
     }
 }

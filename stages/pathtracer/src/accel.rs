@@ -15,8 +15,8 @@ pub enum AccelKind {
     Brute,
     /// The tree of stage `bvh`.
     Bvh,
-    /// The tree of stage `simd_bvh`; and light is followed along eight paths at a time, by stage `simd_paths`, unless the
-    /// picture calls for what that does not do: textures, a lens, looking around for light, or forced effects.
+    /// The tree of stage `simd_bvh`; and light is followed along eight paths at a time, by stage `simd_paths`, unless
+    /// light is looked for around, effects are forced, or one or two samples are asked for at a time (`-a 2`).
     Simd,
 }
 

@@ -46,6 +46,11 @@ impl Materials {
         self.counts[effect as usize].update(|count| count + more);
     }
 
+    /// How matte surfaces are tinted now.
+    pub(crate) fn tint(&self) -> Spectrum {
+        self.tint.get()
+    }
+
     /// From now on matte surfaces are tinted so, until they are told otherwise.
     #[inline]
     pub fn set_tint(&self, tint: Spectrum) {

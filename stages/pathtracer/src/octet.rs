@@ -6,16 +6,18 @@
 use crate::lit::{put_together, sample_pixel};
 use crate::textures::Textures;
 use crate::walk::Walk;
-use crate::{Accel, Job, LightSettings, Looking, Rendered, SceneWorld};
+use crate::{Accel, Job, LightSettings, Looking, Rendered};
 use global::roulette::FIRST_GAME;
 use kit::effects::Effect;
 use kit::film::{self, Cell};
 use kit::{
-    Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum, TriangleHit,
-    Vec3,
+    Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
+    TriangleHit, Vec3,
 };
 use simd_bvh::{WideBvh, Work};
-use simd_paths::{Counts, Neighbours, Path, PathBatch, PathScene, PathSettings, Start, View};
+use simd_paths::{
+    BATCH, Counts, Neighbours, Path, PathBatch, PathScene, PathSettings, Start, View,
+};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A picture to be made with eight paths at a time.
@@ -30,9 +32,6 @@ pub(crate) struct Octet<'a> {
     view: View,
     paths: PathSettings,
 }
-
-/// So many paths fill the lanes well: as many pixels are begun together as have them.
-const BATCH: u32 = 64;
 
 impl<'a> Octet<'a> {
     /// `None` if the picture is to be made one path at a time.
@@ -50,13 +49,12 @@ impl<'a> Octet<'a> {
             && settings.max_depth > 0
             && job.samples > 0
             && settings.looking == Looking::Lights
-            && settings.lens.radius == 0.0
             && !settings.force_effects
-            && textures.is_empty();
+            // One or two samples at a time would leave most lanes idle.
+            && settings.adaptive.is_none_or(|(batch, _)| batch > 2);
         if !fits {
             return None;
         }
-        let world = SceneWorld::new(&lit.scene);
         Some(Octet {
             lit,
             textures,
@@ -64,15 +62,17 @@ impl<'a> Octet<'a> {
             tree,
             job,
             settings,
-            scene: PathScene::new(lit, |id| world.geometric_normal(id))?,
+            scene: PathScene::new(lit)?,
             view: View {
                 camera: job.camera,
                 film: job.film,
+                has_lens: settings.lens.radius > 0.0,
                 centered: job.samples == 1 && settings.adaptive.is_none(),
             },
             paths: PathSettings {
                 light_samples: settings.light_samples,
                 max_depth: settings.max_depth,
+                has_textures: !textures.is_empty(),
                 first_game: settings.roulette.then_some(FIRST_GAME),
             },
         })
@@ -99,7 +99,7 @@ impl<'a> Octet<'a> {
         let mut estimates = Vec::with_capacity(tile.area() as usize);
         let pixels: Vec<(u32, u32)> = tile.pixels().collect();
         let first = self.due(0);
-        for pixels in pixels.chunks(BATCH.div_ceil(first) as usize) {
+        for pixels in pixels.chunks(BATCH.div_ceil(first as usize)) {
             if stop.load(Ordering::Relaxed) {
                 estimates.extend(pixels.iter().map(|_| PixelEstimate::default()));
                 continue;
@@ -153,11 +153,11 @@ impl<'a> Octet<'a> {
     /// How many further samples a pixel is sure to take that has taken `samples`; not more than a few batches at once.
     fn due(&self, samples: u32) -> u32 {
         let left = self.job.samples - samples;
-        let decided = match self.settings.adaptive {
-            Some((batch, _)) => left.min(batch.max(1)),
+        let sure = match self.settings.adaptive {
+            Some((batch, _)) => left.min(batch - samples % batch),
             None => left,
         };
-        decided.min(4 * BATCH)
+        sure.min(4 * BATCH as u32)
     }
 
     /// The next `count` samples of each pixel.
@@ -180,6 +180,7 @@ impl<'a> Octet<'a> {
         let mut others = Others {
             walk,
             tree: self.tree,
+            camera: &self.job.camera,
         };
         self.scene
             .follow(&self.view, &self.paths, &starts, work, &mut others)
@@ -190,12 +191,19 @@ impl<'a> Octet<'a> {
 struct Others<'b, 'a> {
     walk: &'b mut Walk<'a>,
     tree: &'a WideBvh,
+    camera: &'a Camera,
 }
 
 impl Neighbours for Others<'_, '_> {
     #[inline]
     fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
         self.walk.world.borrow().test(id, ray)
+    }
+
+    #[inline]
+    fn record(&self, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
+        let record = self.walk.world.borrow().record(id, &mut { *ray }, hit);
+        record.expect("what was hit is hit")
     }
 
     #[inline]
@@ -226,9 +234,18 @@ impl Neighbours for Others<'_, '_> {
         blocked
     }
 
+    fn aim(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
+        self.walk.through_lens(self.camera, ray, sampler)
+    }
+
+    fn tint(&mut self, hit: &Hit) -> Spectrum {
+        self.walk.look_up_texture(hit);
+        self.walk.materials.tint()
+    }
+
     fn go_on(&mut self, path: &mut Path, d: Vec3, hit: &Hit) -> Option<(Ray, Option<PrimId>)> {
         let walk = &self.walk;
-        walk.at.set(Some((hit.prim, hit.ng)));
+        walk.come_to(hit);
         let surface = walk.lit.surface(hit);
         let wo = -d;
         if !surface.material.is_delta() {
@@ -263,3 +280,72 @@ impl Walk<'_> {
         self.materials.count_more(Effect::Bounces, counts.bounces);
     }
 }
+
+// BEGIN SOLUTION(part6.task2)
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::AccelKind;
+    use kit::FilmSize;
+    use kit::scene::NamedLight;
+    use kit::{Light, Scene};
+
+    /// Without this, the pictures that are compared would be made one path at a time both times.
+    #[test]
+    fn pictures_are_made_so_unless_they_call_for_something_else() {
+        let point = Light::Point {
+            position: Vec3::ZERO,
+            intensity: Spectrum::WHITE,
+        };
+        let lights = vec![NamedLight {
+            name: String::new(),
+            light: point,
+        }];
+        let lit = LitScene::new(
+            Scene {
+                lights,
+                ..Scene::default()
+            },
+            None,
+        );
+        let film = FilmSize { w: 1, h: 1 };
+        let job = Job {
+            camera: scenes::placement::place(&lit.scene, film).camera,
+            film,
+            cell: film.whole(),
+            samples: 1,
+            sampling: 0.into(),
+        };
+        let textures = Textures::default();
+        let fits = |kind, settings: LightSettings| {
+            let accel = Accel::build(kind, &lit.scene);
+            Octet::new(&lit, &textures, &accel, &job, &settings).is_some()
+        };
+        let lights = LightSettings::default();
+        let adaptive = |batch| LightSettings {
+            adaptive: Some((batch, 0.1)),
+            ..lights
+        };
+        assert!(fits(AccelKind::Simd, lights) && fits(AccelKind::Simd, adaptive(3)));
+        assert!(!fits(AccelKind::Bvh, lights) && !fits(AccelKind::Brute, lights));
+        let others = [
+            adaptive(2),
+            LightSettings {
+                max_depth: 0,
+                ..lights
+            },
+            LightSettings {
+                looking: Looking::Both,
+                ..lights
+            },
+            LightSettings {
+                force_effects: true,
+                ..lights
+            },
+        ];
+        for settings in others {
+            assert!(!fits(AccelKind::Simd, settings), "{settings:?}");
+        }
+    }
+}
+// END SOLUTION(part6.task2)

@@ -155,16 +155,21 @@ impl<'a> Walk<'a> {
     fn next(&self, ray: &Ray) -> Option<Hit> {
         let hit = self.closest(ray);
         if let Some(hit) = &hit {
-            self.at.set(Some((hit.prim, hit.ng)));
-            self.look_up_texture(hit);
+            self.come_to(hit);
         }
         hit
     }
 
-    /// Reads what the picture on the surface shows, if it carries one and anything will light it. All that is asked
-    /// of `materials` until the path's next hit is about this surface.
+    /// From now on rays leave the surface that was hit, and `materials` are asked about it.
     #[inline]
-    fn look_up_texture(&self, hit: &Hit) {
+    pub(crate) fn come_to(&self, hit: &Hit) {
+        self.at.set(Some((hit.prim, hit.ng)));
+        self.look_up_texture(hit);
+    }
+
+    /// Reads what the picture on the surface shows, if it carries one and anything will light it.
+    #[inline]
+    pub(crate) fn look_up_texture(&self, hit: &Hit) {
         if self.textures.is_empty() || self.max_depth == 0 {
             if self.settings.force_effects {
                 self.materials.count(Effect::Texture);

@@ -1,6 +1,6 @@
 //! A scene as a ray meets it: every test is counted.
 
-use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, TriangleHit, Vec3, World};
+use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, TriangleHit, World};
 use simd_bvh::Work;
 use std::iter::Sum;
 use std::ops::Add;
@@ -72,22 +72,6 @@ impl<'a> SceneWorld<'a> {
                 b1: 0.0,
                 b2: 0.0,
             }),
-        }
-    }
-
-    /// The geometric normal of triangle `id`, as its hits have it; 0 for a sphere, which has many.
-    pub fn geometric_normal(&self, id: PrimId) -> Vec3 {
-        match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => {
-                let corner = TriangleHit {
-                    t: 0.0,
-                    b1: 0.0,
-                    b2: 0.0,
-                };
-                let ray = &mut Ray::new(Vec3::ZERO, Vec3::Z);
-                intersect::record_triangle(triangle, id, ray, corner).ng
-            }
-            Primitive::Sphere(_) => Vec3::ZERO,
         }
     }
 

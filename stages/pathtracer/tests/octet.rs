@@ -3,7 +3,9 @@
 
 use kit::sampler::{Pattern, Sampling};
 use kit::{FilmSize, LitScene};
-use pathtracer::{Accel, AccelKind, Job, LightSettings, Looking, Rendered, Textures, render_lit};
+use pathtracer::{
+    Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, Textures, render_lit,
+};
 use scenes::placement;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -25,7 +27,12 @@ fn scene_files() -> Vec<PathBuf> {
     files
 }
 
-fn render(lit: &LitScene, accel: &Accel, samples: u32, settings: &LightSettings) -> Rendered {
+fn render(
+    (lit, textures): (&LitScene, &Textures),
+    accel: &Accel,
+    samples: u32,
+    settings: &LightSettings,
+) -> Rendered {
     let film = FilmSize { w: 21, h: 18 };
     let job = Job {
         camera: placement::place(&lit.scene, film).camera,
@@ -38,8 +45,8 @@ fn render(lit: &LitScene, accel: &Accel, samples: u32, settings: &LightSettings)
             first_sample: 3,
         },
     };
-    let (stop, textures) = (AtomicBool::new(false), Textures::default());
-    render_lit(lit, &textures, accel, &job, settings, &stop, &|_, _| {})
+    let stop = AtomicBool::new(false);
+    render_lit(lit, textures, accel, &job, settings, &stop, &|_, _| {})
 }
 
 /// Settings that go their own ways through the sample loop and the paths.
@@ -50,6 +57,13 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
     };
     let adaptive = |batch| LightSettings {
         adaptive: Some((batch, 0.3)),
+        ..deep
+    };
+    let through_lens = LightSettings {
+        lens: Lens {
+            radius: 0.05,
+            focus: 2.0,
+        },
         ..deep
     };
     vec![
@@ -105,6 +119,9 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
                 ..deep
             },
         ),
+        (3, through_lens),
+        (300, adaptive(100)),
+        (600, adaptive(257)),
         (20, adaptive(8)),
         (7, adaptive(32)),
         (1, adaptive(1)),
@@ -114,21 +131,48 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
 
 #[test]
 fn pictures_and_counts_are_those_of_one_path_at_a_time() {
+    let mut early = 0;
     for file in scene_files() {
-        let mut scene = scenes::load(&file).expect("a scene").scene;
-        scene.textures = Default::default();
+        let scene = scenes::load(&file).expect("a scene").scene;
+        let (textures, _) = Textures::load(&scene, file.parent().expect("a folder"));
         let lit = LitScene::new(scene, None);
         let accels = [AccelKind::Bvh, AccelKind::Simd].map(|kind| Accel::build(kind, &lit.scene));
         for (samples, settings) in all_settings() {
             let [one, eight] = accels
                 .each_ref()
-                .map(|accel| render(&lit, accel, samples, &settings));
+                .map(|accel| render((&lit, &textures), accel, samples, &settings));
             let what = format!("{}: {samples} samples, {settings:?}", file.display());
             assert!(eight.film == one.film, "{what}: other pictures");
+            if settings.adaptive.is_some_and(|(batch, _)| batch < samples) {
+                let taken = eight.film.pixels().iter().map(|pixel| pixel.samples);
+                early += usize::from(taken.clone().min() < taken.max());
+            }
             assert!(eight.luminance == one.luminance, "{what}: other spreads");
             assert_eq!(eight.effects, one.effects, "{what}");
             assert_eq!(eight.counters.rays, one.counters.rays, "{what}");
         }
     }
+    assert!(early > 3, "pixels that stop early in {early} pictures");
+}
+
+#[test]
+fn a_picture_that_is_stopped_stays_black() {
+    let lit = LitScene::new(
+        scenes::load(&scene_files()[0]).expect("a scene").scene,
+        None,
+    );
+    let film = FilmSize { w: 9, h: 8 };
+    let job = Job {
+        camera: placement::place(&lit.scene, film).camera,
+        film,
+        cell: film.whole(),
+        samples: 4,
+        sampling: 1.into(),
+    };
+    let (stop, settings) = (AtomicBool::new(true), LightSettings::default());
+    let accel = Accel::build(AccelKind::Simd, &lit.scene);
+    let textures = Textures::default();
+    let rendered = render_lit(&lit, &textures, &accel, &job, &settings, &stop, &|_, _| {});
+    assert_eq!((rendered.samples(), rendered.counters.rays), (0, 0));
 }
 // END SOLUTION(part6.task2)

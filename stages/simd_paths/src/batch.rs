@@ -1,13 +1,11 @@
 // BEGIN SOLUTION(part6.task2)
 //! Paths on their way, field by field, so that eight of them fill lanes.
 
+use crate::BATCH;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::PixelSampler;
 use kit::sampler::PixelSamplers;
-
-/// Paths that are followed together, at most: enough that few lanes are idle, and few enough to stay in the nearest cache.
-pub(crate) const BATCH: usize = 64;
 
 type Field = [f64; BATCH];
 

@@ -4,14 +4,20 @@
 use crate::batch::{Batch, Paths};
 use crate::rays::NONE;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{Start, View};
+use crate::{Neighbours, Start, View};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::Vec3;
 use kit::math::tan;
+use kit::{Ray, Vec3};
 
 /// Fills the batch with paths, one for each of `starts`: by the arithmetic of the stage `raygen`, operation by operation.
 #[inline(always)]
-pub(crate) fn start<S: Simd>(simd: S, view: &View, starts: &[Start], batch: &mut Batch) {
+pub(crate) fn start<S: Simd>(
+    simd: S,
+    view: &View,
+    starts: &[Start],
+    batch: &mut Batch,
+    others: &mut impl Neighbours,
+) {
     let camera = &view.camera;
     let half_width = tan((0.5 * camera.h_fov).to_radians());
     let half_height = tan((0.5 * camera.v_fov).to_radians());
@@ -39,7 +45,7 @@ pub(crate) fn start<S: Simd>(simd: S, view: &View, starts: &[Start], batch: &mut
         let local_y = (sensor_y * 2.0 - 1.0) * half_height;
         let d = right * local_x + up * local_y + back * f64x8::splat(simd, -1.0);
         let d = d * (f64x8::splat(simd, 1.0) / d.length());
-        let paths = Paths {
+        let mut paths = Paths {
             o: Vec3x8::splat(simd, camera.pos),
             d,
             throughput: white,
@@ -50,6 +56,20 @@ pub(crate) fn start<S: Simd>(simd: S, view: &View, starts: &[Start], batch: &mut
         };
         for (lane, sampler) in batch.samplers[first..first + LANES].iter_mut().enumerate() {
             *sampler = samplers.get(lane);
+        }
+        if view.has_lens {
+            let samplers = batch.samplers[first..].iter_mut().take(eight.len());
+            for (lane, sampler) in samplers.enumerate() {
+                let ray = Ray {
+                    o: paths.o.lane(lane),
+                    d: paths.d.lane(lane),
+                    min_t: camera.n_clip,
+                    max_t: camera.f_clip,
+                };
+                let ray = others.aim(&ray, sampler);
+                paths.o.set(lane, ray.o.to_array());
+                paths.d.set(lane, ray.d.to_array());
+            }
         }
         batch.store(first, &paths, mask64x8::splat(simd, true));
     }

@@ -2,13 +2,14 @@
 //! One bounce of eight paths: what the stage `global` does along one, operation by operation.
 
 use crate::batch::Paths;
-use crate::facts::Does;
+use crate::deed::Does;
 use crate::lanes::lanes;
 use crate::rays::{Hits, Rays, prim};
 use crate::surfaces::Surfaces;
 use crate::vec3x8::LANES;
 use crate::{Neighbours, PathBatch, PathScene, PathSettings};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::Vec3;
 use kit::sampler::PixelSamplers;
 
 /// Eight paths on their way through a scene.
@@ -49,8 +50,18 @@ impl<S: Simd> Eight<'_, S> {
             return 0;
         }
         let ids: [usize; LANES] = std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
-        let surfaces = Surfaces::at(simd, self.scene, &rays, &hits, &ids, self.alive);
+        let mut surfaces = Surfaces::at(simd, self.scene, &rays, &hits, &ids, found, others);
         let [matte, emits, special] = self.sort(&ids, found);
+        if self.settings.has_textures {
+            // A lamp is no brighter for its picture, but it is looked up as that of any surface is.
+            for lane in lanes(matte | emits) {
+                let tint = others.tint(&surfaces.hit(lane, &hits));
+                if matte >> lane & 1 == 1 {
+                    let colour = surfaces.colour.lane(lane) * Vec3::from(tint.to_array());
+                    surfaces.colour.set(lane, colour.to_array());
+                }
+            }
+        }
         // Before the lanes draw their numbers: these paths draw their own.
         let taken = (special != 0).then(|| self.take_on(special, bounce, &surfaces, &hits, others));
         let wo = -self.paths.d;
@@ -80,7 +91,7 @@ impl<S: Simd> Eight<'_, S> {
     fn sort(&self, ids: &[usize; LANES], found: u64) -> [u64; 3] {
         let mut sorted = [0; 3];
         for (lane, &id) in ids.iter().enumerate() {
-            let does = self.scene.deeds[self.scene.facts[id].material as usize].0;
+            let does = self.scene.deed_of(id).0;
             sorted[0] |= u64::from(does == Does::Scatter) << lane;
             sorted[1] |= u64::from(does == Does::Emit) << lane;
             sorted[2] |= u64::from(does == Does::Else) << lane;
@@ -144,7 +155,7 @@ impl<S: Simd> Eight<'_, S> {
             let light = self.scene.lit.background(self.paths.d.lane(lane));
             let throughput = self.paths.throughput.lane(lane);
             let radiance =
-                self.paths.radiance.lane(lane) + throughput * kit::Vec3::from(light.to_array());
+                self.paths.radiance.lane(lane) + throughput * Vec3::from(light.to_array());
             self.paths.radiance.set(lane, radiance.to_array());
         }
     }

@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Lights, sampled for eight points at once.
 
+use crate::lanes::lanes;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, EmittingMesh, Vec2};
@@ -18,17 +19,18 @@ pub(crate) struct Samples<S: Simd> {
 /// Lamps of more triangles are asked point by point.
 const MOST_TRIANGLES: usize = 4;
 
-/// [`Emitter::sample`] for each of eight points.
+/// [`Emitter::sample`] for each of eight points, those in the lanes of `asked`.
 #[inline(always)]
 pub(crate) fn sample<S: Simd>(
     simd: S,
     emitter: &Emitter,
     p: Vec3x8<S>,
     u: [f64x8<S>; 2],
+    asked: u64,
 ) -> Samples<S> {
     match emitter {
         Emitter::Mesh(mesh) if mesh.len() <= MOST_TRIANGLES => sample_mesh(simd, mesh, p, u),
-        _ => sample_each(simd, emitter, p, u),
+        _ => sample_each(simd, emitter, p, u, asked),
     }
 }
 
@@ -60,7 +62,7 @@ fn sample_mesh<S: Simd>(
         front = Vec3x8::splat(simd, part.triangle.front).or(here, front);
     }
     let one = splat(1.0);
-    let within = ((target - before) * inverse_area).min(one);
+    let within = ((target - before) * inverse_area).min_precise(one);
     let s = within.sqrt();
     let (b1, b2) = (s * (one - u[1]), s * u[1]);
     let d = p0 + e1 * b1 + e2 * b2 - p;
@@ -80,9 +82,17 @@ fn sample_mesh<S: Simd>(
 }
 
 #[inline(always)]
-fn sample_each<S: Simd>(simd: S, emitter: &Emitter, p: Vec3x8<S>, u: [f64x8<S>; 2]) -> Samples<S> {
-    let samples: [_; LANES] =
-        std::array::from_fn(|i| emitter.sample(p.lane(i), Vec2::new(u[0][i], u[1][i])));
+fn sample_each<S: Simd>(
+    simd: S,
+    emitter: &Emitter,
+    p: Vec3x8<S>,
+    u: [f64x8<S>; 2],
+    asked: u64,
+) -> Samples<S> {
+    let mut samples = [None; LANES];
+    for i in lanes(asked) {
+        samples[i] = emitter.sample(p.lane(i), Vec2::new(u[0][i], u[1][i]));
+    }
     let number = |of: fn(&kit::LightSample) -> f64| {
         f64x8::from_fn(simd, |i| samples[i].as_ref().map_or(1.0, of))
     };

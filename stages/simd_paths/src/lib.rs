@@ -4,8 +4,9 @@
 //! it gives their pictures, bit for bit. With few primitives around most of the time goes into all that is not a tree.
 //!
 // BEGIN SOLUTION(part6.task2)
-//! Read in this order: `vec3x8` and `rays` (eight vectors, eight rays), `batch` and `follow` (paths in memory, and how few lanes
-//! stay idle), `eight` (one bounce), `room` (few primitives, asked by eight rays), `facts` and `surfaces` (what was hit), `lamp`,
+//! Read in this order: `scene` and `neighbours` (what there is, and who is asked), `vec3x8`, `rays` and `lanes` (eight vectors,
+//! eight rays, and which of them), `camera`, `batch` and `follow` (where paths start, how they lie in memory, and how few
+//! lanes stay idle), `eight` (one bounce), `room` (few primitives, asked by eight rays), `surfaces` and `deed` (what was hit), `lamp`,
 //! `turn` and `matte` (light, sines, matte surfaces), `special` (mirrors and glass, which are asked of others).
 //!
 //! Every lane does what the stages do, operation by operation, so no bit is different; where the plain kernels think twice,
@@ -17,8 +18,8 @@
 // BEGIN SOLUTION(part6.task2)
 mod batch;
 mod camera;
+mod deed;
 mod eight;
-mod facts;
 mod follow;
 mod lamp;
 mod lanes;
@@ -37,4 +38,4 @@ mod scene;
 
 pub use fearless_simd::Level;
 pub use neighbours::{Neighbours, Path};
-pub use scene::{Counts, PathBatch, PathScene, PathSettings, Start, View};
+pub use scene::{BATCH, Counts, PathBatch, PathScene, PathSettings, Start, View};

@@ -39,7 +39,7 @@ impl<S: Simd> Eight<'_, S> {
             };
             let mut sum = black;
             for _ in 0..samples {
-                let light = lamp::sample(simd, emitter, surfaces.p, self.next_2d());
+                let light = lamp::sample(simd, emitter, surfaces.p, self.next_2d(), matte);
                 let wi_z = light.wi.dot(surfaces.n);
                 let same_side = zero.simd_lt(wo_z * wi_z);
                 let asked = (scatters & light.some & same_side).to_bitmask();
@@ -109,8 +109,11 @@ impl<S: Simd> Eight<'_, S> {
             self.samplers.skip_1d();
             return (throughput, mask64x8::splat(simd, true));
         };
-        let brightest = throughput.x.max(throughput.y).max(throughput.z);
-        let q = brightest.min(f64x8::splat(simd, 1.0));
+        let brightest = throughput
+            .x
+            .max_precise(throughput.y)
+            .max_precise(throughput.z);
+        let q = brightest.min_precise(f64x8::splat(simd, 1.0));
         let seen = f64x8::splat(simd, 0.0).simd_lt(q);
         if bounce <= first_game {
             self.samplers.skip_1d();

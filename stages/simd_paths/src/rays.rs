@@ -79,6 +79,15 @@ impl<S: Simd> Hits<S> {
         self.det[lane] = 1.0;
     }
 
+    /// The hit in a lane that has one, whose weights are in `weights`.
+    pub(crate) fn lane(&self, lane: usize, weights: &[f64x8<S>; 2]) -> TriangleHit {
+        TriangleHit {
+            t: self.t[lane],
+            b1: weights[0][lane],
+            b2: weights[1][lane],
+        }
+    }
+
     /// The weights of the second and the third vertex; a sphere's are 0.
     #[inline(always)]
     pub(crate) fn weights(&self) -> [f64x8<S>; 2] {

@@ -1,15 +1,16 @@
 //! A scene that paths are followed through, eight at a time.
 
 // BEGIN SOLUTION(part6.task2)
-use crate::batch::{BATCH, Batch};
-use crate::facts::{Does, Facts, deed};
+use crate::batch::Batch;
+use crate::deed::{Does, deed};
 use crate::room::{Room, Scratch};
 use crate::{camera, follow};
 use fearless_simd::dispatch;
+use kit::{PrimId, Triangle};
 // END SOLUTION(part6.task2)
 
 use crate::{Level, Neighbours};
-use kit::{Camera, FilmSize, LitScene, PixelSampler, PrimId, Spectrum, Vec3};
+use kit::{Camera, FilmSize, LitScene, PixelSampler, Spectrum};
 
 /// A scene made ready to be followed through.
 #[derive(Clone, Debug)]
@@ -17,7 +18,6 @@ pub struct PathScene<'a> {
     /// The scene.
     pub lit: &'a LitScene,
     // BEGIN SOLUTION(part6.task2)
-    pub(crate) facts: Vec<Facts>,
     /// What each material does, and in which colour.
     pub(crate) deeds: Vec<(Does, Spectrum)>,
     /// If there are few primitives; else `others` walk their tree.
@@ -37,6 +37,8 @@ pub struct PathSettings {
     pub light_samples: u32,
     /// Rays on a path at most (`-m`), at least 1.
     pub max_depth: u32,
+    /// Whether surfaces carry pictures: others know what these show.
+    pub has_textures: bool,
     /// Bounces that a path makes before it plays roulette; `None` if it never does.
     pub first_game: Option<u32>,
 }
@@ -48,14 +50,17 @@ pub struct View {
     pub camera: Camera,
     /// The whole film's size.
     pub film: FilmSize,
+    /// Whether the camera has a lens: others send rays through it.
+    pub has_lens: bool,
     /// Whether a path goes through its pixel's centre; else through a place that its sampler gives.
     pub centered: bool,
 }
 
-/// A path to be: column and row of its pixel, and the sampler, which has started the sample and drawn nothing of it yet.
+/// A path to be: column and row of its pixel, and the sampler, which has drawn nothing of its sample yet.
 pub type Start = ((u32, u32), PixelSampler);
 
-/// How often what was done; what `others` did is not in it.
+/// How often what was done. Rays that others traced when they were asked to are in it, their tests are not; nor is what others
+/// did with the paths that they took on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Rays traced.
@@ -70,6 +75,9 @@ pub struct Counts {
     pub prim_tests: u64,
 }
 
+/// Paths are followed so many at a time, in groups of eight: whoever starts as many wastes the fewest lanes.
+pub const BATCH: usize = 64;
+
 /// Memory for a thread to work in.
 #[derive(Clone, Debug, Default)]
 pub struct PathBatch {
@@ -82,30 +90,31 @@ pub struct PathBatch {
 }
 
 impl<'a> PathScene<'a> {
-    /// Makes `lit` ready; `ng` gives a triangle's geometric normal. `None` if its paths are better followed one at a time.
-    pub fn new(lit: &'a LitScene, ng: impl Fn(PrimId) -> Vec3) -> Option<PathScene<'a>> {
+    /// Makes `lit` ready. `None` as long as paths are followed one at a time.
+    pub fn new(lit: &'a LitScene) -> Option<PathScene<'a>> {
         // BEGIN SOLUTION(part6.task2)
         let scene = &lit.scene;
-        // The plain kernel has ways of its own for spheres without extent and of extreme size.
-        if scene.spheres.iter().any(|s| !ORDINARY.contains(&s.radius)) {
-            return None;
-        }
-        let facts = (0..scene.len() as u32).map(PrimId);
-        let facets = |t: &kit::Triangle| t.n0 == t.n1 && t.n0 == t.n2;
         Some(PathScene {
-            facts: facts.map(|id| Facts::of(lit, id, ng(id))).collect(),
             deeds: scene.materials.iter().map(|m| deed(&m.material)).collect(),
             room: Room::new(scene),
             has_background: lit.has_background(),
-            is_faceted: scene.triangles.iter().all(facets),
+            is_faceted: scene.triangles.iter().all(is_faceted),
             level: Level::new(),
             lit,
         })
         // STUB: kit::untouched!("part6.task2");
-        // STUB: let _ = (lit, ng);
+        // STUB: let _ = lit;
         // STUB: None
         // END SOLUTION(part6.task2)
     }
+
+    // BEGIN SOLUTION(part6.task2)
+    /// What primitive number `id` does with light, and in which colour.
+    #[inline(always)]
+    pub(crate) fn deed_of(&self, id: usize) -> (Does, Spectrum) {
+        self.deeds[self.lit.scene.material_number(PrimId(id as u32))]
+    }
+    // END SOLUTION(part6.task2)
 
     /// The same scene, followed through with the instructions of `level` instead of the best that this machine has. It gives
     /// the same.
@@ -131,7 +140,7 @@ impl<'a> PathScene<'a> {
         let mut seen = vec![Spectrum::BLACK; starts.len()];
         for (starts, seen) in starts.chunks(BATCH).zip(seen.chunks_mut(BATCH)) {
             dispatch!(self.level, simd => {
-                camera::start(simd, view, starts, &mut work.batch);
+                camera::start(simd, view, starts, &mut work.batch, others);
                 follow::follow(simd, self, settings, view, work, others, seen);
             });
         }
@@ -142,6 +151,9 @@ impl<'a> PathScene<'a> {
 }
 
 // BEGIN SOLUTION(part6.task2)
-/// Radii of spheres whose squares, and those of places on them in radii, neither overflow nor underflow.
-const ORDINARY: std::ops::Range<f64> = 1e-100..1e100;
+/// Whether the normals at the three vertices are one, to the sign of a 0.
+fn is_faceted(t: &Triangle) -> bool {
+    let [n0, n1, n2] = [t.n0, t.n1, t.n2].map(|n| n.to_array().map(f64::to_bits));
+    n0 == n1 && n0 == n2
+}
 // END SOLUTION(part6.task2)

@@ -8,7 +8,7 @@ use crate::surfaces::Surfaces;
 use crate::vec3x8::{LANES, Vec3x8};
 use crate::{Neighbours, Path};
 use fearless_simd::Simd;
-use kit::{Hit, PrimId, Ray, Spectrum, Vec2};
+use kit::{PrimId, Ray, Spectrum};
 
 /// What others made of a path: how it stands, and its next ray with the primitive that this leaves for good.
 pub(crate) struct Taken {
@@ -28,14 +28,7 @@ impl<S: Simd> Eight<'_, S> {
     ) -> [Option<Taken>; LANES] {
         let mut taken = [const { None }; LANES];
         for lane in lanes(special) {
-            let hit = Hit {
-                t: hits.t[lane],
-                p: surfaces.p.lane(lane),
-                n: surfaces.n.lane(lane),
-                ng: surfaces.hit_ng.lane(lane),
-                uv: Vec2::new(surfaces.uv[0][lane], surfaces.uv[1][lane]),
-                prim: PrimId(hits.prim[lane] as u32),
-            };
+            let hit = surfaces.hit(lane, hits);
             let colour = |c: Vec3x8<S>| Spectrum::from(c.lane(lane).to_array());
             let mut path = Path {
                 radiance: colour(self.paths.radiance),

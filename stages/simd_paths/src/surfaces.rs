@@ -1,12 +1,13 @@
 // BEGIN SOLUTION(part6.task2)
 //! Where eight rays hit, as shading sees it.
 
-use crate::PathScene;
-use crate::facts::Facts;
+use crate::lanes::lanes;
 use crate::rays::{Hits, NONE, Rays};
 use crate::vec3x8::{LANES, Vec3x8};
+use crate::{Neighbours, PathScene};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::Triangle;
+use kit::surface::POSITION_ERROR;
+use kit::{Hit, PrimId, Triangle, Vec2};
 
 /// Eight places on surfaces. What `intersect` records of a hit, and what [`kit::Surface`] makes of that, by their
 /// arithmetic, operation by operation.
@@ -27,11 +28,14 @@ pub(crate) struct Surfaces<S: Simd> {
     is_flat: mask64x8<S>,
 }
 
-/// As in `intersect`: vertex normals that cancel to less than this say nothing.
+/// As in `intersect::record_triangle`: where that one thinks twice about a normal, and below which vertex normals that cancel
+/// say nothing.
+const CANCELLATION: f64 = 1.0 / 1024.0;
+const SMALLEST: f64 = 1e-290;
 const CANCELLED_NORMAL: f64 = 1e-12;
 
 impl<S: Simd> Surfaces<S> {
-    /// Those at `hits`, whose primitives are `ids`; any at all in lanes without a hit. `alive` are the lanes that count.
+    /// Those at `hits` in the lanes of `found`, whose primitives are `ids`.
     #[inline(always)]
     pub(crate) fn at(
         simd: S,
@@ -39,43 +43,66 @@ impl<S: Simd> Surfaces<S> {
         rays: &Rays<S>,
         hits: &Hits<S>,
         ids: &[usize; LANES],
-        alive: u64,
+        found: u64,
+        others: &impl Neighbours,
     ) -> Surfaces<S> {
-        let facts: [&Facts; LANES] = std::array::from_fn(|lane| &scene.facts[ids[lane]]);
         let count = scene.lit.scene.triangles.len();
-        let hit_ng = Vec3x8::gather(simd, |lane| facts[lane].ng.to_array());
-        let side = f64x8::from_fn(simd, |lane| facts[lane].side);
         let mut surfaces = Surfaces {
             prim: hits.prim,
             p: rays.o,
-            n: hit_ng,
-            hit_ng,
-            ng: hit_ng * side,
+            n: rays.d,
+            hit_ng: rays.d,
+            ng: rays.d,
             uv: hits.weights(),
-            colour: Vec3x8::gather(simd, |lane| {
-                scene.deeds[facts[lane].material as usize].1.to_array()
-            }),
-            distance: f64x8::from_fn(simd, |lane| facts[lane].distance),
+            colour: Vec3x8::gather(simd, |lane| scene.deed_of(ids[lane]).1.to_array()),
+            distance: hits.t,
             is_flat: hits.prim.simd_lt(f64x8::splat(simd, count as f64)),
         };
+        let flat = surfaces.is_flat.to_bitmask();
+        let mut sound = 0;
         if count > 0 {
-            surfaces.be_flat(simd, scene, ids);
+            sound = flat & surfaces.be_flat(simd, scene, ids);
         }
-        if alive & !surfaces.is_flat.to_bitmask() != 0 && !scene.lit.scene.spheres.is_empty() {
-            surfaces.be_round(simd, scene, rays, hits, ids);
+        if found & !flat != 0 {
+            sound |= !flat & surfaces.be_round(simd, scene, rays, hits, ids);
+        }
+        for lane in lanes(found & !sound) {
+            let hit = hits.lane(lane, &surfaces.uv);
+            let id = PrimId(ids[lane] as u32);
+            surfaces.set(lane, scene, &others.record(id, &rays.lane(lane), hit));
         }
         surfaces
     }
 
-    /// All lanes are on triangles.
+    /// The lane is at `hit`.
+    fn set(&mut self, lane: usize, scene: &PathScene<'_>, hit: &Hit) {
+        let surface = scene.lit.surface(hit);
+        self.p.set(lane, surface.p.to_array());
+        self.n.set(lane, hit.n.to_array());
+        self.hit_ng.set(lane, hit.ng.to_array());
+        self.ng.set(lane, surface.ng.to_array());
+        self.distance[lane] = surface.error.dot(surface.ng.abs());
+    }
+
+    /// All lanes are on triangles. The lanes, one bit each, in which that says where: not on triangles that are next to
+    /// nothing.
     #[inline(always)]
-    fn be_flat(&mut self, simd: S, scene: &PathScene<'_>, ids: &[usize; LANES]) {
+    fn be_flat(&mut self, simd: S, scene: &PathScene<'_>, ids: &[usize; LANES]) -> u64 {
         let triangles = &scene.lit.scene.triangles;
         let last = triangles.len() - 1;
         let of: [&Triangle; LANES] = std::array::from_fn(|lane| &triangles[ids[lane].min(last)]);
         let p0 = Vec3x8::gather(simd, |lane| of[lane].p0.to_array());
-        let e1 = Vec3x8::gather(simd, |lane| of[lane].p1.to_array()) - p0;
-        let e2 = Vec3x8::gather(simd, |lane| of[lane].p2.to_array()) - p0;
+        let p1 = Vec3x8::gather(simd, |lane| of[lane].p1.to_array());
+        let p2 = Vec3x8::gather(simd, |lane| of[lane].p2.to_array());
+        let (e1, e2) = (p1 - p0, p2 - p0);
+        let normal = e1.cross(e2);
+        let length2 = normal.dot(normal);
+        let smallest = e1.dot(e1) * e2.dot(e2) * (CANCELLATION * CANCELLATION);
+        let is_sound = smallest.simd_lt(length2)
+            & f64x8::splat(simd, SMALLEST).simd_lt(length2)
+            & length2.simd_lt(f64x8::splat(simd, f64::INFINITY));
+        self.hit_ng = normal.over(length2.sqrt());
+
         let [b1, b2] = self.uv;
         self.p = p0 + e1 * b1 + e2 * b2;
         let n0 = Vec3x8::gather(simd, |lane| of[lane].n0.to_array());
@@ -87,12 +114,20 @@ impl<S: Simd> Surfaces<S> {
         let b0 = f64x8::splat(simd, 1.0) - b1 - b2;
         let normal = n0 * b0 + n1 * b1 + n2 * b2;
         let length = normal.length();
-        let is_sound = f64x8::splat(simd, CANCELLED_NORMAL).simd_lt(length)
+        let points = f64x8::splat(simd, CANCELLED_NORMAL).simd_lt(length)
             & length.simd_lt(f64x8::splat(simd, f64::INFINITY));
-        self.n = normal.over(length).or(is_sound, self.hit_ng);
+        self.n = normal.over(length).or(points, self.hit_ng);
+
+        let behind = self.hit_ng.dot(n0 + n1 + n2);
+        let behind = behind.simd_lt(f64x8::splat(simd, 0.0));
+        self.ng = (-self.hit_ng).or(behind, self.hit_ng);
+        let error = p0.abs().max(p1.abs()).max(p2.abs()) * f64x8::splat(simd, POSITION_ERROR);
+        self.distance = error.dot(self.ng.abs());
+        is_sound.to_bitmask()
     }
 
-    /// Lanes that are not on triangles are on spheres.
+    /// Lanes that are not on triangles are on spheres. The lanes, one bit each, in which that says where: not on spheres that
+    /// are nothing but their centre as far as rounding can tell.
     #[inline(always)]
     fn be_round(
         &mut self,
@@ -101,26 +136,43 @@ impl<S: Simd> Surfaces<S> {
         rays: &Rays<S>,
         hits: &Hits<S>,
         ids: &[usize; LANES],
-    ) {
+    ) -> u64 {
         let count = scene.lit.scene.triangles.len();
         let spheres = &scene.lit.scene.spheres;
         let of = |lane: usize| &spheres[ids[lane].max(count) - count];
         let center = Vec3x8::gather(simd, |lane| of(lane).center.to_array());
         let radius = f64x8::from_fn(simd, |lane| of(lane).radius);
         let from_center = ((rays.o - center) + rays.d * hits.t).over(radius);
-        let n = from_center * (f64x8::splat(simd, 1.0) / from_center.length());
+        let inverse = f64x8::splat(simd, 1.0) / from_center.length();
+        let n = from_center * inverse;
         let flat = self.is_flat;
         self.p = self.p.or(flat, center + n * radius);
         self.n = self.n.or(flat, n);
         self.hit_ng = self.hit_ng.or(flat, n);
         self.ng = self.ng.or(flat, n);
-        let error = Vec3x8::gather(simd, |lane| scene.facts[ids[lane]].error.to_array());
-        let size = Vec3x8 {
-            x: n.x.abs(),
-            y: n.y.abs(),
-            z: n.z.abs(),
-        };
-        self.distance = flat.select(self.distance, error.dot(size));
+        let reach = center.abs()
+            + Vec3x8 {
+                x: radius,
+                y: radius,
+                z: radius,
+            };
+        let error = reach * f64x8::splat(simd, POSITION_ERROR);
+        self.distance = flat.select(self.distance, error.dot(n.abs()));
+        let is_sound = f64x8::splat(simd, 0.0).simd_lt(inverse)
+            & inverse.simd_lt(f64x8::splat(simd, f64::INFINITY));
+        is_sound.to_bitmask()
+    }
+
+    /// The hit in a lane that has one.
+    pub(crate) fn hit(&self, lane: usize, hits: &Hits<S>) -> Hit {
+        Hit {
+            t: hits.t[lane],
+            p: self.p.lane(lane),
+            n: self.n.lane(lane),
+            ng: self.hit_ng.lane(lane),
+            uv: Vec2::new(self.uv[0][lane], self.uv[1][lane]),
+            prim: PrimId(self.prim[lane] as u32),
+        }
     }
 
     /// The origins of rays that leave along `w`, and the primitives that these leave for good.

@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Sines and cosines of eight angles.
 
+use crate::lanes::lanes;
 use fearless_simd::{Simd, f64x8, i64x8, mask64x8, prelude::*};
 use kit::math;
 
@@ -43,27 +44,20 @@ pub(crate) fn sin_cos<S: Simd>(simd: S, radians: f64x8<S>) -> (f64x8<S>, f64x8<S
     let c_falls = quarters.simd_eq(one) | quarters.simd_eq(splat(2.0));
     let (mut s, mut c) = (s_falls.select(-s, s), c_falls.select(-c, c));
 
-    let mut close = close_calls(simd, radians).to_bitmask();
-    while close != 0 {
-        let lane = close.trailing_zeros() as usize & 7;
-        close &= close - 1;
+    for lane in lanes(close_calls(simd, radians).to_bitmask()) {
         (s[lane], c[lane]) = math::sin_cos(radians[lane]);
     }
     (s, c)
 }
 
-/// Where libm takes more digits of π, or none at all.
+/// Where libm takes more digits of π.
 #[inline(always)]
 fn close_calls<S: Simd>(simd: S, radians: f64x8<S>) -> mask64x8<S> {
     let bits = radians.bitcast::<i64x8<S>>() >> 32;
     let low = bits & i64x8::splat(simd, 0x000f_ffff);
     let is = |high: i64| bits.simd_eq(i64x8::splat(simd, high));
     let above = radians.simd_ge(f64x8::splat(simd, f64::from_bits(0x3fe9_21fc << 32)));
-    let tiny = radians.simd_lt(f64x8::splat(simd, f64::from_bits(0x3e46_a09e << 32)));
-    (above & low.simd_eq(i64x8::splat(simd, 0x0009_21fb)))
-        | is(0x4012_d97c)
-        | is(0x4019_21fb)
-        | tiny
+    (above & low.simd_eq(i64x8::splat(simd, 0x0009_21fb))) | is(0x4012_d97c) | is(0x4019_21fb)
 }
 
 // The coefficients of FreeBSD's msun: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a

@@ -53,6 +53,33 @@ impl<S: Simd> Vec3x8<S> {
     }
 
     #[inline(always)]
+    pub(crate) fn cross(self, other: Vec3x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.y * other.z - other.y * self.z,
+            y: self.z * other.x - other.z * self.x,
+            z: self.x * other.y - other.x * self.y,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn abs(self) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x.abs(),
+            y: self.y.abs(),
+            z: self.z.abs(),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn max(self, other: Vec3x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x.max(other.x),
+            y: self.y.max(other.y),
+            z: self.z.max(other.z),
+        }
+    }
+
+    #[inline(always)]
     pub(crate) fn length(self) -> f64x8<S> {
         self.dot(self).sqrt()
     }

@@ -11,7 +11,7 @@ use crate::lanes::lanes;
 use crate::rays::{Hits, Rays};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, Scene, Sphere, Vec3};
-use triangle::{Seen, View};
+use triangle::{Seen, Turned};
 
 /// Triangles by their corners, each of which is looked at once for all triangles that share it, and spheres.
 #[derive(Clone, Debug)]
@@ -21,8 +21,8 @@ pub(crate) struct Room {
     spheres: Vec<Sphere>,
 }
 
-/// So many triangles and spheres at most.
-const MOST_TRIANGLES: usize = 32;
+/// So many triangles and spheres at most: so few have no tree either.
+const MOST_TRIANGLES: usize = 16;
 const MOST_SPHERES: usize = 8;
 
 /// Memory for a thread to work in: the corners as eight rays see them.
@@ -82,13 +82,13 @@ impl Room {
         scratch: &mut Scratch,
         others: &impl Neighbours,
     ) -> Hits<S> {
-        let view = View::new(rays);
-        view.look(simd, &self.corners, &mut scratch.0);
+        let turned = Turned::new(rays);
+        turned.look(simd, &self.corners, &mut scratch.0);
         let mut hits = Hits::none(simd, rays.max_t);
         for i in 0..self.len() {
             let number = f64x8::splat(simd, i as f64);
             let asked = asked & left.simd_ne(number).to_bitmask();
-            let Some(verdict) = self.test(simd, i, &view, rays, hits.t, asked, scratch) else {
+            let Some(verdict) = self.test(simd, i, &turned, rays, hits.t, asked, scratch) else {
                 continue;
             };
             // In the order of their numbers: the first of equals stays.
@@ -125,8 +125,8 @@ impl Room {
         scratch: &mut Scratch,
         others: &impl Neighbours,
     ) -> (u64, u64) {
-        let view = View::new(rays);
-        view.look(simd, &self.corners, &mut scratch.0);
+        let turned = Turned::new(rays);
+        turned.look(simd, &self.corners, &mut scratch.0);
         let (mut open, mut tests) = (asked, 0);
         for i in 0..self.len() {
             if open == 0 {
@@ -135,7 +135,8 @@ impl Room {
             tests += u64::from(open.count_ones());
             let number = f64x8::splat(simd, i as f64);
             let asked = open & left.simd_ne(number).to_bitmask();
-            let Some(verdict) = self.test(simd, i, &view, rays, rays.max_t, asked, scratch) else {
+            let Some(verdict) = self.test(simd, i, &turned, rays, rays.max_t, asked, scratch)
+            else {
                 continue;
             };
             open &= !verdict.hit.to_bitmask();
@@ -155,7 +156,7 @@ impl Room {
         &self,
         simd: S,
         i: usize,
-        view: &View<S>,
+        turned: &Turned<S>,
         rays: &Rays<S>,
         max_t: f64x8<S>,
         asked: u64,
@@ -164,7 +165,7 @@ impl Room {
         match self.triangles.get(i) {
             Some(&[a, b, c]) => {
                 let seen = &scratch.0;
-                view.test(simd, [&seen[a], &seen[b], &seen[c]], rays, max_t, asked)
+                turned.test(simd, [&seen[a], &seen[b], &seen[c]], rays, max_t, asked)
             }
             None => {
                 let sphere = &self.spheres[i - self.triangles.len()];

@@ -7,7 +7,8 @@ use crate::rays::{NONE, Rays};
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use kit::{
-    Hit, PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle, TriangleHit, Vec3, warp,
+    Hit, PixelSampler, PrimId, Primitive, Ray, Scene, Spectrum, Sphere, Triangle, TriangleHit,
+    Vec3, warp,
 };
 
 /// The plain kernels; nothing else is asked for.
@@ -25,6 +26,10 @@ impl Neighbours for Kernels<'_> {
         }
     }
 
+    fn record(&self, _: PrimId, _: &Ray, _: TriangleHit) -> Hit {
+        unreachable!("nothing is lit")
+    }
+
     fn closest(&mut self, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
         (0..self.0.len() as u32)
             .map(PrimId)
@@ -35,6 +40,14 @@ impl Neighbours for Kernels<'_> {
 
     fn occluded(&mut self, _: &Ray, _: Option<PrimId>) -> bool {
         unreachable!("a room is asked")
+    }
+
+    fn aim(&mut self, _: &Ray, _: &mut PixelSampler) -> Ray {
+        unreachable!("there is no camera")
+    }
+
+    fn tint(&mut self, _: &Hit) -> Spectrum {
+        unreachable!("nothing is lit")
     }
 
     fn go_on(&mut self, _: &mut Path, _: Vec3, _: &Hit) -> Option<(Ray, Option<PrimId>)> {
@@ -107,7 +120,7 @@ impl Numbers {
     }
 
     fn scene(&mut self, scale: f64) -> Scene {
-        let mut triangles: Vec<Triangle> = (0..1 + self.below(32))
+        let mut triangles: Vec<Triangle> = (0..1 + self.below(16))
             .map(|_| {
                 let [a, b, c] = [0, 1, 2].map(|_| scale * self.point());
                 Triangle::flat(a, b, c)

@@ -12,7 +12,7 @@ use kit::Vec3;
 pub(super) type Seen = [[f64; LANES]; 3];
 
 /// Eight rays as the test wants them: with axes renamed in a circle, so that each goes mostly along its z.
-pub(super) struct View<S: Simd> {
+pub(super) struct Turned<S: Simd> {
     along_z: mask64x8<S>,
     along_y: mask64x8<S>,
     o: Vec3x8<S>,
@@ -25,22 +25,22 @@ const CANCELLATION: f64 = 1.0 / 1024.0;
 /// Products below may have underflowed on the way.
 const SMALLEST: f64 = 1e-290;
 
-impl<S: Simd> View<S> {
+impl<S: Simd> Turned<S> {
     #[inline(always)]
-    pub(super) fn new(rays: &Rays<S>) -> View<S> {
+    pub(super) fn new(rays: &Rays<S>) -> Turned<S> {
         let (x, y, z) = (rays.d.x.abs(), rays.d.y.abs(), rays.d.z.abs());
-        let mut view = View {
+        let mut turned = Turned {
             along_z: z.simd_ge(x) & z.simd_ge(y),
             along_y: y.simd_ge(x),
             o: rays.o,
             d: rays.d,
         };
-        (view.o, view.d) = (view.turned(rays.o), view.turned(rays.d));
-        view
+        (turned.o, turned.d) = (turned.turn(rays.o), turned.turn(rays.d));
+        turned
     }
 
     #[inline(always)]
-    fn turned(&self, v: Vec3x8<S>) -> Vec3x8<S> {
+    fn turn(&self, v: Vec3x8<S>) -> Vec3x8<S> {
         let (z, y) = (self.along_z, self.along_y);
         Vec3x8 {
             x: z.select(v.x, y.select(v.z, v.y)),
@@ -55,7 +55,7 @@ impl<S: Simd> View<S> {
         seen.resize(corners.len(), Seen::default());
         let d = self.d;
         for (corner, seen) in corners.iter().zip(seen) {
-            let p = self.turned(Vec3x8::splat(simd, *corner)) - self.o;
+            let p = self.turn(Vec3x8::splat(simd, *corner)) - self.o;
             (p.x * d.z - d.x * p.z).store_array(&mut seen[0]);
             (p.y * d.z - d.y * p.z).store_array(&mut seen[1]);
             p.z.store_array(&mut seen[2]);
@@ -74,7 +74,7 @@ impl<S: Simd> View<S> {
         max_t: f64x8<S>,
         asked: u64,
     ) -> Option<Verdict<S>> {
-        let (a, b, c) = (lanes(simd, a), lanes(simd, b), lanes(simd, c));
+        let (a, b, c) = (load(simd, a), load(simd, b), load(simd, c));
         let (cb, ac, ba) = (c.x * b.y, a.x * c.y, b.x * a.y);
         let u = cb - c.y * b.x;
         let v = ac - a.y * c.x;
@@ -107,7 +107,7 @@ impl<S: Simd> View<S> {
 }
 
 #[inline(always)]
-fn lanes<S: Simd>(simd: S, seen: &Seen) -> Vec3x8<S> {
+fn load<S: Simd>(simd: S, seen: &Seen) -> Vec3x8<S> {
     Vec3x8 {
         x: f64x8::load_array_ref(simd, &seen[0]),
         y: f64x8::load_array_ref(simd, &seen[1]),

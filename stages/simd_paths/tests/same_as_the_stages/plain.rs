@@ -11,7 +11,7 @@ use kit::{
     Spectrum, Surface, TriangleHit, Vec2, Vec3,
 };
 use raygen::generate_ray;
-use simd_paths::{Neighbours, Path, PathSettings, Start, View};
+use simd_paths::{Counts, Neighbours, Path, PathSettings, Start, View};
 use std::cell::Cell;
 
 /// The plain kernels: where `ray` meets primitive `id`.
@@ -37,26 +37,13 @@ fn record(lit: &LitScene, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
     }
 }
 
-/// The geometric normal of a triangle.
-pub(crate) fn geometric_normal(lit: &LitScene, id: PrimId) -> Vec3 {
-    let corner = TriangleHit {
-        t: 0.0,
-        b1: 0.0,
-        b2: 0.0,
-    };
-    match lit.scene.primitive(id) {
-        Primitive::Triangle(_) => record(lit, id, &Ray::new(Vec3::ZERO, Vec3::Z), corner).ng,
-        Primitive::Sphere(_) => Vec3::ZERO,
-    }
-}
-
-/// The materials of the course; rough glass does without its roughness.
-struct Materials;
+/// The materials of the course, rough glass without its roughness; and the tint of the surface at hand.
+struct Materials(Cell<Spectrum>);
 
 impl Scattering for Materials {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match *material {
-            Material::Diffuse { reflectance } => lambert_f(reflectance, wo, wi),
+            Material::Diffuse { reflectance } => lambert_f(self.0.get() * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
                 shininess,
@@ -75,7 +62,7 @@ impl Scattering for Materials {
 
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
         match *material {
-            Material::Diffuse { reflectance } => lambert_sample(reflectance, wo, u),
+            Material::Diffuse { reflectance } => lambert_sample(self.0.get() * reflectance, wo, u),
             Material::Emission { .. } => None,
             Material::Mirror { reflectance } => mirror_sample(reflectance, wo),
             Material::Glossy {
@@ -99,8 +86,9 @@ impl Scattering for Materials {
 pub(crate) struct Plain<'a> {
     lit: &'a LitScene,
     settings: PathSettings,
-    /// Rays traced; not those that the lanes have counted.
-    pub(crate) rays: u64,
+    materials: Materials,
+    /// What was done; not what the lanes have counted.
+    pub(crate) counts: Cell<Counts>,
 }
 
 /// Where a ray starts: the primitive, and its geometric normal.
@@ -111,7 +99,8 @@ impl<'a> Plain<'a> {
         Plain {
             lit,
             settings,
-            rays: 0,
+            materials: Materials(Cell::new(Spectrum::WHITE)),
+            counts: Cell::default(),
         }
     }
 
@@ -138,22 +127,48 @@ impl<'a> Plain<'a> {
     fn direct(
         &self,
         at: &At,
-        rays: &Cell<u64>,
         surface: &Surface<'_>,
         wo: Vec3,
         sampler: &mut PixelSampler,
     ) -> Spectrum {
         let samples = self.settings.light_samples;
         let occluded = &mut |ray: &Ray| {
-            rays.set(rays.get() + 1);
+            self.count(|counts| {
+                counts.rays += 1;
+                counts.light_rays += 1;
+            });
             self.blocked(ray, self.left_by(at, ray))
         };
         estimate_direct_lighting_importance(
-            self.lit, surface, wo, samples, sampler, &Materials, occluded,
+            self.lit,
+            surface,
+            wo,
+            samples,
+            sampler,
+            &self.materials,
+            occluded,
         )
     }
 
+    /// What a picture shows that every surface carries, if any does.
+    fn look_at(&self, hit: &Hit) -> Spectrum {
+        let tint = if self.settings.has_textures {
+            Spectrum::new(hit.uv.x, hit.uv.y, 0.5)
+        } else {
+            Spectrum::WHITE
+        };
+        self.materials.0.set(tint);
+        tint
+    }
+
+    fn count(&self, add: impl FnOnce(&mut Counts)) {
+        let mut counts = self.counts.get();
+        add(&mut counts);
+        self.counts.set(counts);
+    }
+
     fn play(&self, throughput: Spectrum, bounce: u32, u: f64) -> Option<Spectrum> {
+        self.count(|counts| counts.bounces += 1);
         match self.settings.first_game {
             // The stage's own first game is its own affair.
             Some(first) if bounce > first => play_roulette(throughput, u32::MAX, u),
@@ -163,8 +178,19 @@ impl<'a> Plain<'a> {
     }
 }
 
+/// A lens of a kind.
+fn through_lens(ray: &Ray, sampler: &mut PixelSampler) -> Ray {
+    let u = sampler.next_2d();
+    let aside = 0.1 * Vec3::new(u.x, u.y, 0.0);
+    Ray {
+        o: ray.o + aside,
+        d: (ray.d - 0.5 * aside).normalize(),
+        ..*ray
+    }
+}
+
 /// What the path of `start` sees.
-pub(crate) fn radiance(plain: &mut Plain<'_>, view: &View, start: &Start) -> Spectrum {
+pub(crate) fn radiance(plain: &Plain<'_>, view: &View, start: &Start) -> Spectrum {
     let ((x, y), mut sampler) = start.clone();
     let place = if view.centered {
         Vec2::splat(0.5)
@@ -174,30 +200,41 @@ pub(crate) fn radiance(plain: &mut Plain<'_>, view: &View, start: &Start) -> Spe
     let film = Vec2::new(f64::from(view.film.w), f64::from(view.film.h));
     let corner = Vec2::new(f64::from(x), f64::from(y));
     let ray = generate_ray(&view.camera, (corner + place) / film);
-    let (at, rays) = (Cell::new(None), Cell::new(0));
-    let seen = estimate_radiance(
+    let ray = if view.has_lens {
+        through_lens(&ray, &mut sampler)
+    } else {
+        ray
+    };
+    let at = Cell::new(None);
+    estimate_radiance(
         plain.lit,
         &ray,
         plain.settings.max_depth,
         &mut sampler,
-        &Materials,
+        &plain.materials,
         &mut |ray| {
-            rays.set(rays.get() + 1);
-            let (id, hit) = plain.nearest(ray, plain.left_by(&at, ray))?;
+            plain.count(|counts| counts.rays += 1);
+            let Some((id, hit)) = plain.nearest(ray, plain.left_by(&at, ray)) else {
+                plain.count(|counts| counts.background += u64::from(plain.lit.has_background()));
+                return None;
+            };
             let hit = record(plain.lit, id, ray, hit);
             at.set(Some((hit.prim, hit.ng)));
+            plain.look_at(&hit);
             Some(hit)
         },
-        &mut |surface, wo, sampler| plain.direct(&at, &rays, surface, wo, sampler),
+        &mut |surface, wo, sampler| plain.direct(&at, surface, wo, sampler),
         &mut |throughput, bounce, u| plain.play(throughput, bounce, u),
-    );
-    plain.rays += rays.get();
-    seen
+    )
 }
 
 impl Neighbours for Plain<'_> {
     fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
         exact(self.lit, id, ray)
+    }
+
+    fn record(&self, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
+        record(self.lit, id, ray, hit)
     }
 
     fn closest(&mut self, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
@@ -208,20 +245,28 @@ impl Neighbours for Plain<'_> {
         self.blocked(ray, left)
     }
 
+    fn aim(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
+        through_lens(ray, sampler)
+    }
+
+    fn tint(&mut self, hit: &Hit) -> Spectrum {
+        self.look_at(hit)
+    }
+
     fn go_on(&mut self, path: &mut Path, d: Vec3, hit: &Hit) -> Option<(Ray, Option<PrimId>)> {
-        let (at, rays) = (Cell::new(Some((hit.prim, hit.ng))), Cell::new(0));
+        let at = Cell::new(Some((hit.prim, hit.ng)));
+        self.look_at(hit);
         let surface = self.lit.surface(hit);
         if !surface.material.is_delta() {
-            let direct = self.direct(&at, &rays, &surface, -d, &mut path.sampler);
+            let direct = self.direct(&at, &surface, -d, &mut path.sampler);
             path.radiance += path.throughput * direct;
-            self.rays += rays.get();
         }
         if path.bounce == self.settings.max_depth {
             return None;
         }
         let (u, choice) = (path.sampler.next_2d(), path.sampler.next_1d());
         let wo = surface.frame.to_local(-d);
-        let sample = Materials.sample(surface.material, wo, u, choice)?;
+        let sample = self.materials.sample(surface.material, wo, u, choice)?;
         let u = path.sampler.next_1d();
         path.throughput = self.play(path.throughput * sample.weight(), path.bounce, u)?;
         path.sees_light = sample.delta;

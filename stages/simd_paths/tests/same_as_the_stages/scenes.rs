@@ -121,6 +121,34 @@ fn walls() -> Vec<Triangle> {
     .collect()
 }
 
+/// A grey box with a point of light in it, and `spheres`.
+pub(crate) fn box_with_a_lamp(spheres: Vec<Sphere>) -> Scene {
+    let triangles = walls();
+    Scene {
+        object_of: vec![0; triangles.len() + spheres.len()],
+        objects: vec![Object {
+            name: "box".to_owned(),
+            material: 0,
+        }],
+        materials: vec![NamedMaterial {
+            name: "grey".to_owned(),
+            material: Material::Diffuse {
+                reflectance: Spectrum::grey(0.7),
+            },
+        }],
+        lights: vec![NamedLight {
+            name: "lamp".to_owned(),
+            light: Light::Point {
+                position: Vec3::new(0.3, 0.5, 0.2),
+                intensity: Spectrum::WHITE,
+            },
+        }],
+        triangles,
+        spheres,
+        ..Scene::default()
+    }
+}
+
 /// A box with up to `most` triangles and a few spheres in all, some of them in each other's planes, without area, or
 /// with normals that lean or cancel.
 pub(crate) fn random_scene(numbers: &mut Numbers, most: usize) -> LitScene {
@@ -130,10 +158,11 @@ pub(crate) fn random_scene(numbers: &mut Numbers, most: usize) -> LitScene {
         let size = [0.02, 0.5, 1.5][numbers.below(3)];
         let mut t = Triangle::flat(p, p + size * numbers.point(), p + size * numbers.point());
         match numbers.below(8) {
-            0 => t.n1 = numbers.direction(),
+            0 => t.n2 = numbers.direction(),
             1 => (t.n0, t.n1, t.n2) = (-t.n0, -t.n1, -t.n2),
             2 => (t.n1, t.n2) = (-0.5 * t.n0, -0.5 * t.n0),
             3 => t.p2 = t.p0 + 2.0 * (t.p1 - t.p0),
+            5 => t.n1 = -(-t.n1).map(|c| if c == 0.0 { -c } else { c }),
             4 => t = triangles[numbers.below(triangles.len())],
             _ => {}
         }
@@ -143,7 +172,7 @@ pub(crate) fn random_scene(numbers: &mut Numbers, most: usize) -> LitScene {
     let spheres = (0..count)
         .map(|_| Sphere {
             center: numbers.point(),
-            radius: [0.001, 0.2, 0.6][numbers.below(3)],
+            radius: [3e-16, 0.001, 0.2, 0.6, 3.0][numbers.below(5)],
         })
         .collect::<Vec<_>>();
     let materials: Vec<Material> = (0..5).map(|_| numbers.material()).collect();

@@ -18,10 +18,7 @@ pub(crate) fn point(index: u32, key: u64) -> [u32; 2] {
     let index = scramble(index.reverse_bits(), low).reverse_bits();
     // The first dimension of the sequence is the index with its bits reversed (van der Corput).
     let x = scramble(index, high);
-    let y = scramble(
-        second_dimension(index),
-        high.wrapping_mul(0x9e37_79b1) ^ low,
-    );
+    let y = scramble(second_dimension(index), second_seed(low, high));
     // Both are turned round at once: that is what costs most here.
     let xy = (u64::from(x) << 32 | u64::from(y)).reverse_bits();
     [xy as u32, (xy >> 32) as u32]
@@ -42,7 +39,7 @@ pub(crate) fn points<const N: usize>(indices: &[u32; N], keys: &[u64; N]) -> [[u
     let mut points = [[0; N]; 2];
     for i in 0..N {
         points[0][i] = scramble(index[i], high[i]);
-        let seed = high[i].wrapping_mul(0x9e37_79b1) ^ low[i];
+        let seed = second_seed(low[i], high[i]);
         points[1][i] = scramble(second_dimension(index[i]), seed);
     }
     reverse_bits(&mut points[0]);
@@ -55,6 +52,12 @@ fn reverse_bits<const N: usize>(numbers: &mut [u32; N]) {
     for number in numbers {
         *number = number.reverse_bits();
     }
+}
+
+/// The seed that scrambles the second dimension, from the halves of the key.
+#[inline(always)]
+fn second_seed(low: u32, high: u32) -> u32 {
+    high.wrapping_mul(0x9e37_79b1) ^ low
 }
 
 /// The second dimension, its highest digit in the lowest bit: each bit of the index adds, without carry, a row of Pascal's

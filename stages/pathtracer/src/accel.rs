@@ -2,7 +2,7 @@
 
 use crate::SceneWorld;
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
-use kit::{Bvh, Hit, PrimId, Ray, Scene, World};
+use kit::{Bvh, Hit, PrimId, Ray, Scene, TriangleHit, World};
 use simd_bvh::{WideBvh, Work};
 
 /// Primitives in a leaf at most: the assignment's choice.
@@ -51,11 +51,7 @@ impl Accel {
         match self {
             Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
             Accel::Simd(tree) => {
-                let mut work = Work::default();
-                let exact = &mut |id, ray: &Ray| world.test(id, ray);
-                let found = tree.closest(ray, world.left, exact, &mut work);
-                world.counters.add_work(work);
-                let (id, hit) = found?;
+                let (id, hit) = closest_in(tree, ray, world)?;
                 world.record(id, ray, hit)
             }
             Accel::Brute { primitives } => {
@@ -77,16 +73,34 @@ impl Accel {
     pub fn occluded(&self, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
         match self {
             Accel::Bvh(tree) => occludes_bvh(tree, ray, world),
-            Accel::Simd(tree) => {
-                let mut work = Work::default();
-                let exact = &mut |id, ray: &Ray| world.test(id, ray);
-                let blocked = tree.occluded(ray, world.left, exact, &mut work);
-                world.counters.add_work(work);
-                blocked
-            }
+            Accel::Simd(tree) => occluded_in(tree, ray, world),
             Accel::Brute { primitives } => (0..*primitives)
                 .map(PrimId)
                 .any(|id| world.blocked(id, ray)),
         }
     }
+}
+
+/// The closest hit of `ray` in `world`, whose wide tree is `tree`, before it is recorded.
+#[inline]
+pub(crate) fn closest_in(
+    tree: &WideBvh,
+    ray: &Ray,
+    world: &mut SceneWorld<'_>,
+) -> Option<(PrimId, TriangleHit)> {
+    let mut work = Work::default();
+    let exact = &mut |id, ray: &Ray| world.test(id, ray);
+    let found = tree.closest(ray, world.left, exact, &mut work);
+    world.counters.add_work(work);
+    found
+}
+
+/// Whether anything in `world`, whose wide tree is `tree`, is in the range of `ray`.
+#[inline]
+pub(crate) fn occluded_in(tree: &WideBvh, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
+    let mut work = Work::default();
+    let exact = &mut |id, ray: &Ray| world.test(id, ray);
+    let blocked = tree.occluded(ray, world.left, exact, &mut work);
+    world.counters.add_work(work);
+    blocked
 }

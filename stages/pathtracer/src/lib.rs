@@ -3,7 +3,7 @@
 //! Read in this order: [`world`] (a scene as the tree sees it, and what is counted), [`accel`] (brute force or
 //! the tree), [`normals`] and [`lit`] (from pixel to colour), [`materials`] (how surfaces scatter), [`textures`] (the
 //! pictures on them), [`lens`] and [`environment_file`] (what the flags add to a scene), [`rendered`] (a picture and its noise), [`layers`]
-//! (what else is known of it), [`tone`] and [`output`] (from colour to file), [`mitsuba`] (the scene for another
+//! (what else is known of it), [`tone`], [`output`] and [`part_file`] (from colour to file), [`mitsuba`] (the scene for another
 //! renderer). The program
 //! around it is in `src/bin/pathtracer`.
 
@@ -17,6 +17,7 @@ pub mod mitsuba;
 pub mod normals;
 mod octet;
 pub mod output;
+pub mod part_file;
 pub mod rendered;
 pub mod textures;
 pub mod tone;
@@ -30,6 +31,7 @@ pub use lit::{LightSettings, Looking, render_lit};
 pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};
+pub use part_file::PartFile;
 pub use rendered::{Job, Rendered};
 pub use textures::Textures;
 pub use world::{Counters, SceneWorld};

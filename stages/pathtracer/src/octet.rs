@@ -3,6 +3,7 @@
 //! [`simd_paths`] follows the paths; what it does not know (mirrors, glass, a tree over many primitives) it asks of the
 //! walk that the plain way takes.
 
+use crate::accel::{closest_in, occluded_in};
 use crate::lit::{put_together, sample_pixel};
 use crate::textures::Textures;
 use crate::walk::Walk;
@@ -14,7 +15,7 @@ use kit::{
     Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
     TriangleHit, Vec3,
 };
-use simd_bvh::{WideBvh, Work};
+use simd_bvh::WideBvh;
 use simd_paths::{
     BATCH, Counts, Neighbours, Path, PathBatch, PathScene, PathSettings, Start, View,
 };
@@ -209,29 +210,15 @@ impl Neighbours for Others<'_, '_> {
     #[inline]
     fn closest(&mut self, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
         let world = self.walk.world.get_mut();
-        let mut work = Work::default();
-        let found = self.tree.closest(
-            ray,
-            left,
-            &mut |id, ray: &Ray| world.test(id, ray),
-            &mut work,
-        );
-        world.counters.add_work(work);
-        found
+        world.left = left;
+        closest_in(self.tree, ray, world)
     }
 
     #[inline]
     fn occluded(&mut self, ray: &Ray, left: Option<PrimId>) -> bool {
         let world = self.walk.world.get_mut();
-        let mut work = Work::default();
-        let blocked = self.tree.occluded(
-            ray,
-            left,
-            &mut |id, ray: &Ray| world.test(id, ray),
-            &mut work,
-        );
-        world.counters.add_work(work);
-        blocked
+        world.left = left;
+        occluded_in(self.tree, ray, world)
     }
 
     fn aim(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {

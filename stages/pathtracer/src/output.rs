@@ -1,6 +1,7 @@
 //! Picture files: PNG as a screen shows it, EXR with linear radiance.
 
 use crate::layers::{Channel, Values};
+use crate::part_file::PartFile;
 use crate::tone;
 use adaptive::rate_colour;
 use exr::image::write::WritableImage;
@@ -13,7 +14,6 @@ use image::{ExtendedColorType, ImageEncoder, ImageError};
 use kit::Film;
 use kit::film::Cell;
 use std::fmt;
-use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -25,14 +25,11 @@ enum Format {
     Hdr,
 }
 
-/// A picture file to be. It is written beside its place and moved there when it is whole, so that whoever reads it
-/// never sees half a picture, and an old one stays until then.
+/// A picture file to be, which appears when it is whole.
 #[derive(Debug)]
 pub struct Output {
-    path: PathBuf,
     format: Format,
-    temporary: PathBuf,
-    file: File,
+    part: PartFile,
 }
 
 /// Why a picture cannot be written.
@@ -90,24 +87,16 @@ impl Output {
             "hdr" => Format::Hdr,
             _ => return Err(OutputError::UnknownFormat(path.to_owned())),
         };
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let temporary = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
-        let file = File::create(&temporary)
-            .map_err(|why| OutputError::NotWritable(path.to_owned(), why))?;
-        Ok(Output {
-            path: path.to_owned(),
-            format,
-            temporary,
-            file,
-        })
+        let part =
+            PartFile::create(path).map_err(|why| OutputError::NotWritable(path.to_owned(), why))?;
+        Ok(Output { format, part })
     }
 
     /// Writes the pixels of `cell`. The file is complete and in its place when this returns without an error.
     pub fn write(self, film: &Film, cell: Cell) -> Result<(), OutputError> {
         self.encode(film, cell)
-            .and_then(|()| Ok(self.file.sync_all()?))
-            .and_then(|()| Ok(fs::rename(&self.temporary, &self.path)?))
-            .map_err(|why| OutputError::Failed(self.path.clone(), why))
+            .and_then(|()| Ok(self.part.finish()?))
+            .map_err(|why| OutputError::Failed(self.part.path().to_owned(), why))
     }
 
     /// Writes the channels of a picture `w` by `h` pixels large as one `.exr`.
@@ -120,9 +109,8 @@ impl Output {
             AnyChannel::new(channel.name, samples)
         });
         self.encode_exr(w, h, channels.collect())
-            .and_then(|()| self.file.sync_all())
-            .and_then(|()| fs::rename(&self.temporary, &self.path))
-            .map_err(|why| OutputError::NotWritable(self.path.clone(), why))
+            .and_then(|()| self.part.finish())
+            .map_err(|why| OutputError::NotWritable(self.part.path().to_owned(), why))
     }
 
     /// Writes how many of at most `ns_aa` samples the pixels of `cell` took, as colours: blue few, green half, red all.
@@ -134,11 +122,10 @@ impl Output {
             .flat_map(|samples| rate_colour(samples, ns_aa).to_array())
             .map(|c| (255.0 * c).round() as u8)
             .collect();
-        let png = PngEncoder::new(BufWriter::new(&self.file));
+        let png = PngEncoder::new(BufWriter::new(self.part.file()));
         png.write_image(&bytes, w, h, ExtendedColorType::Rgb8)
-            .and_then(|()| Ok(self.file.sync_all()?))
-            .and_then(|()| Ok(fs::rename(&self.temporary, &self.path)?))
-            .map_err(|why| OutputError::Failed(self.path.clone(), why))
+            .and_then(|()| Ok(self.part.finish()?))
+            .map_err(|why| OutputError::Failed(self.part.path().to_owned(), why))
     }
 
     fn encode(&self, film: &Film, cell: Cell) -> Result<(), ImageError> {
@@ -147,7 +134,7 @@ impl Output {
         let radiance = (cell.y0..cell.y1)
             .rev()
             .flat_map(|y| (cell.x0..cell.x1).map(move |x| film.get(x, y).radiance));
-        let mut file = BufWriter::new(&self.file);
+        let mut file = BufWriter::new(self.part.file());
         match self.format {
             Format::Png => {
                 let bytes: Vec<u8> = radiance.flat_map(tone::to_bytes).collect();
@@ -182,15 +169,7 @@ impl Output {
             .write()
             .non_parallel()
             // The encoder goes back to write where its blocks are.
-            .to_buffered(&self.file)
+            .to_buffered(self.part.file())
             .map_err(|why| io::Error::other(why.to_string()))
-    }
-}
-
-impl Drop for Output {
-    /// Takes the unfinished file away; after [`Output::write`] there is none.
-    fn drop(&mut self) {
-        // It may be gone already, and there is nobody to tell.
-        let _ = fs::remove_file(&self.temporary);
     }
 }

@@ -20,8 +20,8 @@ use std::hint::black_box;
 pub(crate) struct Walk<'a> {
     pub(crate) lit: &'a LitScene,
     textures: &'a Textures,
-    pub(crate) accel: &'a Accel,
-    pub(crate) settings: &'a LightSettings,
+    accel: &'a Accel,
+    settings: &'a LightSettings,
     pub(crate) world: RefCell<SceneWorld<'a>>,
     pub(crate) materials: Materials,
     /// Pixels that are done, and the luminances of their samples.
@@ -32,7 +32,7 @@ pub(crate) struct Walk<'a> {
     directions: u32,
     has_background: bool,
     /// Where the ray at hand starts: the primitive, and its geometric normal.
-    pub(crate) at: Cell<Option<(PrimId, Vec3)>>,
+    at: Cell<Option<(PrimId, Vec3)>>,
 }
 
 impl<'a> Walk<'a> {
@@ -120,7 +120,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Emission and direct light at the first hit: what part 3 can do alone.
-    pub(crate) fn part_three(&self, ray: &Ray, sampler: &mut PixelSampler) -> Spectrum {
+    fn part_three(&self, ray: &Ray, sampler: &mut PixelSampler) -> Spectrum {
         let Some(hit) = self.next(ray) else {
             return self.lit.background(ray.d);
         };

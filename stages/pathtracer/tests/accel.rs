@@ -1,23 +1,13 @@
 //! However hits are found, the picture is the same, bit for bit.
 // BEGIN SOLUTION(part6.task1)
 
+mod common;
+
+use common::{own_scenes, scene_files};
 use kit::{FilmSize, LitScene};
 use pathtracer::{Accel, AccelKind, Job, LightSettings, Rendered, Textures, render_lit};
 use scenes::placement;
-use std::fs;
-use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-
-/// The scenes of the course.
-fn scene_files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
-    let files = fs::read_dir(&folder).expect("the scenes of the course");
-    let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
-    files.retain(|file| file.extension().is_some_and(|end| end == "dae"));
-    files.sort();
-    assert!(!files.is_empty(), "no scenes in {}", folder.display());
-    files
-}
 
 fn render(lit: &LitScene, kind: AccelKind) -> Rendered {
     let film = FilmSize { w: 24, h: 18 };
@@ -39,7 +29,7 @@ fn render(lit: &LitScene, kind: AccelKind) -> Rendered {
 
 #[test]
 fn pictures_do_not_depend_on_how_hits_are_found() {
-    for file in scene_files() {
+    for file in scene_files(&[own_scenes()]) {
         let mut scene = scenes::load(&file).expect("a scene").scene;
         scene.textures = Default::default();
         let lit = LitScene::new(scene, None);

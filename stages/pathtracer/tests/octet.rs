@@ -1,30 +1,24 @@
 //! Eight paths at a time make the picture that one at a time makes, bit for bit, with the same operations of light.
 // BEGIN SOLUTION(part6.task2)
 
+mod common;
+
+use common::{own_scenes, scene_files};
 use kit::sampler::{Pattern, Sampling};
 use kit::{FilmSize, LitScene};
 use pathtracer::{
     Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, Textures, render_lit,
 };
 use scenes::placement;
-use std::path::{Path, PathBuf};
+use std::env;
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
-use std::{env, fs};
 
 /// The scenes of the course, and whatever others there are.
-fn scene_files() -> Vec<PathBuf> {
-    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
-    let others = env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from);
-    let mut files: Vec<PathBuf> = [Some(own), others]
-        .into_iter()
-        .flatten()
-        .flat_map(|folder| fs::read_dir(&folder).expect("a folder of scenes"))
-        .map(|file| file.expect("a file").path())
-        .filter(|file| file.extension().is_some_and(|end| end == "dae"))
-        .collect();
-    files.sort();
-    assert!(files.len() > 3, "{files:?}");
-    files
+fn all_scene_files() -> Vec<PathBuf> {
+    let mut folders = vec![own_scenes()];
+    folders.extend(env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from));
+    scene_files(&folders)
 }
 
 fn render(
@@ -132,7 +126,7 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
 #[test]
 fn pictures_and_counts_are_those_of_one_path_at_a_time() {
     let mut early = 0;
-    for file in scene_files() {
+    for file in all_scene_files() {
         let scene = scenes::load(&file).expect("a scene").scene;
         let (textures, _) = Textures::load(&scene, file.parent().expect("a folder"));
         let lit = LitScene::new(scene, None);
@@ -158,7 +152,7 @@ fn pictures_and_counts_are_those_of_one_path_at_a_time() {
 #[test]
 fn a_picture_that_is_stopped_stays_black() {
     let lit = LitScene::new(
-        scenes::load(&scene_files()[0]).expect("a scene").scene,
+        scenes::load(&all_scene_files()[0]).expect("a scene").scene,
         None,
     );
     let film = FilmSize { w: 9, h: 8 };

@@ -6,11 +6,11 @@ use crate::deed::Does;
 use crate::lanes::lanes;
 use crate::rays::{Hits, Rays, prim};
 use crate::surfaces::Surfaces;
-use crate::vec3x8::LANES;
+use crate::vec3x8::{LANES, Vec3x8};
 use crate::{Neighbours, PathBatch, PathScene, PathSettings};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::Vec3;
 use kit::sampler::PixelSamplers;
+use kit::{Spectrum, Vec3};
 
 /// Eight paths on their way through a scene.
 pub(crate) struct Eight<'a, S: Simd> {
@@ -50,8 +50,11 @@ impl<S: Simd> Eight<'_, S> {
             return 0;
         }
         let ids: [usize; LANES] = std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
-        let mut surfaces = Surfaces::at(simd, self.scene, &rays, &hits, &ids, found, others);
-        let [matte, emits, special] = self.sort(&ids, found);
+        let deeds = std::array::from_fn(|lane| self.scene.deed_of(ids[lane]));
+        let [matte, emits, special] = sort(&deeds, found);
+        let colour = Vec3x8::gather(simd, |lane| deeds[lane].1.to_array());
+        let mut surfaces =
+            Surfaces::at(simd, self.scene, &rays, &hits, &ids, found, colour, others);
         if self.settings.has_textures {
             // A lamp is no brighter for its picture, but it is looked up as that of any surface is.
             for lane in lanes(matte | emits) {
@@ -84,19 +87,6 @@ impl<S: Simd> Eight<'_, S> {
             }
         }
         survivors | taken.map_or(0, |taken| self.give_back(taken))
-    }
-
-    /// The lanes in `found` by what their surfaces do: scatter, emit, or something else.
-    #[inline(always)]
-    fn sort(&self, ids: &[usize; LANES], found: u64) -> [u64; 3] {
-        let mut sorted = [0; 3];
-        for (lane, &id) in ids.iter().enumerate() {
-            let does = self.scene.deed_of(id).0;
-            sorted[0] |= u64::from(does == Does::Scatter) << lane;
-            sorted[1] |= u64::from(does == Does::Emit) << lane;
-            sorted[2] |= u64::from(does == Does::Else) << lane;
-        }
-        [sorted[0] & found, sorted[1] & found, sorted[2] & found]
     }
 
     #[inline(always)]
@@ -159,5 +149,17 @@ impl<S: Simd> Eight<'_, S> {
             self.paths.radiance.set(lane, radiance.to_array());
         }
     }
+}
+
+/// The lanes in `found` by what their surfaces do: scatter, emit, or something else.
+#[inline(always)]
+fn sort(deeds: &[(Does, Spectrum); LANES], found: u64) -> [u64; 3] {
+    let mut sorted = [0; 3];
+    for (lane, &(does, _)) in deeds.iter().enumerate() {
+        sorted[0] |= u64::from(does == Does::Scatter) << lane;
+        sorted[1] |= u64::from(does == Does::Emit) << lane;
+        sorted[2] |= u64::from(does == Does::Else) << lane;
+    }
+    [sorted[0] & found, sorted[1] & found, sorted[2] & found]
 }
 // END SOLUTION(part6.task2)

@@ -37,6 +37,7 @@ const CANCELLED_NORMAL: f64 = 1e-12;
 impl<S: Simd> Surfaces<S> {
     /// Those at `hits` in the lanes of `found`, whose primitives are `ids`.
     #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn at(
         simd: S,
         scene: &PathScene<'_>,
@@ -44,6 +45,7 @@ impl<S: Simd> Surfaces<S> {
         hits: &Hits<S>,
         ids: &[usize; LANES],
         found: u64,
+        colour: Vec3x8<S>,
         others: &impl Neighbours,
     ) -> Surfaces<S> {
         let count = scene.lit.scene.triangles.len();
@@ -54,7 +56,7 @@ impl<S: Simd> Surfaces<S> {
             hit_ng: rays.d,
             ng: rays.d,
             uv: hits.weights(),
-            colour: Vec3x8::gather(simd, |lane| scene.deed_of(ids[lane]).1.to_array()),
+            colour,
             distance: hits.t,
             is_flat: hits.prim.simd_lt(f64x8::splat(simd, count as f64)),
         };

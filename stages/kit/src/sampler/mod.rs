@@ -140,7 +140,7 @@ impl PixelSampler {
     }
 
     /// Which sample this is, counted from 0, and the key of this dimension: the same for all samples of the pixel.
-    #[inline]
+    #[inline(always)]
     fn sample_and_key(&self) -> (u32, u64) {
         let key = mix(self.key ^ mix(u64::from(self.dimension)));
         // The first sample is number 1 here; before it, the numbers of a sample 0 are as good as any.

@@ -1,6 +1,6 @@
 //! Many samplers at once.
 
-use super::{Pattern, PixelSampler, mix};
+use super::{Pattern, PixelSampler};
 use crate::sobol;
 
 /// Several samplers of one pattern side by side, field by field. Their methods are loops over arrays, of which a compiler
@@ -89,12 +89,9 @@ impl<const N: usize> PixelSamplers<N> {
 
     #[inline(always)]
     fn sobol(&mut self) -> [[f64; N]; 2] {
-        let (mut indices, mut keys) = (self.samples_started, self.keys);
-        for index in &mut indices {
-            *index = index.wrapping_sub(1);
-        }
-        for (key, dimension) in keys.iter_mut().zip(&self.dimensions) {
-            *key = mix(*key ^ mix(u64::from(*dimension)));
+        let (mut indices, mut keys) = ([0; N], [0; N]);
+        for i in 0..N {
+            (indices[i], keys[i]) = self.get(i).sample_and_key();
         }
         self.skip_1d();
         let points = sobol::points(&indices, &keys);

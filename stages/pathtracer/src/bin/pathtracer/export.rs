@@ -4,7 +4,7 @@ use crate::args::Args;
 use crate::failure::Failure;
 use crate::{outputs, view};
 use kit::LitScene;
-use pathtracer::{Job, LightSettings, to_mitsuba};
+use pathtracer::{Job, LightSettings, PartFile, to_mitsuba};
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -44,18 +44,15 @@ pub(crate) fn run(
     let mut written = Vec::new();
     for file in files {
         let path = path.with_file_name(format!("{stem}{}", file.ending));
-        let folder = path.parent().filter(|folder| *folder != Path::new(""));
-        let part = tempfile::Builder::new()
-            .prefix(".export")
-            .tempfile_in(folder.unwrap_or(Path::new(".")))
-            .and_then(|mut part| part.write_all(file.text.as_bytes()).map(|()| part))
+        let part = PartFile::create(&path)
+            .and_then(|part| part.file().write_all(file.text.as_bytes()).map(|()| part))
             .map_err(|why| cannot_write(&path, &why))?;
-        written.push((path, part));
+        written.push(part);
     }
-    for (path, part) in written {
-        part.persist(&path)
-            .map_err(|why| cannot_write(&path, &why.error))?;
-        println!("Wrote       {}", path.display());
+    for part in written {
+        part.finish()
+            .map_err(|why| cannot_write(part.path(), &why))?;
+        println!("Wrote       {}", part.path().display());
     }
     Ok(ExitCode::SUCCESS)
 }

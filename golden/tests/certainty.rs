@@ -1,10 +1,10 @@
 //! What judging by chance is sure to see: each case that does so says it to students, the reference's answers bear it out,
 //! and answers that are off by as much are caught.
 
-use grader::cases::{self, Spec};
-use grader::course::Tier;
-use grader::judge;
-use grader::judge::tally::{Aspect, Finding};
+use judge;
+use judge::Tier;
+use judge::cases::{self, Spec};
+use judge::tally::{Aspect, Finding};
 use std::f64::consts::{SQRT_2, TAU};
 use wire::global::SpecularAnswer;
 use wire::work::Xyz;

@@ -3,11 +3,12 @@
 //! `FIRSTLIGHT_BLESS=part1.task3` (or `part1`, or `all`) writes pictures that differ as `.new.png` beside the
 //! goldens; insta does the same for snapshots, as `INSTA_UPDATE` says.
 
-use grader::cases::{self, Spec};
 use grader::course::Course;
-use grader::judge::{self, tally::Finding};
 use grader::workspace::Workspace;
-use grader::{picture, snapshot};
+use judge::cases::{self, Spec};
+use judge::snapshot;
+use judge::{self, tally::Finding};
+use pages::picture;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use wire::work::NodeKind;
@@ -116,7 +117,7 @@ fn check_case(workspace: &Workspace, spec: &Spec, bless: bool) -> Result<(), Str
         Outcome::Answered(_) | Outcome::NotAttempted { .. } => return Ok(()),
         outcome => return Err(format!("{outcome:?}")),
     };
-    let tier = grader::course::Tier::Robust;
+    let tier = judge::Tier::Robust;
     let lost: Vec<String> = judge::judge(spec, tier, &answer)
         .iter()
         .filter(|finding| !finding.passed())

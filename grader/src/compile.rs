@@ -1,7 +1,7 @@
 //! Building the worker with the student's stages, and other programs of the workspace.
 
+use crate::child_processes;
 use crate::error::GraderError;
-use crate::running;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, IsTerminal};
@@ -105,7 +105,7 @@ fn follow(
     package: &str,
     show: bool,
 ) -> Result<Result<PathBuf, Broken>, GraderError> {
-    let (mut child, _running) = running::start(&mut command).map_err(|e| {
+    let (mut child, _running) = child_processes::start(&mut command).map_err(|e| {
         GraderError::new(format!(
             "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
             cargo().display()
@@ -184,7 +184,7 @@ impl Message {
 }
 
 /// The cargo that built the grader's caller, else the one on the path.
-pub(crate) fn cargo() -> OsString {
+pub fn cargo() -> OsString {
     std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 

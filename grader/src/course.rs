@@ -2,6 +2,7 @@
 
 use crate::error::GraderError;
 use crate::workspace::Workspace;
+use judge::Tier;
 use serde::Deserialize;
 use std::collections::BTreeSet;
 
@@ -58,16 +59,6 @@ pub struct CaseEntry {
     pub tier: Tier,
     /// How many.
     pub points: f64,
-}
-
-/// The two purses of points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Tier {
-    /// What the textbook solution earns.
-    Core,
-    /// Numerical stability beyond the textbook: the extra mile.
-    Robust,
 }
 
 impl Course {

@@ -1,24 +1,24 @@
 //! A whole run: build the worker, run the cases, judge, add up.
 
-use crate::cases::{self, Spec};
 use crate::course::{Course, Task, stages_of};
-use crate::crew::Crew;
 use crate::diagnosis;
 use crate::error::GraderError;
-use crate::judge;
-use crate::paste;
 use crate::runner::Ending;
 use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
 use crate::signature::Signature;
 use crate::speedup;
-use crate::workers::Workers;
+use crate::stage_workers::Workers;
+use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
+use judge;
+use judge::cases::{self, Spec};
+use judge::repro::{self, FailedCase};
 use std::path::Path;
 use wire::{Answer, Outcome};
 
 /// What to grade.
 #[derive(Clone, Debug)]
-pub struct Order {
+pub struct GradeRequest {
     /// `all`, a part or a task.
     pub what: String,
     /// Seed of the fresh random probes.
@@ -38,7 +38,7 @@ pub struct Graded {
 
 /// Where the code under test is built. Everything else (the course, the goldens) is the trusted workspace's.
 #[derive(Clone, Copy, Debug)]
-pub struct Site<'a> {
+pub struct BuildRoot<'a> {
     /// The top folder of a workspace with a worker in it.
     pub root: &'a Path,
     /// Where cargo keeps what it builds, if not there.
@@ -47,10 +47,10 @@ pub struct Site<'a> {
     pub sealed: bool,
 }
 
-impl Site<'_> {
+impl BuildRoot<'_> {
     /// The workspace itself.
-    pub fn of(workspace: &Workspace) -> Site<'_> {
-        Site {
+    pub fn of(workspace: &Workspace) -> BuildRoot<'_> {
+        BuildRoot {
             root: workspace.root(),
             target: None,
             sealed: false,
@@ -59,15 +59,19 @@ impl Site<'_> {
 }
 
 /// Grades the code in `workspace` in place, and with `times` times it if it is about trees.
-pub fn in_place(workspace: &Workspace, order: &Order, times: bool) -> Result<Graded, GraderError> {
+pub fn in_place(
+    workspace: &Workspace,
+    request: &GradeRequest,
+    times: bool,
+) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
-    let tasks = course.select(&order.what)?;
-    let specs = cases::all(order.seed);
+    let tasks = course.select(&request.what)?;
+    let specs = cases::all(request.seed);
     let times = times && speedup::belongs_to(&tasks);
-    let crew = crew(&Site::of(workspace), &tasks, &specs, times)?;
-    let mut graded = by(&crew, workspace, &course, &tasks, &specs)?;
+    let workers = workers(&BuildRoot::of(workspace), &tasks, &specs, times)?;
+    let mut graded = by(&workers, workspace, &course, &tasks, &specs)?;
     if times {
-        graded.report.speedups = Some(speedup::measure(&course, &crew.together)?);
+        graded.report.speedups = Some(speedup::measure(&course, &workers.together)?);
     }
     Ok(graded)
 }
@@ -78,25 +82,25 @@ pub fn at(
     course: &Course,
     tasks: &[&Task],
     seed: u64,
-    site: &Site,
+    site: &BuildRoot,
 ) -> Result<Graded, GraderError> {
     let specs = cases::all(seed);
-    let crew = crew(site, tasks, &specs, false)?;
-    by(&crew, workspace, course, tasks, &specs)
+    let workers = workers(site, tasks, &specs, false)?;
+    by(&workers, workspace, course, tasks, &specs)
 }
 
 /// The workers for `tasks`; for whole scenes, too, if a case needs it or `together` says so.
-pub fn crew(
-    site: &Site,
+pub fn workers(
+    site: &BuildRoot,
     tasks: &[&Task],
     specs: &[Spec],
     together: bool,
-) -> Result<Crew, GraderError> {
+) -> Result<WorkerSet, GraderError> {
     let together = together
         || chosen(tasks, specs)?
             .iter()
             .any(|spec| spec.needs_neighbours());
-    Crew::build(site, &stages(tasks), together)
+    WorkerSet::build(site, &stages(tasks), together)
 }
 
 /// The stages that `tasks` are written in, by name, each once.
@@ -106,9 +110,9 @@ pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
     stages
 }
 
-/// Grades `tasks` by what `crew` answers.
+/// Grades `tasks` by what `workers` answers.
 fn by(
-    crew: &Crew,
+    workers: &WorkerSet,
     workspace: &Workspace,
     course: &Course,
     tasks: &[&Task],
@@ -119,7 +123,7 @@ fn by(
     for stage in stages(tasks) {
         let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
         let of_stage: Vec<&Task> = of_stage.collect();
-        match crew.workers(stage) {
+        match workers.workers(stage) {
             None => results.extend(of_stage.into_iter().map(does_not_compile)),
             Some(workers) => {
                 let graded = grade_tasks(course, &of_stage, specs, &workers, &mut printed)?;
@@ -130,18 +134,18 @@ fn by(
     results.sort_by(|a, b| a.key.cmp(&b.key));
     for result in &mut results {
         let known = diagnosis::known(workspace, &result.key)?;
-        result.worst_as_test = paste::worst(&result.cases, specs, &result.key);
+        result.worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
         result.diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
     }
     Ok(Graded {
         report: Report::new(results),
         printed,
-        compiler: crew.compiler.clone(),
+        compiler: workers.compiler.clone(),
     })
 }
 
 /// The cases that `course.toml` lists for `tasks`, in its order.
-pub(crate) fn chosen<'a>(tasks: &[&Task], specs: &'a [Spec]) -> Result<Vec<&'a Spec>, GraderError> {
+pub fn chosen<'a>(tasks: &[&Task], specs: &'a [Spec]) -> Result<Vec<&'a Spec>, GraderError> {
     let listed = tasks
         .iter()
         .flat_map(|task| task.cases.iter().map(|entry| (&task.key, &entry.name)));
@@ -191,7 +195,7 @@ pub fn grade_tasks(
 
 /// The answer of a case of `task`, or how the case stands without one. A case that could not run at all names the
 /// stages for want of which.
-pub(crate) fn answered<'a>(
+pub fn answered<'a>(
     task: &str,
     ending: &'a Result<Ending, String>,
     course: &Course,
@@ -207,6 +211,15 @@ pub(crate) fn answered<'a>(
     Ok(match (without, ending.outcome()) {
         (None, Some(Outcome::Answered(answer))) => Ok(answer),
         (status, _) => Err(status.unwrap_or(Status::Failed)),
+    })
+}
+
+/// The cases of a task that have a worst answer to show.
+fn failed_cases(cases: &[CaseResult]) -> impl Iterator<Item = FailedCase<'_>> {
+    cases.iter().map(|case| FailedCase {
+        name: &case.name,
+        tier: case.tier,
+        findings: &case.findings,
     })
 }
 

@@ -1,7 +1,7 @@
 //! Ctrl-C, or another wish that the grader ends: what it started and what was half written goes, and the program says so.
 
+use crate::child_processes;
 use crate::error::{GraderError, without_path};
-use crate::running;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -101,7 +101,7 @@ pub fn watch() {
     // Without a handler Ctrl-C still ends the program; only scratch folders stay.
     let _ = ctrlc::set_handler(|| {
         PRESSED.store(true, Ordering::SeqCst);
-        running::end_all();
+        child_processes::end_all();
         if let Ok(scratch) = SCRATCH.lock() {
             for path in scratch.iter() {
                 // The program may be writing there still.

@@ -1,8 +1,8 @@
 //! Running a worker over cases, and telling which case ended it.
 
+use crate::child_processes;
 use crate::error::GraderError;
 use crate::interrupt;
-use crate::running;
 use std::collections::HashMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -168,8 +168,8 @@ fn one_worker(
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    let (mut child, _running) =
-        running::start(&mut command).map_err(|e| GraderError::file("start", &worker.program, e))?;
+    let (mut child, _running) = child_processes::start(&mut command)
+        .map_err(|e| GraderError::file("start", &worker.program, e))?;
     let stdout = child
         .stdout
         .take()
@@ -188,7 +188,7 @@ fn one_worker(
 }
 
 /// The last bytes of what comes out of a pipe; reads on to its end, so that the writer never waits.
-pub(crate) fn tail(mut pipe: impl Read) -> String {
+pub fn tail(mut pipe: impl Read) -> String {
     let mut kept: Vec<u8> = Vec::new();
     let mut chunk = [0; 8192];
     while let Ok(n @ 1..) = pipe.read(&mut chunk) {

@@ -1,11 +1,12 @@
 //! From findings to points.
 
-use crate::course::{CaseEntry, Course, Task, Tier};
+use crate::course::{CaseEntry, Course, Task};
 use crate::diagnosis::Diagnosis;
 use crate::error::GraderError;
-use crate::judge::tally::{Aspect, Finding, Worst};
 use crate::runner::Ending;
 use crate::speedup::Speedups;
+use judge::Tier;
+use judge::tally::{Aspect, Finding, Worst};
 use serde::Serialize;
 use wire::Outcome;
 

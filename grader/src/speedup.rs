@@ -3,10 +3,10 @@
 //! Times say how fast, on this machine and today; tests per ray say why, and are the same everywhere. Neither earns
 //! points: times are no one's fault, and the work is judged where it can be told whose it is.
 
-use crate::cases::recorded::{self, RayWork};
 use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::runner::{self, Ending, Worker};
+use judge::cases::recorded::{self, RayWork};
 use kit::Vec3;
 use serde::Serialize;
 use wire::answer::TimingAnswer;
@@ -147,7 +147,7 @@ fn case(mesh: &str, size: u32) -> wire::Case {
 
 /// From an eye beside the mesh, which fills the cube from -1 to 1, through points spread evenly over a square in its
 /// middle that faces the eye.
-pub(crate) fn rays() -> Vec<Ray> {
+pub fn rays() -> Vec<Ray> {
     const SIDE: u32 = 128;
     let eye = Vec3::new(1.6, 1.4, 2.4);
     let backward = eye.normalize();
@@ -237,7 +237,7 @@ impl Growth {
 
 /// The slope of the straight line through the logarithms of the points, by least squares; `None` if they have one
 /// size only.
-pub(crate) fn slope(points: &[(f64, f64)]) -> Option<f64> {
+pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
     let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / n;

@@ -16,7 +16,8 @@
 use crate::collada::limits::MAX_COORDINATE;
 use crate::collada::read_text;
 use crate::diagnostic::{Diagnostic, SceneError};
-use crate::placement::{View, half_tan};
+use crate::placement::View;
+use kit::camera::half_tan;
 use kit::{Camera, FilmSize, Mat3, Vec3, math};
 use std::fmt;
 use std::ops::Range;

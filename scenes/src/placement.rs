@@ -11,7 +11,8 @@
 //! file's camera frames, at any size, unless that is half empty ([`is_edge_on`]): the boxes of the course were made
 //! for a program that frames them, with cameras that stand in the plane of their floor.
 
-use kit::{Camera, FilmSize, Mat3, Scene, Vec3, math};
+use kit::camera::{half_tan, scale_fov};
+use kit::{Camera, FilmSize, Mat3, Scene, Vec3};
 
 /// Farthest distance of a camera that clips nothing.
 pub const FAR_AWAY: f64 = 1e30;
@@ -114,21 +115,11 @@ pub fn for_film(camera: &Camera, film: FilmSize) -> Camera {
     let frame_aspect = half_tan(camera.h_fov) / half_tan(camera.v_fov);
     let mut fitted = *camera;
     if frame_aspect < aspect * (1.0 - SAME_SHAPE) {
-        fitted.h_fov = other_fov(camera.v_fov, aspect);
+        fitted.h_fov = scale_fov(camera.v_fov, aspect);
     } else if frame_aspect > aspect * (1.0 + SAME_SHAPE) {
-        fitted.v_fov = other_fov(camera.h_fov, 1.0 / aspect);
+        fitted.v_fov = scale_fov(camera.h_fov, 1.0 / aspect);
     }
     fitted
-}
-
-/// The angle whose half has `ratio` times the tangent of half of `fov`. Degrees.
-pub(crate) fn other_fov(fov: f64, ratio: f64) -> f64 {
-    2.0 * math::atan2(half_tan(fov) * ratio, 1.0).to_degrees()
-}
-
-/// Tangent of half an angle given in degrees.
-pub(crate) fn half_tan(fov: f64) -> f64 {
-    math::tan(0.5 * fov.to_radians())
 }
 
 /// The point on the camera's axis nearest to the middle of the scene; if that lies behind the camera, the

@@ -1,7 +1,7 @@
 //! What the generators promise: counts, closed surfaces, sound normals, the same bits everywhere.
 
 use kit::{Aabb, Triangle, Vec3};
-use scenes::generate::{MeshKind, cornell_with, generate};
+use meshes::{MeshKind, cornell_with, generate};
 use std::collections::HashMap;
 
 fn bits(p: Vec3) -> [u64; 3] {

@@ -1,22 +1,23 @@
-//! The command line: `grader part1`, and beside it subcommands, a file each.
+//! The command line of `grader`.
 //!
-//! Each subcommand is a struct of arguments with a `run` that answers how the program ends.
+//! `grader part1` grades here ([`grade`]). The other commands are programs of their own ([`sister`]), so that a student who
+//! grades does not compile them. What all these programs share is here: their [`Verdict`] and how they [`end`].
 
-mod bless;
-mod cost;
-mod course;
-mod grade;
-mod handout;
-mod mutants;
-mod review;
-mod submission;
+pub mod grade;
+mod sister;
 
 use crate::error::GraderError;
 use crate::interrupt;
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use grade::GradeArguments;
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::process::ExitCode;
 use std::str::FromStr;
+
+/// The exit codes of every program of the grader, for `--help`.
+pub const EXIT_CODES: &str =
+    "Exit code: 0 every core point, 1 points lost, 2 the grader or its input is at fault.";
 
 /// Scores your ray tracer, stage by stage.
 #[derive(Parser)]
@@ -25,43 +26,81 @@ use std::str::FromStr;
     version,
     args_conflicts_with_subcommands = true,
     subcommand_negates_reqs = true,
-    after_help = "Exit code: 0 every core point, 1 points lost, 2 the grader or its input is at fault."
+    after_help = EXIT_CODES
 )]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
-    grade: Option<grade::Grade>,
+    grade: Option<GradeArguments>,
     #[command(flatten)]
-    submission: submission::Submission,
+    submission: SubmissionArguments,
 }
 
+/// The commands that are programs of their own. Each takes its arguments as they are.
 #[derive(Subcommand)]
 enum Command {
-    /// Shows what accuracy costs in time: well-known kernels and yours, side by side.
-    Cost(cost::Cost),
-    /// For instructors: takes what the reference answers now as golden, after showing what that changes.
-    Bless(bless::Bless),
-    /// For reviewers: writes a page with every difference between the goldens and what the code answers now.
-    Review(review::Review),
+    /// Measures what accuracy costs in time: well-known kernels and yours, side by side.
+    #[command(disable_help_flag = true)]
+    Cost(Rest),
+    /// For instructors: accepts what the reference computes now as golden, after showing what that changes.
+    #[command(disable_help_flag = true)]
+    Bless(Rest),
+    /// For reviewers: writes a page with every difference between the goldens and what the code computes now.
+    #[command(disable_help_flag = true)]
+    Review(Rest),
     /// For instructors: carves the project that a student is given.
-    Handout(handout::Arguments),
-    /// For instructors: looks after the course itself.
-    #[command(subcommand)]
-    Course(course::Course),
+    #[command(disable_help_flag = true)]
+    Handout(Rest),
+    /// For instructors: checks the course itself.
+    #[command(disable_help_flag = true)]
+    Course(Rest),
     /// For instructors: grades typical mistakes, which must lose points, and correct variants, which must not.
-    Mutants(mutants::Mutants),
+    #[command(disable_help_flag = true)]
+    Mutants(Rest),
+}
+
+/// Arguments that are passed on.
+#[derive(Args)]
+struct Rest {
+    #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
+    arguments: Vec<OsString>,
+}
+
+/// Whose code to grade, if not the workspace's own. The program `submission` reads these again.
+#[derive(Args)]
+struct SubmissionArguments {
+    /// For instructors: grade the stages in DIR, each among the reference's other stages.
+    #[arg(long, value_name = "DIR")]
+    submission: Option<OsString>,
+    /// For instructors: grade every folder in DIR as a submission.
+    #[arg(long, value_name = "DIR")]
+    class: Option<OsString>,
+    /// Also grade all of a submission's stages linked together.
+    #[arg(long)]
+    together: bool,
+    /// Where a class's reports and summary.csv go.
+    #[arg(long, value_name = "DIR")]
+    out: Option<OsString>,
+}
+
+impl SubmissionArguments {
+    fn is_any(&self) -> bool {
+        self.submission.is_some() || self.class.is_some() || self.together || self.out.is_some()
+    }
 }
 
 /// How to print a report.
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
     Table,
+    /// One JSON object.
     Json,
 }
 
-/// Reads a whole number from `least` up, and says so where it is none.
-fn whole_number<T: FromStr + PartialOrd + Display>(
+/// Reads a whole number in `least..=most`, or says what is allowed.
+pub fn whole_number<T: FromStr + PartialOrd + Display>(
     value: &str,
     least: T,
     most: T,
@@ -72,23 +111,24 @@ fn whole_number<T: FromStr + PartialOrd + Display>(
     }
 }
 
-fn seed(value: &str) -> Result<u64, String> {
+/// Reads the seed of random probes.
+pub fn seed(value: &str) -> Result<u64, String> {
     whole_number(value, 0, u64::MAX)
 }
 
-/// How a run that came to its end ends the program.
-enum Verdict {
-    /// Every core point, or nothing to complain of.
+/// The outcome of a run that came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Every core point, or no complaint.
     Full,
     /// Points were lost, or a check found something.
     Short,
 }
 
-/// Runs the program.
-pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+/// Runs `work` as the whole of a program: its exit code, after an error has been printed. Ctrl-C ends what it started.
+pub fn end(work: impl FnOnce() -> Result<Verdict, GraderError>) -> ExitCode {
     interrupt::watch();
-    match run(cli) {
+    match work() {
         Ok(Verdict::Full) => ExitCode::SUCCESS,
         Ok(Verdict::Short) => ExitCode::from(1),
         Err(error) => {
@@ -100,17 +140,30 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// Runs the program `grader`.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    end(|| run(cli))
+}
+
 fn run(cli: Cli) -> Result<Verdict, GraderError> {
+    let given = || std::env::args_os().skip(1).collect();
+    let named = |name: &str, rest: Rest| {
+        let mut arguments = vec![OsString::from(name)];
+        arguments.extend(rest.arguments);
+        arguments
+    };
     match (cli.command, cli.grade) {
-        (Some(Command::Bless(bless)), _) => bless.run(),
-        (Some(Command::Cost(cost)), _) => cost.run(),
-        (Some(Command::Review(review)), _) => review.run(),
-        (Some(Command::Handout(handout)), _) => handout.run(),
-        (Some(Command::Course(course)), _) => course.run(),
-        (Some(Command::Mutants(mutants)), _) => mutants.run(),
-        (None, Some(grade)) => grade.run(&cli.submission),
+        (Some(Command::Cost(rest)), _) => sister::run("cost", rest.arguments),
+        (Some(Command::Bless(rest)), _) => sister::run("review", named("bless", rest)),
+        (Some(Command::Review(rest)), _) => sister::run("review", named("review", rest)),
+        (Some(Command::Handout(rest)), _) => sister::run("authoring", named("handout", rest)),
+        (Some(Command::Course(rest)), _) => sister::run("authoring", named("course", rest)),
+        (Some(Command::Mutants(rest)), _) => sister::run("authoring", named("mutants", rest)),
+        (None, Some(_)) if cli.submission.is_any() => sister::run("submission", given()),
+        (None, Some(grade)) => grade.run(),
         (None, None) => Err(GraderError::new(
-            "say what to grade: `grader part1`, or `grader --help` for all there is",
+            "no task is named. Run `grader part1`, or `grader --help` for all commands",
         )),
     }
 }
@@ -119,44 +172,34 @@ fn run(cli: Cli) -> Result<Verdict, GraderError> {
 mod tests {
     use super::*;
 
-    fn refusal(line: &str) -> String {
-        let refused = Cli::try_parse_from(line.split(' ')).err();
-        refused.expect("this line is refused").to_string()
-    }
-
     #[test]
-    fn numbers_that_cannot_be_used_say_what_is_allowed() {
-        for (line, allowed) in [
-            ("grader part1 --seed x", "give a whole number from 0 to"),
-            ("grader part1 --seed -1", "give a whole number from 0 to"),
-            ("grader cost --seed -1", "give a whole number from 0 to"),
-            ("grader mutants --seeds 0", "give a whole number from 1 to"),
-            (
-                "grader handout --part x --out a",
-                "a part's number, such as 1",
-            ),
-            (
-                "grader handout --part -1 --out a",
-                "a part's number, such as 1",
-            ),
-            (
-                "grader handout --part 99999999999 --out a",
-                "a part's number",
-            ),
-        ] {
-            let told = refusal(line);
-            assert!(told.contains(allowed), "`{line}` says:\n{told}");
-            assert!(!told.contains("-- -1"), "a tip that cannot help:\n{told}");
+    fn a_seed_that_is_not_a_whole_number_is_refused() {
+        for line in ["grader part1 --seed x", "grader part1 --seed -1"] {
+            let refused = Cli::try_parse_from(line.split(' ')).err();
+            let message = refused.expect("this line is refused").to_string();
+            let allowed = "give a whole number from 0 to";
+            assert!(message.contains(allowed), "`{line}`:\n{message}");
+            assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
     }
 
     #[test]
-    fn one_thing_is_graded_at_a_time() {
-        let cli = Cli::try_parse_from(["grader", "part1", "part2"]).expect("it is understood");
-        let refused = run(cli).err().expect("and refused").to_string();
+    fn two_tasks_at_once_are_refused() {
+        let cli = Cli::try_parse_from(["grader", "part1", "part2"]).expect("it is parsed");
+        let refused = run(cli).expect_err("and refused").to_string();
         assert!(
             refused.contains("one at a time: `grader part1`, then `grader part2`"),
             "{refused}"
         );
+    }
+
+    #[test]
+    fn a_command_takes_its_arguments_as_they_are() {
+        let line = ["grader", "cost", "--help", "box", "--seed", "-1"];
+        let cli = Cli::try_parse_from(line).expect("it is parsed");
+        let Some(Command::Cost(rest)) = cli.command else {
+            panic!("another command");
+        };
+        assert_eq!(rest.arguments, line[2..]);
     }
 }

@@ -1,14 +1,16 @@
 //! The report as a table, then what failed: as much of it as the hint level says.
 
-use crate::cases::checked;
-use crate::course::Tier;
-use crate::judge::errors::ErrorSpread;
-use crate::judge::tally::{Aspect, Finding};
 use crate::score::{CaseResult, Report, Status, TaskResult};
-use crate::words::plural;
 use clap::ValueEnum;
-use comfy_table::{Cell, CellAlignment, Color, Table, presets};
+use clap::builder::styling::{AnsiColor, Style};
+use comfy_table::{Cell, CellAlignment, Table, presets};
+use judge::Tier;
+use judge::cases::checked;
+use judge::errors::ErrorSpread;
+use judge::plural;
+use judge::tally::{Aspect, Finding};
 use std::fmt::Write;
+use std::io::IsTerminal;
 
 /// How much the report gives away, from the least to the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
@@ -42,10 +44,10 @@ pub fn show(report: &Report, hint: Hint) -> String {
             Cell::new(&task.title),
             points(task.score, task.max_score),
             points(task.robust_score, task.robust_max_score),
-            Cell::new(summary(task)).fg(colour(task)),
+            Cell::new(summary(task)),
         ]);
     }
-    let mut text = format!("{table}\n");
+    let mut text = format!("{}\n", coloured(&table.to_string(), report));
     rounding(&mut text, report);
     for task in &report.tasks {
         details(&mut text, task, hint);
@@ -120,12 +122,34 @@ fn number(points: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
-fn colour(task: &TaskResult) -> Color {
-    match task.status {
-        Status::NotAttempted | Status::Needs(_) => Color::Grey,
-        _ if task.score >= task.max_score => Color::Green,
-        _ => Color::Red,
+/// The table with each task's status in its colour, on a terminal that shows colours.
+fn coloured(table: &str, report: &Report) -> String {
+    if !std::io::stdout().is_terminal()
+        || std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
+    {
+        return table.to_owned();
     }
+    let lines = table.lines().map(|line| {
+        let row = report.tasks.iter().find(|task| line.contains(&task.key));
+        let status = row.map(|task| (colour(task), summary(task)));
+        match status.and_then(|(colour, status)| Some((colour, line.rsplit_once(&status)?, status)))
+        {
+            Some((colour, (before, after), status)) => {
+                format!("{before}{colour}{status}{colour:#}{after}")
+            }
+            None => line.to_owned(),
+        }
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn colour(task: &TaskResult) -> Style {
+    let colour = match task.status {
+        Status::NotAttempted | Status::Needs(_) => AnsiColor::BrightBlack,
+        _ if task.score >= task.max_score => AnsiColor::Green,
+        _ => AnsiColor::Red,
+    };
+    colour.on_default()
 }
 
 fn summary(task: &TaskResult) -> String {

@@ -1,7 +1,7 @@
 //! Codes: what is wrong about one aspect of one case, call by call.
 
-use crate::judge::tally::{BLACK_CHANNEL, Class};
 use crate::score::{CaseResult, Status};
+use judge::tally::{BLACK_CHANNEL, Class};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;

@@ -7,8 +7,8 @@ use codes::{Codes, TELLING_KINDS, codes_of};
 use together::Hiding;
 pub use together::{Alone, Together};
 
-use crate::course::Tier;
 use crate::score::CaseResult;
+use judge::Tier;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -216,8 +216,8 @@ fn function(key: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judge::tally::Class;
     use codes::digest;
+    use judge::tally::Class;
 
     pub(super) fn signature(codes: &str) -> Signature {
         let codes = Codes::try_from(codes.to_string()).unwrap();

@@ -3,7 +3,7 @@
 use crate::bvh::kit_tree;
 use crate::{convert, isolate};
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World};
-use scenes::generate::{MeshKind, cornell_with, generate};
+use meshes::{MeshKind, cornell_with, generate};
 use std::time::{Duration, Instant};
 use wire::answer::{HitsAnswer, TimingAnswer};
 use wire::work::{self, SceneSource, TimingWork, Tree};

@@ -9,7 +9,8 @@ use super::document::{Document, Element, child, children, descend, describe, tag
 use super::numbers::exactly;
 use super::transform::Affine;
 use crate::diagnostic::SceneError;
-use crate::placement::{FAR_AWAY, other_fov};
+use crate::placement::FAR_AWAY;
+use kit::camera::scale_fov;
 use kit::{Camera, Mat3, Vec3};
 
 /// Width over height where the file does not say: the assignment's pictures.
@@ -63,8 +64,8 @@ pub(super) fn read<'a>(
     .unwrap_or(DEFAULT_ASPECT);
     let (h_fov, v_fov) = match (degrees("xfov")?, degrees("yfov")?) {
         (Some(x), Some(y)) => (x, y),
-        (Some(x), None) => (x, other_fov(x, 1.0 / aspect)),
-        (None, Some(y)) => (other_fov(y, aspect), y),
+        (Some(x), None) => (x, scale_fov(x, 1.0 / aspect)),
+        (None, Some(y)) => (scale_fov(y, aspect), y),
         (None, None) => {
             return Err(doc
                 .on(

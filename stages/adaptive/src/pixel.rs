@@ -49,7 +49,7 @@ mod tests {
     use super::*;
     use crate::{has_converged, has_surely_converged};
     use kit::Vec3;
-    use kit::statistics::{sidak, smallest_sure_bias, two_sided};
+    use statistics::{sidak, smallest_sure_bias, two_sided};
 
     const FILM: FilmSize = FilmSize { w: 4, h: 2 };
 

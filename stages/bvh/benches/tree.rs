@@ -5,7 +5,7 @@
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use criterion::{Criterion, Throughput};
 use kit::{Aabb, Hit, Interval, PixelSampler, PrimId, Ray, Triangle, Vec3, World};
-use scenes::generate::{MeshKind, generate};
+use meshes::{MeshKind, generate};
 use std::hint::black_box;
 
 const TRIANGLES: usize = 100_000;

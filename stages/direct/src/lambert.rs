@@ -67,8 +67,9 @@ pub fn lambert_sample(reflectance: Spectrum, wo: Vec3, u: Vec2) -> Option<BsdfSa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kit::statistics::sidak;
-    use kit::{PixelSampler, chi_square};
+    use kit::PixelSampler;
+    use statistics::chi_square;
+    use statistics::sidak;
 
     const RHO: Spectrum = Spectrum::new(0.9, 0.5, 0.0);
     /// Three roundings.

@@ -10,8 +10,8 @@ mod floor;
 
 use floor::{Floor, RHO};
 use kit::scene::{NamedLight, NamedMaterial, Object};
-use kit::statistics::{sidak, smallest_sure_bias, two_sided};
 use kit::{Environment, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally, Vec3};
+use statistics::{sidak, smallest_sure_bias, two_sided};
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Chance that any of the tests of this file accuses a right estimate.

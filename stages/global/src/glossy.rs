@@ -81,8 +81,9 @@ pub fn glossy_sample(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kit::statistics::sidak;
-    use kit::{PixelSampler, Tally, chi_square};
+    use kit::{PixelSampler, Tally};
+    use statistics::chi_square;
+    use statistics::sidak;
     use std::f64::consts::TAU;
 
     fn views() -> [Vec3; 4] {

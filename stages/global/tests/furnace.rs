@@ -3,11 +3,11 @@
 // BEGIN SOLUTION(part4.task2)
 use global::{estimate_radiance, glass_sample, mirror_sample, play_roulette, refraction_sample};
 use kit::scene::{NamedMaterial, Object};
-use kit::statistics::{sidak, smallest_sure_bias, two_sided};
 use kit::{
     BsdfSample, Environment, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene,
     Spectrum, Sphere, Surface, Tally, Vec2, Vec3, math,
 };
+use statistics::{sidak, smallest_sure_bias, two_sided};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// Chance that any of the z-tests of this file accuses a right estimate.

@@ -1,6 +1,6 @@
 //! The pinhole camera: where it stands and what it sees.
 
-use crate::{Mat3, Vec3};
+use crate::{Mat3, Vec3, math};
 
 /// A pinhole camera. In camera space it sits at the origin, looks along -z and has +y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,4 +58,16 @@ impl Camera {
         let right = right.normalize();
         Ok(Mat3::from_cols(right, backward.cross(right), backward))
     }
+}
+
+/// Tangent of half of a field of view. `fov` is in degrees, in [0, 180).
+pub fn half_tan(fov: f64) -> f64 {
+    math::tan(0.5 * fov.to_radians())
+}
+
+/// The field of view whose half has `ratio` times the tangent of half of `fov`. Both are in degrees.
+///
+/// With the aspect ratio of an image as `ratio` this is the horizontal field of view that belongs to a vertical one.
+pub fn scale_fov(fov: f64, ratio: f64) -> f64 {
+    2.0 * math::atan2(half_tan(fov) * ratio, 1.0).to_degrees()
 }

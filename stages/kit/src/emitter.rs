@@ -195,8 +195,9 @@ fn from_point(p: Vec3, position: Vec3, intensity: Spectrum) -> Option<LightSampl
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+    use crate::PixelSampler;
     use crate::emitting_mesh::EmittingTriangle;
-    use crate::{PixelSampler, chi_square};
+    use statistics::chi_square;
 
     /// Chance of a false alarm of one χ² test of light sampling: four of them, 1e-6 for all.
     const ALARM: f64 = 2.5e-7;

@@ -54,13 +54,3 @@ pub fn ln(x: f64) -> f64 {
 pub fn sin_cos(radians: f64) -> (f64, f64) {
     libm::sincos(radians)
 }
-
-/// Complementary error function, `2/√π ∫ₓ^∞ exp(-t²) dt`: what a normal distribution has in its tails.
-pub fn erfc(x: f64) -> f64 {
-    libm::erfc(x)
-}
-
-/// Natural logarithm of the gamma function, for `x > 0`.
-pub fn ln_gamma(x: f64) -> f64 {
-    libm::lgamma(x)
-}

@@ -33,7 +33,7 @@ pub fn uniform_triangle(u: Vec2) -> Vec2 {
 
 /// The unit vector at height `z` and at `turns` of a turn around the z axis.
 #[inline]
-pub(crate) fn on_sphere(z: f64, turns: f64) -> Vec3 {
+pub fn on_sphere(z: f64, turns: f64) -> Vec3 {
     let r = (1.0 - z * z).max(0.0).sqrt();
     let (sin, cos) = math::sin_cos(TAU * turns);
     Vec3::new(r * cos, r * sin, z)

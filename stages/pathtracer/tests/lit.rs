@@ -4,7 +4,6 @@ use kit::effects::Effect;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
 use kit::scene::{NamedLight, NamedMaterial, Object};
-use kit::statistics::{sidak, two_sided};
 use kit::{
     Camera, Environment, Film, FilmSize, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally,
     Texture, Triangle, Vec2, Vec3,
@@ -12,6 +11,7 @@ use kit::{
 use pathtracer::{
     Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, Textures, render_lit,
 };
+use statistics::{sidak, two_sided};
 use std::sync::atomic::AtomicBool;
 
 const GREY: Material = Material::Diffuse {

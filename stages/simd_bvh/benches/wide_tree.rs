@@ -11,7 +11,7 @@ use kit::{
     Aabb, FilmSize, Frame, Hit, Interval, PixelSampler, PrimId, Primitive, Ray, Scene, TriangleHit,
     Vec2, Vec3, World, warp,
 };
-use scenes::generate::{MeshKind, generate};
+use meshes::{MeshKind, generate};
 use scenes::placement;
 use simd_bvh::{Level, WideBvh, Work};
 use std::hint::black_box;

@@ -3,8 +3,9 @@
 
 use super::*;
 use crate::{reflect, refract};
-use kit::statistics::{sidak, smallest_sure_bias, two_sided};
-use kit::{PixelSampler, Tally, chi_square, warp};
+use kit::{PixelSampler, Tally, warp};
+use statistics::chi_square;
+use statistics::{sidak, smallest_sure_bias, two_sided};
 
 fn glass(roughness: f64) -> RoughGlass {
     RoughGlass {

@@ -5,7 +5,7 @@ mod checked;
 
 use checked::{Checked, Numbers};
 use kit::{PrimId, Ray, Sphere, Triangle, Vec3};
-use scenes::generate::{MeshKind, generate};
+use meshes::{MeshKind, generate};
 use simd_bvh::{WideBvh, Work};
 use std::path::Path;
 

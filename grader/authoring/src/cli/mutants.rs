@@ -1,0 +1,191 @@
+//! `grader mutants`: does the grader catch every typical mistake, and accuse no correct code?
+
+use authoring::mutants::corpus::Corpus;
+use authoring::mutants::run;
+use authoring::mutants::table::Table;
+use clap::Args;
+use grader::cli::Verdict;
+use grader::course::Course;
+use grader::diagnosis::{self, Known};
+use grader::error::GraderError;
+use grader::report::write_whole;
+use grader::signature::Signature;
+use grader::workspace::Workspace;
+use judge::plural;
+use std::path::{Path, PathBuf};
+
+/// Which mutants to grade.
+#[derive(Args)]
+pub(crate) struct Mutants {
+    /// What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`.
+    #[arg(default_value = "all")]
+    what: String,
+    /// Grade the correct versions with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
+    #[arg(long, default_value_t = 1, value_parser = seeds, allow_negative_numbers = true, conflicts_with = "bless")]
+    seeds: u64,
+    /// Instead, try the diagnosis with mistakes that it need not know: those in FOLDER/<task>.toml, written as in
+    /// `grader/mutants`. Nothing is stored.
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["seeds", "bless"])]
+    with: Option<PathBuf>,
+    /// Store the tables and the signatures that the diagnosis uses.
+    #[arg(long)]
+    bless: bool,
+}
+
+fn seeds(value: &str) -> Result<u64, String> {
+    grader::cli::whole_number(value, 1, u64::MAX)
+}
+
+impl Mutants {
+    pub(crate) fn run(&self) -> Result<Verdict, GraderError> {
+        let workspace = Workspace::above(Path::new("."))?;
+        let course = Course::read(&workspace)?;
+        let mut verdict = Verdict::Full;
+        for task in course.select(&self.what)? {
+            if let Some(folder) = &self.with {
+                let mutants = Corpus::strangers(folder, task)?;
+                if !mutants.is_empty() {
+                    let known = diagnosis::known(&workspace, &task.key)?;
+                    let graded = run::strangers(&workspace, &course, task, mutants)?;
+                    show_strangers(&task.key, &graded, &known);
+                }
+                continue;
+            }
+            let corpus = Corpus::read(&workspace, task)?;
+            let graded = run::task(&workspace, &course, task, self.seeds)?;
+            let known = run::known(&corpus, &graded);
+            let table = Table::of(&graded, &known);
+            let accused: Vec<&run::Graded> =
+                graded.iter().filter(|graded| graded.is_accused()).collect();
+            show(&task.key, &table, &accused);
+            for (name, _) in table.misnamed() {
+                let graded = graded.iter().find(|graded| graded.name == name);
+                show_what_students_read(name, graded, &known);
+            }
+            if !accused.is_empty() || !table.survivors().is_empty() {
+                verdict = Verdict::Short;
+            }
+            if self.bless {
+                store(&diagnosis::file(&workspace, &task.key), &known)?;
+                store(&Table::file(&workspace, &task.key), &table)?;
+            } else if self.seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
+                verdict = Verdict::Short;
+            }
+        }
+        Ok(verdict)
+    }
+}
+
+/// Says what differs from the stored table, if anything does.
+fn same_as_stored(
+    workspace: &Workspace,
+    task: &str,
+    table: &Table,
+    known: &[Known],
+) -> Result<bool, GraderError> {
+    let stored = Table::read(workspace, task)?;
+    let differences = stored.differences(table);
+    for name in &differences {
+        println!("  DIFFERS from what is stored: {name}");
+    }
+    let same_signatures = diagnosis::known(workspace, task)? == known;
+    if !same_signatures {
+        println!("  DIFFERS from what is stored: the signatures");
+    }
+    let same = differences.is_empty() && same_signatures && stored == *table;
+    if !same {
+        println!("  If that is meant, `grader mutants {task} --bless` stores it.");
+    }
+    Ok(same)
+}
+
+fn store(path: &Path, value: &impl serde::Serialize) -> Result<(), GraderError> {
+    let text =
+        serde_json::to_string_pretty(value).map_err(|e| GraderError::file("write", path, e))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
+    write_whole(path, (text + "\n").as_bytes())
+}
+
+/// What is made of mistakes that the diagnosis need not know.
+fn show_strangers(task: &str, graded: &[run::Graded], known: &[Known]) {
+    let mut table = Table::of(graded, known);
+    // Nothing correct was graded beside them to compare with.
+    for graded in graded {
+        let lost = graded.result.score < graded.result.max_score;
+        if !lost {
+            table.mutants.insert(graded.name.clone(), Vec::new());
+        }
+    }
+    show(task, &table, &[]);
+    for graded in graded {
+        show_what_students_read(&graded.name, Some(graded), known);
+    }
+}
+
+/// What is said to who makes a mistake that is not named rightly.
+fn show_what_students_read(name: &str, graded: Option<&run::Graded>, known: &[Known]) {
+    let signature = graded.map(|graded| Signature::of(&graded.result.cases));
+    let diagnosis = signature.and_then(|signature| diagnosis::diagnose(known, &signature));
+    if let Some(diagnosis) = diagnosis {
+        println!("  students with {name} read: {}", diagnosis.says);
+    }
+}
+
+fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
+    println!(
+        "{task}: {} mutants, {} correct versions",
+        table.mutants.len(),
+        table.correct.len()
+    );
+    for (name, failed) in &table.mutants {
+        let named = table
+            .diagnosed
+            .get(name)
+            .map(|named| named.join(", "))
+            .unwrap_or_default();
+        let named = if named.is_empty() {
+            "no mistake".to_string()
+        } else {
+            named
+        };
+        println!(
+            "  {name}: lost points in {}, named as {named}",
+            plural(failed.len(), "case", "cases")
+        );
+    }
+    for name in table.survivors() {
+        println!("  SURVIVES: {name} loses no points");
+    }
+    for (name, named) in table.misnamed() {
+        println!("  MISNAMED: {name} is taken for {named:?}");
+    }
+    for graded in accused {
+        println!(
+            "  ACCUSED: {} lost {} core points",
+            graded.name,
+            graded.result.max_score - graded.result.score
+        );
+        for case in graded
+            .result
+            .cases
+            .iter()
+            .filter(|case| case.score < case.max_score)
+        {
+            let why = case
+                .worst()
+                .map(|(_, worst)| worst.message.as_str())
+                .unwrap_or_default();
+            println!("    {}: {why}", case.name);
+        }
+    }
+    println!(
+        "  named rightly: {} of {}",
+        table.mutants.len() - table.misnamed().len(),
+        table.mutants.len()
+    );
+    let (recognised, held_out) = table.recognised;
+    if held_out > 0 {
+        println!("  recognised in other clothes: {recognised} of {held_out}");
+    }
+}

@@ -1,0 +1,107 @@
+//! The README of a handout, from the template `student.md`.
+
+use grader::course::{Course, Part, Task, stages_of};
+use grader::error::GraderError;
+use judge::Tier;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::Path;
+use submission::file_tree::Files;
+
+const TEMPLATE: &str = include_str!("student.md");
+
+/// The README of the handout of `part`, whose code is in `files`.
+pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, GraderError> {
+    let here = course.parts.iter().find(|p| p.number == part);
+    let here = here.ok_or_else(|| GraderError::new(format!("the course has no part {part}")))?;
+    let mut tasks = String::new();
+    let to_write = course.parts.iter().filter(|p| p.number >= part);
+    for part in to_write.clone() {
+        tasks.push_str(&section(part, files)?);
+        tasks.push('\n');
+    }
+    let stages = match stages_of(to_write.flat_map(|part| &part.tasks)).as_slice() {
+        [one] => (*one).to_string(),
+        several => format!("{{{}}}", several.join(",")),
+    };
+    let conventions: String = course
+        .conventions
+        .iter()
+        .flat_map(|line| ["- ", line, "\n"])
+        .collect();
+    Ok(TEMPLATE
+        .replace("{part}", &part.to_string())
+        .replace("{given}", &given(course, part))
+        .replace(
+            "{first_task}",
+            here.tasks.first().map_or("all", |task| &task.key),
+        )
+        .replace("{tasks}", &tasks)
+        .replace("{conventions}", &conventions)
+        .replace("{stages}", &stages))
+}
+
+/// Which parts are there already.
+fn given(course: &Course, part: u32) -> String {
+    let before: Vec<String> = course
+        .parts
+        .iter()
+        .filter(|p| p.number < part)
+        .map(|p| p.number.to_string())
+        .collect();
+    match before.as_slice() {
+        [] => "Nothing is written yet but what every stage is given.".into(),
+        [one] => format!("Part {one} is there already, as the course solves it."),
+        [many @ .., last] => format!(
+            "Parts {} and {last} are there already, as the course solves them.",
+            many.join(", ")
+        ),
+    }
+}
+
+/// The tasks of one part as a table.
+fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
+    let mut text = format!("### Part {}: {}\n\n", part.number, part.title);
+    text.push_str("| task | | write | in | core | extra |\n|---|---|---|---|--:|--:|\n");
+    for task in &part.tasks {
+        let mut found = BTreeSet::new();
+        for hole in &task.holes {
+            found.insert(place(task, hole, files)?);
+        }
+        let holes: Vec<String> = task.holes.iter().map(|hole| format!("`{hole}`")).collect();
+        let found: Vec<String> = found.iter().map(|path| format!("`{path}`")).collect();
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} |",
+            task.key,
+            task.title,
+            holes.join(", "),
+            found.join(", "),
+            task.points(Tier::Core),
+            task.points(Tier::Robust),
+        );
+    }
+    Ok(text)
+}
+
+/// The file that the function `hole` stands in.
+fn place(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> {
+    let folder = Path::new("stages").join(&task.stage).join("src");
+    let defines = |text: &[u8]| {
+        let text = String::from_utf8_lossy(text);
+        [format!("pub fn {hole}("), format!("pub fn {hole}<")]
+            .iter()
+            .any(|signature| text.contains(signature))
+    };
+    let found = files
+        .iter()
+        .find(|(path, text)| path.starts_with(&folder) && defines(text));
+    let (path, _) = found.ok_or_else(|| {
+        GraderError::new(format!(
+            "course.toml gives {} the hole `{hole}`, but no file below {} has a `pub fn {hole}`",
+            task.key,
+            folder.display()
+        ))
+    })?;
+    Ok(path.display().to_string())
+}

@@ -1,0 +1,195 @@
+//! Handouts of this very course: their texts. `grader course check` also builds, tests and grades them.
+
+use authoring::handout::Handout;
+use authoring::handout::carve::Knife;
+use grader::workspace::Workspace;
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::OnceLock;
+
+fn workspace() -> Workspace {
+    Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in the course")
+}
+
+/// The handout of part 1 or 2, carved once for all tests.
+fn handout(part: usize) -> &'static Handout {
+    static HANDOUTS: [OnceLock<Handout>; 2] = [const { OnceLock::new() }; 2];
+    HANDOUTS[part - 1].get_or_init(|| {
+        let part = u32::try_from(part).expect("a small number");
+        Handout::carve(&workspace(), part).expect("the course can be carved")
+    })
+}
+
+fn text<'a>(handout: &'a Handout, path: &str) -> &'a str {
+    let contents = handout.files.get(Path::new(path));
+    std::str::from_utf8(contents.unwrap_or_else(|| panic!("no {path}"))).expect("it is text")
+}
+
+fn has(handout: &Handout, path: &str) -> bool {
+    handout.files.keys().any(|file| file.starts_with(path))
+}
+
+#[test]
+fn the_handout_of_part_1_has_every_hole_and_no_solution() {
+    let handout = handout(1);
+    let solved: BTreeSet<&str> = handout
+        .taken
+        .iter()
+        .map(|taken| taken.key.as_str())
+        .collect();
+    for key in ["part1.task1", "part1.task4", "part2.task1", "part2.task3"] {
+        assert!(solved.contains(key), "{key} was not carved");
+    }
+    let triangle = text(handout, "stages/intersect/src/triangle.rs");
+    assert!(
+        triangle.contains("kit::hole!(\"part1.task3\", tri, ray)\n}"),
+        "{triangle}"
+    );
+    let tree = text(handout, "stages/bvh/src/construct.rs");
+    assert!(
+        tree.contains("kit::untouched!(\"part2.task1\");\n    let _ ="),
+        "{tree}"
+    );
+    assert!(
+        !has(handout, "stages/intersect/src/exact.rs"),
+        "a file that was all solution"
+    );
+    assert!(
+        !has(handout, "stages/intersect/tests"),
+        "tests of what is carved"
+    );
+}
+
+#[test]
+fn the_handout_of_part_2_keeps_part_1_as_the_reference_has_it() {
+    let handout = handout(2);
+    assert!(
+        handout
+            .taken
+            .iter()
+            .all(|taken| !taken.key.starts_with("part1."))
+    );
+    assert!(has(handout, "stages/intersect/src/exact.rs"));
+    assert!(has(handout, "stages/intersect/tests"));
+    assert!(!has(handout, "stages/bvh/tests"));
+    assert!(text(handout, "stages/bbox/src/lib.rs").contains("kit::hole!(\"part2.task2\""));
+}
+
+#[test]
+fn a_handout_is_a_project_and_no_more() {
+    let handout = handout(1);
+    for path in [
+        "README.md",
+        "Cargo.lock",
+        ".cargo/config.toml",
+        "stages/course.toml",
+        "stages/kit/src",
+        "scenes/dae",
+        "grader/src",
+        "grader/worker/src",
+        "golden/part1.task3",
+    ] {
+        assert!(has(handout, path), "no {path}");
+    }
+    for path in [
+        ".git",
+        ".ci",
+        "CONTRIBUTING.md",
+        "golden/Cargo.toml",
+        "golden/tests",
+        "golden/mutants",
+        "grader/mutants",
+        "grader/tests",
+    ] {
+        assert!(!has(handout, path), "{path} is the instructor's");
+    }
+    let manifest = text(handout, "Cargo.toml");
+    assert!(!manifest.contains("\"golden\""), "{manifest}");
+    assert!(!text(handout, "Cargo.lock").contains("name = \"insta\""));
+}
+
+#[test]
+fn the_readme_says_what_is_handed_in() {
+    for (part, stages) in [
+        (
+            1,
+            "stages/{raygen,intersect,bvh,bbox,direct,global,adaptive}/src`",
+        ),
+        (2, "stages/{bvh,bbox,direct,global,adaptive}/src`"),
+    ] {
+        let readme = text(handout(part), "README.md");
+        assert!(readme.contains(stages), "{readme}");
+    }
+}
+
+#[test]
+fn nobody_sees_a_marker_and_carving_a_handout_again_changes_nothing() {
+    for part in [1, 2] {
+        let handout = handout(part);
+        let keys: BTreeSet<String> = handout
+            .taken
+            .iter()
+            .map(|taken| taken.key.clone())
+            .collect();
+        let knife = Knife {
+            known: keys.clone(),
+            carved: keys,
+        };
+        let code = handout
+            .files
+            .iter()
+            .filter(|(path, _)| path.starts_with("stages"));
+        for (path, contents) in code.filter(|(path, _)| path.extension().is_some_and(|e| e == "rs"))
+        {
+            let text = String::from_utf8_lossy(contents);
+            assert!(!text.contains("SOLUTION("), "{}", path.display());
+            let again = knife
+                .carve(&path.to_string_lossy(), &text)
+                .expect("it is sound");
+            assert!(
+                again.taken.is_empty() && again.text == text,
+                "{}",
+                path.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn no_handout_holds_a_copy_of_its_solutions() {
+    for part in [1, 2] {
+        assert_eq!(
+            authoring::check::leak::find(handout(part)),
+            [""; 0],
+            "part {part}"
+        );
+    }
+}
+
+#[test]
+fn the_readme_names_every_task_with_its_file() {
+    let handout = handout(2);
+    let readme = text(handout, "README.md");
+    for words in [
+        "cargo grader part2",
+        "| part2.task2 |",
+        "`intersect_bbox`",
+        "`stages/bbox/src/lib.rs`",
+        "min_t <= t <= max_t",
+        "Part 1 is there already",
+    ] {
+        assert!(readme.contains(words), "no {words:?} in\n{readme}");
+    }
+    assert!(
+        !readme.contains('{') || readme.contains("stages/{"),
+        "a placeholder is left:\n{readme}"
+    );
+    assert!(!readme.contains("| part1.task1 |"));
+}
+
+#[test]
+fn an_unknown_part_is_refused_with_those_there_are() {
+    let error = Handout::carve(&workspace(), 9).unwrap_err().to_string();
+    assert!(error.contains("no part 9"), "{error}");
+    assert!(error.contains("1, 2"), "{error}");
+}

@@ -1,0 +1,240 @@
+//! A plot: two axes, and what is drawn between them.
+
+use super::canvas::{Canvas, Drawn, Label, Place};
+use super::look::{self, GRID, INK, Look};
+
+/// Size of the letters at axes, in points.
+const SMALL: f64 = 9.0;
+
+/// Room for the numbers and the name of an axis.
+const LEFT: f64 = 52.0;
+const BELOW: f64 = 38.0;
+const ABOVE: f64 = 20.0;
+const RIGHT: f64 = 8.0;
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Axis {
+    pub(crate) name: String,
+    from: f64,
+    to: f64,
+    is_log: bool,
+    /// Values with a number at them.
+    ticks: Vec<(f64, String)>,
+}
+
+impl Axis {
+    /// Equal steps, with these values numbered.
+    pub(crate) fn linear(name: &str, from: f64, to: f64, ticks: Vec<(f64, String)>) -> Axis {
+        Axis {
+            name: name.into(),
+            from,
+            to,
+            is_log: false,
+            ticks,
+        }
+    }
+
+    /// Equal factors, wide enough for all `values` that are above 0; numbered in powers of ten, or where these are few in
+    /// steps of 1, 2, 5 or less.
+    pub(crate) fn log(
+        name: &str,
+        values: impl IntoIterator<Item = f64>,
+        number: impl Fn(f64) -> String,
+    ) -> Axis {
+        let positive = values.into_iter().filter(|v| *v > 0.0 && v.is_finite());
+        let (least, most) =
+            positive.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+        let (least, most) = if least <= most {
+            (least, most)
+        } else {
+            (0.1, 1.0)
+        };
+        // A little air, so that no marker lies on the frame.
+        let air = (most / least).powf(0.04).max(1.12);
+        let (from, to) = (least / air, most * air);
+        let decades = (to / from).log10();
+        let steps: &[f64] = match decades {
+            ..0.7 => &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0],
+            ..2.2 => &[1.0, 2.0, 5.0],
+            _ => &[1.0],
+        };
+        let every = (decades / 6.0).ceil().max(1.0) as i32;
+        let powers = (from.log10().floor() as i32)..=(to.log10().ceil() as i32);
+        let ticks = powers
+            .filter(|power| power.rem_euclid(every) == 0)
+            .flat_map(|power| steps.iter().map(move |step| step * 10.0_f64.powi(power)))
+            .filter(|value| (from..=to).contains(value))
+            .map(|value| (value, number(value)))
+            .collect();
+        Axis {
+            name: name.into(),
+            from,
+            to,
+            is_log: true,
+            ticks,
+        }
+    }
+
+    /// Where `value` lies from 0 at the start to 1 at the end.
+    fn share(&self, value: f64) -> f64 {
+        if self.is_log {
+            (value / self.from).ln() / (self.to / self.from).ln()
+        } else {
+            (value - self.from) / (self.to - self.from)
+        }
+    }
+
+    /// Both ends.
+    pub(crate) fn ends(&self) -> (f64, f64) {
+        (self.from, self.to)
+    }
+}
+
+/// A plot on a canvas.
+pub(crate) struct Plot<'a, 'b> {
+    canvas: &'a Canvas<'b>,
+    x: Axis,
+    y: Axis,
+    /// Of the inner part: left, top, right, bottom.
+    inner: [f64; 4],
+}
+
+impl<'a, 'b> Plot<'a, 'b> {
+    /// Draws the axes of a plot that fills the rectangle with the top left corner `corner`.
+    pub(crate) fn new(
+        canvas: &'a Canvas<'b>,
+        title: &str,
+        corner: Place,
+        [w, h]: [f64; 2],
+        x: Axis,
+        y: Axis,
+    ) -> Result<Plot<'a, 'b>, grader::error::GraderError> {
+        let inner = [
+            corner.0 + LEFT,
+            corner.1 + ABOVE,
+            corner.0 + w - RIGHT,
+            corner.1 + h - BELOW,
+        ];
+        let plot = Plot {
+            canvas,
+            x,
+            y,
+            inner,
+        };
+        plot.draw_axes(title)?;
+        Ok(plot)
+    }
+
+    fn draw_axes(&self, title: &str) -> Drawn {
+        let [left, top, right, bottom] = self.inner;
+        let canvas = self.canvas;
+        for (value, number) in &self.x.ticks {
+            let (x, _) = self.at(*value, self.y.from);
+            canvas.line(&[(x, top), (x, bottom)], GRID, 0.6)?;
+            canvas.text(
+                number,
+                (x, bottom + 9.0),
+                Label::centered(SMALL).in_color(INK),
+            )?;
+        }
+        for (value, number) in &self.y.ticks {
+            let (_, y) = self.at(self.x.from, *value);
+            canvas.line(&[(left, y), (right, y)], GRID, 0.6)?;
+            canvas.text(number, (left - 4.0, y), Label::right(SMALL).in_color(INK))?;
+        }
+        let frame = [(left, top), (left, bottom), (right, bottom)];
+        canvas.line(&frame, INK, 1.0)?;
+        let middle = (0.5 * (left + right), 0.5 * (top + bottom));
+        canvas.text(title, (left, top - 10.0), Label::left(SMALL + 1.0).bold())?;
+        canvas.text(
+            &self.x.name,
+            (middle.0, bottom + 25.0),
+            Label::centered(SMALL + 0.5),
+        )?;
+        let upright = Label {
+            upright: true,
+            ..Label::centered(SMALL + 0.5)
+        };
+        canvas.text(&self.y.name, (left - 43.0, middle.1), upright)
+    }
+
+    /// Where a value lies on the canvas.
+    pub(crate) fn at(&self, x: f64, y: f64) -> Place {
+        let [left, top, right, bottom] = self.inner;
+        (
+            left + self.x.share(x) * (right - left),
+            bottom - self.y.share(y) * (bottom - top),
+        )
+    }
+
+    /// The ends of the first axis.
+    pub(crate) fn x_ends(&self) -> (f64, f64) {
+        self.x.ends()
+    }
+
+    /// The ends of the second axis.
+    pub(crate) fn y_ends(&self) -> (f64, f64) {
+        self.y.ends()
+    }
+
+    /// A marker with the area of so many square points.
+    pub(crate) fn marker(&self, look: Look, (x, y): (f64, f64), area: f64) -> Drawn {
+        look::marker(self.canvas, look, self.at(x, y), area)
+    }
+
+    /// A line through values, cut off at the lower end of the second axis.
+    pub(crate) fn line(&self, look: Look, values: &[(f64, f64)], width: f64) -> Drawn {
+        let (from, to) = self.y.ends();
+        let places: Vec<Place> = values
+            .iter()
+            .map(|(x, y)| self.at(*x, y.clamp(from, to)))
+            .collect();
+        look::line(self.canvas, look, &places, width)
+    }
+
+    /// From `low` to `high` at `x`, cut off at the ends of the axis.
+    pub(crate) fn error_bar(&self, look: Look, x: f64, low: f64, high: f64) -> Drawn {
+        let (from, to) = self.y.ends();
+        let ends = [low, high].map(|y| self.at(x, y.clamp(from, to)));
+        self.canvas.line(&ends, look.color, 1.0)
+    }
+}
+
+/// Draws what the lines and markers mean, one below the other from `corner` on: each with its look or none, and in one or more
+/// lines.
+pub(crate) fn legend(canvas: &Canvas, corner: Place, entries: &[(Option<Look>, String)]) -> Drawn {
+    let (x, mut y) = corner;
+    for (look, text) in entries {
+        if let Some(look) = look {
+            look::line(canvas, *look, &[(x, y), (x + 26.0, y)], 1.5)?;
+            look::marker(canvas, *look, (x + 13.0, y), 28.0)?;
+        }
+        canvas.text(text, (x + 32.0, y), Label::left(SMALL + 0.5))?;
+        y += 15.0;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_powers_of_ten_have_steps_between() {
+        let numbers = |values: &[f64]| -> Vec<f64> {
+            let axis = Axis::log("", values.iter().copied(), |v| v.to_string());
+            axis.ticks.iter().map(|(value, _)| *value).collect()
+        };
+        assert_eq!(numbers(&[3.0, 40.0]), [5.0, 10.0, 20.0]);
+        assert_eq!(numbers(&[0.01, 0.0, 90.0]), [0.01, 0.1, 1.0, 10.0, 100.0]);
+        assert!(numbers(&[1e-17, 1.0]).len() <= 7);
+    }
+
+    #[test]
+    fn equal_factors_are_equal_steps() {
+        let axis = Axis::log("", [1.0, 100.0], |v| v.to_string());
+        let [a, b, c] = [1.0, 10.0, 100.0].map(|v| axis.share(v));
+        assert!(0.0 < a && c < 1.0 && ((b - a) - (c - b)).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,95 @@
+//! Rays at spheres.
+
+use super::{Target, decades, stored_vec};
+use crate::report::{RayFamily, Shape};
+use judge::cases::probes::Dice;
+use kernels::Precision;
+use kit::{Ray, Sphere, Vec3};
+
+impl Target for Sphere {
+    const SHAPE: Shape = Shape::Sphere;
+    const PER_RAY: usize = 4;
+    const COLUMNS: &'static [(RayFamily, &'static str)] = &[
+        (
+            RayFamily::Ordinary,
+            "radius 0.2 to 1, from 2 to 6 away; hits and misses",
+        ),
+        (RayFamily::Edge, "aimed at the rim, as far as f64 can aim"),
+        (
+            RayFamily::Grazing,
+            "inside or outside the rim by 1e-2 to 1e-10 radii",
+        ),
+        (
+            RayFamily::FarOffset,
+            "the sphere is 1e2 to 1e6 radii away from the ray's origin",
+        ),
+        (RayFamily::TinyScale, "all lengths times 1e-10 to 1e-30"),
+        (RayFamily::HugeScale, "all lengths times 1e10 to 1e30"),
+        (
+            RayFamily::Inside,
+            "starting inside: the far crossing counts",
+        ),
+        (
+            RayFamily::OnTheSurface,
+            "starting on the sphere, up to rounding: half of them go in",
+        ),
+    ];
+
+    fn aim(dice: &mut Dice) -> (Sphere, Vec3) {
+        let s = some_sphere(dice);
+        let target = s.center + 1.5 * s.radius * dice.in_cube();
+        (s, target)
+    }
+
+    fn hard(family: RayFamily, dice: &mut Dice) -> Option<(Sphere, Ray)> {
+        let s = some_sphere(dice);
+        let distance = dice.range(2.0, 6.0);
+        let ray = match family {
+            RayFamily::Edge => dice.ray_past(&s, 1.0, distance),
+            RayFamily::Grazing => {
+                let aside = dice.one_of(&[-1.0, 1.0]) * decades(dice, -10.0, -2.0);
+                dice.ray_past(&s, 1.0 + aside, distance)
+            }
+            RayFamily::FarOffset => {
+                let distance = s.radius * decades(dice, 2.0, 6.0);
+                let impact = dice.range(0.0, 2.0);
+                dice.ray_past(&s, impact, distance)
+            }
+            RayFamily::Inside => {
+                let o = s.center + 0.99 * dice.range(0.0, 1.0) * s.radius * dice.direction();
+                Ray::new(o, dice.direction())
+            }
+            RayFamily::OnTheSurface => {
+                let o = s.center + s.radius * dice.direction();
+                Ray::new(o, dice.direction())
+            }
+            _ => return None,
+        };
+        Some((s, ray))
+    }
+
+    fn placed(&self, scale: f64, by: Vec3) -> Sphere {
+        Sphere {
+            center: scale * self.center + by,
+            radius: scale * self.radius,
+        }
+    }
+
+    fn stored(&self, precision: Precision) -> Sphere {
+        Sphere {
+            center: stored_vec(self.center, precision),
+            radius: precision.stored(self.radius),
+        }
+    }
+
+    fn faces(&self, _: &Ray) -> bool {
+        true
+    }
+}
+
+fn some_sphere(dice: &mut Dice) -> Sphere {
+    Sphere {
+        center: dice.in_cube(),
+        radius: dice.range(0.2, 1.0),
+    }
+}

@@ -1,0 +1,215 @@
+//! What `grader cost` says of well-known kernels must be what is known of them. Times are not looked at.
+
+use cost::report::{Accuracy, Family, Precision, RayFamily, Report, Row, Shape};
+use cost::{Order, Size, measure};
+
+/// Few rays, hardly any time.
+const SMALL: Size = Size {
+    rays: 3_000,
+    leak_rays: 2_000,
+    turns: 1,
+    rounds: 1,
+    mesh: 1_000,
+    builds: 1,
+};
+
+fn small(shape: Shape, seed: u64) -> Report {
+    let order = Order {
+        shapes: vec![shape],
+        trees: false,
+        pictures: false,
+        size: SMALL,
+        seed,
+    };
+    measure(None, &order).expect("kernels need nothing from outside")
+}
+
+fn family(shape: Shape) -> Family {
+    small(shape, 0).families.remove(0)
+}
+
+fn row<'a>(family: &'a Family, name: &str, precision: Precision) -> &'a Row {
+    let mut rows = family.rows.iter();
+    rows.find(|row| row.name == name && row.precision == precision)
+        .unwrap_or_else(|| panic!("there is no row {name}"))
+}
+
+fn on(row: &Row, rays: RayFamily) -> &Accuracy {
+    let mut columns = row.by_ray_family.iter();
+    columns.find(|a| a.family == rays).expect("such rays")
+}
+
+fn wrong(accuracy: &Accuracy) -> f64 {
+    accuracy.false_hits_per_million + accuracy.false_misses_per_million
+}
+
+/// The report without what differs from run to run.
+fn timeless(mut report: Report) -> Report {
+    for row in report.families.iter_mut().flat_map(|f| &mut f.rows) {
+        row.time = Default::default();
+    }
+    report
+}
+
+#[test]
+fn all_but_times_depends_on_the_seed_alone() {
+    let [first, again, other] = [0, 0, 1].map(|seed| timeless(small(Shape::Triangle, seed)));
+    assert_eq!(first, again);
+    assert_ne!(first.families, other.families);
+}
+
+#[test]
+fn json_says_it_all() {
+    for shape in Shape::ALL {
+        let report = small(shape, 3);
+        let json = grader::report::json(&report).unwrap();
+        let read: Report = serde_json::from_str(&json).unwrap();
+        assert_eq!(read, report);
+    }
+}
+
+#[test]
+fn watertight_triangle_tests_leak_nothing_and_others_do() {
+    let family = family(Shape::Triangle);
+    let leaks = |name, precision| row(&family, name, precision).leaks_per_million.unwrap();
+    for precision in [Precision::F32, Precision::F64] {
+        assert_eq!(leaks("Woop", precision), 0.0);
+        assert!(leaks("Möller-Trumbore", precision) > 10_000.0);
+        assert!(leaks("Möller-Trumbore cull", precision) > 10_000.0);
+        assert!(leaks("plane, then sides", precision) > 10_000.0);
+    }
+    assert_eq!(leaks("Woop", Precision::F32InF64), 0.0);
+    assert_eq!(leaks("filter, exact fallback", Precision::F64), 0.0);
+}
+
+#[test]
+fn triangle_tests_are_right_and_wrong_where_they_are_known_to_be() {
+    let family = family(Shape::Triangle);
+    let of = |name| row(&family, name, Precision::F64);
+    for kernel in &family.rows {
+        assert!(
+            wrong(on(kernel, RayFamily::Ordinary)) < 3_000.0,
+            "{kernel:?}"
+        );
+    }
+    let exact = of("filter, exact fallback");
+    for column in &exact.by_ray_family {
+        assert_eq!(wrong(column), 0.0, "{column:?}");
+        // On the surface the sign of t is in doubt, which is rounded; elsewhere every decision is exact.
+        if column.family != RayFamily::OnTheSurface {
+            assert_eq!(column.lost_in_doubt_per_million, 0.0, "{column:?}");
+        }
+    }
+    assert!(on(of("Woop"), RayFamily::Edge).lost_in_doubt_per_million > 0.0);
+    let epsilon = on(of("Möller-Trumbore ε"), RayFamily::TinyScale);
+    assert!(epsilon.false_misses_per_million > 400_000.0);
+    assert_eq!(wrong(on(of("Möller-Trumbore"), RayFamily::TinyScale)), 0.0);
+    let huge = on(
+        row(&family, "Möller-Trumbore", Precision::F32),
+        RayFamily::HugeScale,
+    );
+    assert!(wrong(huge) > 100_000.0, "f32 overflows");
+    let in_double = row(&family, "Woop", Precision::F32InF64);
+    for column in &in_double.by_ray_family {
+        assert_eq!(wrong(column), 0.0, "{column:?}");
+    }
+    // Culling is judged on the faces in front.
+    let culling = on(of("Möller-Trumbore cull"), RayFamily::Ordinary);
+    assert!((1_000..2_000).contains(&culling.rays));
+}
+
+#[test]
+fn digits_of_a_sliver_are_kept_by_fused_edges() {
+    let family = family(Shape::Triangle);
+    let off = |name| {
+        let sliver = on(row(&family, name, Precision::F64), RayFamily::Sliver);
+        sliver.t.expect("hits").ulp.p50
+    };
+    assert!(off("Woop, FMA edges") < 10.0);
+    assert!(off("Woop") > 100.0 * off("Woop, FMA edges"));
+    assert!(off("Möller-Trumbore") > off("Woop"));
+}
+
+#[test]
+fn each_remedy_of_the_sphere_test_mends_its_own_fault() {
+    let family = family(Shape::Sphere);
+    let of = |name, rays| on(row(&family, name, Precision::F64), rays);
+    let ulp = |name, rays| of(name, rays).t.expect("hits").ulp.p50;
+    // Far spheres drown in the discriminant, until it is Haines's.
+    assert!(
+        ulp("q form", RayFamily::FarOffset)
+            > 10.0 * ulp("Haines's discriminant", RayFamily::FarOffset)
+    );
+    let wrong_in_f32 = |name| wrong(on(row(&family, name, Precision::F32), RayFamily::FarOffset));
+    assert!(wrong_in_f32("q form") > 100.0 * wrong_in_f32("Haines's discriminant"));
+    // Reprojection mends the point, not t.
+    let far = |name| of(name, RayFamily::FarOffset);
+    let (walked, pulled) = (far("Haines's discriminant"), far("Haines's, reprojected"));
+    assert_eq!(walked.t, pulled.t);
+    assert!(pulled.off_surface.unwrap().ulp.p999 < 3.0);
+    assert!(walked.off_surface.unwrap().ulp.p999 > 100.0);
+}
+
+#[test]
+fn box_tests_are_right_and_wrong_where_they_are_known_to_be() {
+    let family = family(Shape::Box);
+    let misses =
+        |name, precision, rays| on(row(&family, name, precision), rays).false_misses_per_million;
+    for precision in [Precision::F32, Precision::F64] {
+        // 0/0 for a ray in the plane of a face.
+        assert!(misses("naive slabs", precision, RayFamily::Grazing) > 100_000.0);
+        assert_eq!(misses("NaN-safe slabs", precision, RayFamily::Grazing), 0.0);
+        assert!(misses("Williams", precision, RayFamily::Vertex) > 10_000.0);
+        for column in &row(&family, "Ize, 2 ulp", precision).by_ray_family {
+            assert_eq!(wrong(column), 0.0, "{column:?}");
+        }
+    }
+}
+
+#[test]
+fn operations_are_those_of_the_formulas() {
+    let family = family(Shape::Sphere);
+    let operations = |name| row(&family, name, Precision::F64).operations.unwrap();
+    let (naive, q) = (operations("quadratic formula"), operations("q form"));
+    // Two divisions and a root where the discriminant is not negative, and none elsewhere.
+    assert_eq!(naive.div, 2.0 * naive.sqrt);
+    assert!((0.3..0.9).contains(&naive.sqrt));
+    assert_eq!((q.sqrt, q.fma), (naive.sqrt, 0.0));
+    let reprojected = operations("q form, reprojected");
+    assert!(reprojected.sqrt > q.sqrt && reprojected.total() > q.total());
+}
+
+#[test]
+fn a_walk_needs_slack_to_find_what_brute_force_finds() {
+    let order = Order {
+        shapes: Vec::new(),
+        trees: true,
+        pictures: false,
+        size: Size {
+            rays: 24_000,
+            ..SMALL
+        },
+        seed: 0,
+    };
+    let trees = measure(None, &order).unwrap().bvh.expect("trees");
+    let wrong: Vec<f64> = trees
+        .by_slack
+        .iter()
+        .map(|walk| walk.trace.wrong_per_million)
+        .collect();
+    assert!(wrong[0] > 1_000.0 && wrong[0] > 3.0 * wrong[1], "{wrong:?}");
+    assert_eq!(wrong[2], 0.0);
+    let of = |name: &str| {
+        let mut trees = trees.by_build.iter();
+        trees.find(|tree| tree.name == name).expect("such a tree")
+    };
+    let (median, sah) = (of("median"), of("SAH, 16 bins"));
+    assert!(sah.trace.box_tests < median.trace.box_tests);
+    assert!(
+        trees
+            .by_build
+            .iter()
+            .all(|tree| tree.trace.wrong_per_million == 0.0)
+    );
+    assert!(trees.by_build.iter().all(|tree| tree.nodes > Some(500)));
+}

@@ -1,0 +1,318 @@
+//! The page of `grader cost`: whole, legible, and its sentences follow the numbers.
+
+use cost::page::page;
+use cost::picture::{Curve, Experiment, Interval, Pictures, Point};
+use cost::report::{
+    Accuracy, Column, Errors, Family, Machine, Precision, Quantiles, RayFamily, Report, Row, Shape,
+    Timing,
+};
+use cost::trees::{Trace, Tree, Trees, Walk};
+
+fn accuracy(family: RayFamily, relative: f64, wrong: f64) -> Accuracy {
+    let quantiles = |p50: f64| Quantiles {
+        p50,
+        p999: 10.0 * p50,
+        max: 100.0 * p50,
+    };
+    Accuracy {
+        family,
+        rays: 1000,
+        false_hits_per_million: wrong / 2.0,
+        false_misses_per_million: wrong / 2.0,
+        undecidable_per_million: 0.0,
+        lost_in_doubt_per_million: 0.0,
+        beyond_bound_per_million: 0.0,
+        t: Some(Errors {
+            ulp: quantiles(relative / 1e-16),
+            relative: quantiles(relative),
+        }),
+        position: None,
+        off_surface: None,
+        cdf: vec![(0.0, 0.2), (relative, 0.5), (100.0 * relative, 1.0)],
+        forward_bound: vec![(1e3 * relative, 0.5), (1e4 * relative, 1.0)],
+    }
+}
+
+/// A kernel that takes `ratio` of the textbook's time, leaks, and decides wrongly at edges.
+fn row(name: &str, precision: Precision, ratio: f64, leaks: f64, wrong: f64) -> Row {
+    let relative = if precision == Precision::F32 {
+        1e-7
+    } else {
+        1e-16
+    };
+    Row {
+        name: name.into(),
+        precision,
+        paper: "a paper".into(),
+        student: name == "yours",
+        textbook: ratio == 1.0,
+        time: Timing {
+            ns_median: 10.0 * ratio,
+            ns_spread: 0.1,
+            ratio_to_textbook: ratio,
+            ratio_spread: 0.01,
+            inside_noise: false,
+        },
+        operations: None,
+        leaks_per_million: Some(leaks),
+        by_ray_family: vec![
+            accuracy(RayFamily::Ordinary, relative, 0.0),
+            accuracy(RayFamily::Edge, 3.0 * relative, wrong),
+        ],
+    }
+}
+
+fn family(rows: Vec<Row>) -> Family {
+    let column = |family| Column {
+        family,
+        about: "what is hard & why".into(),
+    };
+    Family {
+        shape: Shape::Triangle,
+        columns: vec![column(RayFamily::Ordinary), column(RayFamily::Edge)],
+        rows,
+        student_missing: None,
+    }
+}
+
+fn rows(leaks_of_tight: f64, wrong: f64) -> Vec<Row> {
+    vec![
+        row("Möller-Trumbore", Precision::F64, 1.0, 69_000.0, 0.0),
+        row("Möller-Trumbore", Precision::F32, 0.7, 70_000.0, 300_000.0),
+        row("Woop", Precision::F64, 1.5, leaks_of_tight, wrong),
+        row("yours", Precision::F64, 0.9, 0.0, 0.0),
+    ]
+}
+
+fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
+    let exact = |value: f64| Interval {
+        value,
+        low: 0.9 * value,
+        high: 1.1 * value,
+    };
+    let point = |samples: f64| Point {
+        flags: format!("-s {samples}"),
+        samples,
+        seconds: 1e-3 * samples,
+        seconds_spread: 1e-4,
+        rmse: exact(samples.powf(slope)),
+        relative_mse: exact(samples.powf(2.0 * slope)),
+        variance: samples.powf(2.0 * slope),
+        bias,
+        efficiency: Some(1e3 / samples.powf(2.0 * slope + 1.0)),
+    };
+    Curve {
+        name: name.into(),
+        flags: String::new(),
+        points: [4.0, 16.0, 64.0].map(point).into(),
+        slope: Some(slope),
+    }
+}
+
+/// The better tree takes 10 ms more and saves 100 ns a ray.
+fn trees() -> Trees {
+    let trace = |ns: f64, wrong: f64| Trace {
+        time: Timing {
+            ns_median: ns,
+            ns_spread: 1.0,
+            ratio_to_textbook: ns / 400.0,
+            ratio_spread: 0.01,
+            inside_noise: false,
+        },
+        box_tests: 30.0,
+        prim_tests: 5.0,
+        checked_rays: 1000,
+        wrong_per_million: wrong,
+    };
+    let tree = |name: &str, build_s: f64, ns: f64, pays_after_rays| Tree {
+        name: name.into(),
+        paper: String::new(),
+        student: false,
+        build_s,
+        build_spread_s: 1e-4,
+        nodes: Some(100),
+        trace: trace(ns, 0.0),
+        pays_after_rays,
+    };
+    Trees {
+        mesh: "smooth".into(),
+        triangles: 10_000,
+        by_slack: vec![Walk {
+            slack_ulp: 2,
+            trace: trace(440.0, 7.0),
+        }],
+        by_build: vec![
+            tree("midpoint", 5e-3, 400.0, Some(0.0)),
+            tree("SAH", 15e-3, 300.0, Some(1e5)),
+        ],
+        student_missing: None,
+    }
+}
+
+fn report(rows: Vec<Row>, bias: Option<f64>) -> Report {
+    Report {
+        machine: Machine {
+            cpu: "a <fast> processor".into(),
+            cores: 2,
+            rustc: "rustc".into(),
+            target_features: vec!["sse2".into()],
+            has_fma: true,
+        },
+        seed: 7,
+        quick: false,
+        families: vec![family(rows)],
+        bvh: Some(trees()),
+        pictures: Some(Pictures {
+            experiments: vec![Experiment {
+                title: "samples".into(),
+                scene: "a.dae".into(),
+                film: [8, 6],
+                cell: [0, 0, 8, 6],
+                seeds: 3,
+                converged: "-s 512".into(),
+                is_relative: false,
+                converged_rmse: 1e-3,
+                curves: vec![
+                    curve("independent", -0.5, None),
+                    curve("stratified", -0.75, bias),
+                ],
+                missing: None,
+            }],
+            missing: None,
+        }),
+    }
+}
+
+fn html(report: &Report) -> String {
+    page(report).expect("a page")
+}
+
+/// The SVG elements of a page.
+fn plots(page: &str) -> Vec<&str> {
+    let ends = page.match_indices("</svg>").map(|(i, end)| i + end.len());
+    let starts = page.match_indices("<svg").map(|(i, _)| i);
+    starts
+        .zip(ends)
+        .map(|(start, end)| &page[start..end])
+        .collect()
+}
+
+#[test]
+fn the_page_needs_nothing_beside_itself() {
+    let page = html(&report(rows(0.0, 0.0), None));
+    assert_eq!(
+        plots(&page).len(),
+        5,
+        "front, map, distributions, trees, pictures"
+    );
+    for place in ["src=\"", "href=\""] {
+        for (i, _) in page.match_indices(place) {
+            let address = &page[i + place.len()..];
+            assert!(address.starts_with("data:image/png;base64,") || address.starts_with('#'));
+        }
+    }
+    assert!(!page.contains("<script") && !page.contains("@import") && !page.contains("url("));
+    assert!(page.contains("a &lt;fast&gt; processor"));
+    assert!(!page.contains("NaN") && !page.contains("inf "));
+}
+
+/// What is drawn lies on its canvas: nothing is clipped. Letters are taken to be 0.56 of their size wide.
+#[test]
+fn no_text_is_clipped() {
+    let page = html(&report(rows(0.0, 1000.0), Some(0.02)));
+    for plot in plots(&page) {
+        let file = roxmltree::Document::parse(plot).expect("well-formed");
+        let canvas = file
+            .root_element()
+            .attribute("viewBox")
+            .expect("a view box");
+        let ends: Vec<f64> = canvas
+            .split(' ')
+            .map(|end| end.parse().expect("a number"))
+            .collect();
+        let texts = file.descendants().filter(|node| node.has_tag_name("text"));
+        for text in texts {
+            let number = |name| {
+                text.attribute(name)
+                    .expect(name)
+                    .parse::<f64>()
+                    .expect(name)
+            };
+            let said = text.text().unwrap_or("").trim();
+            let size = number("font-size");
+            let long = 0.56 * size * said.chars().count() as f64;
+            let before = match text.attribute("text-anchor") {
+                Some("middle") => 0.5 * long,
+                Some("end") => long,
+                _ => 0.0,
+            };
+            // Upright text runs along the other axis.
+            let (along, end) = match text.attribute("transform") {
+                Some(_) => (ends[3] - number("y"), ends[3]),
+                None => (number("x"), ends[2]),
+            };
+            assert!(
+                along - before >= 0.0 && along - before + long <= end,
+                "“{said}” is clipped"
+            );
+            assert!(
+                (0.0..=ends[3]).contains(&number("y")),
+                "“{said}” is above or below"
+            );
+            // Four units are a point.
+            assert!(size / 4.0 >= 8.5, "“{said}” is too small to read");
+        }
+    }
+}
+
+#[test]
+fn sentences_follow_the_numbers() {
+    let tight = html(&report(rows(0.0, 0.0), None));
+    assert!(
+        tight.contains("The fastest that never leaks is Woop f64: it takes 1.5 of the textbook")
+    );
+    assert!(tight.contains("let nothing out of a closed mesh: Woop f64."));
+    assert!(tight.contains("“edge” (1 of them)"));
+    assert!(tight.contains("Yours (star) takes 0.90 of the textbook"));
+
+    let leaking = html(&report(rows(5.0, 2000.0), None));
+    assert!(leaking.contains("No known kernel never leaks"));
+    assert!(leaking.contains("let nothing out of a closed mesh: none."));
+    assert!(leaking.contains("“edge” (2 of them)"));
+
+    assert!(tight.contains("-0.50 (independent) and -0.75 (stratified)"));
+    // 64 samples of the first have the error 1/8, which the second has with 16.
+    assert!(
+        tight.contains("stratified comes to an error of 12 % 4.0 times as fast"),
+        "{tight}"
+    );
+    assert!(tight.contains("SAH has paid for itself after 100000 rays."));
+    assert!(tight.contains("With 2 ulp of slack 7.0 closest hits in a million are wrong (1.1 of"));
+    assert!(tight.contains("no way is off on average"));
+    let biased = html(&report(rows(0.0, 0.0), Some(0.02)));
+    assert!(biased.contains("at the right end of each curve: 2.0 % (stratified)"));
+}
+
+#[test]
+fn what_is_missing_is_said() {
+    let mut report = report(rows(0.0, 0.0), None);
+    report.families[0].rows.pop();
+    report.families[0].student_missing = Some("part1.task3 is not written yet".into());
+    report.pictures = Some(Pictures {
+        experiments: Vec::new(),
+        missing: Some("the program pathtracer does not compile".into()),
+    });
+    let page = html(&report);
+    assert!(page.contains("your own kernel: part1.task3 is not written yet"));
+    assert!(page.contains("the program pathtracer does not compile"));
+    assert!(!page.contains("Yours (star)"));
+}
+
+/// The leaks in the picture are those of the kernels themselves, not of the report.
+#[test]
+fn leaks_are_seen_where_there_are_some() {
+    let page = html(&report(rows(0.0, 0.0), None));
+    assert!(page.contains("With Möller-Trumbore f64 that is so for"));
+    assert!(page.contains("With Woop f64 there is none."));
+    assert!(page.contains("alt=\"a closed mesh, 0 leaks in magenta\""));
+}

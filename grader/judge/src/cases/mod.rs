@@ -1,0 +1,195 @@
+//! The cases: for each task, what its code is checked with.
+//!
+//! `course.toml` says which cases count and what they are worth; here is what they do. Every case is the same
+//! on every machine; those that take a seed draw fresh rays from it.
+
+mod crosses;
+mod part1_pictures;
+mod part1_task1;
+mod part1_task2;
+mod part1_task3;
+mod part1_task4;
+mod part2_meshes;
+mod part2_task1;
+mod part2_task2;
+pub(crate) mod part2_task3;
+mod part3;
+mod part4;
+mod part5;
+mod plan;
+pub mod probes;
+pub mod recorded;
+
+use crate::tally::Aspect;
+use crate::truths::Truths;
+use std::sync::Arc;
+use wire::Work;
+
+/// One case of one task.
+#[derive(Clone, Debug)]
+pub struct Spec {
+    /// Key of the task.
+    pub task: &'static str,
+    /// Name, as in `course.toml`.
+    pub name: &'static str,
+    /// What is checked, in a sentence for students, and after [`PITFALL`] what a naive formula does there: [`checked`]
+    /// is what is told to who wants no more of a hint.
+    pub about: &'static str,
+    /// What the worker does.
+    pub work: Work,
+    /// Width and height, if the answers are the pixels of a picture, row by row from the bottom left.
+    pub picture: Option<[u32; 2]>,
+    /// Whether the shapes close in on every ray, so that a miss is never right.
+    pub enclosed: bool,
+    /// The aspects that the case is about and gives its points for; empty: all that its answers show. What goes
+    /// wrong everywhere is then told where it belongs, and not in every case.
+    pub about_aspects: &'static [Aspect],
+    /// What is right, as far as somebody has asked.
+    pub(crate) truths: Arc<Truths>,
+}
+
+/// Where, in the sentence about a case, it goes on with a mistake that is made there.
+pub const PITFALL: &str = " Pitfall: ";
+
+/// What a case checks, of the sentence `about` it: no mistake is named.
+pub fn checked(about: &str) -> &str {
+    about
+        .split_once(PITFALL)
+        .map_or(about, |(checked, _)| checked)
+}
+
+/// Milliseconds after which a case has failed. Sound code needs a few.
+const LIMIT_MS: u64 = 5000;
+
+/// Milliseconds for cases that build trees over large meshes.
+const LARGE_LIMIT_MS: u64 = 120_000;
+
+impl Spec {
+    /// The case `name` of `task`; `about` is for students. Its answers are not a picture.
+    pub(crate) fn new(
+        task: &'static str,
+        name: &'static str,
+        about: &'static str,
+        work: Work,
+    ) -> Spec {
+        Spec {
+            task,
+            name,
+            about,
+            work,
+            picture: None,
+            enclosed: false,
+            about_aspects: &[],
+            truths: Arc::default(),
+        }
+    }
+
+    /// The same case, about these aspects alone.
+    pub(crate) fn only(self, about_aspects: &'static [Aspect]) -> Spec {
+        Spec {
+            about_aspects,
+            ..self
+        }
+    }
+
+    /// Whether this is the case `name` of `task`.
+    pub fn is(&self, task: &str, name: &str) -> bool {
+        self.task == task && self.name == name
+    }
+
+    /// Whether rays go through all stages that hit something, not only through the task's own.
+    pub fn needs_neighbours(&self) -> bool {
+        matches!(self.work, Work::SceneHits { .. } | Work::Timing(_))
+    }
+
+    /// The case as the worker is given it.
+    pub fn case(&self) -> wire::Case {
+        let limit_ms = match self.work {
+            Work::Timing(_) => LARGE_LIMIT_MS,
+            _ => LIMIT_MS,
+        };
+        wire::Case {
+            task: self.task.into(),
+            name: self.name.into(),
+            limit_ms,
+            work: self.work.clone(),
+        }
+    }
+}
+
+/// All cases of all tasks.
+pub fn all(seed: u64) -> Vec<Spec> {
+    [
+        part1_task1::cases(seed),
+        part1_task2::cases(seed),
+        part1_task3::cases(seed),
+        part1_task4::cases(seed),
+        part2_task1::cases(),
+        part2_task2::cases(seed),
+        part2_task3::cases(),
+        part2_meshes::cases(),
+        part3::cases(seed),
+        part4::cases(seed),
+        part5::cases(seed),
+    ]
+    .concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_seed_changes_the_fresh_cases_of_part_1_alone() {
+        // As text, in which NaN equals itself.
+        let text = |spec: &Spec| format!("{:?}", spec.work);
+        let (all_0, again, all_1) = (all(0), all(0), all(1));
+        for ((a, b), other) in all_0.iter().zip(&again).zip(&all_1) {
+            let name = format!("{} {}", a.task, a.name);
+            assert!(text(a) == text(b), "{name}");
+            if a.task.starts_with("part1") {
+                assert_eq!(
+                    text(a) != text(other),
+                    a.name.starts_with("fresh"),
+                    "{name}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn pictures_have_an_answer_for_each_pixel() {
+        for spec in all(0) {
+            let Some([w, h]) = spec.picture else { continue };
+            let answers = match &spec.work {
+                Work::Pixels(work) => work.pixels.len(),
+                Work::CameraRays { cameras, sensor } => cameras.len() * sensor.len(),
+                Work::BruteForce { rays, .. } | Work::SceneHits { rays, .. } => rays.len(),
+                Work::Boxes { probes, .. } => probes.len(),
+                _ => 0,
+            };
+            assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
+        }
+    }
+
+    #[test]
+    fn what_is_checked_names_no_mistake() {
+        for spec in all(0) {
+            let told = checked(spec.about);
+            let name = format!("{} {}: {told}", spec.task, spec.name);
+            assert!(told.len() > 10, "{name}");
+            for word in ["itfall", "whoever", "instead", "epsilon"] {
+                assert!(!told.contains(word), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_unique_in_a_task() {
+        let mut names: Vec<_> = all(0).iter().map(|spec| (spec.task, spec.name)).collect();
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}

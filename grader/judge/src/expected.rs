@@ -1,0 +1,103 @@
+//! What is known to be right, in the form in which answers are judged.
+
+use kit::{Vec2, Vec3};
+use oracle::Real;
+
+/// What a ray and what it is traced through have to do with each other: the answers that score.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expected {
+    /// The hits that score, the likeliest first: more than one where rounding errors of sound `f64` code
+    /// decide which comes first, or where shapes touch.
+    pub hits: Vec<ExpectedHit>,
+    /// Whether a miss scores.
+    pub miss: bool,
+    /// Why the ray truly misses, as the end of the sentence "it misses: ..."; empty if it hits.
+    pub why_miss: &'static str,
+}
+
+/// The verdict on hit or miss.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decision {
+    /// Only a hit is right.
+    Hit,
+    /// Only a miss is right.
+    Miss,
+    /// Rounding errors of sound `f64` code decide: either is right.
+    Either,
+}
+
+/// A hit and how far an answer may be from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExpectedHit {
+    /// Number of the primitive.
+    pub prim: u32,
+    /// Distance along the ray, rounded to the nearest float.
+    pub t: f64,
+    /// The same with more digits than a float has.
+    pub exact_t: Real,
+    /// How far `t` may be off.
+    pub t_bound: f64,
+    /// Hit point.
+    pub p: Vec3,
+    /// How far each coordinate of the hit point may be off, in world units.
+    pub p_bound: f64,
+    /// The surface that the point must lie on, and how far from it it may lie, if that is asked.
+    pub surface: Option<(Surface, f64)>,
+    /// Barycentric weights of `p1` and `p2`, and how far they may be off; for triangles.
+    pub uv: Option<(Vec2, f64)>,
+    /// Unit shading normal; `None` where any unit vector is right (the vertex normals cancel).
+    pub n: Option<Vec3>,
+    /// How far a component of the shading normal may be off.
+    pub n_bound: f64,
+    /// Unit geometric normal; `None` where any unit vector is right (a sphere without size).
+    pub ng: Option<Vec3>,
+    /// How far a component of the geometric normal may be off.
+    pub ng_bound: f64,
+}
+
+/// A surface that a point can be on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surface {
+    /// The plane through a point with a unit normal.
+    Plane(Vec3, Vec3),
+    /// The sphere around a centre with a radius.
+    Sphere(Vec3, f64),
+}
+
+impl Expected {
+    /// Whether hit, miss or both are right.
+    pub fn decision(&self) -> Decision {
+        match (self.hits.is_empty(), self.miss) {
+            (true, _) => Decision::Miss,
+            (false, true) => Decision::Either,
+            (false, false) => Decision::Hit,
+        }
+    }
+
+    /// The hit to hold an answer with `prim` and `t` against: of the same primitive if there is one, then the
+    /// one whose `t` is closest in terms of its bound.
+    pub fn closest_to(&self, prim: u32, t: f64) -> Option<&ExpectedHit> {
+        let off = |hit: &ExpectedHit| {
+            let off = (t - hit.t).abs() / hit.t_bound;
+            (
+                hit.prim != prim,
+                if off.is_nan() { f64::INFINITY } else { off },
+            )
+        };
+        let key = |a: &ExpectedHit, b: &ExpectedHit| {
+            let ((a_other, a_off), (b_other, b_off)) = (off(a), off(b));
+            a_other.cmp(&b_other).then(a_off.total_cmp(&b_off))
+        };
+        self.hits.iter().min_by(|a, b| key(a, b))
+    }
+}
+
+impl Surface {
+    /// How far `p` is from the surface.
+    pub fn distance(&self, p: Vec3) -> f64 {
+        match *self {
+            Surface::Plane(q, n) => (p - q).dot(n).abs(),
+            Surface::Sphere(center, radius) => ((p - center).length() - radius).abs(),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! What is right about each call of a case. The exact oracle takes its time, and many versions of the code are judged
+//! by the same: so it is asked once, by whoever comes first.
+
+use super::expected::Expected;
+use super::scene;
+use crate::Tier;
+use crate::cases::Spec;
+use crate::{convert, truth};
+use kit::{Sphere, Triangle, scene::Primitive};
+use oracle::closest::Closest;
+use std::sync::OnceLock;
+use wire::Work;
+use wire::work::{Ray, SceneSource};
+
+/// What the oracle has said about a case.
+#[derive(Debug, Default)]
+pub(crate) struct Truths {
+    scene: OnceLock<Vec<Closest>>,
+    core: OnceLock<Vec<Expected>>,
+    robust: OnceLock<Vec<Expected>>,
+}
+
+impl Truths {
+    /// What each ray truly hits in a whole scene.
+    pub(super) fn of_scene(&self, source: &SceneSource, rays: &[Ray]) -> &[Closest] {
+        self.scene.get_or_init(|| scene::truths(source, rays))
+    }
+
+    /// What scores on each probe or ray of `spec`, whose truths these are; nothing if it has no single shapes and no list
+    /// of shapes.
+    pub(super) fn of_shapes(&self, spec: &Spec, tier: Tier) -> &[Expected] {
+        let known = match tier {
+            Tier::Core => &self.core,
+            Tier::Robust => &self.robust,
+        };
+        known.get_or_init(|| expected(spec, tier))
+    }
+}
+
+/// What scores on each probe or ray of a case about single shapes or a list of them.
+pub fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
+    match &spec.work {
+        Work::Triangles { triangles, probes } => {
+            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
+            let of = probes.iter().map(|probe| {
+                let triangle = &triangles[probe.shape as usize];
+                truth::triangle(tier, probe.shape, triangle, &convert::ray(&probe.ray))
+            });
+            of.collect()
+        }
+        Work::Spheres { spheres, probes } => {
+            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
+            let of = probes.iter().map(|probe| {
+                let sphere = &spheres[probe.shape as usize];
+                truth::sphere(tier, probe.shape, sphere, &convert::ray(&probe.ray))
+            });
+            of.collect()
+        }
+        Work::BruteForce {
+            triangles,
+            spheres,
+            rays,
+        } => {
+            let scene = convert::scene(triangles, spheres);
+            let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+            let of = rays
+                .iter()
+                .map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), spec.enclosed));
+            of.collect()
+        }
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,58 @@
+//! How fast the oracle decides ordinary rays, by shape and by how many of them hit.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use kit::{Aabb, PixelSampler, Ray, Sphere, Triangle, Vec3};
+use oracle::{bbox, sphere, triangle};
+
+/// Rays a batch.
+const COUNT: u32 = 1000;
+
+/// How far rays are aimed beside the middle of the shape, in edges of the cube that all is in.
+const AIMS: [(&str, f64); 3] = [("at", 0.0), ("near", 0.5), ("around", 2.0)];
+
+/// A place in the unit cube.
+fn place(sampler: &mut PixelSampler) -> Vec3 {
+    let (a, b) = (sampler.get_sample(), sampler.get_sample());
+    Vec3::new(a.x, a.y, b.x)
+}
+
+fn pairs<S>(shape: impl Fn([Vec3; 3]) -> S, aim: f64) -> Vec<(S, Ray)> {
+    let pair = |i| {
+        let mut sampler = PixelSampler::new(i, 0, 0);
+        let [a, b, c, o] = [0; 4].map(|_| place(&mut sampler));
+        let at = (a + b + c) / 3.0 + aim * (place(&mut sampler) - 0.5);
+        (shape([a, b, c]), Ray::new(o, at - o))
+    };
+    (0..COUNT).map(pair).collect()
+}
+
+fn decide<S, V>(c: &mut Criterion, name: &str, shape: fn([Vec3; 3]) -> S, by: fn(&S, &Ray) -> V) {
+    let mut group = c.benchmark_group(format!("oracle/{name}"));
+    group.throughput(Throughput::Elements(u64::from(COUNT)));
+    for (aimed, aim) in AIMS {
+        let pairs = pairs(shape, aim);
+        group.bench_function(aimed, |b| {
+            b.iter(|| {
+                for (shape, ray) in &pairs {
+                    black_box(by(shape, ray));
+                }
+            });
+        });
+    }
+    group.finish();
+}
+
+fn oracle(c: &mut Criterion) {
+    decide(c, "triangle", |[a, b, c]| Triangle::flat(a, b, c), triangle);
+    let ball = |[a, b, c]: [Vec3; 3]| Sphere {
+        center: (a + b + c) / 3.0,
+        radius: 0.2,
+    };
+    decide(c, "sphere", ball, sphere);
+    decide(c, "box", |[a, b, _]| Aabb::of([a, b]), bbox);
+}
+
+criterion_group!(benches, oracle);
+criterion_main!(benches);

@@ -1,0 +1,261 @@
+//! No false alarm: code that is right as far as `f64` goes is never accused, least of all on rays
+//! aimed where it rounds to the wrong side; and few rays are let off.
+
+use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
+use oracle::{Kernel, bbox, sphere, triangle};
+
+use crate::kernels::{
+    ROBUST_BOXES, ROBUST_SPHERES, ROBUST_TRIANGLES, TEXTBOOK_BOXES, TEXTBOOK_SPHERES,
+    TEXTBOOK_TRIANGLES,
+};
+use crate::rays::{self, Family, Random};
+
+/// From 1 down to a hundredth of an ulp.
+fn tiny(r: &mut Random) -> f64 {
+    kit::math::pow(10.0, -18.0 * r.unit())
+}
+
+/// Mostly 1, sometimes anything.
+fn scale(r: &mut Random) -> f64 {
+    match r.below(8) {
+        0 => kit::math::pow(10.0, 30.0 * r.signed()),
+        1 => kit::math::pow(10.0, 300.0 * r.signed()),
+        _ => 1.0,
+    }
+}
+
+/// A ray aimed close to an edge of a triangle of any shape, scale and place.
+fn at_edge(r: &mut Random) -> (Triangle, Ray) {
+    let scale = scale(r);
+    let offset = if r.below(4) == 0 {
+        1e3 / tiny(r).max(1e-3)
+    } else {
+        0.0
+    } * r.place();
+    let (p0, p1) = (r.place(), r.place());
+    let p2 = match r.below(3) {
+        0 => p0 + r.unit() * (p1 - p0) + tiny(r).max(1e-10) * r.place(),
+        _ => r.place(),
+    };
+    let distance = 1.0 / tiny(r).max(1e-4);
+    let o = p0 + distance * r.place();
+    let along = r.unit();
+    let target = match r.below(8) {
+        0 => p0,
+        1 => p1,
+        2 => p2,
+        3 => p0 + along * (p1 - p0) + tiny(r) * r.place(),
+        4 => p1 + along * (p2 - p1) + tiny(r) * r.place(),
+        5 => p2 + along * (p0 - p2),
+        _ => p0 + along * (p1 - p0),
+    };
+    let [p0, p1, p2, o, target] = [p0, p1, p2, o, target].map(|p| scale * (p + offset));
+    let mut ray = Ray::new(o, target - o);
+    if r.below(3) == 0 {
+        ray.d *= kit::math::pow(10.0, 8.0 * r.signed());
+    }
+    if r.below(8) == 0 {
+        // A grazing ray.
+        let n = (p1 - p0).cross(p2 - p0).normalize_or_zero();
+        ray.d -= (1.0 - tiny(r)) * ray.d.dot(n) * n;
+    }
+    if r.below(8) == 0
+        && let Some(at) = triangle(&Triangle::flat(p0, p1, p2), &ray).crossing
+    {
+        ray.max_t = at.t.to_f64();
+    }
+    (Triangle::flat(p0, p1, p2), ray)
+}
+
+#[test]
+fn no_correct_triangle_test_is_accused() {
+    try_triangles(10, 50_000);
+}
+
+fn try_triangles(seed: u64, count: u64) {
+    let mut r = Random::new(seed);
+    let mut let_off = 0;
+    for _ in 0..count {
+        let (tri, ray) = match r.below(4) {
+            0 => {
+                let family = rays::family(r.bits(), 64);
+                rays::triangle(&mut r, family)
+            }
+            _ => at_edge(&mut r),
+        };
+        let verdict = triangle(&tri, &ray);
+        let_off += u32::from(verdict.undecidable(Kernel::Robust));
+        let groups = [
+            (Kernel::Textbook, &TEXTBOOK_TRIANGLES[..]),
+            (Kernel::Textbook, &ROBUST_TRIANGLES[..]),
+            (Kernel::Robust, &ROBUST_TRIANGLES[..]),
+        ];
+        for (kernel, kernels) in groups {
+            for (name, test) in kernels {
+                let answer = test(&tri, &ray);
+                let judgement = verdict.judge(kernel, answer);
+                assert!(
+                    judgement.scores(),
+                    "{name} is accused: {judgement:?} for {answer:?}, {verdict:?}\n{tri:?}\n{ray:?}"
+                );
+            }
+        }
+    }
+    println!("{let_off} of {count} rays aimed at edges are undecidable for a robust kernel");
+}
+
+/// A ray aimed close to the rim of a sphere of any scale and place.
+fn at_rim(r: &mut Random) -> (Sphere, Ray) {
+    let scale = scale(r);
+    let offset = if r.below(4) == 0 { 1e6 } else { 0.0 } * r.place();
+    let radius = 1.0;
+    let distance = 1.0 / tiny(r).max(1e-7);
+    let o = match r.below(4) {
+        // Inside, on the surface, or just off it.
+        0 => (1.0 + tiny(r) * r.signed()) * r.place().normalize_or_zero(),
+        _ => distance * r.place(),
+    };
+    let across = o.cross(r.place()).normalize_or_zero();
+    let target = match r.below(3) {
+        0 => r.place(),
+        _ => (1.0 + tiny(r) * r.signed()) * across,
+    };
+    let [o, target, center] = [o, target, Vec3::ZERO].map(|p| scale * (p + offset));
+    let s = Sphere {
+        center,
+        radius: scale * radius,
+    };
+    let mut ray = Ray::new(o, target - o);
+    if r.below(3) == 0 {
+        ray.d *= kit::math::pow(10.0, 8.0 * r.signed());
+    }
+    if r.below(8) == 0
+        && let Some(roots) = sphere(&s, &ray).roots
+    {
+        let end = roots[r.below(2) as usize].to_f64();
+        if r.below(2) == 0 {
+            ray.max_t = end;
+        } else {
+            ray.min_t = end;
+        }
+    }
+    (s, ray)
+}
+
+#[test]
+fn no_correct_sphere_test_is_accused() {
+    try_spheres(11, 50_000);
+}
+
+fn try_spheres(seed: u64, count: u64) {
+    let mut r = Random::new(seed);
+    for _ in 0..count {
+        let (s, ray) = match r.below(4) {
+            0 => {
+                let family = rays::family(r.bits(), 64);
+                rays::sphere(&mut r, family)
+            }
+            _ => at_rim(&mut r),
+        };
+        let verdict = sphere(&s, &ray);
+        let groups = [
+            (Kernel::Textbook, &TEXTBOOK_SPHERES[..]),
+            (Kernel::Textbook, &ROBUST_SPHERES[..]),
+            (Kernel::Robust, &ROBUST_SPHERES[..]),
+        ];
+        for (kernel, kernels) in groups {
+            for (name, test) in kernels {
+                let answer = test(&s, &ray);
+                let judgement = verdict.judge(kernel, answer);
+                assert!(
+                    judgement.scores(),
+                    "{name} is accused: {judgement:?} for {answer:?}, {verdict:?}\n{s:?}\n{ray:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A ray aimed close to a corner, an edge or a face of a box.
+fn at_corner(r: &mut Random) -> (Aabb, Ray) {
+    let (b, mut ray) = rays::bounds(r, Family::Ordinary);
+    let corner = Vec3::from_array([0, 1, 2].map(|i| match r.below(4) {
+        0 => 0.5 * b.min[i] + 0.5 * b.max[i],
+        1 => b.max[i],
+        _ => b.min[i],
+    }));
+    ray.d = corner + tiny(r) * r.place() - ray.o;
+    match r.below(4) {
+        0 => ray.o[r.below(3) as usize] = b.min.x,
+        1 => ray.d[r.below(3) as usize] = 0.0,
+        2 => (ray.o.y, ray.d.y) = (b.max.y, -0.0),
+        _ => {}
+    }
+    (b, ray)
+}
+
+#[test]
+fn no_correct_box_test_is_accused() {
+    try_boxes(12, 50_000);
+}
+
+fn try_boxes(seed: u64, count: u64) {
+    let mut r = Random::new(seed);
+    for _ in 0..count {
+        let (b, ray) = match r.below(4) {
+            0 => {
+                let family = rays::family(r.bits(), 64);
+                rays::bounds(&mut r, family)
+            }
+            _ => at_corner(&mut r),
+        };
+        let verdict = bbox(&b, &ray);
+        let groups = [
+            (Kernel::Textbook, &TEXTBOOK_BOXES[..]),
+            (Kernel::Textbook, &ROBUST_BOXES[..]),
+            (Kernel::Robust, &ROBUST_BOXES[..]),
+        ];
+        for (kernel, kernels) in groups {
+            for (name, test) in kernels {
+                let answer = test(&b, &ray);
+                let judgement = verdict.judge(kernel, answer);
+                assert!(
+                    judgement.scores(),
+                    "{name} is accused: {judgement:?} for {answer:?}, {verdict:?}\n{b:?}\n{ray:?}"
+                );
+            }
+        }
+    }
+}
+
+/// The bound of what is undecidable is small: on ordinary rays it lets nobody off.
+#[test]
+fn fewer_than_one_ordinary_ray_in_a_million_is_undecidable() {
+    let mut r = Random::new(13);
+    let mut let_off = 0;
+    for _ in 0..1_000_000 {
+        let [p0, p1, p2, o] = [0; 4].map(|_| r.place());
+        let inside = p0 + r.unit() * (p1 - p0) + r.unit() * (p2 - p0);
+        let ray = Ray::new(o, inside - o);
+        let verdict = triangle(&Triangle::flat(p0, p1, p2), &ray);
+        let_off += u32::from(verdict.undecidable(Kernel::Textbook));
+        let s = Sphere {
+            center: p0,
+            radius: r.unit(),
+        };
+        let verdict = sphere(&s, &ray);
+        let_off += u32::from(verdict.undecidable(Kernel::Textbook));
+        let verdict = bbox(&Aabb::of([p0, p1]), &ray);
+        let_off += u32::from(verdict.undecidable(Kernel::Textbook));
+    }
+    assert_eq!(let_off, 0);
+}
+
+/// `cargo test -p grader --release --test oracle -- --ignored ten_million`, some minutes.
+#[test]
+#[ignore = "some minutes; run it when a bound changes"]
+fn no_correct_test_is_accused_on_ten_million_rays() {
+    try_triangles(20, 10_000_000);
+    try_spheres(21, 10_000_000);
+    try_boxes(22, 10_000_000);
+}

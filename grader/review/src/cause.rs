@@ -1,0 +1,112 @@
+//! Why a pixel differs.
+
+use image::Rgb;
+use judge::snapshot::Line;
+use serde::Serialize;
+
+/// What is different about a call's answer, the first that applies. "False" is against the golden: the exact oracle
+/// says apart from it whose fault it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Cause {
+    /// Nothing.
+    Same,
+    /// A hit where the golden misses.
+    FalseHit,
+    /// A miss where the golden hits.
+    FalseMiss,
+    /// A hit of another primitive.
+    Primitive,
+    /// The same primitive at another `t`; of a box, another interval.
+    T,
+    /// The same hit with another normal.
+    Normal,
+    /// Another figure: a direction, a radiance.
+    Value,
+}
+
+impl Cause {
+    /// All that make a difference, in the order of the legend.
+    pub const DIFFERENCES: [Cause; 6] = [
+        Cause::FalseHit,
+        Cause::FalseMiss,
+        Cause::Primitive,
+        Cause::T,
+        Cause::Normal,
+        Cause::Value,
+    ];
+
+    /// Why `actual` differs from `golden`, line against line and colour against colour.
+    pub fn of(golden: &Line, actual: &Line, same_colour: bool) -> Cause {
+        let differs = |name: &str| golden.get(name) != actual.get(name);
+        match (golden.is_miss(), actual.is_miss()) {
+            (true, false) => Cause::FalseHit,
+            (false, true) => Cause::FalseMiss,
+            _ if differs("prim") => Cause::Primitive,
+            _ if differs("t") || differs("inside") => Cause::T,
+            _ if golden == actual && same_colour => Cause::Same,
+            _ if actual.get("prim").is_some() && (differs("n") || !same_colour) => Cause::Normal,
+            _ => Cause::Value,
+        }
+    }
+
+    /// For people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Cause::Same => "the same",
+            Cause::FalseHit => "false hit",
+            Cause::FalseMiss => "false miss",
+            Cause::Primitive => "wrong primitive",
+            Cause::T => "t",
+            Cause::Normal => "normal",
+            Cause::Value => "another value",
+        }
+    }
+
+    /// Its colour in the picture of differences: those that Okabe and Ito chose to be told apart by everybody
+    /// ("Color Universal Design", 2008).
+    pub fn colour(self) -> Rgb<u8> {
+        Rgb(match self {
+            Cause::Same => [128, 128, 128],
+            Cause::FalseHit => [213, 94, 0],
+            Cause::FalseMiss => [86, 180, 233],
+            Cause::Primitive => [0, 158, 115],
+            Cause::T => [240, 228, 66],
+            Cause::Normal => [204, 121, 167],
+            Cause::Value => [230, 159, 0],
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use judge::snapshot::parse;
+
+    fn cause(golden: &str, actual: &str, same_colour: bool) -> Cause {
+        let line = |text: &str| parse(&format!("0: -> {text}\n")).unwrap().lines[0].clone();
+        Cause::of(&line(golden), &line(actual), same_colour)
+    }
+
+    #[test]
+    fn the_first_difference_that_applies_is_the_cause() {
+        let hit = "t=1 prim=2";
+        assert_eq!(cause(hit, hit, true), Cause::Same);
+        assert_eq!(cause("miss", hit, false), Cause::FalseHit);
+        assert_eq!(cause(hit, "miss", false), Cause::FalseMiss);
+        assert_eq!(cause(hit, "t=1.5 prim=3", false), Cause::Primitive);
+        assert_eq!(cause(hit, "t=1.0000000000000002 prim=2", true), Cause::T);
+        assert_eq!(cause(hit, hit, false), Cause::Normal);
+        let full = "t=1 prim=2 n=(0,0,1) p=(0,0,0)";
+        assert_eq!(
+            cause(full, "t=1 prim=2 n=(0,1,0) p=(0,0,0)", true),
+            Cause::Normal
+        );
+        assert_eq!(
+            cause(full, "t=1 prim=2 n=(0,0,1) p=(0,0,1)", true),
+            Cause::Value
+        );
+        assert_eq!(cause("inside=[0,1]", "inside=[0,2]", true), Cause::T);
+        assert_eq!(cause("d=(0,0,1)", "d=(0,1,0)", false), Cause::Value);
+    }
+}

@@ -1,0 +1,63 @@
+//! `grader bless`: takes what the reference answers now as golden.
+
+use clap::Args;
+use grader::cli::Verdict;
+use grader::course::Course;
+use grader::error::GraderError;
+use grader::workspace::Workspace;
+use review::bless;
+use std::io::{IsTerminal, Write};
+use std::path::Path;
+
+/// What to bless.
+#[derive(Args)]
+pub(crate) struct Bless {
+    /// Whose goldens: `all`, a part such as `part1`, or a task such as `part1.task3`.
+    #[arg(default_value = "all")]
+    what: String,
+    /// Write without asking.
+    #[arg(long)]
+    yes: bool,
+}
+
+impl Bless {
+    pub(crate) fn run(&self) -> Result<Verdict, GraderError> {
+        let workspace = Workspace::above(Path::new("."))?;
+        Course::read(&workspace)?.select(&self.what)?;
+        let proposed = bless::propose(&workspace, &self.what)?;
+        if proposed.is_empty() {
+            println!("The goldens are what the reference answers: nothing changes.");
+            return Ok(Verdict::Full);
+        }
+        for change in &proposed {
+            let golden = change
+                .golden
+                .strip_prefix(workspace.root())
+                .unwrap_or(&change.golden);
+            println!("{}: {}", golden.display(), change.meaning);
+        }
+        if self.yes || agreed(proposed.len())? {
+            bless::accept(&workspace, &proposed)?;
+            println!("{} goldens written.", proposed.len());
+            return Ok(Verdict::Full);
+        }
+        bless::reject(&proposed)?;
+        println!("Nothing written.");
+        Ok(Verdict::Short)
+    }
+}
+
+/// Asks on the terminal; without one nobody can agree.
+fn agreed(goldens: usize) -> Result<bool, GraderError> {
+    if !std::io::stdin().is_terminal() {
+        println!("Say `--yes` to write them without being asked.");
+        return Ok(false);
+    }
+    print!("Write these {goldens} goldens? [y/N] ");
+    let mut answer = String::new();
+    let asked = std::io::stdout()
+        .flush()
+        .and_then(|()| std::io::stdin().read_line(&mut answer));
+    asked.map_err(|e| GraderError::new(format!("cannot ask: {e}")))?;
+    Ok(answer.trim().eq_ignore_ascii_case("y"))
+}

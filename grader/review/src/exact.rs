@@ -1,0 +1,78 @@
+//! What the exact oracle says of single rays, as records to hold beside a golden's and an answer's.
+
+use judge::Tier;
+use judge::cases::Spec;
+use judge::expected::{Expected, ExpectedHit};
+use judge::scene;
+use judge::snapshot::{Fields, record};
+use judge::{convert, truth};
+use kit::{Primitive, Scene};
+use rayon::prelude::*;
+use wire::Work;
+use wire::answer::Hit;
+use wire::work::Ray;
+
+/// The hit that is right for each of `calls`, without fields where a miss is; `None` for work that is not about
+/// closest hits.
+pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
+    match &spec.work {
+        Work::BruteForce {
+            triangles,
+            spheres,
+            rays,
+        } => {
+            let scene = convert::scene(triangles, spheres);
+            Some(of_scene(spec, &scene, rays, calls))
+        }
+        Work::SceneHits {
+            scene,
+            rays,
+            any_hit: false,
+            ..
+        } => Some(of_scene(spec, &scene::load(scene), rays, calls)),
+        _ => None,
+    }
+}
+
+fn of_scene(spec: &Spec, scene: &Scene, rays: &[Ray], calls: &[u32]) -> Vec<Fields> {
+    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+    let first_of =
+        |ray: &Ray| truth::first_of(Tier::Robust, &shapes, &convert::ray(ray), spec.enclosed);
+    let calls = calls.par_iter();
+    calls
+        .map(|&call| fields(&first_of(&rays[call as usize])))
+        .collect()
+}
+
+fn fields(expected: &Expected) -> Fields {
+    let Some(ExpectedHit {
+        prim,
+        t,
+        p,
+        uv,
+        n,
+        ng,
+        ..
+    }) = expected.hits.first()
+    else {
+        return Fields::new();
+    };
+    let hit = Hit {
+        t: *t,
+        p: (*p).into(),
+        n: n.unwrap_or_default().into(),
+        ng: ng.unwrap_or_default().into(),
+        uv: uv.map(|(uv, _)| uv.into()).unwrap_or_default(),
+        prim: *prim,
+    };
+    // What is not decided is not shown: a normal that may be any, weights of a sphere.
+    let is_decided = |name: &str| match name {
+        "n" => n.is_some(),
+        "ng" => ng.is_some(),
+        "uv" => uv.is_some(),
+        _ => true,
+    };
+    let mut fields = record(&hit);
+    fields.retain(|(name, _)| is_decided(name));
+    fields
+}

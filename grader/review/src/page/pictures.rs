@@ -1,0 +1,104 @@
+//! The pictures of the page, and what its script knows of them.
+
+use super::rows::rows;
+use super::words;
+use crate::case::Case;
+use crate::cause::Cause;
+use crate::picture::{Picture, Pixels};
+use grader::error::GraderError;
+use image::RgbImage;
+use pages::html::{base64, escape, json_in_script, png_address};
+use serde_json::json;
+use std::fmt::Write;
+
+/// A case with its picture.
+pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderError> {
+    let id = escape(&case.path());
+    let mut text = format!(
+        "<article class=\"case picture\" id=\"{id}\">\n<h3>{id}</h3>\n{}",
+        words::of_case(case)
+    );
+    let image = |who: &str, picture: &RgbImage| -> Result<String, GraderError> {
+        Ok(format!(
+            "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
+            png_address(picture)?
+        ))
+    };
+    let (w, h) = picture.actual.dimensions();
+    let overlay = format!(
+        "<svg viewBox=\"0 0 {w} {h}\" preserveAspectRatio=\"none\" aria-hidden=\"true\"></svg>"
+    );
+    let screen = "<div class=\"screen\" tabindex=\"0\" role=\"application\" aria-label=\"picture: arrow keys choose a pixel\">";
+    let _ = write!(
+        text,
+        "<div class=\"panels\">\n<figure>{screen}{}{}<span class=\"seam\"></span>{overlay}</div>\n\
+         <label class=\"slider\">golden <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"how much of the golden picture is shown\"> actual</label></figure>\n",
+        image("golden", &picture.golden)?,
+        image("actual", &picture.actual)?,
+    );
+    match &picture.pixels {
+        None => text.push_str("<p class=\"bad\">The two differ in size: nothing can be said pixel by pixel.</p>\n</div>\n"),
+        Some(pixels) => {
+            let _ = write!(
+                text,
+                "<figure>{screen}{}{overlay}</div>\n{}</figure>\n\
+                 <div class=\"inspector\" aria-live=\"polite\"><p class=\"note\">Click a pixel, or go to a picture by Tab and use the arrow keys: \
+                 its ray, both records, the boxes that were asked for.</p></div>\n</div>\n\
+                 <script type=\"application/json\">{}</script>\n",
+                image("difference", &pixels.difference)?,
+                legend(pixels),
+                json_in_script(&data(case, picture, pixels).to_string()),
+            );
+        }
+    }
+    if !case.rows.is_empty() {
+        let _ = write!(
+            text,
+            "<details><summary>The calls that differ</summary>\n{}</details>\n",
+            rows(case)
+        );
+    }
+    text.push_str("</article>\n");
+    Ok(text)
+}
+
+fn legend(pixels: &Pixels) -> String {
+    let counts = pixels.counts();
+    if counts.is_empty() {
+        return "<figcaption>Difference: none.</figcaption>".into();
+    }
+    let mut text = String::from(
+        "<figcaption>Difference, by what is different first. A button goes to the next such pixel.</figcaption>\n<ul class=\"legend\">",
+    );
+    for (cause, count) in counts {
+        let [r, g, b] = cause.colour().0;
+        let _ = write!(
+            text,
+            "<li><button type=\"button\" data-cause=\"{}\"><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}: {count}</button></li>",
+            cause as u8,
+            escape(cause.label())
+        );
+    }
+    text + "</ul>"
+}
+
+/// What the script knows of a picture.
+fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
+    let (width, height) = picture.actual.dimensions();
+    let causes: Vec<u8> = pixels.causes.iter().map(|cause| *cause as u8).collect();
+    let mut labels = vec![Cause::Same.label()];
+    labels.extend(Cause::DIFFERENCES.map(Cause::label));
+    let exact = pixels.exact.as_ref();
+    json!({
+        "width": width,
+        "height": height,
+        "labels": labels,
+        "causes": base64(&causes),
+        "question": pixels.question,
+        "golden": pixels.golden,
+        "actual": pixels.actual,
+        "exact": exact.map(|exact| json!({ "calls": exact.calls, "records": exact.records })),
+        "wrong": case.wrong,
+        "boxes": pixels.boxes,
+    })
+}

@@ -1,0 +1,64 @@
+//! What is said of cases, in words.
+
+use crate::case::{Case, State};
+use pages::html::escape;
+use std::fmt::Write;
+
+/// The cases in a state.
+pub(super) fn count(cases: &[&Case], is: impl Fn(&State) -> bool) -> usize {
+    cases.iter().filter(|case| is(&case.state)).count()
+}
+
+pub(super) fn differs(state: &State) -> bool {
+    matches!(state, State::Differs { .. })
+}
+
+pub(super) fn is_refuted(state: &State) -> bool {
+    matches!(state, State::Differs { wrong, .. } if !wrong.is_empty())
+}
+
+pub(super) fn is_silent(state: &State) -> bool {
+    matches!(state, State::Silent(_))
+}
+
+/// What is to be said of a case under its name.
+pub(super) fn of_case(case: &Case) -> String {
+    let mut text = format!("<p class=\"about\">{}</p>\n", escape(case.about));
+    match &case.state {
+        State::Same => text.push_str("<p class=\"good\">Nothing changed.</p>\n"),
+        State::Silent(why) => {
+            let _ = writeln!(text, "<p class=\"bad\">No answer: {}.</p>", escape(why));
+        }
+        State::Differs { wrong, .. } => {
+            let _ = writeln!(text, "<p><strong>{}</strong></p>", escape(&meaning(case)));
+            if wrong.is_empty() {
+                text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
+            }
+            for wrong in wrong {
+                let _ = writeln!(text, "<p class=\"bad\">Refuted: {}</p>", escape(wrong));
+            }
+        }
+    }
+    text
+}
+
+/// A change as `grader bless` says it.
+pub(super) fn meaning(case: &Case) -> String {
+    let State::Differs {
+        changes, pixels, ..
+    } = &case.state
+    else {
+        return String::new();
+    };
+    let mut said = Vec::new();
+    if !changes.is_empty() {
+        said.push(changes.to_string());
+    }
+    if let Some(picture) = &case.picture {
+        said.push(format!(
+            "{pixels} of {} pixels",
+            picture.actual.pixels().len()
+        ));
+    }
+    said.join("; ")
+}

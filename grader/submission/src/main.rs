@@ -1,0 +1,151 @@
+//! `grader part2 --submission DIR` and `grader part2 --class DIR --out DIR`: grades what was handed in.
+
+use clap::Parser;
+use grader::cli::grade::GradeArguments;
+use grader::cli::{self, Format, Verdict};
+use grader::course::Course;
+use grader::error::GraderError;
+use grader::report;
+use grader::report::table::{self, Hint};
+use grader::workspace::Workspace;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use submission::job::Job;
+use submission::{Judgement, class, read};
+
+/// Grades what was handed in, in a clean copy of the course.
+#[derive(Parser)]
+#[command(name = "grader", version, after_help = cli::EXIT_CODES)]
+struct Cli {
+    #[command(flatten)]
+    grade: GradeArguments,
+    /// Grade the stages in DIR, each among the reference's other stages.
+    #[arg(long, value_name = "DIR", conflicts_with = "class")]
+    submission: Option<PathBuf>,
+    /// Grade every folder in DIR as a submission.
+    #[arg(long, value_name = "DIR", requires = "out")]
+    class: Option<PathBuf>,
+    /// Also grade all of a submission's stages linked together.
+    #[arg(long)]
+    together: bool,
+    /// Where a class's reports and summary.csv go.
+    #[arg(long, value_name = "DIR", requires = "class")]
+    out: Option<PathBuf>,
+}
+
+/// Of many ignored files this many are named.
+const IGNORED_NAMED: usize = 20;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    cli::end(|| cli.run())
+}
+
+impl Cli {
+    fn run(&self) -> Result<Verdict, GraderError> {
+        let workspace = Workspace::above(Path::new("."))?;
+        match (&self.submission, &self.class, &self.out) {
+            (Some(folder), ..) => self.grade_one(&workspace, folder),
+            (None, Some(folder), Some(out)) => self.grade_class(&workspace, folder, out),
+            _ => Err(GraderError::new(
+                "`--together` is for a submission: name it with `--submission DIR` or `--class DIR`",
+            )),
+        }
+    }
+
+    fn grade_one(&self, workspace: &Workspace, folder: &Path) -> Result<Verdict, GraderError> {
+        let request = self.grade.request()?;
+        let course = Course::read(workspace)?;
+        course.select(&request.what)?;
+        let submission = read::Submission::read(folder, &course, workspace.root())?;
+        let job = Job::open(workspace)?;
+        let judgement = Judgement::of(&submission, workspace, &job, &request, self.together)?;
+        let json = report::json(&judgement)?;
+        report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+        match self.grade.format {
+            Format::Json => println!("{json}"),
+            Format::Table => print!("{}", show(&judgement, self.grade.hint)),
+        }
+        Ok(if judgement.report.is_full() {
+            Verdict::Full
+        } else {
+            Verdict::Short
+        })
+    }
+
+    fn grade_class(
+        &self,
+        workspace: &Workspace,
+        folder: &Path,
+        out: &Path,
+    ) -> Result<Verdict, GraderError> {
+        let text = |judgement: &Judgement| show(judgement, self.grade.hint);
+        let request = self.grade.request()?;
+        let summary = class::grade(workspace, folder, out, &request, self.together, text)?;
+        println!(
+            "{} submissions graded: {}",
+            summary.graded,
+            out.join("summary.csv").display()
+        );
+        for refused in &summary.refused {
+            println!("not graded: {refused}");
+        }
+        Ok(if summary.refused.is_empty() {
+            Verdict::Full
+        } else {
+            Verdict::Short
+        })
+    }
+}
+
+/// A judgement for people.
+fn show(judgement: &Judgement, hint: Hint) -> String {
+    let mut text = String::new();
+    if !judgement.ignored.is_empty() {
+        let named = judgement.ignored.iter().take(IGNORED_NAMED);
+        let _ = writeln!(
+            text,
+            "ignored, since a submission is stages/<stage>/src/**/*.rs alone:"
+        );
+        for name in named {
+            let _ = writeln!(text, "  {name}");
+        }
+        let more = judgement.ignored.len().saturating_sub(IGNORED_NAMED);
+        if more > 0 {
+            let _ = writeln!(text, "  and {more} more");
+        }
+    }
+    for stage in &judgement.missing {
+        let _ = writeln!(text, "not handed in: stages/{stage}/src");
+    }
+    for place in &judgement.reaches_out {
+        let _ = writeln!(
+            text,
+            "reaches for something outside its own code, so look at it: {place}"
+        );
+    }
+    if !judgement.compiler.is_empty() {
+        let _ = writeln!(text, "\n{}", judgement.compiler.trim_end());
+    }
+    if !judgement.printed.is_empty() {
+        let _ = writeln!(
+            text,
+            "\nthe code printed:\n{}",
+            judgement.printed.trim_end()
+        );
+    }
+    let _ = writeln!(
+        text,
+        "\neach stage among the reference's:\n{}",
+        table::show(&judgement.report, hint)
+    );
+    if let Some(together) = &judgement.together {
+        let _ = writeln!(
+            text,
+            "all stages of the submission together:\n{}",
+            table::show(together, hint)
+        );
+    }
+    text
+}

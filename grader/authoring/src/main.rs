@@ -2,35 +2,22 @@
 
 mod cli;
 
-use clap::{Parser, Subcommand};
-use grader::cli::{EXIT_CODES, end};
+use clap::Command;
+use cli::{course, handout, mutants};
+use grader::cli::{end, sister};
 use std::process::ExitCode;
 
-/// For authors of the course.
-#[derive(Parser)]
-#[command(name = "grader", version, after_help = EXIT_CODES)]
-struct Cli {
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    /// Carves the project that a student is given.
-    Handout(cli::handout::Arguments),
-    /// Checks the course itself.
-    #[command(subcommand)]
-    Course(cli::course::Course),
-    /// Grades typical mistakes, which must lose points, and correct variants, which must not.
-    Mutants(cli::mutants::Mutants),
+fn command() -> Command {
+    sister([handout::command(), course::command(), mutants::command()])
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    end(|| match cli.command {
-        Command::Handout(handout) => handout.run(),
-        Command::Course(course) => course.run(),
-        Command::Mutants(mutants) => mutants.run(),
+    let matches = command().get_matches();
+    end(|| match matches.subcommand() {
+        Some(("handout", matches)) => handout::run(matches),
+        Some(("course", matches)) => course::run(matches),
+        Some((_, matches)) => mutants::run(matches),
+        None => unreachable!("clap asks for a command"),
     })
 }
 
@@ -55,7 +42,7 @@ mod tests {
                 "a part's number",
             ),
         ] {
-            let refused = Cli::try_parse_from(line.split(' ')).err();
+            let refused = command().try_get_matches_from(line.split(' ')).err();
             let message = refused.expect("this line is refused").to_string();
             assert!(message.contains(allowed), "`{line}`:\n{message}");
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");

@@ -8,14 +8,28 @@ use kit::{PrimId, Scene};
 use meshes::{MeshKind, cornell_with, generate};
 use oracle::closest::{Closest, ClosestJudgement, closest};
 use oracle::verdict::{Judgement, Kernel};
-use rayon::prelude::*;
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::{Ray, SceneSource};
 
 /// What each of `rays` truly hits.
 pub(super) fn truths(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
     let scene = load(source);
-    rays.par_iter().map(|ray| truth(&scene, ray)).collect()
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let share = rays.len().div_ceil(threads).max(1);
+    // Scoped threads and not rayon, which nothing else that `grader part1` compiles needs.
+    std::thread::scope(|scope| {
+        let scene = &scene;
+        let shares: Vec<_> = rays
+            .chunks(share)
+            .map(|rays| scope.spawn(|| rays.iter().map(|ray| truth(scene, ray)).collect()))
+            .collect();
+        let join = |share: std::thread::ScopedJoinHandle<Vec<Closest>>| {
+            share
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        shares.into_iter().flat_map(join).collect()
+    })
 }
 
 /// Judges closest hits, or where `any_hit` whether there is one.

@@ -1,7 +1,6 @@
 //! The report as a table, then what failed: as much of it as the hint level says.
 
 use crate::score::{CaseResult, Report, Status, TaskResult};
-use clap::ValueEnum;
 use clap::builder::styling::{AnsiColor, Style};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
@@ -13,19 +12,15 @@ use std::fmt::Write;
 use std::io::IsTerminal;
 
 /// How much the report gives away, from the least to the most.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Hint {
     /// What the cases that fail check.
-    #[value(name = "1")]
     Class,
     /// Also what is wrong about the answers, and what a naive formula does there.
-    #[value(name = "2")]
     Field,
     /// Also the worst ray, and a test to paste.
-    #[value(name = "3")]
     Ray,
     /// Also the mistake, if it is a known one.
-    #[value(name = "4")]
     Mistake,
 }
 

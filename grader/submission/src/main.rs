@@ -1,7 +1,7 @@
 //! `grader part2 --submission DIR` and `grader part2 --class DIR --out DIR`: grades what was handed in.
 
-use clap::Parser;
-use grader::cli::grade::GradeArguments;
+use clap::{ArgMatches, Command};
+use grader::cli::grade::{arguments, hint, request, submission_arguments};
 use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
@@ -14,89 +14,89 @@ use std::process::ExitCode;
 use submission::job::Job;
 use submission::{Judgement, class, read};
 
-/// Grades what was handed in, in a clean copy of the course.
-#[derive(Parser)]
-#[command(name = "grader", version, after_help = cli::EXIT_CODES)]
-struct Cli {
-    #[command(flatten)]
-    grade: GradeArguments,
-    /// Grade the stages in DIR, each among the reference's other stages.
-    #[arg(long, value_name = "DIR", conflicts_with = "class")]
-    submission: Option<PathBuf>,
-    /// Grade every folder in DIR as a submission.
-    #[arg(long, value_name = "DIR", requires = "out")]
-    class: Option<PathBuf>,
-    /// Also grade all of a submission's stages linked together.
-    #[arg(long)]
-    together: bool,
-    /// Where a class's reports and summary.csv go.
-    #[arg(long, value_name = "DIR", requires = "class")]
-    out: Option<PathBuf>,
+fn main() -> ExitCode {
+    let command = arguments(Command::new("grader"))
+        .args(submission_arguments())
+        .about("Grades what was handed in, in a clean copy of the course")
+        .after_help(cli::EXIT_CODES);
+    let matches = command.get_matches();
+    cli::end(|| run(&matches))
 }
 
 /// Of many ignored files this many are named.
 const IGNORED_NAMED: usize = 20;
 
-fn main() -> ExitCode {
-    let cli = Cli::parse();
-    cli::end(|| cli.run())
+fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let workspace = Workspace::above(Path::new("."))?;
+    let folder = |name| matches.get_one::<PathBuf>(name);
+    match (folder("submission"), folder("class"), folder("out")) {
+        (Some(folder), ..) => grade_one(matches, &workspace, folder),
+        (None, Some(folder), Some(out)) => grade_class(matches, &workspace, folder, out),
+        _ => Err(GraderError::new(
+            "`--together` is for a submission: name it with `--submission DIR` or `--class DIR`",
+        )),
+    }
 }
 
-impl Cli {
-    fn run(&self) -> Result<Verdict, GraderError> {
-        let workspace = Workspace::above(Path::new("."))?;
-        match (&self.submission, &self.class, &self.out) {
-            (Some(folder), ..) => self.grade_one(&workspace, folder),
-            (None, Some(folder), Some(out)) => self.grade_class(&workspace, folder, out),
-            _ => Err(GraderError::new(
-                "`--together` is for a submission: name it with `--submission DIR` or `--class DIR`",
-            )),
-        }
+fn grade_one(
+    matches: &ArgMatches,
+    workspace: &Workspace,
+    folder: &Path,
+) -> Result<Verdict, GraderError> {
+    let request = request(matches)?;
+    let course = Course::read(workspace)?;
+    course.select(&request.what)?;
+    let submission = read::Submission::read(folder, &course, workspace.root())?;
+    let job = Job::open(workspace)?;
+    let judgement = Judgement::of(
+        &submission,
+        workspace,
+        &job,
+        &request,
+        matches.get_flag("together"),
+    )?;
+    let json = report::json(&judgement)?;
+    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    match Format::of(matches) {
+        Format::Json => println!("{json}"),
+        Format::Table => print!("{}", show(&judgement, hint(matches))),
     }
+    Ok(if judgement.report.is_full() {
+        Verdict::Full
+    } else {
+        Verdict::Short
+    })
+}
 
-    fn grade_one(&self, workspace: &Workspace, folder: &Path) -> Result<Verdict, GraderError> {
-        let request = self.grade.request()?;
-        let course = Course::read(workspace)?;
-        course.select(&request.what)?;
-        let submission = read::Submission::read(folder, &course, workspace.root())?;
-        let job = Job::open(workspace)?;
-        let judgement = Judgement::of(&submission, workspace, &job, &request, self.together)?;
-        let json = report::json(&judgement)?;
-        report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
-        match self.grade.format {
-            Format::Json => println!("{json}"),
-            Format::Table => print!("{}", show(&judgement, self.grade.hint)),
-        }
-        Ok(if judgement.report.is_full() {
-            Verdict::Full
-        } else {
-            Verdict::Short
-        })
+fn grade_class(
+    matches: &ArgMatches,
+    workspace: &Workspace,
+    folder: &Path,
+    out: &Path,
+) -> Result<Verdict, GraderError> {
+    let text = |judgement: &Judgement| show(judgement, hint(matches));
+    let request = request(matches)?;
+    let summary = class::grade(
+        workspace,
+        folder,
+        out,
+        &request,
+        matches.get_flag("together"),
+        text,
+    )?;
+    println!(
+        "{} submissions graded: {}",
+        summary.graded,
+        out.join("summary.csv").display()
+    );
+    for refused in &summary.refused {
+        println!("not graded: {refused}");
     }
-
-    fn grade_class(
-        &self,
-        workspace: &Workspace,
-        folder: &Path,
-        out: &Path,
-    ) -> Result<Verdict, GraderError> {
-        let text = |judgement: &Judgement| show(judgement, self.grade.hint);
-        let request = self.grade.request()?;
-        let summary = class::grade(workspace, folder, out, &request, self.together, text)?;
-        println!(
-            "{} submissions graded: {}",
-            summary.graded,
-            out.join("summary.csv").display()
-        );
-        for refused in &summary.refused {
-            println!("not graded: {refused}");
-        }
-        Ok(if summary.refused.is_empty() {
-            Verdict::Full
-        } else {
-            Verdict::Short
-        })
-    }
+    Ok(if summary.refused.is_empty() {
+        Verdict::Full
+    } else {
+        Verdict::Short
+    })
 }
 
 /// A judgement for people.

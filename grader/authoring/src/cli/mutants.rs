@@ -3,8 +3,8 @@
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::run;
 use authoring::mutants::table::Table;
-use clap::Args;
-use grader::cli::Verdict;
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use grader::cli::{Verdict, whole_number};
 use grader::course::Course;
 use grader::diagnosis::{self, Known};
 use grader::error::GraderError;
@@ -14,66 +14,81 @@ use grader::workspace::Workspace;
 use judge::plural;
 use std::path::{Path, PathBuf};
 
-/// Which mutants to grade.
-#[derive(Args)]
-pub(crate) struct Mutants {
-    /// What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`.
-    #[arg(default_value = "all")]
-    what: String,
-    /// Grade the correct versions with this many seeds of the fresh probes, counted from 0. The stored tables are for one.
-    #[arg(long, default_value_t = 1, value_parser = seeds, allow_negative_numbers = true, conflicts_with = "bless")]
-    seeds: u64,
-    /// Instead, try the diagnosis with mistakes that it need not know: those in FOLDER/<task>.toml, written as in
-    /// `grader/mutants`. Nothing is stored.
-    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["seeds", "bless"])]
-    with: Option<PathBuf>,
-    /// Store the tables and the signatures that the diagnosis uses.
-    #[arg(long)]
-    bless: bool,
+pub(crate) fn command() -> Command {
+    Command::new("mutants")
+        .about("For instructors: grades typical mistakes, which must lose points, and correct variants, which must not")
+        .arg(
+            Arg::new("what")
+                .value_name("WHAT")
+                .default_value("all")
+                .help("What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`"),
+        )
+        .arg(
+            Arg::new("seeds")
+                .long("seeds")
+                .value_name("N")
+                .default_value("1")
+                .value_parser(|value: &str| whole_number(value, 1, u64::MAX))
+                .allow_negative_numbers(true)
+                .conflicts_with("bless")
+                .help("Grade the correct versions with seeds 0 to N - 1. The stored tables are for one"),
+        )
+        .arg(
+            Arg::new("with")
+                .long("with")
+                .value_name("FOLDER")
+                .value_parser(value_parser!(PathBuf))
+                .conflicts_with_all(["seeds", "bless"])
+                .help("Instead, try the diagnosis with mistakes that it need not know: those in FOLDER/<task>.toml, written as in `grader/mutants`. Nothing is stored"),
+        )
+        .arg(
+            Arg::new("bless")
+                .long("bless")
+                .action(ArgAction::SetTrue)
+                .help("Store the tables and the signatures that the diagnosis uses"),
+        )
 }
 
-fn seeds(value: &str) -> Result<u64, String> {
-    grader::cli::whole_number(value, 1, u64::MAX)
-}
-
-impl Mutants {
-    pub(crate) fn run(&self) -> Result<Verdict, GraderError> {
-        let workspace = Workspace::above(Path::new("."))?;
-        let course = Course::read(&workspace)?;
-        let mut verdict = Verdict::Full;
-        for task in course.select(&self.what)? {
-            if let Some(folder) = &self.with {
-                let mutants = Corpus::strangers(folder, task)?;
-                if !mutants.is_empty() {
-                    let known = diagnosis::known(&workspace, &task.key)?;
-                    let graded = run::strangers(&workspace, &course, task, mutants)?;
-                    show_strangers(&task.key, &graded, &known);
-                }
-                continue;
+pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let what: &String = matches.get_one("what").expect("it has a default");
+    let seeds: u64 = *matches.get_one("seeds").expect("it has a default");
+    let with: Option<&PathBuf> = matches.get_one("with");
+    let bless = matches.get_flag("bless");
+    let workspace = Workspace::above(Path::new("."))?;
+    let course = Course::read(&workspace)?;
+    let mut verdict = Verdict::Full;
+    for task in course.select(what)? {
+        if let Some(folder) = with {
+            let mutants = Corpus::strangers(folder, task)?;
+            if !mutants.is_empty() {
+                let known = diagnosis::known(&workspace, &task.key)?;
+                let graded = run::strangers(&workspace, &course, task, mutants)?;
+                show_strangers(&task.key, &graded, &known);
             }
-            let corpus = Corpus::read(&workspace, task)?;
-            let graded = run::task(&workspace, &course, task, self.seeds)?;
-            let known = run::known(&corpus, &graded);
-            let table = Table::of(&graded, &known);
-            let accused: Vec<&run::Graded> =
-                graded.iter().filter(|graded| graded.is_accused()).collect();
-            show(&task.key, &table, &accused);
-            for (name, _) in table.misnamed() {
-                let graded = graded.iter().find(|graded| graded.name == name);
-                show_what_students_read(name, graded, &known);
-            }
-            if !accused.is_empty() || !table.survivors().is_empty() {
-                verdict = Verdict::Short;
-            }
-            if self.bless {
-                store(&diagnosis::file(&workspace, &task.key), &known)?;
-                store(&Table::file(&workspace, &task.key), &table)?;
-            } else if self.seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
-                verdict = Verdict::Short;
-            }
+            continue;
         }
-        Ok(verdict)
+        let corpus = Corpus::read(&workspace, task)?;
+        let graded = run::task(&workspace, &course, task, seeds)?;
+        let known = run::known(&corpus, &graded);
+        let table = Table::of(&graded, &known);
+        let accused: Vec<&run::Graded> =
+            graded.iter().filter(|graded| graded.is_accused()).collect();
+        show(&task.key, &table, &accused);
+        for (name, _) in table.misnamed() {
+            let graded = graded.iter().find(|graded| graded.name == name);
+            show_what_students_read(name, graded, &known);
+        }
+        if !accused.is_empty() || !table.survivors().is_empty() {
+            verdict = Verdict::Short;
+        }
+        if bless {
+            store(&diagnosis::file(&workspace, &task.key), &known)?;
+            store(&Table::file(&workspace, &task.key), &table)?;
+        } else if seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
+            verdict = Verdict::Short;
+        }
     }
+    Ok(verdict)
 }
 
 /// Says what differs from the stored table, if anything does.

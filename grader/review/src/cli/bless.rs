@@ -1,6 +1,6 @@
 //! `grader bless`: takes what the reference answers now as golden.
 
-use clap::Args;
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::cli::Verdict;
 use grader::course::Course;
 use grader::error::GraderError;
@@ -9,42 +9,49 @@ use review::bless;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
-/// What to bless.
-#[derive(Args)]
-pub(crate) struct Bless {
-    /// Whose goldens: `all`, a part such as `part1`, or a task such as `part1.task3`.
-    #[arg(default_value = "all")]
-    what: String,
-    /// Write without asking.
-    #[arg(long)]
-    yes: bool,
+pub(crate) fn command() -> Command {
+    Command::new("bless")
+        .about("For instructors: accepts what the reference computes now as golden, after showing what that changes")
+        .arg(
+            Arg::new("what")
+                .value_name("WHAT")
+                .default_value("all")
+                .help("Whose goldens: `all`, a part such as `part1`, or a task such as `part1.task3`"),
+        )
+        .arg(
+            Arg::new("yes")
+                .long("yes")
+                .action(ArgAction::SetTrue)
+                .help("Write without asking"),
+        )
 }
 
-impl Bless {
-    pub(crate) fn run(&self) -> Result<Verdict, GraderError> {
-        let workspace = Workspace::above(Path::new("."))?;
-        Course::read(&workspace)?.select(&self.what)?;
-        let proposed = bless::propose(&workspace, &self.what)?;
-        if proposed.is_empty() {
-            println!("The goldens are what the reference answers: nothing changes.");
-            return Ok(Verdict::Full);
-        }
-        for change in &proposed {
-            let golden = change
-                .golden
-                .strip_prefix(workspace.root())
-                .unwrap_or(&change.golden);
-            println!("{}: {}", golden.display(), change.meaning);
-        }
-        if self.yes || agreed(proposed.len())? {
-            bless::accept(&workspace, &proposed)?;
-            println!("{} goldens written.", proposed.len());
-            return Ok(Verdict::Full);
-        }
-        bless::reject(&proposed)?;
-        println!("Nothing written.");
-        Ok(Verdict::Short)
+pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let what = matches
+        .get_one::<String>("what")
+        .map_or("all", String::as_str);
+    let workspace = Workspace::above(Path::new("."))?;
+    Course::read(&workspace)?.select(what)?;
+    let proposed = bless::propose(&workspace, what)?;
+    if proposed.is_empty() {
+        println!("The goldens are what the reference answers: nothing changes.");
+        return Ok(Verdict::Full);
     }
+    for change in &proposed {
+        let golden = change
+            .golden
+            .strip_prefix(workspace.root())
+            .unwrap_or(&change.golden);
+        println!("{}: {}", golden.display(), change.meaning);
+    }
+    if matches.get_flag("yes") || agreed(proposed.len())? {
+        bless::accept(&workspace, &proposed)?;
+        println!("{} goldens written.", proposed.len());
+        return Ok(Verdict::Full);
+    }
+    bless::reject(&proposed)?;
+    println!("Nothing written.");
+    Ok(Verdict::Short)
 }
 
 /// Asks on the terminal; without one nobody can agree.

@@ -18,7 +18,7 @@ pub fn read_cases(path: &Path) -> io::Result<Vec<Case>> {
 }
 
 /// Appends one frame. It is in the operating system's hands when this returns.
-pub fn write_frame(out: &mut impl Write, frame: &Frame) -> io::Result<()> {
+pub fn write_frame(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
     let body = postcard::to_stdvec(frame).map_err(io::Error::other)?;
     let length = u32::try_from(body.len()).map_err(io::Error::other)?;
     let mut bytes = length.to_le_bytes().to_vec();

@@ -1,6 +1,5 @@
 //! Part 5: stopping rules, and pixels whose samples are written down.
 
-use crate::isolate;
 use kit::{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 
@@ -26,7 +25,7 @@ fn answers(
 ) -> Vec<StopAnswer> {
     let each = calls.iter().enumerate();
     each.map(|(i, call)| {
-        isolate::call(i);
+        harness::call(i);
         let runs = call.runs.iter();
         let samples: Tally = runs
             .flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
@@ -41,7 +40,7 @@ fn answers(
 pub(crate) fn pixels(pixels: &[AdaptivePixel]) -> Vec<AdaptiveAnswer> {
     let each = pixels.iter().enumerate();
     each.map(|(i, pixel)| {
-        isolate::call(i);
+        harness::call(i);
         sample(pixel)
     })
     .collect()

@@ -1,6 +1,6 @@
 //! Part 2, tasks 1 and 3: trees built from boxes, and walks through worlds whose answers are written down.
 
-use crate::{convert, isolate};
+use crate::convert;
 use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};
 use std::collections::HashMap;
 use wire::answer::{BuildAnswer, TraverseAnswer};
@@ -9,7 +9,7 @@ use wire::work::{ScriptedRay, ScriptedWorld, Tree, Xyz};
 pub(crate) fn build(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> BuildAnswer {
     let bounds: Vec<Aabb> = bounds.iter().map(convert::aabb).collect();
     let tree = bvh::construct_bvh(&bounds, max_leaf_size as usize);
-    isolate::call(1);
+    harness::call(1);
     let again = bvh::construct_bvh(&bounds, max_leaf_size as usize);
     // The debug form tells NaN from NaN-free trees apart, and finds a tree equal to itself.
     let repeatable = tree == again || format!("{tree:?}") == format!("{again:?}");
@@ -29,7 +29,7 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
         .collect();
     let each = script.rays.iter().enumerate();
     each.map(|(i, scripted)| {
-        isolate::call(i);
+        harness::call(i);
         let mut ray = convert::ray(&scripted.ray);
         let mut world = Script {
             scripted,

@@ -1,6 +1,6 @@
 //! Part 3: matte surfaces, and direct light in worlds that write down what they are asked.
 
-use crate::{convert, isolate, light, panels};
+use crate::{convert, light, panels};
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};
 use wire::direct::{
     AskedRay, DirectAnswer, DirectWork, LambertAnswer, LambertProbe, ShadedPoint, Strategy,
@@ -9,7 +9,7 @@ use wire::direct::{
 pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
     let each = probes.iter().enumerate();
     each.map(|(i, probe)| {
-        isolate::call(i);
+        harness::call(i);
         let reflectance = Spectrum::from(probe.reflectance);
         let [wo, wi] = [probe.wo, probe.wi].map(Vec3::from);
         let sample = direct::lambert_sample(reflectance, wo, Vec2::from(probe.u));
@@ -26,7 +26,7 @@ pub(crate) fn direct(work: &DirectWork) -> Vec<DirectAnswer> {
     let lit = panels::lit_scene(&work.world);
     let each = work.points.iter().enumerate();
     each.map(|(i, point)| {
-        isolate::call(i);
+        harness::call(i);
         estimate(work, &lit, i as u32, point)
     })
     .collect()

@@ -1,6 +1,6 @@
 //! Part 4: mirrors and glass, and paths whose every turn is written down.
 
-use crate::{convert, isolate, light};
+use crate::{convert, light};
 use kit::{
     BsdfSample, Hit, LitScene, Material, PixelSampler, PrimId, Scattering, Spectrum, Surface,
     Triangle, Vec2, Vec3,
@@ -13,7 +13,7 @@ use wire::work::Xyz;
 pub(crate) fn specular(calls: &[SpecularCall]) -> Vec<SpecularAnswer> {
     let each = calls.iter().enumerate();
     each.map(|(i, call)| {
-        isolate::call(i);
+        harness::call(i);
         specular_call(call)
     })
     .collect()
@@ -60,7 +60,7 @@ fn specular_call(call: &SpecularCall) -> SpecularAnswer {
 pub(crate) fn paths(paths: &[ScriptedPath]) -> Vec<PathAnswer> {
     let each = paths.iter().enumerate();
     each.map(|(i, path)| {
-        isolate::call(i);
+        harness::call(i);
         follow(i as u32, path)
     })
     .collect()
@@ -188,7 +188,7 @@ pub(crate) fn roulette(work: &RouletteWork) -> Vec<Option<Xyz>> {
     calls
         .enumerate()
         .map(|(i, (&(throughput, bounces), &u))| {
-            isolate::call(i);
+            harness::call(i);
             global::play_roulette(throughput.into(), bounces, u).map(Spectrum::to_array)
         })
         .collect()

@@ -1,6 +1,6 @@
 //! Part 1, tasks 3 and 4: probes against single shapes, rays against all of them.
 
-use crate::{convert, isolate};
+use crate::convert;
 use kit::PrimId;
 use wire::answer::{HitsAnswer, SphereAnswer, TriangleAnswer};
 use wire::work::{Probe, Ray, Xyz};
@@ -8,7 +8,7 @@ use wire::work::{Probe, Ray, Xyz};
 pub(crate) fn triangles(triangles: &[[Xyz; 6]], probes: &[Probe]) -> Vec<TriangleAnswer> {
     let each = probes.iter().enumerate();
     each.map(|(i, probe)| {
-        isolate::call(i);
+        harness::call(i);
         let triangle = convert::triangle(&triangles[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = intersect::test_triangle(&triangle, &ray).map(|h| [h.t, h.b1, h.b2]);
@@ -25,7 +25,7 @@ pub(crate) fn triangles(triangles: &[[Xyz; 6]], probes: &[Probe]) -> Vec<Triangl
 pub(crate) fn spheres(spheres: &[(Xyz, f64)], probes: &[Probe]) -> Vec<SphereAnswer> {
     let each = probes.iter().enumerate();
     each.map(|(i, probe)| {
-        isolate::call(i);
+        harness::call(i);
         let sphere = convert::sphere(&spheres[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = intersect::test_sphere(&sphere, &ray);
@@ -53,7 +53,7 @@ pub(crate) fn brute_force(
         prim_tests: 0,
     };
     for (i, ray) in rays.iter().enumerate() {
-        isolate::call(i);
+        harness::call(i);
         let mut ray = convert::ray(ray);
         let mut closest = None;
         let mut ids = (0..).map(PrimId);

@@ -2,8 +2,8 @@
 //!
 //! The worker says what the code computed and judges nothing: truth is out of its sight, in the grader.
 //! [`run()`] takes a case to its record; a file per stage does the work (`raygen`, `intersect`, `bbox`,
-//! `bvh`, `direct`, `global`, `adaptive`), each behind the cargo feature of its name; [`isolate`] turns panics and
-//! holes into outcomes, [`clock`] says how long a case has worked.
+//! `bvh`, `direct`, `global`, `adaptive`), each behind the cargo feature of its name. What does not depend on a stage is
+//! in [`harness`].
 
 #[cfg(feature = "adaptive")]
 mod adaptive;
@@ -11,7 +11,6 @@ mod adaptive;
 mod bbox;
 #[cfg(feature = "bvh")]
 mod bvh;
-pub mod clock;
 mod convert;
 #[cfg(feature = "direct")]
 mod direct;
@@ -19,7 +18,6 @@ mod direct;
 mod global;
 #[cfg(feature = "intersect")]
 mod intersect;
-pub mod isolate;
 #[cfg(any(feature = "direct", feature = "global"))]
 mod light;
 #[cfg(feature = "meshes")]

@@ -1,113 +1,12 @@
-//! `worker CASES RECORDS FIRST MEMORY_MB`: runs the cases from number FIRST on and appends their records.
-//!
-//! The grader starts it and reads what it wrote. The student's code runs on a thread of its own; this one
-//! watches the clock. A case that takes too long, or takes more memory than it may, ends the whole worker:
-//! the grader sees which case it was and starts another worker after it.
+//! `worker CASES RECORDS FIRST MEMORY_MB`: see [`harness::main`].
 
 use cap::Cap;
 use std::alloc::System;
-use std::fs::{File, OpenOptions};
-use std::path::Path;
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::time::Duration;
-use wire::{Case, Frame, Record, file};
-use worker::clock::{self, Stopwatch};
-use worker::isolate;
+use std::process::ExitCode;
 
 #[global_allocator]
 static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
-/// Enough for honest recursion over a deep tree; endless recursion overflows it soon.
-const STACK_BYTES: usize = 64 << 20;
-
-/// The clock is looked at no more often than so.
-const LOOK_AGAIN: Duration = Duration::from_millis(1);
-
-fn main() {
-    if let Err(message) = work() {
-        eprintln!("worker: {message}");
-        std::process::exit(2);
-    }
-}
-
-fn work() -> Result<(), String> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [cases, records, first, memory_mb] = arguments.as_slice() else {
-        return Err(
-            "started by hand? The grader starts it: run `cargo grader part1` instead".into(),
-        );
-    };
-    let first: u32 = first
-        .parse()
-        .map_err(|e| format!("FIRST is {first}: {e}"))?;
-    let memory_mb: usize = memory_mb
-        .parse()
-        .map_err(|e| format!("MEMORY_MB is {memory_mb}: {e}"))?;
-    let cases =
-        file::read_cases(Path::new(cases)).map_err(|e| format!("cannot read {cases}: {e}"))?;
-    let out = OpenOptions::new().append(true).create(true).open(records);
-    let out = out.map_err(|e| format!("cannot write {records}: {e}"))?;
-
-    isolate::watch_panics();
-    // The cases themselves do not count.
-    MEMORY
-        .set_limit(MEMORY.allocated().saturating_add(memory_mb << 20))
-        .map_err(|_| "no memory left".to_string())?;
-    watch(cases, first, out)
-}
-
-/// Hands case after case to a thread of its own, and ends the process when one takes too long.
-fn watch(cases: Vec<Case>, first: u32, mut out: File) -> Result<(), String> {
-    let limits: Vec<Duration> = cases
-        .iter()
-        .map(|case| Duration::from_millis(case.limit_ms))
-        .collect();
-    let (to_runner, orders) = mpsc::channel::<u32>();
-    let (to_watch, finished) = mpsc::channel::<Record>();
-    let run_all = move || {
-        clock::start();
-        for index in orders {
-            if to_watch
-                .send(worker::run(index, &cases[index as usize]))
-                .is_err()
-            {
-                return;
-            }
-        }
-    };
-    let thread = std::thread::Builder::new()
-        .name("student".into())
-        .stack_size(STACK_BYTES);
-    thread
-        .spawn(run_all)
-        .map_err(|e| format!("cannot start a thread: {e}"))?;
-
-    let mut write = |frame: &Frame| {
-        file::write_frame(&mut out, frame).map_err(|e| format!("cannot write a record: {e}"))
-    };
-    for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
-        write(&Frame::Started { case })?;
-        let stopwatch = Stopwatch::start();
-        to_runner.send(case).map_err(|e| e.to_string())?;
-        loop {
-            let Some(left) = stopwatch.left(*limit) else {
-                write(&Frame::TimedOut {
-                    case,
-                    call: isolate::current_call(),
-                })?;
-                std::process::exit(0);
-            };
-            match finished.recv_timeout(left.max(LOOK_AGAIN)) {
-                Ok(record) => {
-                    write(&Frame::Done(record))?;
-                    break;
-                }
-                Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => {
-                    return Err("the student's thread ended".into());
-                }
-            }
-        }
-    }
-    Ok(())
+fn main() -> ExitCode {
+    harness::main(&MEMORY, worker::run)
 }

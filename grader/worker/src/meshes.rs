@@ -1,7 +1,7 @@
 //! Rays through whole scenes: all of the student's stages together.
 
 use crate::bvh::kit_tree;
-use crate::{convert, isolate};
+use crate::convert;
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World};
 use meshes::{MeshKind, cornell_with, generate};
 use std::time::{Duration, Instant};
@@ -25,7 +25,7 @@ pub(crate) fn scene_hits(
         prim_tests: 0,
     };
     for (i, ray) in rays.iter().enumerate() {
-        isolate::call(i);
+        harness::call(i);
         let mut ray = convert::ray(ray);
         let hit = if any_hit {
             bvh::occludes_bvh(&tree, &ray, &mut world).then_some(SOMETHING)
@@ -148,7 +148,7 @@ pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
         let mut done = 0;
         for batch in rays.chunks(BATCH) {
             for ray in batch {
-                isolate::call(done);
+                harness::call(done);
                 done += 1;
                 let hit = bvh::intersect_bvh(&tree, &mut { *ray }, &mut world);
                 answer.tree_hits += u64::from(round == 0 && hit.is_some());

@@ -1,6 +1,6 @@
 //! Part 1, tasks 1 and 2: a camera and a world that write down what they are asked.
 
-use crate::{convert, isolate};
+use crate::convert;
 use kit::{FilmSize, Mat3, PixelSampler, Spectrum, Vec2, Vec3};
 use wire::answer::PixelAnswer;
 use wire::work::{PixelWork, PixelWorld};
@@ -8,7 +8,7 @@ use wire::work::{PixelWork, PixelWorld};
 pub(crate) fn pixels(work: &PixelWork) -> Vec<PixelAnswer> {
     let each = work.pixels.iter().enumerate();
     each.map(|(i, &[x, y])| {
-        isolate::call(i);
+        harness::call(i);
         pixel(work, x, y)
     })
     .collect()
@@ -96,7 +96,7 @@ pub(crate) fn camera_rays(
     pairs
         .enumerate()
         .map(|(i, (camera, point))| {
-            isolate::call(i);
+            harness::call(i);
             convert::wire_ray(&raygen::generate_ray(
                 &kit_camera(camera),
                 Vec2::from(*point),

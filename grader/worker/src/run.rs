@@ -1,6 +1,5 @@
 //! From a case to its record.
 
-use crate::isolate;
 #[cfg(any(feature = "intersect", feature = "bbox"))]
 use crate::timed;
 use wire::work::Shapes;
@@ -8,17 +7,7 @@ use wire::{Answer, Case, Record, Work};
 
 /// Runs case number `index` on the linked stages.
 pub fn run(index: u32, case: &Case) -> Record {
-    let _ = kit::hole::take_marks();
-    let outcome = isolate::outcome(|| dispatch(&case.work));
-    let untouched = kit::hole::take_marks()
-        .into_iter()
-        .map(str::to_string)
-        .collect();
-    Record {
-        case: index,
-        untouched,
-        outcome,
-    }
+    harness::run(index, case, dispatch)
 }
 
 /// What this worker answers to work for a stage that it was built without.

@@ -1,6 +1,6 @@
 //! One test over and over, timed: a loop with nothing else in it.
 
-use crate::{convert, isolate};
+use crate::convert;
 use std::hint::black_box;
 use std::time::Instant;
 use wire::Answer;
@@ -49,7 +49,7 @@ fn time<W, S, A>(
     // Warms caches and branch predictors.
     pass();
     let rounds = (0..timing.rounds as usize).map(|round| {
-        isolate::call(round);
+        harness::call(round);
         let started = Instant::now();
         for _ in 0..timing.passes {
             pass();

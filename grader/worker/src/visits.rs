@@ -1,8 +1,8 @@
 //! For which boxes a traversal asks: rays through a whole scene, watched.
 
 use crate::bvh::{BoxKey, box_key, kit_tree};
+use crate::convert;
 use crate::meshes::{SceneWorld, load};
-use crate::{convert, isolate};
 use kit::{Aabb, Hit, Interval, PrimId, Ray, World};
 use std::collections::HashMap;
 use wire::answer::{Visit, VisitsAnswer};
@@ -23,7 +23,7 @@ pub(crate) fn visits(
     }
     let each = rays.iter().enumerate();
     let rays = each.map(|(i, ray)| {
-        isolate::call(i);
+        harness::call(i);
         let mut world = Watched {
             world: SceneWorld::new(&scene),
             nodes_of: &nodes_of,

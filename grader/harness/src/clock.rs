@@ -12,21 +12,21 @@ static TIMES: OnceLock<PathBuf> = OnceLock::new();
 const WAITING: u32 = 8;
 
 /// Says that this thread is the one to be timed.
-pub fn start() {
+pub(crate) fn start() {
     if let Ok(thread) = std::fs::read_link("/proc/thread-self") {
         let _ = TIMES.set(PathBuf::from("/proc").join(thread).join("schedstat"));
     }
 }
 
 /// Time that one case has taken.
-pub struct Stopwatch {
+pub(crate) struct Stopwatch {
     worked_before: Duration,
     started: Instant,
 }
 
 impl Stopwatch {
     /// Starts now.
-    pub fn start() -> Stopwatch {
+    pub(crate) fn start() -> Stopwatch {
         Stopwatch {
             // A thread that has not begun has not worked.
             worked_before: worked().unwrap_or_default(),
@@ -35,7 +35,7 @@ impl Stopwatch {
     }
 
     /// How much of `limit` is left; `None` if it is used up.
-    pub fn left(&self, limit: Duration) -> Option<Duration> {
+    pub(crate) fn left(&self, limit: Duration) -> Option<Duration> {
         let worked = worked().map(|now| now.saturating_sub(self.worked_before));
         left(limit, self.started.elapsed(), worked)
     }

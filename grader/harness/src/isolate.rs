@@ -1,11 +1,11 @@
-//! One case apart from the rest: panics and holes become outcomes.
+//! Runs one case so that it cannot end the others: panics and holes become outcomes.
 
 use kit::hole::Hole;
 use std::any::Any;
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU32, Ordering};
-use wire::{Answer, Outcome};
+use wire::{Answer, Case, Outcome, Record, Work};
 
 /// The call into the student's code that is running, counted from 0 in its case.
 static CALL: AtomicU32 = AtomicU32::new(0);
@@ -14,18 +14,18 @@ thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Notes that the case's call number `index` begins.
-pub(crate) fn call(index: usize) {
+/// Records that call number `index` of the case begins, counted from 0.
+pub fn call(index: usize) {
     CALL.store(u32::try_from(index).unwrap_or(u32::MAX), Ordering::Relaxed);
 }
 
-/// Which call of the case is running, counted from 0.
-pub fn current_call() -> u32 {
+/// The call of the case that is running, counted from 0.
+pub(crate) fn current_call() -> u32 {
     CALL.load(Ordering::Relaxed)
 }
 
-/// Makes panics silent and remembers where they were: the grader tells of them itself.
-pub fn watch_panics() {
+/// Makes panics silent and keeps their location for the record.
+pub(crate) fn watch_panics() {
     std::panic::set_hook(Box::new(|info| {
         let location = info
             .location()
@@ -35,8 +35,19 @@ pub fn watch_panics() {
     }));
 }
 
-/// Runs `work` and says how it ended.
-pub(crate) fn outcome(work: impl FnOnce() -> Result<Answer, String>) -> Outcome {
+/// Runs case number `index`. `dispatch` calls the stages: it returns their answer, or why it cannot.
+pub fn run(index: u32, case: &Case, dispatch: impl Fn(&Work) -> Result<Answer, String>) -> Record {
+    let _ = kit::hole::take_marks();
+    let outcome = outcome(&|| dispatch(&case.work));
+    let untouched = kit::hole::take_marks();
+    Record {
+        case: index,
+        untouched: untouched.into_iter().map(str::to_string).collect(),
+        outcome,
+    }
+}
+
+fn outcome(work: &dyn Fn() -> Result<Answer, String>) -> Outcome {
     call(0);
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(answer)) => Outcome::Answered(answer),

@@ -1,7 +1,6 @@
 //! What judging by chance is sure to see: each case that does so says it to students, the reference's answers bear it out,
 //! and answers that are off by as much are caught.
 
-use judge;
 use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::tally::{Aspect, Finding};

@@ -132,7 +132,10 @@ fn by(
         }
     }
     results.sort_by(|a, b| a.key.cmp(&b.key));
-    for result in &mut results {
+    let imperfect = results
+        .iter_mut()
+        .filter(|result| result.status != Status::Passed);
+    for result in imperfect {
         let known = diagnosis::known(workspace, &result.key)?;
         result.worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
         result.diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));

@@ -5,10 +5,10 @@
 
 use super::rays::{Target, stored_ray};
 use judge::cases::probes::{Dice, at, through};
-use judge::truth::may_touch;
 use kernels::{Found, Kernel, Precision};
 use kit::{Primitive, Ray, Triangle};
 use meshes::{MeshKind, generate};
+use oracle::may_touch;
 
 /// The closed meshes: one of ordinary triangles, one of needles.
 const MESHES: [MeshKind; 2] = [MeshKind::Smooth, MeshKind::Needles];

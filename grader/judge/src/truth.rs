@@ -11,15 +11,12 @@ use oracle::surface::{
 };
 use oracle::{
     self, Answers, Candidate, Kernel, Miss, SphereClass, SphereVerdict, TriangleClass,
-    TriangleVerdict, closest,
+    TriangleVerdict, closest, near,
 };
 
 /// A hit point may be off the surface by so many roundings of its largest coordinate: mixing three vertices
 /// costs about ten, pulling a point back to a sphere a few less.
 const SURFACE_ROUNDINGS: f64 = 16.0;
-
-/// Boxes and balls around shapes are made larger by this part before rays are tested against them.
-const LOOSE: f64 = 1e-6;
 
 /// What `ray` and a triangle with the number `prim` have to do with each other.
 pub fn triangle(tier: Tier, prim: u32, triangle: &Triangle, ray: &Ray) -> Expected {
@@ -58,10 +55,7 @@ pub fn sphere(tier: Tier, prim: u32, sphere: &Sphere, ray: &Ray) -> Expected {
 /// What `ray` hits first of `shapes`, numbered from 0. `enclosed` says that they close in on the ray: even where
 /// rounding decides which of two neighbours is hit, a miss is wrong.
 pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool) -> Expected {
-    let near: Vec<(u32, Primitive<'_>)> = (0..)
-        .zip(shapes.iter().copied())
-        .filter(|(_, shape)| may_touch(shape, ray))
-        .collect();
+    let near = near(shapes, ray);
     let closest = closest(near.iter().map(|(_, shape)| *shape), ray);
     let answers = closest.answers.get(kernel(tier));
     let hit = |(PrimId(index), candidate): &(PrimId, Candidate)| {
@@ -177,22 +171,6 @@ fn surface(tier: Tier, surface: Surface, p: Vec3) -> Option<(Surface, f64)> {
     };
     let bound = SURFACE_ROUNDINGS * f64::EPSILON * world.max_element();
     (tier == Tier::Robust).then_some((surface, bound))
-}
-
-/// Whether a loose ball around the shape is in the ray's way: shapes that fail this are beyond every bound.
-pub fn may_touch(shape: &Primitive<'_>, ray: &Ray) -> bool {
-    let bounds = match shape {
-        Primitive::Triangle(t) => t.bounds(),
-        Primitive::Sphere(s) => s.bounds(),
-    };
-    let center = (bounds.min + bounds.max) / 2.0;
-    let radius = (bounds.max - bounds.min).length() / 2.0;
-    let to_center = center - ray.o;
-    let slack = LOOSE * (radius + to_center.length());
-    let nearest = to_center.dot(ray.d) / ray.d.length_squared();
-    let off = (to_center - nearest * ray.d).length();
-    // Where the sum overflows, the oracle decides.
-    off.is_nan() || off <= radius + slack
 }
 
 fn why_miss(why: Miss) -> &'static str {

@@ -24,7 +24,7 @@
 //! 3. [`verdict`]: what the oracle says, and how an answer is judged by it.
 //! 4. [`triangle`](mod@triangle), `triangle_error`; [`sphere`](mod@sphere), `sphere_error`;
 //!    [`bbox`](mod@bbox): the decision, and how far off correct code may be.
-//! 5. [`closest`](mod@closest): many primitives, and ties.
+//! 5. [`near`](mod@near): a filter; [`closest`](mod@closest): many primitives, and ties.
 //! 6. [`surface`]: the hit point and its normals.
 
 mod dyadic;
@@ -34,6 +34,7 @@ mod triangle_error;
 
 pub mod bbox;
 pub mod closest;
+pub mod near;
 pub mod real;
 pub mod sphere;
 pub mod surface;
@@ -42,6 +43,7 @@ pub mod verdict;
 
 pub use bbox::{BoxJudgement, BoxVerdict, bbox};
 pub use closest::{Closest, any, closest};
+pub use near::{may_touch, near};
 pub use real::{Real, ulps};
 pub use sphere::{SphereClass, SphereVerdict, sphere};
 pub use surface::{NormalTruth, PointTruth};

@@ -8,7 +8,14 @@ use std::path::{Path, PathBuf};
 use submission::packages::members::{self, Member};
 
 /// The programs that a handout is for; what they import comes along, other crates do not.
-const PROGRAMS: [&str; 3] = ["grader", "worker", "pathtracer"];
+const PROGRAMS: [&str; 6] = [
+    "grader",
+    "worker",
+    "pathtracer",
+    "cost",
+    "review",
+    "submission",
+];
 
 /// Files at the top that a student's project has too.
 const AT_THE_TOP: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
@@ -48,7 +55,7 @@ impl<'a> Plan<'a> {
         };
         let inside = path.strip_prefix(&owner.folder).unwrap_or(path);
         self.needed.contains(owner.name.as_str())
-            && (owner.name != "grader" || is_manifest || inside.starts_with("src"))
+            && (!is_of_the_grader(owner) || is_manifest || inside.starts_with("src"))
     }
 
     /// The crate that the file `path` belongs to.
@@ -68,7 +75,7 @@ impl<'a> Plan<'a> {
     /// Whether the crate's tests are about something `carved`: it, or something that it links, is. The grader's are
     /// about the reference in any case.
     pub(super) fn tests(&self, member: &Member, carved: &BTreeSet<&str>) -> bool {
-        member.name == "grader"
+        is_of_the_grader(member)
             || !members::closure(self.members, &[&member.name]).is_disjoint(carved)
     }
 
@@ -80,6 +87,11 @@ impl<'a> Plan<'a> {
             .map(|member| member.folder.clone())
             .collect()
     }
+}
+
+/// Whether the crate is one of those that grade.
+pub(super) fn is_of_the_grader(member: &Member) -> bool {
+    member.folder.starts_with("grader")
 }
 
 /// What to carve for the handout of `part`.

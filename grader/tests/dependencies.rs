@@ -1,0 +1,177 @@
+//! Which crate may depend on which, and how much `grader part1` compiles.
+
+use cargo_metadata::{DependencyKind, MetadataCommand};
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+
+/// What each crate of ours may depend on (tests and benches apart). A crate that is not listed fails the test.
+const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
+    ("kit", &[]),
+    ("raygen", &["kit"]),
+    ("intersect", &["kit"]),
+    ("bbox", &["kit"]),
+    ("bvh", &["kit"]),
+    ("direct", &["kit"]),
+    ("global", &["kit"]),
+    ("adaptive", &["kit"]),
+    ("simd_bvh", &["kit"]),
+    ("simd_paths", &["kit"]),
+    ("meshes", &["kit"]),
+    ("scenes", &["kit", "meshes"]),
+    (
+        "pathtracer",
+        &[
+            "kit",
+            "scenes",
+            "raygen",
+            "intersect",
+            "bbox",
+            "bvh",
+            "direct",
+            "global",
+            "adaptive",
+            "simd_bvh",
+            "simd_paths",
+        ],
+    ),
+    ("wire", &[]),
+    ("harness", &["kit", "wire"]),
+    (
+        "worker",
+        &[
+            "kit",
+            "meshes",
+            "wire",
+            "harness",
+            "raygen",
+            "intersect",
+            "bbox",
+            "bvh",
+            "direct",
+            "global",
+            "adaptive",
+        ],
+    ),
+    ("kernels", &["kit"]),
+    ("statistics", &["kit"]),
+    ("oracle", &["kit"]),
+    ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
+    ("grader", &["kit", "judge", "wire"]),
+    ("pages", &["grader", "wire"]),
+    ("submission", &["grader", "judge"]),
+    (
+        "review",
+        &[
+            "kit",
+            "grader",
+            "judge",
+            "oracle",
+            "pages",
+            "submission",
+            "wire",
+        ],
+    ),
+    (
+        "authoring",
+        &["kit", "grader", "judge", "submission", "wire"],
+    ),
+    (
+        "cost",
+        &[
+            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "wire",
+        ],
+    ),
+    ("golden", &[]),
+];
+
+#[test]
+fn no_crate_depends_on_more_than_it_may() {
+    let metadata = MetadataCommand::new()
+        .no_deps()
+        .exec()
+        .expect("cargo metadata runs");
+    let ours: BTreeSet<&str> = metadata
+        .packages
+        .iter()
+        .map(|package| package.name.as_str())
+        .collect();
+    let may_depend_on: BTreeMap<&str, BTreeSet<&str>> = MAY_DEPEND_ON
+        .iter()
+        .map(|(name, known)| (*name, known.iter().copied().collect()))
+        .collect();
+    for package in &metadata.packages {
+        let name = package.name.as_str();
+        let allowed = may_depend_on
+            .get(name)
+            .unwrap_or_else(|| panic!("`{name}` is not listed in MAY_DEPEND_ON"));
+        let normal = package
+            .dependencies
+            .iter()
+            .filter(|dependency| dependency.kind == DependencyKind::Normal);
+        for dependency in normal.filter(|dependency| ours.contains(dependency.name.as_str())) {
+            assert!(
+                allowed.contains(dependency.name.as_str()),
+                "`{name}` may not depend on `{}`: a stage imports only `kit`, and the crates that judge never link a stage",
+                dependency.name
+            );
+        }
+    }
+}
+
+/// Crates from the registry that `grader part1` may compile, on Linux: a student waits for them.
+const REGISTRY_BUDGET: usize = 70;
+
+/// What a student compiles for `grader part1`: the grader, and the worker with the stages of Part 1.
+#[test]
+fn a_students_first_build_stays_within_its_budget() {
+    let mut compiled = BTreeSet::new();
+    for package in [
+        &["--package", "grader"][..],
+        &[
+            "--package",
+            "worker",
+            "--no-default-features",
+            "--features",
+            "part1",
+        ],
+    ] {
+        let output = Command::new(env!("CARGO"))
+            .args([
+                "tree",
+                "--offline",
+                "--prefix",
+                "none",
+                "--edges",
+                "normal,build",
+            ])
+            .args(["--target", "x86_64-unknown-linux-gnu", "--format", "{p}"])
+            .args(package)
+            .output()
+            .expect("cargo tree runs");
+        assert!(
+            output.status.success(),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let text = String::from_utf8(output.stdout).expect("package names are UTF-8");
+        // Ours are printed with their folder.
+        let of_registry = text.lines().filter(|line| !line.contains("(/"));
+        compiled.extend(of_registry.map(|line| line.trim_end_matches(" (*)").to_string()));
+    }
+    assert!(
+        compiled.len() > 20,
+        "cargo tree prints something else: {compiled:?}"
+    );
+    assert!(
+        compiled.len() <= REGISTRY_BUDGET,
+        "`grader part1` compiles {} crates from the registry, its budget is {REGISTRY_BUDGET}: {compiled:?}",
+        compiled.len()
+    );
+    for forbidden in ["clap_derive", "image", "plotters", "rayon-core"] {
+        let name = format!("{forbidden} ");
+        assert!(
+            !compiled.iter().any(|package| package.starts_with(&name)),
+            "`grader part1` compiles {forbidden}, which grading does not need"
+        );
+    }
+}

@@ -1,22 +1,23 @@
 //! Diagnosis: which typical mistake a student's wrong answers look like.
 //!
-//! `golden/signatures/<task>.json` holds the signature of each known mistake, made by `grader mutants --bless` from
-//! the mutants. A student's signature is compared with all of them.
+//! `golden/signatures/<task>.txt` holds the signature of each known mistake; `grader mutants --bless` makes it from the
+//! mutants. A student's signature is compared with all of them.
 
 use crate::error::GraderError;
-use crate::signature::{Agreement, Alone, Signature};
+use crate::report::write_whole;
+use crate::signature::{Agreement, Alone, Signature, file};
 use crate::workspace::Workspace;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What is known of one mistake.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Known {
     /// The mistake's names; two for a pair.
     pub mistakes: Vec<String>,
     /// How the sentence "your answers equal those of code that ..." ends; one for each mistake.
-    pub says: Vec<String>,
+    pub descriptions: Vec<String>,
     /// Where to look; one for each mistake.
     pub hints: Vec<String>,
     /// What it gets wrong.
@@ -65,20 +66,28 @@ const CANDIDATE: f64 = 0.2;
 
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
-    let path = file(workspace, task);
+    let path = path(workspace, task);
     if !path.is_file() {
         return Ok(Vec::new());
     }
     let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
-    serde_json::from_str(&text).map_err(|e| GraderError::file("understand", &path, e))
+    file::read(&text).map_err(|e| GraderError::file("understand", &path, e))
+}
+
+/// Stores what is known of a task's mistakes.
+pub fn store(workspace: &Workspace, task: &str, known: &[Known]) -> Result<(), GraderError> {
+    let path = path(workspace, task);
+    let folder = path.parent().unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
+    write_whole(&path, file::write(task, known).as_bytes())
 }
 
 /// Where the signatures of a task are stored.
-pub fn file(workspace: &Workspace, task: &str) -> PathBuf {
+fn path(workspace: &Workspace, task: &str) -> PathBuf {
     workspace
         .root()
         .join("golden/signatures")
-        .join(format!("{task}.json"))
+        .join(format!("{task}.txt"))
 }
 
 /// What `student` looks like, if it looks like anything known.
@@ -158,7 +167,7 @@ fn alone_of_its_kind<'a>(
 /// all of them.
 fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String, String) {
     let mut mistakes = best.mistakes.clone();
-    let mut says = best.says.join(", and ");
+    let mut says = best.descriptions.join(", and ");
     let mut hint = best.hints.join(" ");
     let twins = ranked.iter().map(|(twin, _)| twin).filter(|twin| {
         let single = twin.mistakes.len() == 1;
@@ -167,7 +176,10 @@ fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, Str
     for twin in twins {
         if !mistakes.contains(&twin.mistakes[0]) {
             mistakes.extend(twin.mistakes.iter().cloned());
-            says = format!("{says}; or of code that {}", twin.says.join(", and "));
+            says = format!(
+                "{says}; or of code that {}",
+                twin.descriptions.join(", and ")
+            );
             hint = format!("{hint} Or: {}", twin.hints.join(" "));
         }
     }
@@ -230,20 +242,12 @@ fn two_at_once(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn signature(sides: &[(&str, &str)]) -> Signature {
-        let core: std::collections::BTreeMap<String, &str> = sides
-            .iter()
-            .map(|(side, codes)| (format!("case {side}"), *codes))
-            .collect();
-        let stored = serde_json::json!({ "core": core, "robust": {} });
-        serde_json::from_value(stored).expect("it is a signature")
-    }
+    use crate::signature::tests::signature;
 
     fn known(name: &str, signature: Signature) -> Known {
         Known {
             mistakes: vec![name.into()],
-            says: vec![format!("does {name}")],
+            descriptions: vec![format!("does {name}")],
             hints: vec![format!("Not {name}.")],
             signature,
         }
@@ -251,7 +255,7 @@ mod tests {
 
     #[test]
     fn who_cannot_be_told_apart_are_both_told_with_their_hints() {
-        let wrong = signature(&[("t", "2 8*a")]);
+        let wrong = signature(&[("case t", "2 8*a")]);
         let all = [known("this", wrong.clone()), known("that", wrong.clone())];
         let told = diagnose(&all, &wrong).expect("it is known");
         assert_eq!(told.mistakes, ["this", "that"]);
@@ -260,10 +264,10 @@ mod tests {
 
     #[test]
     fn what_is_alike_on_half_of_the_calls_is_no_more_than_possible() {
-        let [t, n, p] = [("t", "10*a"), ("n", "10*a"), ("p", "10*a")];
+        let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
         let all = [known("this", signature(&[t, n, p]))];
         let likely = |codes| {
-            let told = diagnose(&all, &signature(&[t, n, p, ("uv", codes)]));
+            let told = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
             told.expect("it is known").is_likely()
         };
         assert!(likely("6 4*b"));

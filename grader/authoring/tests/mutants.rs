@@ -129,9 +129,9 @@ fn what_is_diagnosed_is_listed() {
             );
         }
         for known in &known {
-            for (id, says) in known.mistakes.iter().zip(&known.says) {
+            for (id, description) in known.mistakes.iter().zip(&known.descriptions) {
                 let listed = corpus.mistake(id).map(|mistake| &mistake.says);
-                assert_eq!(listed, Some(says), "{} {id}", task.key);
+                assert_eq!(listed, Some(description), "{} {id}", task.key);
             }
         }
         let named = table.diagnosed.values().flatten();

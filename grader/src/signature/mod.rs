@@ -1,32 +1,38 @@
 //! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and compared.
+//!
+//! [`SignatureKey`] names a side of a case, [`Codes`] are what is wrong about it. [`file`](mod@file) is the form in
+//! which known mistakes are stored, with [`runs`] for their codes; [`together`] is about two mistakes at once.
 
 mod codes;
+pub(crate) mod file;
+mod key;
+mod runs;
 mod together;
 
 use codes::{Codes, TELLING_KINDS, codes_of};
+pub use key::Side;
+use key::SignatureKey;
 use together::Hiding;
 pub use together::{Alone, Together};
 
 use crate::score::CaseResult;
 use judge::Tier;
-use serde::{Deserialize, Serialize};
+use judge::tally::Aspect;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// For each aspect of each case the code of each call: 0 where the answer was right, else a digest of how it was
-/// wrong. The same mistake gives the same codes whatever formula it is made in, and two mistakes in different aspects
-/// do not hide each other; nor do faults that have a name of their own, which stand beside the aspect's others.
+/// For each side of each case a code for each call: 0 where the answer is right, else a digest of how it is
+/// wrong. The same mistake gives the same codes whatever formula it is made in. Mistakes in different aspects do not
+/// hide each other; nor do faults that have a name of their own, which stand beside the aspect's others.
 ///
-/// Core and robust cases are apart: in robust ones formulas differ by themselves, so they only speak where all core
+/// Core and robust cases are apart: different formulas differ in robust cases, so these count only where all core
 /// cases are right.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Signature {
     core: Cases,
     robust: Cases,
 }
 
-/// By `case aspect`, or `case aspect name` for faults that have a name; where a case calls several functions the
-/// aspect is followed by `@function`.
-type Cases = BTreeMap<String, Codes>;
+type Cases = BTreeMap<SignatureKey, Codes>;
 
 /// How two signatures agree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,14 +47,14 @@ pub struct Agreement {
     pub second: usize,
 }
 
-/// A side of the answer tells against a mistake if it holds this share of what the mistake gets wrong,
+/// A side of the answers tells against a mistake only if it holds at least this share of what the mistake gets wrong.
 const TELLING: f64 = 0.1;
 
-/// and if less than this share of that is wrong.
+/// A side of the answers tells against a mistake only if less than this share of the mistake shows in it.
 const SHOWN: f64 = 0.25;
 
 impl Signature {
-    /// The signature of a task's results. Cases with neighbours do not speak: the fault may be theirs.
+    /// The signature of a task's results. Cases with neighbours do not count: the fault may be theirs.
     pub fn of(cases: &[CaseResult]) -> Signature {
         let of_tier = |tier: Tier| {
             let cases = cases.iter();
@@ -66,7 +72,7 @@ impl Signature {
         self.core.is_empty() && self.robust.is_empty()
     }
 
-    /// The cases that speak.
+    /// The cases that count.
     fn cases(&self) -> &Cases {
         if self.core.is_empty() {
             &self.robust
@@ -75,7 +81,7 @@ impl Signature {
         }
     }
 
-    /// Whether nobody can tell the two by what speaks of them.
+    /// Whether the two have the same faults in the cases that count.
     pub fn shows_the_same(&self, other: &Signature) -> bool {
         self.cases() == other.cases()
     }
@@ -92,8 +98,8 @@ impl Signature {
             second: other.wrong(),
             ..Agreement::default()
         };
-        for (name, codes) in self.cases() {
-            let Some(others) = other.cases().get(name) else {
+        for (key, codes) in self.cases() {
+            let Some(others) = other.cases().get(key) else {
                 continue;
             };
             let pairs = codes.0.iter().zip(&others.0);
@@ -105,15 +111,14 @@ impl Signature {
         agreement
     }
 
-    /// Whether this code is right where `mistake` would make it wrong: one side of the answer that the mistake has wrong,
-    /// and not only now and then, is right in most of those calls.
+    /// Whether this code is right where `mistake` would make it wrong: one aspect that the mistake gets wrong in at
+    /// least [`TELLING`] of its calls is right in most of those calls.
     pub fn contradicts(&self, mistake: &Signature) -> bool {
-        let mut sides: BTreeMap<&str, Alone> = BTreeMap::new();
-        for (name, codes) in mistake.cases() {
-            let mine = self.cases().get(name).map_or(&[][..], |mine| &mine.0);
-            let hidden = Hiding::of(self.cases(), name);
-            let aspect = name.split(' ').nth(1).unwrap_or_default();
-            let side = sides.entry(aspect).or_default();
+        let mut sides: BTreeMap<Option<(Aspect, Option<&str>)>, Alone> = BTreeMap::new();
+        for (key, codes) in mistake.cases() {
+            let mine = self.cases().get(key).map_or(&[][..], |mine| &mine.0);
+            let hidden = Hiding::of(self.cases(), key);
+            let side = sides.entry(key.side.place()).or_default();
             let wrong = codes.0.iter().enumerate().filter(|(_, code)| **code != 0);
             for (call, _) in wrong.filter(|(call, _)| !hidden.at(*call)) {
                 side.of += 1;
@@ -130,7 +135,7 @@ impl Signature {
     pub fn functions(&self) -> BTreeSet<&str> {
         self.cases()
             .keys()
-            .filter_map(|key| function(key))
+            .filter_map(|key| key.side.function())
             .collect()
     }
 
@@ -138,8 +143,8 @@ impl Signature {
     pub fn within(&self, functions: &BTreeSet<&str>) -> Signature {
         let of = |cases: &Cases| {
             let mut cases = cases.clone();
-            cases
-                .retain(|key, _| function(key).is_none_or(|function| functions.contains(function)));
+            let is_within = |function: &str| functions.contains(function);
+            cases.retain(|key, _| key.side.function().is_none_or(is_within));
             cases
         };
         Signature {
@@ -148,23 +153,23 @@ impl Signature {
         }
     }
 
-    /// What kinds of faults there are, aspect by aspect, in whatever case and call: their names, and the codes of
-    /// classes that say what kind of mistake it is. `None` if a fault is of another class, or there is none.
-    pub fn kinds(&self) -> Option<BTreeSet<(&str, u16)>> {
+    /// What kinds of faults there are, side by side, in whatever case and call: the sides with a named fault, and the
+    /// codes of classes that tell which mistake it is. `None` if a fault is of another class, or there is none.
+    pub fn kinds(&self) -> Option<BTreeSet<(&Side, u16)>> {
         let mut kinds = BTreeSet::new();
-        for (key, codes) in self.cases() {
-            let (_, aspect_and_name) = key.split_once(' ')?;
-            if aspect_and_name.contains(' ') {
-                kinds.insert((aspect_and_name, 0));
+        for (SignatureKey { side, .. }, codes) in self.cases() {
+            if let Side::Aspect { fault: Some(_), .. } = side {
+                kinds.insert((side, 0));
                 continue;
             }
             let codes: BTreeSet<u16> = codes.0.iter().copied().filter(|code| *code != 0).collect();
-            // Where the middle of many directions lies tells, too.
-            let telling = |code| aspect_and_name == "Spread" || TELLING_KINDS.contains(code);
+            // Where the mean of many directions lies tells, too.
+            let is_spread = side.place() == Some((Aspect::Spread, None));
+            let telling = |code| is_spread || TELLING_KINDS.contains(code);
             if !codes.iter().all(telling) {
                 return None;
             }
-            kinds.extend(codes.into_iter().map(|code| (aspect_and_name, code)));
+            kinds.extend(codes.into_iter().map(|code| (side, code)));
         }
         (!kinds.is_empty()).then_some(kinds)
     }
@@ -172,22 +177,17 @@ impl Signature {
     /// On how many calls both are wrong in the same way in every aspect, and on how many either is wrong.
     pub fn calls_alike(&self, other: &Signature) -> (usize, usize) {
         let mut calls: BTreeMap<(&str, usize), bool> = BTreeMap::new();
-        let names: BTreeSet<&String> = self.cases().keys().chain(other.cases().keys()).collect();
-        for name in names {
-            let case = name.split(' ').next().unwrap_or_default();
-            let code = |signature: &Signature, call: usize| -> u16 {
-                let codes = signature.cases().get(name);
-                codes
-                    .and_then(|codes| codes.0.get(call).copied())
-                    .unwrap_or(0)
-            };
-            let longest = |signature: &Signature| {
-                signature.cases().get(name).map_or(0, |codes| codes.0.len())
-            };
-            for call in 0..longest(self).max(longest(other)) {
-                let (mine, theirs) = (code(self, call), code(other, call));
-                if mine != 0 || theirs != 0 {
-                    *calls.entry((case, call)).or_insert(true) &= mine == theirs;
+        let keys: BTreeSet<&SignatureKey> =
+            self.cases().keys().chain(other.cases().keys()).collect();
+        for key in keys {
+            let [mine, theirs] = [self, other].map(|signature| {
+                let codes = signature.cases().get(key);
+                codes.map_or(&[][..], |codes| &codes.0)
+            });
+            for call in 0..mine.len().max(theirs.len()) {
+                let [a, b] = [mine, theirs].map(|codes| codes.get(call).copied().unwrap_or(0));
+                if a != 0 || b != 0 {
+                    *calls.entry((&key.case, call)).or_insert(true) &= a == b;
                 }
             }
         }
@@ -207,29 +207,39 @@ impl Agreement {
     }
 }
 
-/// The function in a key.
-fn function(key: &str) -> Option<&str> {
-    let aspect = key.split(' ').nth(1)?;
-    aspect.split_once('@').map(|(_, function)| function)
-}
-
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use codes::digest;
     use judge::tally::Class;
 
-    pub(super) fn signature(codes: &str) -> Signature {
-        let codes = Codes::try_from(codes.to_string()).unwrap();
+    fn key(text: &str) -> SignatureKey {
+        SignatureKey::parse(text).expect("it is a key")
+    }
+
+    /// A signature whose core cases have these codes: `2 3*a` are two right calls and three with code 0xa.
+    pub(crate) fn signature(sides: &[(&str, &str)]) -> Signature {
+        let codes = |text: &str| -> Vec<u16> {
+            let runs = text.split(' ').map(|run| {
+                let (count, code) = run.split_once('*').unwrap_or((run, "0"));
+                let code = u16::from_str_radix(code, 16).expect("a code");
+                vec![code; count.parse().expect("a count")]
+            });
+            runs.flatten().collect()
+        };
+        let core = sides.iter();
         Signature {
-            core: [("case".to_string(), codes)].into(),
+            core: core
+                .map(|(side, text)| (key(side), Codes(codes(text))))
+                .collect(),
             robust: Cases::new(),
         }
     }
 
     #[test]
     fn likeness_counts_calls_that_are_wrong_in_the_same_way() {
-        let agreement = signature("1 2*a 1*b").agreement(&signature("2 1*a 1*c 1*d"));
+        let of = |codes| signature(&[("case t", codes)]);
+        let agreement = of("1 2*a 1*b").agreement(&of("2 1*a 1*c 1*d"));
         assert_eq!(
             agreement,
             Agreement {
@@ -244,75 +254,54 @@ mod tests {
 
     #[test]
     fn what_is_right_tells_against_a_mistake() {
-        let of = |aspects: &[(&str, &str)]| Signature {
-            core: aspects
-                .iter()
-                .map(|(aspect, codes)| {
-                    let codes = Codes::try_from(codes.to_string()).unwrap();
-                    (format!("case {aspect}"), codes)
-                })
-                .collect(),
-            robust: Cases::new(),
-        };
-        let mistake = of(&[("Decision", "4 2*a"), ("Interval", "6*b")]);
-        let same_interval = of(&[("Interval", "6*b")]);
+        let mistake = signature(&[("case decision", "4 2*a"), ("case interval", "6*b")]);
+        let same_interval = signature(&[("case interval", "6*b")]);
         assert!(same_interval.contradicts(&mistake));
         assert!(!mistake.contradicts(&same_interval));
         assert!(!mistake.contradicts(&mistake));
         // Where a hit is missed nothing shows whether its interval would be right.
-        let misses = of(&[("Decision", "6*e")]);
+        let misses = signature(&[("case decision", "6*e")]);
         assert!(!misses.contradicts(&same_interval));
     }
 
     #[test]
     fn a_mistake_shows_in_the_functions_that_make_it() {
-        let of = |keys: &[&str]| Signature {
-            core: keys
-                .iter()
-                .map(|key| (key.to_string(), Codes(vec![1])))
-                .collect(),
-            robust: Cases::new(),
+        let of = |keys: &[&str]| {
+            let sides: Vec<(&str, &str)> = keys.iter().map(|key| (*key, "1*1")).collect();
+            signature(&sides)
         };
         let handed_on = of(&[
-            "one Decision@refract",
-            "one T@refract",
-            "one T@glass",
-            "two T",
+            "one decision@refract",
+            "one t@refract",
+            "one t@glass",
+            "two t",
         ]);
-        let in_refract = of(&["one Decision@refract", "one T@refract", "two T"]);
+        let in_refract = of(&["one decision@refract", "one t@refract", "two t"]);
         assert_eq!(in_refract.functions(), BTreeSet::from(["refract"]));
         assert_eq!(handed_on.within(&in_refract.functions()), in_refract);
-        // What is decided wrongly in one function hides nothing in another.
-        let wrong_t = of(&["one T@glass"]);
-        assert!(of(&["one Decision@refract"]).contradicts(&wrong_t));
-        assert!(!of(&["one Decision@glass"]).contradicts(&wrong_t));
+        // A wrong hit or miss of one function hides nothing in another.
+        let wrong_t = of(&["one t@glass"]);
+        assert!(of(&["one decision@refract"]).contradicts(&wrong_t));
+        assert!(!of(&["one decision@glass"]).contradicts(&wrong_t));
     }
 
     #[test]
     fn kinds_are_those_of_faults_in_whatever_case_and_call() {
-        let of = |keys: &[(&str, &str)]| Signature {
-            core: keys
-                .iter()
-                .map(|(key, codes)| {
-                    let codes = Codes::try_from(codes.to_string()).unwrap();
-                    (key.to_string(), codes)
-                })
-                .collect(),
-            robust: Cases::new(),
-        };
-        let halved = format!("2 1*{:x}", digest(&[Class::Ratio(-1)]));
-        let one = of(&[("one LeafSize one too many", "1*1"), ("one T", &halved)]);
-        let halved = format!("3*{:x}", digest(&[Class::Ratio(-1)]));
-        let two = of(&[("two LeafSize one too many", "4 1*7"), ("six T", &halved)]);
-        assert!(one.kinds().is_some());
-        assert_eq!(one.kinds(), two.kinds());
-        let doubled = format!("3*{:x}", digest(&[Class::Ratio(1)]));
-        assert_ne!(
-            of(&[("one T", &halved)]).kinds(),
-            of(&[("one T", &doubled)]).kinds()
-        );
-        let sizes = format!("3*{:x}", digest(&[Class::Off(3)]));
-        assert_eq!(of(&[("one T", &sizes)]).kinds(), None);
-        assert_eq!(of(&[]).kinds(), None);
+        let t = |start: &str, class| format!("{start}*{:x}", digest(&[class]));
+        let of_t = |class| signature(&[("one t", &t("3", class))]);
+        let one = [
+            ("one leaf_size one too many", "1*1"),
+            ("one t", &t("2 1", Class::Ratio(-1))),
+        ];
+        let two = [
+            ("two leaf_size one too many", "4 1*7"),
+            ("six t", &t("3", Class::Ratio(-1))),
+        ];
+        assert!(signature(&one).kinds().is_some());
+        assert_eq!(signature(&one).kinds(), signature(&two).kinds());
+        let [halved, doubled] = [-1, 1].map(|ratio| of_t(Class::Ratio(ratio)));
+        assert_ne!(halved.kinds(), doubled.kinds());
+        assert_eq!(of_t(Class::Off(3)).kinds(), None);
+        assert_eq!(signature(&[]).kinds(), None);
     }
 }

@@ -1,24 +1,24 @@
 //! Two mistakes at once.
 
-use super::{Cases, Signature, function};
+use super::{Cases, Signature, SignatureKey};
 use std::collections::BTreeSet;
 
 impl Signature {
     /// How this signature agrees with that of code which makes two mistakes, `first` and `second`. Where both would
-    /// show in one value either may; where one says miss or crashes, the other may not show at all.
+    /// show in one value either may; where one misses or crashes, the other may not show at all.
     pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
         let mut together = Together::default();
         let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {
             true => &signature.robust,
             false => &signature.core,
         });
-        let names: BTreeSet<&String> = of_tier.iter().flat_map(|cases| cases.keys()).collect();
-        for name in names {
+        let keys: BTreeSet<&SignatureKey> = of_tier.iter().flat_map(|cases| cases.keys()).collect();
+        for key in keys {
             let [student, one, other] = of_tier.map(|cases| {
-                let codes = cases.get(name);
+                let codes = cases.get(key);
                 codes.map_or(&[][..], |codes| &codes.0)
             });
-            let hidden_by = [of_tier[2], of_tier[1]].map(|cases| Hiding::of(cases, name));
+            let hidden_by = [of_tier[2], of_tier[1]].map(|cases| Hiding::of(cases, key));
             for call in 0..student.len().max(one.len()).max(other.len()) {
                 let at = |codes: &[u16]| codes.get(call).copied().unwrap_or(0);
                 let made = [at(one), at(other)];
@@ -71,23 +71,18 @@ impl Together {
     }
 }
 
-/// What keeps another mistake from showing in an aspect of a case.
+/// What keeps another mistake from showing in a side of a case.
 pub(super) struct Hiding<'a> {
     crashed: bool,
-    /// Calls decided wrongly: nothing else is judged there.
+    /// Codes of wrong hits and misses: nothing else is judged there.
     decisions: &'a [u16],
 }
 
 impl Hiding<'_> {
-    pub(super) fn of<'a>(cases: &'a Cases, name: &str) -> Hiding<'a> {
-        let case = name.split(' ').next().unwrap_or_default();
-        let decision = match function(name) {
-            Some(function) => format!("{case} Decision@{function}"),
-            None => format!("{case} Decision"),
-        };
-        let decisions = cases.get(&decision).filter(|_| name != decision);
+    pub(super) fn of<'a>(cases: &'a Cases, key: &SignatureKey) -> Hiding<'a> {
+        let decisions = key.hit_or_miss().and_then(|key| cases.get(&key));
         Hiding {
-            crashed: cases.contains_key(&format!("{case} crashed")),
+            crashed: cases.contains_key(&key.crash()),
             decisions: decisions.map_or(&[], |codes| &codes.0),
         }
     }
@@ -99,14 +94,14 @@ impl Hiding<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::codes::Codes;
     use super::super::tests::signature;
     use super::*;
 
     #[test]
     fn two_mistakes_explain_what_neither_does_alone() {
-        let (first, second) = (signature("1 2*a 1*b"), signature("3 1*d 2*f"));
-        let both = signature("1 2*a 1*c 2*f").agreement_with_both(&first, &second);
+        let of = |codes| signature(&[("case t", codes)]);
+        let (first, second) = (of("1 2*a 1*b"), of("3 1*d 2*f"));
+        let both = of("1 2*a 1*c 2*f").agreement_with_both(&first, &second);
         let alone = |shown, of| Alone { of, shown };
         assert_eq!(
             both,
@@ -116,25 +111,17 @@ mod tests {
                 alone: [alone(2, 2), alone(2, 2)]
             }
         );
-        let not_made = signature("1 2*a 1*b").agreement_with_both(&first, &second);
+        let not_made = of("1 2*a 1*b").agreement_with_both(&first, &second);
         assert_eq!(not_made.alone[1], alone(0, 2));
         assert!(not_made.likeness() < 1.0);
     }
 
     #[test]
     fn a_miss_hides_what_else_is_wrong() {
-        let with_miss = |codes: &str| {
-            let mut signature = signature(codes);
-            let case = signature.core.remove("case").unwrap();
-            signature.core.insert("case T".to_string(), case);
-            signature
-        };
-        let mut miss = Signature::default();
-        let decision = Codes::try_from("1 1*e".to_string()).unwrap();
-        miss.core.insert("case Decision".to_string(), decision);
-        let mut both = with_miss("1*a");
-        both.core.extend(miss.core.clone());
-        let together = both.agreement_with_both(&with_miss("2*a"), &miss);
+        let decision = ("case decision", "1 1*e");
+        let both = signature(&[("case t", "1*a"), decision]);
+        let [t, miss] = [("case t", "2*a"), decision].map(|side| signature(&[side]));
+        let together = both.agreement_with_both(&t, &miss);
         assert!((together.likeness() - 1.0).abs() < 1e-12);
     }
 }

@@ -8,7 +8,6 @@ use grader::cli::{Verdict, whole_number};
 use grader::course::Course;
 use grader::diagnosis::{self, Known};
 use grader::error::GraderError;
-use grader::report::write_whole;
 use grader::signature::Signature;
 use grader::workspace::Workspace;
 use judge::plural;
@@ -82,8 +81,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             verdict = Verdict::Short;
         }
         if bless {
-            store(&diagnosis::file(&workspace, &task.key), &known)?;
-            store(&Table::file(&workspace, &task.key), &table)?;
+            diagnosis::store(&workspace, &task.key, &known)?;
+            table.store(&workspace, &task.key)?;
         } else if seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
             verdict = Verdict::Short;
         }
@@ -112,14 +111,6 @@ fn same_as_stored(
         println!("  If that is meant, `grader mutants {task} --bless` stores it.");
     }
     Ok(same)
-}
-
-fn store(path: &Path, value: &impl serde::Serialize) -> Result<(), GraderError> {
-    let text =
-        serde_json::to_string_pretty(value).map_err(|e| GraderError::file("write", path, e))?;
-    let folder = path.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
-    write_whole(path, (text + "\n").as_bytes())
 }
 
 /// What is made of mistakes that the diagnosis need not know.

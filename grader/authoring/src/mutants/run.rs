@@ -246,7 +246,7 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
                 .collect();
             Known {
                 mistakes: mutant.mistakes.clone(),
-                says: mistakes
+                descriptions: mistakes
                     .iter()
                     .map(|mistake| mistake.says.clone())
                     .collect(),

@@ -1,0 +1,159 @@
+//! Keys: which wrong answers a list of codes is about.
+
+use judge::tally::Aspect;
+use serde_json::Value;
+use std::fmt;
+
+/// The case and the side of its answers that are wrong.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct SignatureKey {
+    pub(super) case: String,
+    pub(super) side: Side,
+}
+
+/// A side of a case's answers.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// The case has no answers: the code panicked or ran out of time.
+    Crash,
+    /// One aspect of the answers.
+    Aspect {
+        /// Which.
+        aspect: Aspect,
+        /// The function that gave the answers, where a case calls several.
+        function: Option<String>,
+        /// The name of the fault, if it has one.
+        fault: Option<String>,
+    },
+}
+
+impl SignatureKey {
+    /// The key of the case's wrong hits and misses in the same function: where those are wrong, no
+    /// other aspect is judged. `None` if this is that key.
+    pub(super) fn hit_or_miss(&self) -> Option<SignatureKey> {
+        let key = SignatureKey {
+            case: self.case.clone(),
+            side: Side::Aspect {
+                aspect: Aspect::Decision,
+                function: self.side.function().map(str::to_string),
+                fault: None,
+            },
+        };
+        (key != *self).then_some(key)
+    }
+
+    /// The key of a crash of the same case.
+    pub(super) fn crash(&self) -> SignatureKey {
+        SignatureKey {
+            case: self.case.clone(),
+            side: Side::Crash,
+        }
+    }
+
+    /// Reads `case aspect`, `case aspect@function`, either of them followed by a space and the
+    /// fault's name, or `case crashed`.
+    pub(super) fn parse(text: &str) -> Option<SignatureKey> {
+        let (case, side) = text.split_once(' ')?;
+        let side = if side == CRASHED {
+            Side::Crash
+        } else {
+            let (place, fault) = match side.split_once(' ') {
+                Some((place, fault)) => (place, Some(fault.to_string())),
+                None => (side, None),
+            };
+            let (aspect, function) = match place.split_once('@') {
+                Some((aspect, function)) => (aspect, Some(function.to_string())),
+                None => (place, None),
+            };
+            Side::Aspect {
+                aspect: serde_json::from_value(Value::from(aspect)).ok()?,
+                function,
+                fault,
+            }
+        };
+        Some(SignatureKey {
+            case: case.to_string(),
+            side,
+        })
+    }
+}
+
+/// What stands for an aspect in the key of a crash.
+const CRASHED: &str = "crashed";
+
+impl Side {
+    /// The function that gave the answers, if it is known.
+    pub(super) fn function(&self) -> Option<&str> {
+        match self {
+            Side::Crash => None,
+            Side::Aspect { function, .. } => function.as_deref(),
+        }
+    }
+
+    /// The aspect and the function, without the fault's name.
+    pub(super) fn place(&self) -> Option<(Aspect, Option<&str>)> {
+        match self {
+            Side::Crash => None,
+            Side::Aspect {
+                aspect, function, ..
+            } => Some((*aspect, function.as_deref())),
+        }
+    }
+}
+
+impl fmt::Display for SignatureKey {
+    /// As [`SignatureKey::parse`] reads it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.side {
+            Side::Crash => write!(f, "{} {CRASHED}", self.case),
+            Side::Aspect {
+                aspect,
+                function,
+                fault,
+            } => {
+                let aspect = serde_json::to_value(aspect).map_err(|_| fmt::Error)?;
+                write!(f, "{} {}", self.case, aspect.as_str().unwrap_or_default())?;
+                if let Some(function) = function {
+                    write!(f, "@{function}")?;
+                }
+                match fault {
+                    Some(fault) => write!(f, " {fault}"),
+                    None => Ok(()),
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_come_back_from_their_text() {
+        for text in [
+            "one crashed",
+            "one geometric_normal",
+            "two t@refract",
+            "two leaf_size one too many",
+            "three pdf@glass_sample of the other side",
+        ] {
+            let key = SignatureKey::parse(text);
+            assert_eq!(key.map(|key| key.to_string()).as_deref(), Some(text));
+        }
+        assert_eq!(SignatureKey::parse("one"), None);
+        assert_eq!(SignatureKey::parse("one colour_of_the_moon"), None);
+    }
+
+    #[test]
+    fn nothing_else_is_judged_where_a_hit_is_missed_in_the_same_function() {
+        let key = |text| SignatureKey::parse(text).expect("it is a key");
+        let hit_or_miss = key("one decision@refract");
+        assert_eq!(
+            key("one t@refract").hit_or_miss(),
+            Some(hit_or_miss.clone())
+        );
+        assert_eq!(hit_or_miss.hit_or_miss(), None);
+        assert_eq!(key("one t").crash(), key("one crashed"));
+    }
+}

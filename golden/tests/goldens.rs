@@ -150,7 +150,6 @@ fn check_snapshot(workspace: &Workspace, spec: &Spec, answer: &Answer) -> Result
     settings.set_snapshot_path(workspace.snapshot(spec.task, spec.name).with_file_name(""));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.set_description(spec.about);
     let asserted = catch_unwind(AssertUnwindSafe(|| {
         settings.bind(|| insta::assert_snapshot!(spec.name, text))
     }));

@@ -2,17 +2,26 @@
 
 use super::key::{Side, SignatureKey};
 use crate::score::{CaseResult, Status};
-use judge::tally::{BLACK_CHANNEL, Class, Fault};
+use judge::tally::{BLACK_CHANNEL, Class, Fault, Finding};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;
 
-/// One code a call: 0 where the answer is right, else a digest of the classes of what is wrong.
+/// One code for each call that is compared: 0 where the answer is right, else a digest of the classes of
+/// what is wrong.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Codes(pub(super) Vec<u16>);
 
 /// Of many answers to the same question so many are compared, and the first wrong one if it comes
 /// later.
 const SAME_QUESTION: u32 = 200;
+
+/// In a case with more calls than this, a picture, not every call is compared: neighbouring pixels show
+/// the same.
+const MANY_CALLS: u32 = 8192;
+
+/// Of many calls the first of so many is compared, and the first wrong one. It is odd and not a
+/// multiple of 5, so that the calls are in all columns of a picture.
+const STRIDE: u32 = 17;
 
 /// The code of a case without answers: a panic, a timeout.
 pub(super) const CRASHED: u16 = u16::MAX;
@@ -30,6 +39,9 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     // Where many answers are judged by chance, they are all to the same question.
     let by_chance = case.findings.iter().any(|finding| finding.sure.is_some());
     let compared = if by_chance { SAME_QUESTION } else { u32::MAX };
+    let calls = |finding: &Finding| finding.judged.max(finding.expected);
+    let calls = case.findings.iter().map(calls).max().unwrap_or(0);
+    let stride = if calls > MANY_CALLS { STRIDE } else { 1 };
     // Where something is wrong, that is why other aspects never showed.
     let shows_nothing = case.findings.iter().all(|finding| finding.wrong == 0);
     let mut all = Vec::new();
@@ -45,8 +57,9 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         };
         for fault in &finding.faults {
             let faults = sides.entry(side(Some(fault))).or_default();
-            if fault.call < compared || faults.is_empty() {
-                faults.push((fault.call, fault.class));
+            let is_compared = fault.call < compared && fault.call.is_multiple_of(stride);
+            if is_compared || faults.is_empty() {
+                faults.push((fault.call / stride, fault.class));
             }
         }
         if sides.is_empty() && shows_nothing {

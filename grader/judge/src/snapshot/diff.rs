@@ -4,10 +4,10 @@ use super::parse::Snapshot;
 use crate::plural;
 use std::fmt;
 
-/// The changes that a reviewer is told of.
+/// The changes that a reviewer reads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
-    /// Calls that only one of the two has.
+    /// How many more calls one of the two has.
     pub calls: usize,
     /// Hits that became misses.
     pub now_miss: usize,
@@ -19,22 +19,31 @@ pub struct Changes {
     pub t: usize,
     /// The largest difference of `t` in units in the last place.
     pub max_t_ulps: f64,
-    /// Lines whose other figures differ.
+    /// Rows whose other figures differ.
     pub other: usize,
     /// Whether the totals differ.
     pub totals: bool,
-    /// Numbers of the calls that differ.
+    /// Whether the hash of all rows differs.
+    pub hash: bool,
+    /// Numbers of the calls whose rows differ.
     pub differing: Vec<u32>,
+    /// How many rows were compared and how many calls there are, if not every call has a row.
+    pub sample: Option<(usize, usize)>,
 }
 
 /// Compares two snapshots of the same case.
 pub fn changes(old: &Snapshot, new: &Snapshot) -> Changes {
     let mut changes = Changes {
-        calls: old.lines.len().abs_diff(new.lines.len()),
+        calls: old.calls.abs_diff(new.calls),
         totals: old.totals != new.totals,
+        hash: old.hash.zip(new.hash).is_some_and(|(old, new)| old != new),
+        sample: (!old.is_whole()).then_some((old.lines.len(), old.calls)),
         ..Changes::default()
     };
-    for (old, new) in old.lines.iter().zip(&new.lines) {
+    for old in &old.lines {
+        let Some(new) = new.row(old.call) else {
+            continue;
+        };
         if old == new {
             continue;
         }
@@ -66,7 +75,7 @@ fn ulps_between(a: f64, b: f64) -> f64 {
 impl Changes {
     /// Whether nothing changed.
     pub fn is_empty(&self) -> bool {
-        *self == Changes::default()
+        self.calls == 0 && self.differing.is_empty() && !self.totals && !self.hash
     }
 }
 
@@ -90,8 +99,19 @@ impl fmt::Display for Changes {
         if self.totals {
             said.push("the totals changed".into());
         }
+        if self.hash && self.differing.is_empty() {
+            said.push(match self.sample {
+                Some(_) => "calls without a row changed".into(),
+                None => "figures that only full rows have changed".into(),
+            });
+        }
         if said.is_empty() {
             return f.write_str("nothing changed");
+        }
+        if let Some((rows, calls)) = self.sample
+            && !self.differing.is_empty()
+        {
+            write!(f, "of the {rows} rows for {calls} calls: ")?;
         }
         f.write_str(&said.join(", "))
     }
@@ -116,6 +136,21 @@ mod tests {
             "1 call now hit, 1 call now miss, 1 call changed primitive, 1 call changed t, max Δt 1 ulp"
         );
         assert_eq!(changes.differing, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_sample_tells_when_other_calls_changed() {
+        let sample = |hash: u32, t: u32| {
+            let hash = format!("# calls=20 hash={hash:032x}\n");
+            parse(&format!("{hash}0: -> t=1 prim=0\n7: -> t={t} prim=0\n")).unwrap()
+        };
+        let words = |new: &Snapshot| changes(&sample(1, 2), new).to_string();
+        assert_eq!(words(&sample(1, 2)), "nothing changed");
+        assert_eq!(words(&sample(2, 2)), "calls without a row changed");
+        assert_eq!(
+            words(&sample(2, 4)),
+            "of the 2 rows for 20 calls: 1 call changed t, max Δt 4503599627370496 ulp"
+        );
     }
 
     #[test]

@@ -9,9 +9,6 @@ use wire::light::BsdfSample;
 use wire::work::Xyz;
 use wire::{Answer, Work};
 
-/// How many lines of a case are written: thousands of random estimates say no more.
-const LINES: usize = 200;
-
 /// The lines of `answer` to `work`, if they are about light.
 pub(super) fn lines(work: &Work, answer: &Answer) -> Option<Vec<Forms>> {
     Some(match (work, answer) {
@@ -31,7 +28,7 @@ pub(super) fn lines(work: &Work, answer: &Answer) -> Option<Vec<Forms>> {
 }
 
 fn each<Q, A>(questions: &[Q], answers: &[A], line: impl Fn(&Q, &A) -> Forms) -> Vec<Forms> {
-    let pairs = questions.iter().zip(answers).take(LINES);
+    let pairs = questions.iter().zip(answers);
     pairs
         .map(|(question, answer)| line(question, answer))
         .collect()

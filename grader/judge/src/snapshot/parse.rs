@@ -1,15 +1,33 @@
 //! Reading a snapshot.
 
+use super::hash::RowsHash;
 use super::line::{Line, MISS, Value};
 use std::fmt;
 
 /// A snapshot that was read.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Snapshot {
-    /// Figures of the whole case, from the line that begins with `#`.
+    /// How many calls the case has.
+    pub calls: usize,
+    /// The hash of the rows of all calls, each in full; none in a text without it.
+    pub hash: Option<RowsHash>,
+    /// Figures of the whole case, from lines that begin with `#`.
     pub totals: Line,
-    /// One a call.
+    /// The rows, by number of the call: of all calls or of a sample.
     pub lines: Vec<Line>,
+}
+
+impl Snapshot {
+    /// The row of a call, if it has one.
+    pub fn row(&self, call: u32) -> Option<&Line> {
+        let place = self.lines.binary_search_by_key(&call, |line| line.call);
+        place.ok().map(|place| &self.lines[place])
+    }
+
+    /// Whether every call has a row.
+    pub fn is_whole(&self) -> bool {
+        self.lines.len() == self.calls
+    }
 }
 
 /// A line that is not one of a snapshot's.
@@ -46,16 +64,37 @@ pub fn parse(text: &str) -> Result<Snapshot, ParseError> {
             expected,
         };
         if let Some(totals) = text.strip_prefix('#') {
-            snapshot.totals.answer = fields(totals).ok_or(error("`# name=value ...`"))?;
+            comment(&mut snapshot, totals).ok_or(error("`# name=value ...`"))?;
             continue;
         }
         let line = line(text).ok_or(error("`call: name=value ... -> name=value ...`"))?;
-        if line.call as usize != snapshot.lines.len() {
-            return Err(error("the next call in order"));
+        let last = snapshot.lines.last().map(|line| line.call);
+        if last.is_some_and(|last| line.call <= last) {
+            return Err(error("a later call"));
         }
         snapshot.lines.push(line);
     }
+    // A text without a number of calls has a row for each.
+    if snapshot.calls == 0 {
+        snapshot.calls = snapshot.lines.len();
+    }
     Ok(snapshot)
+}
+
+/// Reads a line that begins with `#`: what is known of the whole case.
+fn comment(snapshot: &mut Snapshot, text: &str) -> Option<()> {
+    for field in text.split_whitespace() {
+        let (name, text) = field.split_once('=')?;
+        match name {
+            "calls" => snapshot.calls = text.parse().ok()?,
+            "hash" => snapshot.hash = Some(text.parse().ok()?),
+            _ => {
+                let total = (name.to_string(), value(text)?);
+                snapshot.totals.answer.push(total);
+            }
+        }
+    }
+    Some(())
 }
 
 fn line(text: &str) -> Option<Line> {
@@ -123,9 +162,20 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_line_is_an_error_with_its_place() {
-        let error = parse("0: -> miss\n2: -> miss\n").unwrap_err();
-        assert_eq!(error.to_string(), "line 2: expected the next call in order");
+    fn rows_out_of_order_are_an_error_with_its_place() {
+        let error = parse("2: -> miss\n0: -> miss\n").unwrap_err();
+        assert_eq!(error.to_string(), "line 2: expected a later call");
+    }
+
+    #[test]
+    fn a_sample_has_some_rows_and_the_hash_of_all() {
+        let text =
+            "# calls=20 hash=6c62272e07bb014262b821756295c58d\n# nodes=3\n0: -> t=1\n7: -> miss\n";
+        let sample = parse(text).unwrap();
+        assert_eq!((sample.calls, sample.hash), (20, Some(RowsHash::EMPTY)));
+        assert_eq!(sample.totals.number("nodes"), Some(3.0));
+        assert!(sample.row(7).is_some_and(Line::is_miss));
+        assert!(sample.row(1).is_none() && !sample.is_whole());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Writing a snapshot.
 
+use super::hash::RowsHash;
 use super::light;
 use super::line::{Line, Value};
 use super::parse::Snapshot;
@@ -7,16 +8,21 @@ use wire::answer::{Hit, HitsAnswer, TraverseAnswer};
 use wire::work::Ray;
 use wire::{Answer, Work};
 
-/// How many lines of a case have the question and the whole record.
-pub const FULL_LINES: usize = 48;
+/// A case of at most so many calls has a row for each.
+pub const ALL_ROWS: usize = 640;
 
-/// How many nodes of a tree are written: a change of the recipe shows in the first ones, and in their number.
-const TREE_LINES: usize = 512;
+/// Any other case has at most so many rows.
+const SAMPLED_ROWS: usize = 200;
+
+/// So many rows of a case have the question and the whole record.
+pub const FULL_ROWS: usize = 48;
 
 /// The text of the snapshot of `answer` to `work`; `None` for what is different every time (times).
 pub fn write(work: &Work, answer: &Answer) -> Option<String> {
-    let (totals, lines) = content(work, answer)?;
-    let mut text = String::new();
+    let (totals, forms) = content(work, answer)?;
+    let calls = forms.len();
+    let hash = hash(forms.iter().map(|(_, full)| full));
+    let mut text = format!("# calls={calls} hash={hash}\n");
     if !totals.is_empty() {
         let fields: Vec<String> = totals
             .iter()
@@ -24,42 +30,63 @@ pub fn write(work: &Work, answer: &Answer) -> Option<String> {
             .collect();
         text.push_str(&format!("# {}\n", fields.join(" ")));
     }
-    let stride = lines.len().div_ceil(FULL_LINES).max(1);
-    for (i, (short, full)) in lines.into_iter().enumerate() {
-        let line = if i % stride == 0 { full } else { short };
-        text.push_str(&format!(
-            "{}\n",
-            Line {
-                call: u32::try_from(i).unwrap_or(u32::MAX),
-                ..line
-            }
-        ));
+    let rows: Vec<Forms> = forms.into_iter().step_by(row_stride(calls)).collect();
+    let stride = rows.len().div_ceil(FULL_ROWS).max(1);
+    for (i, (short, full)) in rows.into_iter().enumerate() {
+        let row = if i % stride == 0 { full } else { short };
+        text.push_str(&format!("{row}\n"));
     }
     Some(text)
 }
 
-/// What a snapshot of `answer` to `work` would say if every line had its question and the whole record.
+/// Of how many calls one has a row. Odd where it is not 1: the sample is in all columns of a picture
+/// whose width is a power of 2.
+fn row_stride(calls: usize) -> usize {
+    if calls <= ALL_ROWS {
+        1
+    } else {
+        calls.div_ceil(SAMPLED_ROWS) | 1
+    }
+}
+
+/// The hash of the text of `rows`.
+fn hash<'a>(rows: impl Iterator<Item = &'a Line>) -> RowsHash {
+    rows.fold(RowsHash::EMPTY, |hash, row| hash.then(&format!("{row}\n")))
+}
+
+/// The snapshot of `answer` to `work` with a row for every call, each with its question and the whole record.
 pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
-    let (totals, lines) = content(work, answer)?;
-    let lines = (0..).zip(lines);
+    let (totals, forms) = content(work, answer)?;
+    let lines: Vec<Line> = forms.into_iter().map(|(_, full)| full).collect();
     Some(Snapshot {
+        calls: lines.len(),
+        hash: Some(hash(lines.iter())),
         totals: Line {
             answer: totals,
             ..Line::default()
         },
-        lines: lines
-            .map(|(call, (_, full))| Line { call, ..full })
-            .collect(),
+        lines,
     })
+}
+
+/// The totals of a case and its rows, numbered.
+fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
+    let (totals, mut forms) = answers(work, answer)?;
+    for (call, (short, full)) in (0..).zip(&mut forms) {
+        short.call = call;
+        full.call = call;
+    }
+    Some((totals, forms))
 }
 
 /// Names and values.
 pub type Fields = Vec<(String, Value)>;
 
-/// The short and the full form of a line.
+/// The short and the full form of a row.
 pub(super) type Forms = (Line, Line);
 
-fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
+/// The totals of a case and its rows, not yet numbered.
+fn answers(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
     let lines = match (work, answer) {
         (Work::Pixels(pixels), Answer::Pixels(answers)) => {
             let each = pixels.pixels.iter().zip(answers);
@@ -133,7 +160,7 @@ fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
             .collect()
         }
         (Work::Build { .. }, Answer::Build(answer)) => {
-            let nodes = answer.tree.nodes.iter().take(TREE_LINES);
+            let nodes = answer.tree.nodes.iter();
             let lines = nodes
                 .map(|node| {
                     let below = match node.kind {
@@ -257,4 +284,64 @@ pub(super) fn number(name: &str, number: f64) -> (String, Value) {
 
 pub(super) fn vector(numbers: &[f64]) -> Value {
     Value::Vector(numbers.to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{changes, parse};
+    use super::*;
+    use wire::work::Probe;
+
+    fn boxes(calls: usize) -> (Work, Vec<Option<[f64; 2]>>) {
+        let ray = Ray {
+            o: [0.0; 3],
+            d: [0.0, 0.0, 1.0],
+            min_t: 0.0,
+            max_t: f64::INFINITY,
+        };
+        let work = Work::Boxes {
+            boxes: vec![[[0.0; 3], [1.0; 3]]],
+            probes: vec![Probe { shape: 0, ray }; calls],
+        };
+        let answers = (0..calls).map(|call| (call % 3 > 0).then_some([call as f64, 1e9]));
+        (work, answers.collect())
+    }
+
+    #[test]
+    fn a_large_case_has_a_sample_of_its_rows() {
+        for (calls, rows) in [(640, 640), (641, 129), (19_200, 198)] {
+            let (work, answers) = boxes(calls);
+            let snapshot = parse(&write(&work, &Answer::Boxes(answers)).unwrap()).unwrap();
+            assert_eq!((snapshot.calls, snapshot.lines.len()), (calls, rows));
+            let full = snapshot.lines.iter().filter(|row| !row.question.is_empty());
+            assert!((30..=FULL_ROWS).contains(&full.count()));
+        }
+    }
+
+    #[test]
+    fn every_bit_of_every_answer_is_in_the_hash() {
+        let (work, answers) = boxes(3000);
+        let snapshot = |answers: &Vec<_>| {
+            parse(&write(&work, &Answer::Boxes(answers.clone())).unwrap()).unwrap()
+        };
+        let golden = snapshot(&answers);
+        for call in [1, 1000, 2999] {
+            let mut other = answers.clone();
+            other[call] = match other[call] {
+                Some([from, to]) => Some([from, to.next_up()]),
+                None => Some([0.0, 0.0]),
+            };
+            assert!(changes(&golden, &snapshot(&other)).hash, "call {call}");
+        }
+    }
+
+    #[test]
+    fn full_has_the_hash_that_is_written() {
+        let (work, answers) = boxes(700);
+        let answer = Answer::Boxes(answers);
+        let full = full(&work, &answer).unwrap();
+        let written = parse(&write(&work, &answer).unwrap()).unwrap();
+        assert!(full.is_whole());
+        assert_eq!((full.calls, full.hash), (written.calls, written.hash));
+    }
 }

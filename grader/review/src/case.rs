@@ -2,18 +2,20 @@
 
 use super::boxes;
 use super::cause::Cause;
+use super::exact;
 use super::picture::{Picture, Pixels};
 use crate::bless;
 use grader::error::GraderError;
 use grader::runner::Worker;
 use grader::workspace::Workspace;
+use image::RgbImage;
 use judge;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::snapshot::{self, Changes, Line, Snapshot, changes};
-use judge::tally::Finding;
+use judge::snapshot::{self, Changes, Fields, Line, Snapshot, changes};
+use judge::tally::{Aspect, Finding};
 use pages::picture::{compose, read_png};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use wire::Answer;
 
 /// One case, golden against actual.
@@ -44,6 +46,8 @@ pub enum State {
     Differs {
         /// What.
         changes: Changes,
+        /// On how many calls the answers are known to differ.
+        calls: usize,
         /// How many pixels have another colour.
         pixels: usize,
         /// What the exact oracle finds wrong about the actual answers; none if it confirms them all.
@@ -60,10 +64,12 @@ pub struct Row {
     pub call: u32,
     /// Why they differ.
     pub cause: Cause,
-    /// The golden answer; none if the golden is shorter.
+    /// The golden answer; none if the golden has no row for the call and its picture does not show a miss.
     pub golden: Option<Line>,
-    /// The answer of the code under review, as much of it as the golden says.
+    /// The answer of the code under review, as much of it as the golden has.
     pub actual: Option<Line>,
+    /// What is right by the exact oracle, where there is no golden answer.
+    pub exact: Option<Line>,
     /// What was asked.
     pub question: String,
 }
@@ -100,8 +106,22 @@ impl Case {
             return Ok(Case::silent(spec, "its answers make no snapshot"));
         };
         let changes = changes(&golden, &actual);
-        let picture = picture(workspace, spec, [&golden, &actual, &full], answer, together)?;
-        let pixels = picture.as_ref().map_or(0, Picture::recoloured);
+        let pictures = pictures(workspace, spec, answer)?;
+        let pixels = pictures.as_ref().map_or(0, recoloured);
+        let differs = !changes.is_empty() || pixels > 0;
+        let mut findings = Vec::new();
+        if differs {
+            findings = judge::judge(spec, tier, answer);
+            findings.retain(|finding| !finding.passed());
+        }
+        let wrong = wrong(&findings);
+        let snapshots = [&golden, &actual, &full];
+        let picture = match pictures {
+            None => None,
+            Some(pictures) => Some(picture(
+                spec, snapshots, pictures, &wrong, answer, together,
+            )?),
+        };
         let mut case = Case {
             task: spec.task,
             name: spec.name,
@@ -111,13 +131,20 @@ impl Case {
             wrong: BTreeMap::new(),
             picture,
         };
-        if !changes.is_empty() || pixels > 0 {
-            let mut findings = judge::judge(spec, tier, answer);
-            findings.retain(|finding| !finding.passed());
-            case.rows = rows(&golden, &actual, &full);
-            case.wrong = wrong(&findings);
+        if differs {
+            let pixels_of = case
+                .picture
+                .as_ref()
+                .and_then(|picture| picture.pixels.as_ref());
+            let calls = differing(snapshots, &changes, pixels_of, &wrong);
+            case.rows = rows(spec, snapshots, pixels_of, &calls);
+            case.wrong = wrong
+                .into_iter()
+                .map(|(call, aspects)| (call, aspects.into_iter().map(Aspect::label).collect()))
+                .collect();
             case.state = State::Differs {
                 changes,
+                calls: calls.len(),
                 pixels,
                 wrong: findings.iter().map(Finding::to_string).collect(),
             };
@@ -131,84 +158,138 @@ impl Case {
     }
 }
 
-impl Picture {
-    /// How many pixels have another colour; all if the sizes differ.
-    fn recoloured(&self) -> usize {
-        if self.golden.dimensions() != self.actual.dimensions() {
-            return self.actual.pixels().len();
-        }
-        let pairs = self.golden.pixels().zip(self.actual.pixels());
-        pairs.filter(|(golden, actual)| golden != actual).count()
+/// The golden picture and the one that `answer` makes; `None` for a case without pictures.
+fn pictures(
+    workspace: &Workspace,
+    spec: &Spec,
+    answer: &Answer,
+) -> Result<Option<[RgbImage; 2]>, GraderError> {
+    let Some(actual) = spec.picture.and_then(|size| compose(size, answer)) else {
+        return Ok(None);
+    };
+    let golden = read_png(&workspace.golden_picture(spec.task, spec.name))?;
+    Ok(Some([golden, actual]))
+}
+
+/// How many pixels have another colour; all if the sizes differ.
+fn recoloured([golden, actual]: &[RgbImage; 2]) -> usize {
+    if golden.dimensions() != actual.dimensions() {
+        return actual.pixels().len();
     }
+    let pairs = golden.pixels().zip(actual.pixels());
+    pairs.filter(|(golden, actual)| golden != actual).count()
 }
 
 fn picture(
-    workspace: &Workspace,
     spec: &Spec,
     [golden, actual, full]: [&Snapshot; 3],
+    [old, new]: [RgbImage; 2],
+    wrong: &BTreeMap<u32, Vec<Aspect>>,
     answer: &Answer,
     together: &Result<Worker, String>,
-) -> Result<Option<Picture>, GraderError> {
-    let Some(size) = spec.picture else {
-        return Ok(None);
-    };
-    let Some(new) = compose(size, answer) else {
-        return Ok(None);
-    };
-    let old = read_png(&workspace.golden_picture(spec.task, spec.name))?;
+) -> Result<Picture, GraderError> {
     let comparable = old.dimensions() == new.dimensions()
-        && [golden, actual].map(|s| s.lines.len()) == [old.pixels().len(); 2];
+        && [golden, actual].map(|snapshot| snapshot.calls) == [old.pixels().len(); 2];
     let pixels = if comparable {
         let boxes = boxes::asked_for(spec, answer, together)?;
-        Some(Pixels::of(
-            spec,
-            (golden, &old),
-            (actual, &new),
-            full,
-            boxes,
-        ))
+        let pictures = [(golden, &old), (actual, &new)];
+        let [golden, actual] = pictures;
+        Some(Pixels::of(spec, golden, actual, full, wrong, boxes))
     } else {
         None
     };
-    Ok(Some(Picture {
+    Ok(Picture {
         golden: old,
         actual: new,
         pixels,
-    }))
+    })
 }
 
 /// What is wrong, call by call.
-fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<&'static str>> {
-    let mut wrong: BTreeMap<u32, Vec<&'static str>> = BTreeMap::new();
+fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<Aspect>> {
+    let mut wrong: BTreeMap<u32, Vec<Aspect>> = BTreeMap::new();
     for finding in findings {
         for fault in &finding.faults {
             let aspects = wrong.entry(fault.call).or_default();
-            if !aspects.contains(&finding.aspect.label()) {
-                aspects.push(finding.aspect.label());
+            if !aspects.contains(&finding.aspect) {
+                aspects.push(finding.aspect);
             }
         }
     }
     wrong
 }
 
+/// The calls that are known to differ: those whose rows do. Where the golden has no rows, those whose pixels do, or
+/// that are wrong.
+fn differing(
+    [golden, actual, _]: [&Snapshot; 3],
+    changes: &Changes,
+    pixels: Option<&Pixels>,
+    wrong: &BTreeMap<u32, Vec<Aspect>>,
+) -> BTreeSet<u32> {
+    let mut calls: BTreeSet<u32> = changes.differing.iter().copied().collect();
+    if golden.is_whole() {
+        let [short, long] = [
+            golden.calls.min(actual.calls),
+            golden.calls.max(actual.calls),
+        ];
+        calls.extend((short as u32)..(long as u32));
+        return calls;
+    }
+    match pixels {
+        Some(pixels) => {
+            let causes = (0..).zip(&pixels.causes);
+            let differ = causes.filter(|(_, cause)| **cause != Cause::Same);
+            calls.extend(differ.map(|(call, _)| call));
+        }
+        None => calls.extend(wrong.keys()),
+    }
+    calls
+}
+
 /// The first calls that differ.
-fn rows(golden: &Snapshot, actual: &Snapshot, full: &Snapshot) -> Vec<Row> {
-    let calls = 0..golden.lines.len().max(actual.lines.len());
-    let differing = calls.filter(|&i| golden.lines.get(i) != actual.lines.get(i));
-    let row = |i: usize| {
-        let [old, new] = [golden, actual].map(|snapshot| snapshot.lines.get(i).cloned());
-        let call = u32::try_from(i).unwrap_or(u32::MAX);
-        let asked = full.lines.get(i).or(old.as_ref());
+fn rows(
+    spec: &Spec,
+    [golden, actual, full]: [&Snapshot; 3],
+    pixels: Option<&Pixels>,
+    differing: &BTreeSet<u32>,
+) -> Vec<Row> {
+    let calls: Vec<u32> = differing.iter().copied().take(ROWS).collect();
+    let is_known = |call: &u32| (*call as usize) < golden.calls.min(full.calls);
+    let without_row: Vec<u32> = calls
+        .iter()
+        .copied()
+        .filter(|call| is_known(call) && golden.row(*call).is_none())
+        .collect();
+    let exact = exact::records(spec, &without_row).unwrap_or_default();
+    let exact: BTreeMap<u32, Fields> = without_row.into_iter().zip(exact).collect();
+    let hits = pixels.and_then(|pixels| pixels.golden.hits.as_ref());
+    let row = |call: u32| {
+        let misses = hits.is_some_and(|hits| !hits[call as usize]);
+        let line = |answer: &Fields| Line {
+            call,
+            answer: answer.clone(),
+            ..Line::default()
+        };
+        let old = golden.row(call).cloned();
+        let old = old.or_else(|| misses.then(|| line(&Fields::new())));
+        let new = actual.row(call).or_else(|| full.row(call)).cloned();
+        let cause = match (&old, &new) {
+            (Some(old), Some(new)) => Cause::of(old, new, true),
+            _ => Cause::Value,
+        };
         Row {
             call,
-            cause: match (&old, &new) {
-                (Some(old), Some(new)) => Cause::of(old, new, true),
-                _ => Cause::Value,
-            },
-            question: asked.map(Line::asked).unwrap_or_default(),
+            cause: pixels.map_or(cause, |pixels| pixels.causes[call as usize]),
+            question: full
+                .row(call)
+                .or(old.as_ref())
+                .map(Line::asked)
+                .unwrap_or_default(),
+            exact: exact.get(&call).filter(|_| old.is_none()).map(line),
             golden: old,
             actual: new,
         }
     };
-    differing.take(ROWS).map(row).collect()
+    calls.into_iter().map(row).collect()
 }

@@ -2,6 +2,7 @@
 
 use image::Rgb;
 use judge::snapshot::Line;
+use judge::tally::Aspect;
 use serde::Serialize;
 
 /// What is different about a call's answer, the first that applies. "False" is against the golden: the exact oracle
@@ -50,6 +51,43 @@ impl Cause {
         }
     }
 
+    /// Why `actual` differs from a golden that has no row for the call: by what the golden picture's colour tells
+    /// of hit or miss, by what the exact oracle finds wrong, then by the colours.
+    pub fn without_row(
+        golden_hits: Option<bool>,
+        actual: &Line,
+        wrong: &[Aspect],
+        same_colour: bool,
+    ) -> Cause {
+        let is_hit = !actual.is_miss();
+        let is_wrong = |aspects: &[Aspect]| aspects.iter().any(|aspect| wrong.contains(aspect));
+        if golden_hits.is_some_and(|hits| hits != is_hit) || is_wrong(&[Aspect::Decision]) {
+            return if is_hit {
+                Cause::FalseHit
+            } else {
+                Cause::FalseMiss
+            };
+        }
+        let is_record = actual.get("prim").is_some();
+        if is_wrong(&[Aspect::Primitive]) {
+            Cause::Primitive
+        } else if is_wrong(&[Aspect::T, Aspect::Interval]) {
+            Cause::T
+        } else if is_wrong(&[Aspect::Normal]) {
+            Cause::Normal
+        } else if !wrong.is_empty() {
+            Cause::Value
+        } else if same_colour {
+            Cause::Same
+        } else if is_record {
+            Cause::Normal
+        } else if actual.get("inside").is_some() {
+            Cause::T
+        } else {
+            Cause::Value
+        }
+    }
+
     /// For people.
     pub fn label(self) -> &'static str {
         match self {
@@ -86,6 +124,25 @@ mod tests {
     fn cause(golden: &str, actual: &str, same_colour: bool) -> Cause {
         let line = |text: &str| parse(&format!("0: -> {text}\n")).unwrap().lines[0].clone();
         Cause::of(&line(golden), &line(actual), same_colour)
+    }
+
+    #[test]
+    fn without_a_row_the_oracle_and_the_colours_tell() {
+        let line = |text: &str| parse(&format!("0: -> {text}\n")).unwrap().lines[0].clone();
+        let [hit, miss, inside] = ["t=1 prim=2", "miss", "inside=[0,1]"].map(line);
+        let cause = Cause::without_row;
+        assert_eq!(cause(Some(true), &hit, &[], true), Cause::Same);
+        assert_eq!(cause(Some(false), &hit, &[], false), Cause::FalseHit);
+        assert_eq!(cause(Some(true), &miss, &[], false), Cause::FalseMiss);
+        assert_eq!(
+            cause(None, &miss, &[Aspect::Decision], false),
+            Cause::FalseMiss
+        );
+        let wrong = [Aspect::Normal, Aspect::T];
+        assert_eq!(cause(Some(true), &hit, &wrong, true), Cause::T);
+        assert_eq!(cause(Some(true), &hit, &[], false), Cause::Normal);
+        assert_eq!(cause(Some(true), &inside, &[], false), Cause::T);
+        assert_eq!(cause(None, &line("d=(0,0,1)"), &[], false), Cause::Value);
     }
 
     #[test]

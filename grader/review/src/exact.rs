@@ -1,19 +1,19 @@
-//! What the exact oracle says of single rays, as records to hold beside a golden's and an answer's.
+//! What is right by the exact oracle, as records to compare with a golden's and an answer's.
 
 use judge::Tier;
 use judge::cases::Spec;
 use judge::expected::{Expected, ExpectedHit};
 use judge::scene;
-use judge::snapshot::{Fields, record};
+use judge::snapshot::{Fields, Value, record};
 use judge::{convert, truth};
-use kit::{Primitive, Scene};
+use kit::{Aabb, Primitive, Scene};
 use rayon::prelude::*;
 use wire::Work;
 use wire::answer::Hit;
 use wire::work::Ray;
 
-/// The hit that is right for each of `calls`, without fields where a miss is; `None` for work that is not about
-/// closest hits.
+/// The hit or the interval that is right for each of `calls`, without fields where a miss is; `None` for work that is
+/// about neither closest hits nor boxes.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
         Work::BruteForce {
@@ -30,6 +30,23 @@ pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
             any_hit: false,
             ..
         } => Some(of_scene(spec, &scene::load(scene), rays, calls)),
+        Work::Boxes { boxes, probes } => {
+            let inside = |&call: &u32| {
+                let probe = &probes[call as usize];
+                let [min, max] = boxes[probe.shape as usize].map(Into::into);
+                let verdict = oracle::bbox(&Aabb { min, max }, &convert::ray(&probe.ray));
+                let ends = verdict.ends.filter(|_| verdict.hits());
+                let inside =
+                    ends.map(|(enters, leaves)| Value::Range(enters.to_f64(), leaves.to_f64()));
+                inside.map(|inside| ("inside".to_string(), inside))
+            };
+            Some(
+                calls
+                    .iter()
+                    .map(|call| inside(call).into_iter().collect())
+                    .collect(),
+            )
+        }
         _ => None,
     }
 }

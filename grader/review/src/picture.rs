@@ -6,7 +6,10 @@ use super::columns::{Column, columns};
 use super::exact;
 use image::{Rgb, RgbImage};
 use judge::cases::Spec;
-use judge::snapshot::{Fields, Snapshot};
+use judge::snapshot::{Fields, Line, Snapshot};
+use judge::tally::Aspect;
+use std::collections::BTreeMap;
+use wire::Work;
 
 /// The pictures of a case.
 #[derive(Clone, Debug)]
@@ -28,8 +31,8 @@ pub struct Pixels {
     pub difference: RgbImage,
     /// What was asked.
     pub question: Vec<Column>,
-    /// What the golden snapshot says: of most pixels `t` and the primitive alone.
-    pub golden: Vec<Column>,
+    /// What is known of the golden's answers.
+    pub golden: GoldenAnswers,
     /// What the code under review answered.
     pub actual: Vec<Column>,
     /// What the exact oracle answers.
@@ -38,7 +41,19 @@ pub struct Pixels {
     pub boxes: Option<Boxes>,
 }
 
-/// What is right where golden and actual differ.
+/// The golden's answers, as far as they are known: those of all calls if the hash says that they are the actual ones,
+/// else the rows of the golden snapshot, of most of them `t` and the primitive alone.
+#[derive(Clone, Debug)]
+pub struct GoldenAnswers {
+    /// The calls with a record, in order; `None` if all have one.
+    pub calls: Option<Vec<u32>>,
+    /// A record for each of those.
+    pub records: Vec<Column>,
+    /// Whether each call hits something, by its colour in the golden picture; `None` where colours do not tell.
+    pub hits: Option<Vec<bool>>,
+}
+
+/// What is right where golden and actual differ, and where the golden's answer is not known.
 #[derive(Clone, Debug)]
 pub struct Exact {
     /// The calls, in order.
@@ -51,39 +66,62 @@ pub struct Exact {
 const DIMMED: f64 = 0.5;
 
 impl Pixels {
-    /// Compares pixel by pixel. `golden` and `actual` are snapshots as they are stored, `full` is `actual` with every
-    /// line in full; the pictures have a pixel for each line.
+    /// Compares pixel by pixel. `golden` and `actual` are snapshots as they are stored, `full` is `actual` with a row for
+    /// every call, in full; the pictures have a pixel for each call. `wrong` is what the exact oracle finds wrong.
     pub fn of(
         spec: &Spec,
         golden: (&Snapshot, &RgbImage),
         actual: (&Snapshot, &RgbImage),
         full: &Snapshot,
+        wrong: &BTreeMap<u32, Vec<Aspect>>,
         boxes: Option<Boxes>,
     ) -> Pixels {
         let colours = from_the_bottom(golden.1).zip(from_the_bottom(actual.1));
-        let lines = golden.0.lines.iter().zip(&actual.0.lines);
-        let causes: Vec<Cause> = lines
+        let same_answers = golden.0.hash == full.hash;
+        let golden_hits: Option<Vec<bool>> = misses_are_black(&spec.work).then(|| {
+            let colours = from_the_bottom(golden.1);
+            colours.map(|colour| *colour != Rgb([0; 3])).collect()
+        });
+        let cause = |line: &Line, same_colour: bool| {
+            let call = line.call;
+            let rows = golden.0.row(call).zip(actual.0.row(call));
+            match rows.or(same_answers.then_some((line, line))) {
+                Some((golden, actual)) => Cause::of(golden, actual, same_colour),
+                None => {
+                    let hits = golden_hits.as_ref().map(|hits| hits[call as usize]);
+                    let wrong = wrong.get(&call).map_or(&[][..], Vec::as_slice);
+                    Cause::without_row(hits, line, wrong, same_colour)
+                }
+            }
+        };
+        let causes: Vec<Cause> = full
+            .lines
+            .iter()
             .zip(colours)
-            .map(|((golden, actual), (old, new))| Cause::of(golden, actual, old == new))
+            .map(|(line, (old, new))| cause(line, old == new))
             .collect();
+        let unknown = |call: u32| !same_answers && golden.0.row(call).is_none();
         let calls: Vec<u32> = (0..)
             .zip(&causes)
-            .filter_map(|(call, cause)| (*cause != Cause::Same).then_some(call))
+            .filter(|(call, cause)| **cause != Cause::Same || unknown(*call))
+            .map(|(call, _)| call)
             .collect();
         let exact = exact::records(spec, &calls).map(|records| Exact {
             records: columns(&records.iter().collect::<Vec<_>>()),
             calls,
         });
-        let answers = |snapshot: &Snapshot| {
-            let answers: Vec<&Fields> = snapshot.lines.iter().map(|line| &line.answer).collect();
-            columns(&answers)
-        };
+        let known = if same_answers { full } else { golden.0 };
+        let calls = known.lines.iter().map(|line| line.call);
         let questions: Vec<&Fields> = full.lines.iter().map(|line| &line.question).collect();
         Pixels {
             difference: difference(actual.1, &causes),
             causes,
             question: columns(&questions),
-            golden: answers(golden.0),
+            golden: GoldenAnswers {
+                calls: (!known.is_whole()).then(|| calls.collect()),
+                records: answers(known),
+                hits: golden_hits,
+            },
             actual: answers(full),
             exact,
             boxes,
@@ -96,6 +134,19 @@ impl Pixels {
         let counts = Cause::DIFFERENCES.map(|cause| (cause, count(cause)));
         counts.into_iter().filter(|(_, count)| *count > 0).collect()
     }
+}
+
+fn answers(snapshot: &Snapshot) -> Vec<Column> {
+    let answers: Vec<&Fields> = snapshot.lines.iter().map(|line| &line.answer).collect();
+    columns(&answers)
+}
+
+/// Whether black is the colour of a miss, and of nothing else: no unit normal is black, and no box near the camera.
+fn misses_are_black(work: &Work) -> bool {
+    matches!(
+        work,
+        Work::Boxes { .. } | Work::BruteForce { .. } | Work::SceneHits { any_hit: false, .. }
+    )
 }
 
 /// The pixels in the order of calls: row by row from the bottom left.

@@ -109,7 +109,12 @@ class Picture {
     this.data = JSON.parse(article.querySelector("script").textContent);
     this.causes = bytes(this.data.causes);
     this.question = new Records(this.data.question);
-    this.golden = new Records(this.data.golden);
+    const { calls, records, hits } = this.data.golden;
+    this.golden = {
+      rows: calls && new Map(calls.map((call, row) => [call, row])),
+      records: new Records(records),
+      hits: hits && bytes(hits),
+    };
     this.actual = new Records(this.data.actual);
     this.exact = this.data.exact && {
       rows: new Map(this.data.exact.calls.map((call, row) => [call, row])),
@@ -207,6 +212,13 @@ class Picture {
     this.inspector.replaceChildren(record, element("div", {}, ...this.boxes(x, y)));
   }
 
+  /** The golden's record of a call; nothing if the golden has no row for it. */
+  goldenAt(call) {
+    const { rows, records } = this.golden;
+    if (!rows) return records.at(call);
+    return rows.has(call) ? records.at(rows.get(call)) : undefined;
+  }
+
   asked(call) {
     const rows = this.question.at(call).map(({ name, numbers }) =>
       element("tr", {}, element("th", {}, name), element("td", {}, value(name, numbers))));
@@ -215,9 +227,11 @@ class Picture {
 
   records(x, y, call) {
     const row = this.exact ? this.exact.rows.get(call) : undefined;
-    const records = { golden: this.golden.at(call), actual: this.actual.at(call) };
+    const golden = this.goldenAt(call);
+    const records = { golden: golden ?? [], actual: this.actual.at(call) };
     if (row !== undefined) records.exact = this.exact.records.at(row);
-    const hits = Object.values(records).some((fields) => fields.length === 0) || records.actual.some(({ name }) => name === "prim");
+    const { hits: byColour } = this.golden;
+    const hits = byColour !== null || Object.values(records).some((fields) => fields.length === 0) || records.actual.some(({ name }) => name === "prim");
     const names = [];
     for (const fields of Object.values(records)) {
       fields.forEach(({ name }, i) => {
@@ -228,13 +242,18 @@ class Picture {
     const body = element("tbody");
     const line = (name, texts) => {
       const cells = Object.keys(records).map((who, i) => {
-        const differs = who === "actual" && texts[0] !== undefined && texts[0] !== texts[1];
+        const differs = who === "actual" && (texts[0] ?? null) !== null && texts[0] !== texts[1];
         const text = texts[i] ?? "–";
         return element("td", { "data-field": `${who}.${name}` }, differs ? element("mark", {}, text) : text);
       });
       body.append(element("tr", {}, element("th", {}, name), ...cells));
     };
-    if (hits) line("answer", Object.values(records).map((fields) => (fields.length ? "hit" : "miss")));
+    if (hits) {
+      const answers = Object.values(records).map((fields) => (fields.length ? "hit" : "miss"));
+      // Where the golden has no row, its colour tells hit from miss.
+      if (!golden) answers[0] = byColour && (byColour[call] ? "hit" : "miss");
+      line("answer", answers);
+    }
     for (const { name, nth } of names) {
       line(name, Object.values(records).map((fields) => {
         const field = fields.filter((field) => field.name === name)[nth];
@@ -244,8 +263,13 @@ class Picture {
     const swatches = ["golden", "actual"].map((who) => element("td", {}, this.swatch(who, x, y)));
     body.append(element("tr", {}, element("th", {}, "colour"), ...swatches));
     const head = Object.keys(records).map((who) => element("th", { scope: "col" }, who));
-    const kept = records.golden.length < records.actual.length && records.golden.length > 0;
-    const note = kept ? "– is not kept: the goldens have the main figures of every pixel, and the whole record of some." : "The answers";
+    const short = golden && golden.length < records.actual.length && golden.length > 0;
+    let note = "The answers";
+    if (short) note = "– is not kept: the golden has the main figures of this pixel.";
+    if (!golden) {
+      const instead = records.exact ? "the exact oracle's record stands for it." : "its colour is all that is known.";
+      note = `The golden has rows for a sample of the pixels, and none for this one: ${instead}`;
+    }
     return element("table", { class: "record" }, element("caption", { class: "note" }, note), element("thead", {}, element("tr", {}, element("td"), ...head)), body);
   }
 

@@ -89,13 +89,19 @@ fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
     let mut labels = vec![Cause::Same.label()];
     labels.extend(Cause::DIFFERENCES.map(Cause::label));
     let exact = pixels.exact.as_ref();
+    let hits = pixels.golden.hits.as_ref();
+    let hits: Option<Vec<u8>> = hits.map(|hits| hits.iter().map(|&hit| u8::from(hit)).collect());
     json!({
         "width": width,
         "height": height,
         "labels": labels,
         "causes": base64(&causes),
         "question": pixels.question,
-        "golden": pixels.golden,
+        "golden": json!({
+            "calls": pixels.golden.calls,
+            "records": pixels.golden.records,
+            "hits": hits.map(|hits| base64(&hits)),
+        }),
         "actual": pixels.actual,
         "exact": exact.map(|exact| json!({ "calls": exact.calls, "records": exact.records })),
         "wrong": case.wrong,

@@ -1,22 +1,21 @@
 //! Answers side by side.
 
 use crate::case::{Case, ROWS, Row, State};
-use judge::snapshot::{Fields, Line};
+use judge::snapshot::{Line, Value};
 use pages::html::escape;
 use std::fmt::Write;
 
 /// The calls that differ, golden and actual side by side.
 pub(super) fn rows(case: &Case) -> String {
     let mut text = String::new();
-    if let State::Differs { changes, .. } = &case.state {
+    if let State::Differs { changes, calls, .. } = &case.state {
         if changes.totals {
             text.push_str("<p>The totals of the case differ, too.</p>\n");
         }
-        let differing = changes.differing.len() + changes.calls;
-        if differing > ROWS {
+        if *calls > ROWS {
             let _ = writeln!(
                 text,
-                "<p class=\"note\">The first {ROWS} of {differing} calls that differ.</p>"
+                "<p class=\"note\">The first {ROWS} of {calls} calls that differ.</p>"
             );
         }
     }
@@ -48,33 +47,38 @@ pub(super) fn rows(case: &Case) -> String {
     text + "</tbody>\n</table></div>\n"
 }
 
-/// Both answers, what differs marked.
+/// Both answers, what differs marked. Where there is no golden answer, what the exact oracle finds stands for it.
 fn sides(row: &Row) -> [String; 2] {
-    let nothing = Fields::new();
-    let fields = |line: &Option<Line>| {
-        line.as_ref()
-            .map_or(nothing.clone(), |line| line.answer.clone())
+    let Some(golden) = &row.golden else {
+        let exact = row.exact.as_ref().map(|line| answer(line, None));
+        let exact = exact.map(|text| format!("<span class=\"note\">no row; exact:</span> {text}"));
+        let actual = row.actual.as_ref().map(|line| answer(line, None));
+        return [exact, actual].map(|side| side.unwrap_or("–".into()));
     };
-    let (golden, actual) = (fields(&row.golden), fields(&row.actual));
+    let actual = row.actual.as_ref();
     [
-        (&row.golden, &golden, &actual),
-        (&row.actual, &actual, &golden),
+        answer(golden, Some(actual)),
+        actual.map_or("–".into(), |line| answer(line, Some(Some(golden)))),
     ]
-    .map(|(line, own, other)| match line {
-        None => "–".into(),
-        Some(line) if line.is_miss() => "<mark>miss</mark>".into(),
-        Some(_) => {
-            let field = |field: &(String, _)| {
-                let (name, value) = field;
-                let text = escape(&format!("{name}={value}"));
-                if other.contains(field) {
-                    text
-                } else {
-                    format!("<mark>{text}</mark>")
-                }
-            };
-            let texts: Vec<String> = own.iter().map(field).collect();
-            texts.join(" ")
+}
+
+/// The answer in `line`; what `other` does not have is marked, if there is one to compare with.
+fn answer(line: &Line, other: Option<Option<&Line>>) -> String {
+    let is_marked = |field: &(String, Value)| {
+        other.is_some_and(|other| other.is_none_or(|other| !other.answer.contains(field)))
+    };
+    if line.is_miss() {
+        return match other {
+            Some(_) => "<mark>miss</mark>".into(),
+            None => "miss".into(),
+        };
+    }
+    let fields = line.answer.iter().map(|field| {
+        let text = escape(&format!("{}={}", field.0, field.1));
+        match is_marked(field) {
+            true => format!("<mark>{text}</mark>"),
+            false => text,
         }
-    })
+    });
+    fields.collect::<Vec<String>>().join(" ")
 }

@@ -29,8 +29,18 @@ pub(super) fn of_case(case: &Case) -> String {
         State::Silent(why) => {
             let _ = writeln!(text, "<p class=\"bad\">No answer: {}.</p>", escape(why));
         }
-        State::Differs { wrong, .. } => {
+        State::Differs {
+            changes,
+            calls,
+            wrong,
+            ..
+        } => {
             let _ = writeln!(text, "<p><strong>{}</strong></p>", escape(&meaning(case)));
+            if changes.hash && *calls == 0 {
+                text.push_str(
+                    "<p>No row shows the difference: only the hash of all answers does.</p>\n",
+                );
+            }
             if wrong.is_empty() {
                 text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
             }

@@ -7,84 +7,149 @@ mod webdriver;
 use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::{self, Spec};
-use judge::snapshot::{Line, Snapshot, Value, parse};
-use review::Review;
+use judge::snapshot::{self, Fields, Snapshot, parse};
+use pages::picture;
 use review::case::Case;
+use review::{Review, exact};
 use std::path::Path;
-use wire::Answer;
+use std::sync::LazyLock;
+use tempfile::TempDir;
 use wire::answer::{Hit, HitsAnswer};
+use wire::{Answer, Work};
 
-/// The pixels of the picture of a box that [`spoilt_boxes`] changes: beside the box, in it, and next to that.
+/// The pixels of the picture of a box that [`Golden::spoilt_boxes`] changes: beside the box, in it, and next to that.
+/// Only the first has a row in the golden.
 const FALSE_HIT: [u32; 2] = [0, 0];
 const FALSE_MISS: [u32; 2] = [32, 24];
 const LATER: [u32; 2] = [33, 24];
 
-fn workspace() -> Workspace {
-    Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in the course")
+/// A case whose golden is what the exact oracle answers, in a workspace of its own.
+struct Golden {
+    spec: Spec,
+    answer: Answer,
+    folder: TempDir,
 }
 
-fn spec(task: &str, name: &str) -> Spec {
-    let found = cases::all(0).into_iter().find(|spec| spec.is(task, name));
-    found.expect("the case is there")
-}
+static BOXES: LazyLock<Golden> = LazyLock::new(|| Golden::of("part2.task2", "picture"));
+static MESH: LazyLock<Golden> = LazyLock::new(|| Golden::of("part2.task3", "mesh_in_cornell_box"));
 
-fn golden(spec: &Spec) -> Snapshot {
-    let path = workspace().snapshot(spec.task, spec.name);
-    let text = std::fs::read_to_string(path).expect("the golden is there");
-    parse(&text).expect("it is a snapshot")
-}
+impl Golden {
+    fn of(task: &str, name: &str) -> Golden {
+        let found = cases::all(0).into_iter().find(|spec| spec.is(task, name));
+        let spec = found.expect("the case is there");
+        let size = spec.picture.expect("it makes a picture");
+        let calls: Vec<u32> = (0..size[0] * size[1]).collect();
+        let records = exact::records(&spec, &calls).expect("the oracle knows the case");
+        let answer = answer(&spec.work, &records);
 
-fn review(spec: &Spec, answer: &Answer) -> Review {
-    let nobody = Err("no worker is built for this test".into());
-    let case = Case::of(&workspace(), spec, Tier::Robust, answer, &nobody);
-    Review {
-        cases: vec![case.expect("it can be compared")],
+        let folder = tempfile::tempdir().expect("a folder");
+        let write = |path: &Path, text: &str| {
+            std::fs::create_dir_all(path.parent().expect("it has a folder")).expect("a folder");
+            std::fs::write(path, text).expect("it can be written");
+        };
+        write(&folder.path().join("stages/course.toml"), "");
+        let golden = Golden {
+            answer,
+            folder,
+            spec,
+        };
+        let text = snapshot::write(&golden.spec.work, &golden.answer).expect("it has rows");
+        write(&golden.workspace().snapshot(task, name), &text);
+        let picture = picture::compose(size, &golden.answer).expect("its answers have colours");
+        let path = golden.workspace().golden_picture(task, name);
+        picture::write_png(&path, &picture).expect("it can be written");
+        golden
+    }
+
+    fn workspace(&self) -> Workspace {
+        Workspace::above(self.folder.path()).expect("it has a course.toml")
+    }
+
+    fn snapshot(&self) -> Snapshot {
+        let path = self.workspace().snapshot(self.spec.task, self.spec.name);
+        let text = std::fs::read_to_string(path).expect("the golden is there");
+        parse(&text).expect("it is a snapshot")
+    }
+
+    fn review(&self, answer: &Answer) -> Review {
+        let nobody = Err("no worker is built for this test".into());
+        let case = Case::of(&self.workspace(), &self.spec, Tier::Robust, answer, &nobody);
+        Review {
+            cases: vec![case.expect("it can be compared")],
+        }
+    }
+
+    /// The call that makes a pixel.
+    fn call(&self, [x, y]: [u32; 2]) -> usize {
+        let [w, _] = self.spec.picture.expect("it makes a picture");
+        (y * w + x) as usize
+    }
+
+    /// The golden's answers about boxes, changed by `spoil`.
+    fn boxes(&self, spoil: impl Fn(&mut [Option<[f64; 2]>])) -> Answer {
+        let Answer::Boxes(mut answers) = self.answer.clone() else {
+            panic!("{} is not about boxes", self.spec.name)
+        };
+        spoil(&mut answers);
+        Answer::Boxes(answers)
+    }
+
+    /// The golden's answers about hits, changed by `spoil`.
+    fn hits(&self, spoil: impl Fn(&mut [Option<Hit>])) -> Answer {
+        let Answer::Hits(mut answer) = self.answer.clone() else {
+            panic!("{} is not about hits", self.spec.name)
+        };
+        spoil(&mut answer.hits);
+        Answer::Hits(answer)
+    }
+
+    /// The golden's answers about boxes but for three pixels.
+    fn spoilt_boxes(&self) -> Answer {
+        self.boxes(|answers| {
+            answers[self.call(FALSE_HIT)] = Some([1.0, 2.0]);
+            answers[self.call(FALSE_MISS)] = None;
+            let [enters, leaves] = answers[self.call(LATER)].expect("it is in the middle");
+            answers[self.call(LATER)] = Some([enters, leaves + 1.0]);
+        })
     }
 }
 
-/// The call that makes a pixel.
-fn call(spec: &Spec, [x, y]: [u32; 2]) -> usize {
-    let [w, _] = spec.picture.expect("it makes a picture");
-    (y * w + x) as usize
-}
-
-/// The picture of a box, as its golden has it but for three pixels.
-fn spoilt_boxes() -> (Spec, Answer) {
-    let spec = spec("part2.task2", "picture");
-    let inside = |line: &Line| {
-        line.get("inside").map(|value| match *value {
-            Value::Range(enters, leaves) => [enters, leaves],
-            _ => panic!("{line}"),
-        })
+/// The answer that has these records.
+fn answer(work: &Work, records: &[Fields]) -> Answer {
+    let numbers = |fields: &Fields, name: &str| -> Option<Vec<f64>> {
+        let field = fields.iter().find(|(field, _)| field == name);
+        field.map(|(_, value)| value.numbers())
     };
-    let mut answers: Vec<_> = golden(&spec).lines.iter().map(inside).collect();
-    answers[call(&spec, FALSE_HIT)] = Some([1.0, 2.0]);
-    answers[call(&spec, FALSE_MISS)] = None;
-    let [enters, leaves] = answers[call(&spec, LATER)].expect("it is in the middle");
-    answers[call(&spec, LATER)] = Some([enters, leaves + 1.0]);
-    (spec, Answer::Boxes(answers))
-}
-
-/// The picture of a mesh, each hit with a normal of its own (goldens keep few), spoilt by `spoil`.
-fn spoilt_mesh(spoil: impl Fn(&mut [Option<Hit>])) -> (Spec, Answer) {
-    let spec = spec("part2.task3", "mesh_in_cornell_box");
-    let hit = |line: &Line| {
+    let vector = |fields: &Fields, name: &str| -> [f64; 3] {
+        let numbers = numbers(fields, name).unwrap_or(vec![0.0; 3]);
+        numbers.try_into().expect("three numbers")
+    };
+    let hit = |fields: &Fields| {
         Some(Hit {
-            t: line.number("t")?,
-            p: [0.0; 3],
-            n: [0.0, 0.0, 1.0],
-            ng: [0.0, 0.0, 1.0],
+            t: numbers(fields, "t")?[0],
+            p: vector(fields, "p"),
+            n: vector(fields, "n"),
+            ng: vector(fields, "ng"),
             uv: [0.0; 2],
-            prim: line.number("prim")? as u32,
+            prim: numbers(fields, "prim")?[0] as u32,
         })
     };
-    let mut hits: Vec<Option<Hit>> = golden(&spec).lines.iter().map(hit).collect();
-    spoil(&mut hits);
-    let answer = HitsAnswer {
-        max_t: vec![f64::INFINITY; hits.len()],
-        hits,
-        box_tests: 0,
-        prim_tests: 0,
-    };
-    (spec, Answer::Hits(answer))
+    match work {
+        Work::Boxes { .. } => {
+            let inside = |fields| numbers(fields, "inside").map(|ends| [ends[0], ends[1]]);
+            Answer::Boxes(records.iter().map(inside).collect())
+        }
+        _ => {
+            let hits: Vec<Option<Hit>> = records.iter().map(hit).collect();
+            let max_t = hits
+                .iter()
+                .map(|hit| hit.map_or(f64::INFINITY, |hit| hit.t));
+            Answer::Hits(HitsAnswer {
+                max_t: max_t.collect(),
+                hits,
+                box_tests: 0,
+                prim_tests: 0,
+            })
+        }
+    }
 }

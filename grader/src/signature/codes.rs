@@ -41,7 +41,11 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     let compared = if by_chance { SAME_QUESTION } else { u32::MAX };
     let calls = |finding: &Finding| finding.judged.max(finding.expected);
     let calls = case.findings.iter().map(calls).max().unwrap_or(0);
-    let stride = if calls > MANY_CALLS { STRIDE } else { 1 };
+    let stride = if calls > MANY_CALLS && !by_chance {
+        STRIDE
+    } else {
+        1
+    };
     // Where something is wrong, that is why other aspects never showed.
     let shows_nothing = case.findings.iter().all(|finding| finding.wrong == 0);
     let mut all = Vec::new();

@@ -1,7 +1,7 @@
 //! Every golden is what the reference answers, and what the oracle confirms.
 //!
-//! `FIRSTLIGHT_BLESS=part1.task3` (or `part1`, or `all`) writes pictures that differ as `.new.png` beside the
-//! goldens; insta does the same for snapshots, as `INSTA_UPDATE` says.
+//! `FIRSTLIGHT_BLESS=part1.task3` (or `part1`, or `all`) writes pictures that differ as `.new.png`
+//! beside the goldens; insta does the same for snapshots, as `INSTA_UPDATE` says.
 
 use grader::course::Course;
 use grader::workspace::Workspace;

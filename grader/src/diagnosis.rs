@@ -1,7 +1,7 @@
 //! Diagnosis: which typical mistake a student's wrong answers look like.
 //!
-//! `golden/signatures/<task>.txt` holds the signature of each known mistake; `grader mutants --bless` makes it from the
-//! mutants. A student's signature is compared with all of them.
+//! `golden/signatures/<task>.txt` holds the signature of each known mistake; `grader mutants
+//! --bless` makes it from the mutants. A student's signature is compared with all of them.
 
 use crate::error::GraderError;
 use crate::report::write_whole;
@@ -58,10 +58,12 @@ const TOGETHER: f64 = 0.8;
 /// Of what the likeliest single mistake leaves unexplained, two together may leave this share.
 const LEFT: f64 = 0.5;
 
-/// A mistake is one of two only if this share of what it alone gets wrong is wrong for the student too.
+/// A mistake is one of two only if this share of what it alone gets wrong is wrong for the student
+/// too.
 const MADE: f64 = 0.75;
 
-/// Pairs are made of mistakes that share at least this part of what they get wrong with the student.
+/// Pairs are made of mistakes that share at least this part of what they get wrong with the
+/// student.
 const CANDIDATE: f64 = 0.2;
 
 /// The known mistakes of a task; none if nothing is stored for it.
@@ -125,8 +127,9 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     })
 }
 
-/// What is known, as it would show in these functions alone: a mistake that one function hands on to others may be made
-/// in one of them only. Of two that look the same there, the one that is made there alone comes first.
+/// What is known, as it would show in these functions alone: a mistake that one function hands on
+/// to others may be made in one of them only. Of two that look the same there, the one that is made
+/// there alone comes first.
 fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
     let mut known: Vec<(usize, Known)> = known
         .iter()
@@ -146,8 +149,9 @@ fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
     known.into_iter().map(|(_, known)| known).collect()
 }
 
-/// The mistake whose faults are of the same kinds as the student's, in whatever cases they come up: a tree that is built in
-/// another way has its leaves elsewhere. None if two mistakes have them, or if a fault says nothing of its kind.
+/// The mistake whose faults are of the same kinds as the student's, in whatever cases they come up:
+/// a tree that is built in another way has its leaves elsewhere. None if two mistakes have them, or
+/// if a fault says nothing of its kind.
 fn alone_of_its_kind<'a>(
     ranked: &[(&'a Known, Agreement)],
     student: &Signature,
@@ -163,8 +167,8 @@ fn alone_of_its_kind<'a>(
         .then_some(first)
 }
 
-/// The names of a mistake and of those that cannot be told from it, how the sentence about them ends, and the hints of
-/// all of them.
+/// The names of a mistake and of those that cannot be told from it, how the sentence about them
+/// ends, and the hints of all of them.
 fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String, String) {
     let mut mistakes = best.mistakes.clone();
     let mut says = best.descriptions.join(", and ");

@@ -1,5 +1,5 @@
-//! The stored tables of mutants: no mistake gets away, no correct code is accused, and they are about the corpus as it
-//! stands. `grader mutants` makes them; that takes minutes, this takes none.
+//! The stored tables of mutants: no mistake gets away, no correct code is accused, and they are
+//! about the corpus as it stands. `grader mutants` makes them; that takes minutes, this takes none.
 
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::run::{Kind, versions};

@@ -1,7 +1,7 @@
 //! Blessing: taking over what the reference answers now as golden, after showing what that means.
 //!
-//! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with the same
-//! writer that checks them; blessing compares the pairs, and renames.
+//! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with
+//! the same writer that checks them; blessing compares the pairs, and renames.
 
 use grader::child_processes;
 use grader::compile;

@@ -50,7 +50,8 @@ pub enum State {
         calls: usize,
         /// How many pixels have another colour.
         pixels: usize,
-        /// What the exact oracle finds wrong about the actual answers; none if it confirms them all.
+        /// What the exact oracle finds wrong about the actual answers; none if it confirms them
+        /// all.
         wrong: Vec<String>,
     },
     /// There is no answer: why.
@@ -64,7 +65,8 @@ pub struct Row {
     pub call: u32,
     /// Why they differ.
     pub cause: Cause,
-    /// The golden answer; none if the golden has no row for the call and its picture does not show a miss.
+    /// The golden answer; none if the golden has no row for the call and its picture does not show
+    /// a miss.
     pub golden: Option<Line>,
     /// The answer of the code under review, as much of it as the golden has.
     pub actual: Option<Line>,
@@ -91,7 +93,8 @@ impl Case {
         }
     }
 
-    /// Compares `answer` with the golden. `tier` says what the oracle asks of it, `together` is asked for the boxes.
+    /// Compares `answer` with the golden. `tier` says what the oracle asks of it, `together` is
+    /// asked for the boxes.
     pub fn of(
         workspace: &Workspace,
         spec: &Spec,
@@ -219,8 +222,8 @@ fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<Aspect>> {
     wrong
 }
 
-/// The calls that are known to differ: those whose rows do. Where the golden has no rows, those whose pixels do, or
-/// that are wrong.
+/// The calls that are known to differ: those whose rows do. Where the golden has no rows, those
+/// whose pixels do, or that are wrong.
 fn differing(
     [golden, actual, _]: [&Snapshot; 3],
     changes: &Changes,

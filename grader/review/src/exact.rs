@@ -12,8 +12,8 @@ use wire::Work;
 use wire::answer::Hit;
 use wire::work::Ray;
 
-/// The hit or the interval that is right for each of `calls`, without fields where a miss is; `None` for work that is
-/// about neither closest hits nor boxes.
+/// The hit or the interval that is right for each of `calls`, without fields where a miss is;
+/// `None` for work that is about neither closest hits nor boxes.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
         Work::BruteForce {

@@ -22,7 +22,8 @@ pub struct Picture {
     pub pixels: Option<Pixels>,
 }
 
-/// What is known of the pixels. Call number `i` is the pixel in column `i % width` and row `i / width` from the bottom.
+/// What is known of the pixels. Call number `i` is the pixel in column `i % width` and row `i /
+/// width` from the bottom.
 #[derive(Clone, Debug)]
 pub struct Pixels {
     /// Why each differs.
@@ -41,15 +42,17 @@ pub struct Pixels {
     pub boxes: Option<Boxes>,
 }
 
-/// The golden's answers, as far as they are known: those of all calls if the hash says that they are the actual ones,
-/// else the rows of the golden snapshot, of most of them `t` and the primitive alone.
+/// The golden's answers, as far as they are known: those of all calls if the hash says that they
+/// are the actual ones, else the rows of the golden snapshot, of most of them `t` and the primitive
+/// alone.
 #[derive(Clone, Debug)]
 pub struct GoldenAnswers {
     /// The calls with a record, in order; `None` if all have one.
     pub calls: Option<Vec<u32>>,
     /// A record for each of those.
     pub records: Vec<Column>,
-    /// Whether each call hits something, by its colour in the golden picture; `None` where colours do not tell.
+    /// Whether each call hits something, by its colour in the golden picture; `None` where colours
+    /// do not tell.
     pub hits: Option<Vec<bool>>,
 }
 
@@ -66,8 +69,9 @@ pub struct Exact {
 const DIMMED: f64 = 0.5;
 
 impl Pixels {
-    /// Compares pixel by pixel. `golden` and `actual` are snapshots as they are stored, `full` is `actual` with a row for
-    /// every call, in full; the pictures have a pixel for each call. `wrong` is what the exact oracle finds wrong.
+    /// Compares pixel by pixel. `golden` and `actual` are snapshots as they are stored, `full` is
+    /// `actual` with a row for every call, in full; the pictures have a pixel for each call.
+    /// `wrong` is what the exact oracle finds wrong.
     pub fn of(
         spec: &Spec,
         golden: (&Snapshot, &RgbImage),
@@ -141,7 +145,8 @@ fn answers(snapshot: &Snapshot) -> Vec<Column> {
     columns(&answers)
 }
 
-/// Whether black is the colour of a miss, and of nothing else: no unit normal is black, and no box near the camera.
+/// Whether black is the colour of a miss, and of nothing else: no unit normal is black, and no box
+/// near the camera.
 fn misses_are_black(work: &Work) -> bool {
     matches!(
         work,

@@ -6,8 +6,8 @@ use judge::tally::{BLACK_CHANNEL, Class, Fault, Finding};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;
 
-/// One code for each call that is compared: 0 where the answer is right, else a digest of the classes of
-/// what is wrong.
+/// One code for each call that is compared: 0 where the answer is right, else a digest of the
+/// classes of what is wrong.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Codes(pub(super) Vec<u16>);
 
@@ -15,8 +15,8 @@ pub(super) struct Codes(pub(super) Vec<u16>);
 /// later.
 const SAME_QUESTION: u32 = 200;
 
-/// In a case with more calls than this, a picture, not every call is compared: neighbouring pixels show
-/// the same.
+/// In a case with more calls than this, a picture, not every call is compared: neighbouring pixels
+/// show the same.
 const MANY_CALLS: u32 = 8192;
 
 /// Of many calls the first of so many is compared, and the first wrong one. It is odd and not a
@@ -75,8 +75,9 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     all
 }
 
-/// The codes of classes that alone tell which mistake it is: the same factor wherever it shows. Other
-/// classes tell where a mistake shows, or how large the error is, which partly depends on chance.
+/// The codes of classes that alone tell which mistake it is: the same factor wherever it shows.
+/// Other classes tell where a mistake shows, or how large the error is, which partly depends on
+/// chance.
 pub(super) static TELLING_KINDS: LazyLock<HashSet<u16>> = LazyLock::new(|| {
     let ratios = (-99..=99).map(Class::Ratio);
     // Grey factors of colours, some of whose channels may be black.

@@ -1,8 +1,9 @@
 //! The form in which the known mistakes of a task are stored: lines of text, for programs.
 //!
-//! Under comments stand the [`Alphabet`] of the codes and the keys of all signatures. Then comes one
-//! section a mistake: its name (two for a pair) with description and hint, and the codes of its core
-//! and its robust cases, each after the number of its key. `@7` are the codes that were given eighth.
+//! Under comments stand the [`Alphabet`] of the codes and the keys of all signatures. Then comes
+//! one section a mistake: its name (two for a pair) with description and hint, and the codes of its
+//! core and its robust cases, each after the number of its key. `@7` are the codes that were given
+//! eighth.
 
 use super::Cases;
 use super::codes::Codes;

@@ -1,7 +1,9 @@
-//! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and compared.
+//! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and
+//! compared.
 //!
-//! [`SignatureKey`] names a side of a case, [`Codes`] are what is wrong about it. [`file`](mod@file) is the form in
-//! which known mistakes are stored, with [`runs`] for their codes; [`together`] is about two mistakes at once.
+//! [`SignatureKey`] names a side of a case, [`Codes`] are what is wrong about it.
+//! [`file`](mod@file) is the form in which known mistakes are stored, with [`runs`] for their
+//! codes; [`together`] is about two mistakes at once.
 
 mod codes;
 pub(crate) mod file;
@@ -20,12 +22,13 @@ use judge::Tier;
 use judge::tally::Aspect;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// For each side of each case a code for each call: 0 where the answer is right, else a digest of how it is
-/// wrong. The same mistake gives the same codes whatever formula it is made in. Mistakes in different aspects do not
-/// hide each other; nor do faults that have a name of their own, which stand beside the aspect's others.
+/// For each side of each case a code for each call: 0 where the answer is right, else a digest of
+/// how it is wrong. The same mistake gives the same codes whatever formula it is made in. Mistakes
+/// in different aspects do not hide each other; nor do faults that have a name of their own, which
+/// stand beside the aspect's others.
 ///
-/// Core and robust cases are apart: different formulas differ in robust cases, so these count only where all core
-/// cases are right.
+/// Core and robust cases are apart: different formulas differ in robust cases, so these count only
+/// where all core cases are right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Signature {
     core: Cases,
@@ -47,14 +50,17 @@ pub struct Agreement {
     pub second: usize,
 }
 
-/// A side of the answers tells against a mistake only if it holds at least this share of what the mistake gets wrong.
+/// A side of the answers tells against a mistake only if it holds at least this share of what the
+/// mistake gets wrong.
 const TELLING: f64 = 0.1;
 
-/// A side of the answers tells against a mistake only if less than this share of the mistake shows in it.
+/// A side of the answers tells against a mistake only if less than this share of the mistake shows
+/// in it.
 const SHOWN: f64 = 0.25;
 
 impl Signature {
-    /// The signature of a task's results. Cases with neighbours do not count: the fault may be theirs.
+    /// The signature of a task's results. Cases with neighbours do not count: the fault may be
+    /// theirs.
     pub fn of(cases: &[CaseResult]) -> Signature {
         let of_tier = |tier: Tier| {
             let cases = cases.iter();
@@ -111,8 +117,8 @@ impl Signature {
         agreement
     }
 
-    /// Whether this code is right where `mistake` would make it wrong: one aspect that the mistake gets wrong in at
-    /// least [`TELLING`] of its calls is right in most of those calls.
+    /// Whether this code is right where `mistake` would make it wrong: one aspect that the mistake
+    /// gets wrong in at least [`TELLING`] of its calls is right in most of those calls.
     pub fn contradicts(&self, mistake: &Signature) -> bool {
         let mut sides: BTreeMap<Option<(Aspect, Option<&str>)>, Alone> = BTreeMap::new();
         for (key, codes) in mistake.cases() {
@@ -153,8 +159,9 @@ impl Signature {
         }
     }
 
-    /// What kinds of faults there are, side by side, in whatever case and call: the sides with a named fault, and the
-    /// codes of classes that tell which mistake it is. `None` if a fault is of another class, or there is none.
+    /// What kinds of faults there are, side by side, in whatever case and call: the sides with a
+    /// named fault, and the codes of classes that tell which mistake it is. `None` if a fault is of
+    /// another class, or there is none.
     pub fn kinds(&self) -> Option<BTreeSet<(&Side, u16)>> {
         let mut kinds = BTreeSet::new();
         for (SignatureKey { side, .. }, codes) in self.cases() {
@@ -174,7 +181,8 @@ impl Signature {
         (!kinds.is_empty()).then_some(kinds)
     }
 
-    /// On how many calls both are wrong in the same way in every aspect, and on how many either is wrong.
+    /// On how many calls both are wrong in the same way in every aspect, and on how many either is
+    /// wrong.
     pub fn calls_alike(&self, other: &Signature) -> (usize, usize) {
         let mut calls: BTreeMap<(&str, usize), bool> = BTreeMap::new();
         let keys: BTreeSet<&SignatureKey> =
@@ -217,7 +225,8 @@ pub(crate) mod tests {
         SignatureKey::parse(text).expect("it is a key")
     }
 
-    /// A signature whose core cases have these codes: `2 3*a` are two right calls and three with code 0xa.
+    /// A signature whose core cases have these codes: `2 3*a` are two right calls and three with
+    /// code 0xa.
     pub(crate) fn signature(sides: &[(&str, &str)]) -> Signature {
         let codes = |text: &str| -> Vec<u16> {
             let runs = text.split(' ').map(|run| {

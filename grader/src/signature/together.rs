@@ -4,8 +4,9 @@ use super::{Cases, Signature, SignatureKey};
 use std::collections::BTreeSet;
 
 impl Signature {
-    /// How this signature agrees with that of code which makes two mistakes, `first` and `second`. Where both would
-    /// show in one value either may; where one misses or crashes, the other may not show at all.
+    /// How this signature agrees with that of code which makes two mistakes, `first` and `second`.
+    /// Where both would show in one value either may; where one misses or crashes, the other may
+    /// not show at all.
     pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
         let mut together = Together::default();
         let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {

@@ -1,6 +1,7 @@
 //! The table mutant × case, and what is wrong with it.
 //!
-//! It is stored as lines of text: the cases by number, then a line a version. Fields are separated by ` | `.
+//! It is stored as lines of text: the cases by number, then a line a version. Fields are separated
+//! by ` | `.
 
 use super::run::{Graded, Kind};
 use grader::diagnosis::{Known, diagnose};
@@ -99,7 +100,8 @@ impl Table {
         text
     }
 
-    /// Reads what [`Table::to_text`] wrote; the number of the first line that is not such a line if there is one.
+    /// Reads what [`Table::to_text`] wrote; the number of the first line that is not such a line if
+    /// there is one.
     fn parse(text: &str) -> Result<Table, usize> {
         let mut table = Table::default();
         let mut cases: Vec<&str> = Vec::new();

@@ -13,7 +13,8 @@ pub struct Line {
     pub answer: Vec<(String, Value)>,
 }
 
-/// A value: numbers and how they are bracketed. Two are equal if they have the same bits, so NaN equals itself.
+/// A value: numbers and how they are bracketed. Two are equal if they have the same bits, so NaN
+/// equals itself.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// One number.

@@ -39,8 +39,8 @@ pub fn write(work: &Work, answer: &Answer) -> Option<String> {
     Some(text)
 }
 
-/// Of how many calls one has a row. Odd where it is not 1: the sample is in all columns of a picture
-/// whose width is a power of 2.
+/// Of how many calls one has a row. Odd where it is not 1: the sample is in all columns of a
+/// picture whose width is a power of 2.
 fn row_stride(calls: usize) -> usize {
     if calls <= ALL_ROWS {
         1
@@ -54,7 +54,8 @@ fn hash<'a>(rows: impl Iterator<Item = &'a Line>) -> RowsHash {
     rows.fold(RowsHash::EMPTY, |hash, row| hash.then(&format!("{row}\n")))
 }
 
-/// The snapshot of `answer` to `work` with a row for every call, each with its question and the whole record.
+/// The snapshot of `answer` to `work` with a row for every call, each with its question and the
+/// whole record.
 pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
     let (totals, forms) = content(work, answer)?;
     let lines: Vec<Line> = forms.into_iter().map(|(_, full)| full).collect();

@@ -47,7 +47,8 @@ pub(super) fn rows(case: &Case) -> String {
     text + "</tbody>\n</table></div>\n"
 }
 
-/// Both answers, what differs marked. Where there is no golden answer, what the exact oracle finds stands for it.
+/// Both answers, what differs marked. Where there is no golden answer, what the exact oracle finds
+/// stands for it.
 fn sides(row: &Row) -> [String; 2] {
     let Some(golden) = &row.golden else {
         let exact = row.exact.as_ref().map(|line| answer(line, None));

@@ -17,8 +17,8 @@ use tempfile::TempDir;
 use wire::answer::{Hit, HitsAnswer};
 use wire::{Answer, Work};
 
-/// The pixels of the picture of a box that [`Golden::spoilt_boxes`] changes: beside the box, in it, and next to that.
-/// Only the first has a row in the golden.
+/// The pixels of the picture of a box that [`Golden::spoilt_boxes`] changes: beside the box, in it,
+/// and next to that. Only the first has a row in the golden.
 const FALSE_HIT: [u32; 2] = [0, 0];
 const FALSE_MISS: [u32; 2] = [32, 24];
 const LATER: [u32; 2] = [33, 24];

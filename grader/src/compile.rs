@@ -2,6 +2,7 @@
 
 use crate::child_processes;
 use crate::error::GraderError;
+use crate::target_folder;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, IsTerminal};
@@ -63,17 +64,38 @@ impl Build<'_> {
                 .args(["--offline", "--locked"])
                 .stderr(Stdio::piped());
         }
-        if let Some(target) = self.target {
+        let target = self.target.map(Path::to_path_buf);
+        if let Some(target) = target.or_else(|| target_folder::of(self.root)) {
             command.arg("--target-dir").arg(target);
         }
         command
     }
 }
 
-/// Builds the program of `package` as it stands in the workspace `root`, in release: the program, or the compiler's
-/// messages, which have been shown on stderr.
+/// Builds the program of `package`, which links no stage, in release: the program, or the compiler's messages, which
+/// have been shown on stderr.
 pub fn program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
-    let followed = follow(release_build(root, package, has_colours()), package, true)?;
+    build_program(root, package, None)
+}
+
+/// As [`program`], for a program that links the stages of the workspace.
+pub fn program_with_stages(
+    root: &Path,
+    package: &str,
+) -> Result<Result<PathBuf, String>, GraderError> {
+    build_program(root, package, target_folder::of(root))
+}
+
+fn build_program(
+    root: &Path,
+    package: &str,
+    target: Option<PathBuf>,
+) -> Result<Result<PathBuf, String>, GraderError> {
+    let mut command = release_build(root, package, has_colours());
+    if let Some(target) = target {
+        command.arg("--target-dir").arg(target);
+    }
+    let followed = follow(command, package, true)?;
     Ok(followed.map_err(|broken| broken.messages))
 }
 

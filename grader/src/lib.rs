@@ -25,5 +25,6 @@ pub mod score;
 pub mod signature;
 pub mod speedup;
 pub mod stage_workers;
+mod target_folder;
 pub mod worker_set;
 pub mod workspace;

@@ -53,7 +53,7 @@ const LOOK: Duration = Duration::from_millis(2);
 impl Program {
     /// Builds the program of the workspace `root`; or why not, in words that end a sentence.
     pub fn build(root: &Path) -> Result<Result<Program, String>, GraderError> {
-        match compile::program(root, "pathtracer")? {
+        match compile::program_with_stages(root, "pathtracer")? {
             Ok(path) => Ok(Ok(Program {
                 path,
                 folder: interrupt::scratch()?,

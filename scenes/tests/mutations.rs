@@ -56,11 +56,11 @@ fn corpus() -> Vec<(String, String)> {
 }
 
 /// Random choices from a seed.
-struct Dice(PixelSampler);
+struct RandomChoices(PixelSampler);
 
-impl Dice {
-    fn new(seed: u64) -> Dice {
-        Dice(PixelSampler::new(0, 0, seed))
+impl RandomChoices {
+    fn new(seed: u64) -> RandomChoices {
+        RandomChoices(PixelSampler::new(0, 0, seed))
     }
 
     /// A random number below `end`, which is not 0.
@@ -89,37 +89,37 @@ fn tokens(text: &str) -> Vec<(usize, usize)> {
 }
 
 /// The text with one mutation, sometimes more.
-fn damaged(text: &str, dice: &mut Dice) -> String {
-    let mut text = damage(text, dice);
-    while dice.below(3) == 0 {
-        text = damage(&text, dice);
+fn damaged(text: &str, random: &mut RandomChoices) -> String {
+    let mut text = damage(text, random);
+    while random.below(3) == 0 {
+        text = damage(&text, random);
     }
     text
 }
 
-fn damage(text: &str, dice: &mut Dice) -> String {
+fn damage(text: &str, random: &mut RandomChoices) -> String {
     if text.is_empty() {
-        return dice.pick(PIECES).to_owned();
+        return random.pick(PIECES).to_owned();
     }
     let tokens = tokens(text);
     let mut bytes = text.as_bytes().to_vec();
-    let at = dice.below(bytes.len());
-    match dice.below(16) {
-        0 => bytes[at] ^= 1 << dice.below(8),
+    let at = random.below(bytes.len());
+    match random.below(16) {
+        0 => bytes[at] ^= 1 << random.below(8),
         1 => bytes.truncate(at),
         2 => {
-            bytes.splice(at..at, dice.pick(PIECES).bytes());
+            bytes.splice(at..at, random.pick(PIECES).bytes());
         }
-        3 | 4 => return with_lines_duplicated(text, dice),
-        5 => return with_lines_removed(text, dice),
+        3 | 4 => return with_lines_duplicated(text, random),
+        5 => return with_lines_removed(text, random),
         6..=10 if !tokens.is_empty() => {
-            let (start, end) = tokens[dice.below(tokens.len())];
-            bytes.splice(start..end, dice.pick(WORDS).bytes());
+            let (start, end) = tokens[random.below(tokens.len())];
+            bytes.splice(start..end, random.pick(WORDS).bytes());
         }
         // Replaces a token by another token of the file: changes ids, references and tags.
         _ if !tokens.is_empty() => {
-            let (from, to) = tokens[dice.below(tokens.len())];
-            let (start, end) = tokens[dice.below(tokens.len())];
+            let (from, to) = tokens[random.below(tokens.len())];
+            let (start, end) = tokens[random.below(tokens.len())];
             bytes.splice(start..end, text.as_bytes()[from..to].iter().copied());
         }
         _ => {}
@@ -128,21 +128,21 @@ fn damage(text: &str, dice: &mut Dice) -> String {
 }
 
 /// Up to twelve lines of the text, usually whole elements.
-fn some_lines(lines: &[&str], dice: &mut Dice) -> std::ops::Range<usize> {
-    let first = dice.below(lines.len());
-    first..(first + 1 + dice.below(12)).min(lines.len())
+fn some_lines(lines: &[&str], random: &mut RandomChoices) -> std::ops::Range<usize> {
+    let first = random.below(lines.len());
+    first..(first + 1 + random.below(12)).min(lines.len())
 }
 
-fn with_lines_duplicated(text: &str, dice: &mut Dice) -> String {
+fn with_lines_duplicated(text: &str, random: &mut RandomChoices) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let some = some_lines(&lines, dice);
-    let (before, after) = lines.split_at(dice.below(lines.len()));
+    let some = some_lines(&lines, random);
+    let (before, after) = lines.split_at(random.below(lines.len()));
     [before, &lines[some], after].concat().concat()
 }
 
-fn with_lines_removed(text: &str, dice: &mut Dice) -> String {
+fn with_lines_removed(text: &str, random: &mut RandomChoices) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let some = some_lines(&lines, dice);
+    let some = some_lines(&lines, random);
     [&lines[..some.start], &lines[some.end..]].concat().concat()
 }
 
@@ -235,14 +235,14 @@ fn run(enough: impl Fn(u64) -> bool) {
     let first_seed = number_in("FIRSTLIGHT_FUZZ_SEED").unwrap_or(0);
     let mut seed = first_seed;
     while !enough(seed - first_seed) {
-        let mut dice = Dice::new(seed);
+        let mut random = RandomChoices::new(seed);
         // Small files more often, because single numbers of a large mesh are all alike.
-        let mut pick = dice.below(corpus.len());
-        while corpus[pick].1.len() > 50_000 && dice.below(20) > 0 {
-            pick = dice.below(corpus.len());
+        let mut pick = random.below(corpus.len());
+        while corpus[pick].1.len() > 50_000 && random.below(20) > 0 {
+            pick = random.below(corpus.len());
         }
         let (name, text) = &corpus[pick];
-        let text = damaged(text, &mut dice);
+        let text = damaged(text, &mut random);
         let start = Instant::now();
         let outcome = catch_unwind(AssertUnwindSafe(|| check(&text)));
         if start.elapsed() > slowest.0 {
@@ -288,7 +288,7 @@ fn damaged_camera_files_give_a_camera_or_an_error() {
     let film = FilmSize { w: 48, h: 36 };
     let text = CameraFile::new(placement::place(&scene, film), film).to_string();
     for seed in 0..20_000 {
-        let damaged = damaged(&text, &mut Dice::new(seed));
+        let damaged = damaged(&text, &mut RandomChoices::new(seed));
         match CameraFile::parse("damaged.cam", &damaged) {
             Ok(file) => {
                 let camera = file.view.camera;

@@ -329,8 +329,7 @@ fn spheres_without_absorption_are_invisible_in_a_furnace() {
 }
 
 /// Tinted glass follows Airy's sum. A sphere seen through its centre reflects R and transmits
-/// (1-R)² t² Σ (R t)^2k; the rest leaves after internal reflections. The radiance of the furnace is
-/// 1.
+/// (1-R)² t² Σ (R t)^2k; the rest leaves after internal reflections. The furnace has radiance 1.
 #[test]
 fn tinted_glass_is_the_sum_of_its_reflections() {
     let t = 0.8;

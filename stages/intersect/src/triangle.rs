@@ -172,8 +172,8 @@ impl Axes {
     }
 }
 
-/// The shear transformation: the point where the line through `p` along `d` intersects the plane z
-/// = 0, times `d.z`. In this plane the ray is the origin and the triangle is two-dimensional. There
+/// The shear transformation: the point where the line through `p` along `d` intersects the plane
+/// z = 0, times `d.z`. In this plane the ray is the origin and the triangle is two-dimensional. There
 /// is no division, so small integers stay exact.
 ///
 /// Adjacent triangles compute the same two numbers for a shared vertex, rounding errors included.

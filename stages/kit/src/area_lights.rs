@@ -5,7 +5,7 @@ use crate::scene::{NamedMaterial, Object};
 use crate::{Light, Material, PrimId, Scene, Triangle, Vec3};
 
 /// Largest distance between an area light and the surface that represents it, relative to the size
-/// of the light. The course's lamps agree to 1e-6; lights that are meant as two are farther apart.
+/// of the light. The course's lamps agree to 1e-6; separate lights are farther apart.
 const MAX_RELATIVE_DISTANCE: f64 = 1e-3;
 
 /// Adds a surface for every area light that no surface of the scene represents.

@@ -5,8 +5,8 @@
 pub struct Budget {
     /// Maximum number of samples per pixel (the flag `-s`).
     pub ns_aa: u32,
-    /// Samples between two tests of the stopping criterion (the first number of `-a`); 0 counts as
-    /// 1.
+    /// Samples between two tests of the stopping criterion (the first number of `-a`). 0 counts
+    /// as 1.
     pub batch: u32,
     /// Accepted error, relative to the mean (the second number of `-a`).
     pub tolerance: f64,

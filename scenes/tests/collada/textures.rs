@@ -114,15 +114,15 @@ fn texture_coordinates_are_not_read_without_a_texture() {
 #[test]
 fn invalid_texture_coordinates_are_an_error() {
     let text = textured(PARAMETERS, "t", IMAGES);
-    let error_title = |from: &str, to: &str| {
+    let error_text = |from: &str, to: &str| {
         let error = scenes::parse("small.dae", &text.replacen(from, to, 1)).expect_err("damaged");
         error.to_string()
     };
-    let stride = error_title("count=\"4\" stride=\"2\"", "count=\"4\" stride=\"1\"");
+    let stride = error_text("count=\"4\" stride=\"2\"", "count=\"4\" stride=\"1\"");
     assert!(
         stride.contains("does not read two numbers per entry"),
         "{stride}"
     );
-    let index = error_title("2 2 3 3</p>", "2 2 3 9</p>");
+    let index = error_text("2 2 3 3</p>", "2 2 3 9</p>");
     assert!(index.contains("index 9 is out of range"), "{index}");
 }

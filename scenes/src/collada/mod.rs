@@ -35,7 +35,7 @@
 //! | a polygon that intersects itself | triangles that may overlap |
 //! | lines, splines, controllers, unknown lights and shapes | ignored |
 //! | a light or a camera with a singular transform | ignored |
-//! | a second camera; a camera that is not perspective | ignored; the default view if none remains |
+//! | a second camera, or one that is not perspective | ignored; the default view if none is left |
 //! | no `<scene>` | the only visual scene |
 //!
 //! # What is an error

@@ -173,8 +173,8 @@ impl Axes {
 }
 
 /// The shear transformation: the point where the line through `p` along `d` intersects the plane
-/// z = 0, times `d.z`. In this plane the ray is the origin and the triangle is two-dimensional. There
-/// is no division, so small integers stay exact.
+/// `z = 0`, times `d.z`. In this plane the ray is the origin and the triangle is two-dimensional.
+/// There is no division, so small integers stay exact.
 ///
 /// Adjacent triangles compute the same two numbers for a shared vertex, rounding errors included.
 /// So the projected mesh has no gaps, and from here on only the signs must be exact.

@@ -1,4 +1,4 @@
-//! The film: pixels with their origin at the bottom left, filled tile by tile in parallel.
+//! The film: an array of pixels with the origin at the bottom left, rendered in parallel by tiles.
 
 use crate::sampler::Sampling;
 use crate::{PixelSampler, Spectrum};
@@ -13,12 +13,12 @@ pub struct FilmSize {
     pub h: u32,
 }
 
-/// What sampling one pixel gave.
+/// The result of sampling one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PixelEstimate {
     /// Mean radiance over the pixel.
     pub radiance: Spectrum,
-    /// How many camera samples went into it.
+    /// Number of camera samples.
     pub samples: u32,
 }
 
@@ -35,14 +35,14 @@ pub struct Cell {
     pub y1: u32,
 }
 
-/// A picture in the making: one estimate a pixel, row by row from the bottom left.
+/// A rendered image: one estimate for each pixel, row by row from the bottom left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     size: FilmSize,
     pixels: Vec<PixelEstimate>,
 }
 
-/// Edge of a tile in pixels: small enough to keep all threads busy to the end.
+/// Edge of a tile in pixels. Small enough to keep all threads busy until the end.
 const TILE: u32 = 16;
 
 impl Film {
@@ -54,7 +54,7 @@ impl Film {
         }
     }
 
-    /// Its width and height.
+    /// Width and height.
     pub fn size(&self) -> FilmSize {
         self.size
     }
@@ -78,7 +78,7 @@ impl Film {
     fn index(&self, x: u32, y: u32) -> usize {
         assert!(
             x < self.size.w && y < self.size.h,
-            "pixel ({x}, {y}) is not on a {:?}",
+            "pixel ({x}, {y}) is outside of the film, which has {:?}",
             self.size
         );
         y as usize * self.size.w as usize + x as usize
@@ -112,22 +112,23 @@ impl Cell {
             .collect()
     }
 
-    /// Its pixels, row by row from the bottom left.
+    /// The pixels, row by row from the bottom left.
     pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
         (self.y0..self.y1).flat_map(move |y| (self.x0..self.x1).map(move |x| (x, y)))
     }
 
-    /// How many pixels it has.
+    /// Number of pixels.
     pub fn area(self) -> u64 {
         u64::from(self.x1 - self.x0) * u64::from(self.y1 - self.y0)
     }
 }
 
-/// Fills the pixels of `cell` in parallel on rayon's current thread pool.
+/// Renders the pixels of `cell` in parallel on rayon's current thread pool.
 ///
-/// Each tile gets itself a `state` (counters, say) with `new_state`; `pixel` gets it with the column, the
-/// row and that pixel's own sampler; `tile_done` hears of each finished tile and its state. Pixels do not
-/// depend on threads or on the order of tiles. Returns the film and the states.
+/// `new_state` creates the state of one tile, for example counters. `pixel` is called with that
+/// state, the column, the row and the sampler of the pixel. `tile_done` is called with each
+/// finished tile and its state. Pixels do not depend on the number of threads or on the order of
+/// tiles. Returns the film and the states of all tiles.
 pub fn render<S: Send>(
     size: FilmSize,
     cell: Cell,
@@ -145,7 +146,8 @@ pub fn render<S: Send>(
     render_tiles(size, cell, new_state, tile, tile_done)
 }
 
-/// As [`render`], but `tile` fills a whole tile: it gives one estimate for each of its pixels, in their order.
+/// Like [`render`], but `tile` renders a whole tile: it returns one estimate for each pixel, in the
+/// order of [`Cell::pixels`].
 pub fn render_tiles<S: Send>(
     size: FilmSize,
     cell: Cell,
@@ -162,7 +164,7 @@ pub fn render_tiles<S: Send>(
             assert_eq!(
                 pixels.len() as u64,
                 cell.area(),
-                "an estimate for each pixel of {cell:?}"
+                "`tile` must return one estimate for each pixel of {cell:?}"
             );
             tile_done(cell, &state);
             (cell, pixels, state)

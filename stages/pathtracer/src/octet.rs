@@ -8,7 +8,7 @@ use crate::lit::{put_together, sample_pixel};
 use crate::textures::Textures;
 use crate::walk::Walk;
 use crate::{Accel, Job, LightSettings, Looking, Rendered};
-use global::roulette::FIRST_GAME;
+use global::roulette::MIN_BOUNCES;
 use kit::effects::Effect;
 use kit::film::{self, Cell};
 use kit::{
@@ -74,7 +74,7 @@ impl<'a> Octet<'a> {
                 light_samples: settings.light_samples,
                 max_depth: settings.max_depth,
                 has_textures: !textures.is_empty(),
-                first_game: settings.roulette.then_some(FIRST_GAME),
+                first_game: settings.roulette.then_some(MIN_BOUNCES),
             },
         })
     }

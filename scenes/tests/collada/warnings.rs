@@ -1,50 +1,50 @@
-//! Files that are not quite right but can be read: each gives a warning that says what was done.
+//! Files with problems that the reader can repair or ignore. Each gives a warning.
 
 use crate::small::{SMALL, edited, load_edited};
 use kit::{Material, Scene, Spectrum};
 
-/// What is changed, to what, the head line of the warning and what was done about it.
-const MENDED: &[(&str, &str, &str, &str)] = &[
+/// Text to replace, its replacement, the title of the warning, and its label.
+const WARNINGS: &[(&str, &str, &str, &str)] = &[
     (
         "0 0 0 1</matrix>",
         "0 0 0</matrix>",
         "<matrix> has 15 numbers",
-        "taken as if the rest of the last row, 0 0 0 1, were there",
+        "missing numbers are filled in from the last row 0 0 0 1",
     ),
     (
         "0 0 0 1</matrix>",
         "</matrix>",
         "<matrix> has 12 numbers",
-        "taken as if the rest of the last row, 0 0 0 1, were there",
+        "missing numbers are filled in from the last row 0 0 0 1",
     ),
     (
         " count=\"12\"",
         "",
         "<float_array id=\"points-array\"> has no attribute `count`",
-        "taken as 12",
+        "using 12",
     ),
     (
         " count=\"2\"",
         "",
         "<triangles> has no attribute `count`",
-        "taken as 2",
+        "using 2",
     ),
     (
         "target=\"#red\"",
         "target=\"#rde\"",
         "there is no <material> with the id `rde`",
-        "the surface is taken as grey, 0.5 0.5 0.5",
+        "the surface uses grey, 0.5 0.5 0.5",
     ),
     (
         "symbol=\"paint\"",
         "symbol=\"print\"",
         "no material is bound to `paint`",
-        "expected an <instance_material> with this symbol; this one is taken",
+        "expected an <instance_material> with this symbol; using this one instead",
     ),
     (
         "<color>0.8 0.1 0.1 1</color>",
         "<texture texture=\"t\" texcoord=\"UV\"/>",
-        "the texture `t` leads to no image file",
+        "the texture `t` has no image file",
         "expected a sampler, or an <image> with <init_from>",
     ),
     (
@@ -56,85 +56,85 @@ const MENDED: &[(&str, &str, &str, &str)] = &[
     (
         "0.8 0.1 0.1 1",
         "1.8 0.1 0.1 1",
-        "<color> gives back more light than it gets",
-        "expected at most 1; channels above it are taken as 1",
+        "<color> has a channel above 1",
+        "expected at most 1; larger channels are clamped to 1",
     ),
     (
         "<diffuse>",
         "<emission><color>1 1 1 1</color></emission><diffuse>",
-        "the emission of the common profile is passed over",
-        "gives no light",
+        "the emission of the common profile is ignored",
+        "this surface emits no light",
     ),
     (
         "<sphere><radius>0.5</radius></sphere>",
         "<cone/>",
         "<cone> is not a shape",
-        "expected <sphere>; it is passed over",
+        "expected <sphere>; it is ignored",
     ),
     (
         "<point><color>1 2 3</color></point>",
         "",
-        "<light id=\"lamp\"> does not say what kind of light it is",
-        "expected area, point, spot, directional or ambient; it is passed over",
+        "<light id=\"lamp\"> has no light type",
+        "expected area, point, spot, directional or ambient; it is ignored",
     ),
     (
         "<point><color>1 2 3</color></point>",
         "<laser/>",
-        "<laser> is not a kind of light",
-        "expected area, point, spot, directional or ambient; it is passed over",
+        "<laser> is not a light type",
+        "expected area, point, spot, directional or ambient; it is ignored",
     ),
     (
         "<translate>0 5 0</translate><instance_light url=\"#lamp\"/>",
         "<instance_controller url=\"#x\"/>",
-        "<instance_controller> is passed over",
-        "only nodes, geometries, lights and cameras are placed",
+        "<instance_controller> is ignored",
+        "only nodes, geometries, lights and cameras are supported here",
     ),
     (
         "<translate>0 0 5</translate>",
         "<scale>1 1 0</scale>",
-        "the transform leaves this camera no direction",
-        "expected a transform that does not flatten it; the scene is framed",
+        "this camera has no direction after its transform",
+        "expected an invertible transform; the default view is used",
     ),
     (
         "<translate>0 0 5</translate>",
         "<instance_camera url=\"#cam\"/>",
         "the scene has more than one camera",
-        "the first one is used, this one is passed over",
+        "the first one is used, this one is ignored",
     ),
     (
         "perspective>",
         "orthographic>",
         "<camera id=\"cam\"> has <orthographic>",
-        "expected <perspective>; the camera is passed over and the scene framed",
+        "expected <perspective>; the camera is ignored, and the default view is used",
     ),
     (
         "<scene><instance_visual_scene url=\"#scene\"/></scene>",
         "",
-        "no <scene> says what to show",
-        "the only visual scene is taken",
+        "no <scene> selects a visual scene",
+        "using the only visual scene",
     ),
     (
         "0 1 2 0 2 3",
         "0 1 2 0 2 2",
         "triangles without area: 1",
-        "they cannot be seen and are left out",
+        "they are invisible and are ignored",
     ),
     (
         "</mesh>",
         "<lines count=\"0\"/></mesh>",
-        "<lines> is passed over",
-        "only triangles, polylist, polygons, tristrips and trifans have a surface",
+        "<lines> is ignored",
+        "only triangles, polylist, polygons, tristrips and trifans are supported",
     ),
 ];
 
 #[test]
-fn what_can_be_mended_is_a_warning_that_says_so() {
-    for (from, to, title, done) in MENDED {
+fn problems_give_a_warning_with_title_and_label() {
+    for (from, to, title, label) in WARNINGS {
         let loaded = load_edited(from, to).unwrap_or_else(|e| panic!("{e}"));
         let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
         let warning = loaded.warnings.iter().find(|w| w.0.title() == *title);
         let warning = warning.unwrap_or_else(|| panic!("no warning `{title}` among {warnings:#?}"));
-        assert_eq!(warning.0.expected(), Some(*done), "\n{warning}");
+        assert_eq!(warning.0.expected(), Some(*label), "\n{warning}");
         assert!(warning.0.line_and_column().is_some());
         assert!(warning.to_string().starts_with("warning: "));
         assert!(!loaded.scene.is_empty());
@@ -142,7 +142,7 @@ fn what_can_be_mended_is_a_warning_that_says_so() {
 }
 
 #[test]
-fn a_short_matrix_means_the_same() {
+fn short_matrix_gives_the_same_scene() {
     let short = load_edited("0 0 0 1</matrix>", "0 0 0</matrix>").unwrap();
     assert_eq!(
         short.scene,
@@ -168,7 +168,7 @@ fn missing_materials_are_grey() {
 }
 
 #[test]
-fn small_polygons_are_passed_over() {
+fn polygons_with_too_few_corners_are_ignored() {
     let text = edited(
         "<triangles material=\"paint\" count=\"2\">",
         "<polylist material=\"paint\" count=\"3\"><vcount>4 2 0</vcount>",
@@ -181,7 +181,7 @@ fn small_polygons_are_passed_over() {
 }
 
 #[test]
-fn polygons_that_cross_themselves_are_drawn_with_a_warning() {
+fn self_intersecting_polygons_are_kept_with_a_warning() {
     let text = edited(
         "<triangles material=\"paint\" count=\"2\">",
         "<polygons material=\"paint\" count=\"1\">",
@@ -193,14 +193,14 @@ fn polygons_that_cross_themselves_are_drawn_with_a_warning() {
         loaded
             .warnings
             .iter()
-            .any(|w| w.0.title() == "a polygon crosses itself or has no area"),
+            .any(|w| w.0.title() == "a polygon intersects itself or has no area"),
         "{:?}",
         loaded.warnings
     );
 }
 
 #[test]
-fn thousands_of_warnings_are_counted_not_kept() {
+fn excess_warnings_are_only_counted() {
     let many: String = (0..5000).map(|i| format!("<unknown{i}/>\n")).collect();
     let loaded = load_edited("<translate>0 5 0</translate>", &many).unwrap();
     assert_eq!(loaded.warnings.len(), 51);

@@ -1,15 +1,15 @@
-//! Area lights that a file describes and no surface shows.
+//! Turns the area lights of a scene file into surfaces.
 
 use crate::emitting_mesh::EmittingTriangle;
 use crate::scene::{NamedMaterial, Object};
 use crate::{Light, Material, PrimId, Scene, Triangle, Vec3};
 
-/// How far an area light may be from a surface that shows it, as a share of its size. The course's lamps agree to a
-/// millionth; lights that are meant to be two are farther apart.
-const SAME_PLACE: f64 = 1e-3;
+/// Largest distance between an area light and the surface that represents it, relative to the size
+/// of the light. The course's lamps agree to 1e-6; separate lights are farther apart.
+const MAX_RELATIVE_DISTANCE: f64 = 1e-3;
 
-/// Gives every area light that no surface of the scene shows a surface of its own.
-pub(crate) fn show_area_lights(scene: &mut Scene) {
+/// Adds a surface for every area light that no surface of the scene represents.
+pub(crate) fn add_area_lights(scene: &mut Scene) {
     for i in 0..scene.lights.len() {
         let Light::Area {
             center,
@@ -22,7 +22,7 @@ pub(crate) fn show_area_lights(scene: &mut Scene) {
             continue;
         };
         let size = edge_x.length() + edge_y.length();
-        if is_shown(scene, center, direction, SAME_PLACE * size) {
+        if has_surface(scene, center, direction, MAX_RELATIVE_DISTANCE * size) {
             continue;
         }
         let corner = |x: f64, y: f64| center + x * edge_x + y * edge_y;
@@ -32,7 +32,7 @@ pub(crate) fn show_area_lights(scene: &mut Scene) {
             corner(0.5, 0.5),
             corner(-0.5, 0.5),
         );
-        // Wound so that the geometric normal is on the side that shines.
+        // The winding order puts the geometric normal on the emitting side.
         let halves = if edge_x.cross(edge_y).dot(direction) < 0.0 {
             [[a, d, c], [a, c, b]]
         } else {
@@ -49,15 +49,15 @@ pub(crate) fn show_area_lights(scene: &mut Scene) {
             material: Material::Emission { radiance },
         });
         for [p0, p1, p2] in halves {
-            // Triangles are numbered before spheres.
+            // Triangles come before spheres in `object_of`.
             scene.object_of.insert(scene.triangles.len(), object);
             scene.triangles.push(Triangle::flat(p0, p1, p2));
         }
     }
 }
 
-/// Whether an emitting triangle that faces along `direction` passes within `tolerance` of `center`.
-fn is_shown(scene: &Scene, center: Vec3, direction: Vec3, tolerance: f64) -> bool {
+/// Whether an emitting triangle that faces along `direction` is within `tolerance` of `center`.
+fn has_surface(scene: &Scene, center: Vec3, direction: Vec3, tolerance: f64) -> bool {
     scene.triangles.iter().enumerate().any(|(i, triangle)| {
         let id = PrimId(i as u32);
         !scene.material_of(id).emission().is_black() && {
@@ -67,7 +67,8 @@ fn is_shown(scene: &Scene, center: Vec3, direction: Vec3, tolerance: f64) -> boo
     })
 }
 
-/// Distance from `p` to the nearest point of the triangle (Ericson, "Real-time collision detection", 2005, 5.1.5).
+/// Distance from `p` to the closest point of the triangle (Ericson, "Real-time collision
+/// detection", 2005, section 5.1.5).
 fn distance_to(t: &Triangle, p: Vec3) -> f64 {
     let (ab, ac) = (t.p1 - t.p0, t.p2 - t.p0);
     let n = ab.cross(ac);
@@ -106,8 +107,9 @@ pub(crate) mod tests {
         }
     }
 
-    /// A ball, and a lamp of two triangles at height 1.49 like the course's, shining down.
-    pub(crate) fn room(lights: Vec<NamedLight>) -> Scene {
+    /// A sphere, and a lamp of two triangles at height 1.49 that faces down, as in the course's
+    /// scenes.
+    pub(crate) fn scene_with_lamp(lights: Vec<NamedLight>) -> Scene {
         let corner = |x: f64, z: f64| Vec3::new(x, 1.49, z);
         let named = |name: &str, material| NamedMaterial {
             name: name.into(),
@@ -152,7 +154,7 @@ pub(crate) mod tests {
         }
     }
 
-    fn areas(lit: &LitScene) -> Vec<f64> {
+    fn light_areas(lit: &LitScene) -> Vec<f64> {
         let area = |emitter: &Emitter| match emitter {
             Emitter::Mesh(mesh) => mesh.area(),
             other => panic!("not a mesh: {other:?}"),
@@ -160,30 +162,32 @@ pub(crate) mod tests {
         lit.emitters.iter().map(area).collect()
     }
 
-    /// The course's lamp is described twice: as a mesh, and as an area light turned by a right angle.
+    /// The course's scenes describe the lamp twice: as a mesh, and as an area light rotated by 90
+    /// degrees.
     #[test]
-    fn a_lamp_described_twice_is_one_lamp() {
-        let scene = room(vec![area_light(Vec3::new(0.0, 1.49 + 1e-8, 0.004))]);
+    fn lamp_described_twice_is_one_light() {
+        let scene = scene_with_lamp(vec![area_light(Vec3::new(0.0, 1.49 + 1e-8, 0.004))]);
         let lit = LitScene::new(scene.clone(), None);
         assert_eq!(lit.scene, scene);
-        let areas = areas(&lit);
+        let areas = light_areas(&lit);
         assert!(areas.len() == 1 && (areas[0] - 0.48).abs() < 1e-12);
         assert!(lit.emitter_of(PrimId(1)).is_some());
         assert!(lit.emitter_of(PrimId(2)).is_none());
     }
 
     #[test]
-    fn an_area_light_alone_becomes_a_surface() {
-        let lit = LitScene::new(room(vec![area_light(Vec3::new(0.0, 1.2, 0.0))]), None);
+    fn area_light_without_surface_becomes_a_surface() {
+        let light = area_light(Vec3::new(0.0, 1.2, 0.0));
+        let lit = LitScene::new(scene_with_lamp(vec![light]), None);
         assert_eq!(lit.scene.triangles.len(), 4);
         let sphere = lit.scene.material_of(PrimId(4));
         assert_eq!(
             sphere,
-            &Scene::material_of(&room(vec![]), PrimId(2)).clone()
+            &Scene::material_of(&scene_with_lamp(vec![]), PrimId(2)).clone()
         );
-        let areas = areas(&lit);
+        let areas = light_areas(&lit);
         assert!(areas.len() == 2 && (areas[1] - 0.48).abs() < 1e-12);
-        // It shines down.
+        // It faces down.
         let ng = |t: &Triangle| (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
         for triangle in &lit.scene.triangles[2..] {
             assert!((ng(triangle) + Vec3::Y).length() < 1e-12);

@@ -1,10 +1,10 @@
-//! Many samplers at once.
+//! Several samplers in structure-of-arrays layout.
 
 use super::{Pattern, PixelSampler};
 use crate::sobol;
 
-/// Several samplers of one pattern side by side, field by field. Their methods are loops over arrays, of which a compiler
-/// makes one instruction for eight numbers.
+/// Several samplers with the same pattern, stored field by field. Their methods are loops over
+/// arrays, which a compiler turns into SIMD instructions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PixelSamplers<const N: usize> {
     pattern: Pattern,
@@ -14,7 +14,7 @@ pub struct PixelSamplers<const N: usize> {
 }
 
 impl<const N: usize> PixelSamplers<N> {
-    /// `samplers` side by side. All have the pattern of the first one.
+    /// Combines `samplers`. All must have the pattern of the first one.
     #[inline(always)]
     pub fn of(samplers: &[PixelSampler; N]) -> PixelSamplers<N> {
         let mut lanes = PixelSamplers {
@@ -29,7 +29,7 @@ impl<const N: usize> PixelSamplers<N> {
         lanes
     }
 
-    /// Sampler number `i`.
+    /// Sampler `i`.
     #[inline(always)]
     pub fn get(&self, i: usize) -> PixelSampler {
         PixelSampler {
@@ -40,7 +40,7 @@ impl<const N: usize> PixelSamplers<N> {
         }
     }
 
-    /// Makes `sampler` number `i`.
+    /// Replaces sampler `i` by `sampler`.
     #[inline(always)]
     pub fn set(&mut self, i: usize, sampler: &PixelSampler) {
         debug_assert_eq!(sampler.pattern, self.pattern);
@@ -49,7 +49,7 @@ impl<const N: usize> PixelSamplers<N> {
         self.dimensions[i] = sampler.dimension;
     }
 
-    /// Leaves out what [`PixelSamplers::next_1d`] would give.
+    /// Skips the number that [`PixelSamplers::next_1d`] would return, in each sampler.
     #[inline(always)]
     pub fn skip_1d(&mut self) {
         for dimension in &mut self.dimensions {
@@ -57,7 +57,7 @@ impl<const N: usize> PixelSamplers<N> {
         }
     }
 
-    /// Each sampler's [`PixelSampler::next_1d`].
+    /// Calls [`PixelSampler::next_1d`] on each sampler.
     #[inline(always)]
     pub fn next_1d(&mut self) -> [f64; N] {
         if self.pattern == Pattern::Sobol {
@@ -72,7 +72,8 @@ impl<const N: usize> PixelSamplers<N> {
         numbers
     }
 
-    /// Each sampler's [`PixelSampler::next_2d`]: all first numbers, all second ones.
+    /// Calls [`PixelSampler::next_2d`] on each sampler. Returns all first numbers, then all second
+    /// ones.
     #[inline(always)]
     pub fn next_2d(&mut self) -> [[f64; N]; 2] {
         if self.pattern == Pattern::Sobol {
@@ -107,32 +108,32 @@ impl<const N: usize> PixelSamplers<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::all;
+    use super::super::tests::all_patterns;
     use super::*;
     use crate::Vec2;
 
     #[test]
-    fn samplers_side_by_side_give_what_each_gives() {
-        for sampling in all() {
-            let mut apart: [PixelSampler; 4] = std::array::from_fn(|i| {
+    fn combined_samplers_equal_single_samplers() {
+        for sampling in all_patterns() {
+            let mut single: [PixelSampler; 4] = std::array::from_fn(|i| {
                 let mut sampler = PixelSampler::new(i as u32 / 2, 5, sampling);
                 for _ in 0..=i {
                     sampler.start_sample();
                 }
                 sampler
             });
-            let mut together = PixelSamplers::of(&apart);
-            apart[3].skip_1d();
-            together.set(3, &apart[3]);
+            let mut combined = PixelSamplers::of(&single);
+            single[3].skip_1d();
+            combined.set(3, &single[3]);
             for _ in 0..50 {
-                let points = together.next_2d();
-                let numbers = together.next_1d();
-                together.skip_1d();
-                for (i, sampler) in apart.iter_mut().enumerate() {
+                let points = combined.next_2d();
+                let numbers = combined.next_1d();
+                combined.skip_1d();
+                for (i, sampler) in single.iter_mut().enumerate() {
                     assert_eq!(Vec2::new(points[0][i], points[1][i]), sampler.next_2d());
                     assert_eq!(numbers[i], sampler.next_1d());
                     sampler.skip_1d();
-                    assert_eq!(together.get(i), *sampler);
+                    assert_eq!(combined.get(i), *sampler);
                 }
             }
         }

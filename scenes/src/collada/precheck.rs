@@ -1,15 +1,15 @@
-//! A look at the text before it is parsed: what would keep the XML parser busy for minutes is refused.
+//! Checks the text before it is parsed, for files that would keep the XML parser busy for minutes.
 //!
-//! roxmltree compares every attribute of a tag with all others of it, and hands namespaces on from each element to
-//! its children: both take a time that grows with the square of their number, or worse.
+//! roxmltree compares every attribute of a tag with all others, and copies namespaces from each
+//! element to its children. The time for both grows with the square of their number, or faster.
 
 use super::limits::{MAX_ATTRIBUTES, MAX_NAMESPACES};
 use crate::diagnostic::{Diagnostic, SceneError};
 use std::ops::Range;
 
-/// Refuses a text with too many attributes in one tag or too many namespaces in all. Whether the text is
-/// well-formed is the parser's business.
-pub(super) fn screen(name: &str, text: &str) -> Result<(), SceneError> {
+/// An error if a tag has too many attributes or the file too many namespaces. Does not check
+/// whether the text is well-formed.
+pub(super) fn check(name: &str, text: &str) -> Result<(), SceneError> {
     let mut rest = text;
     let mut namespaces = 0;
     while let Some(start) = rest.find('<') {
@@ -22,25 +22,25 @@ pub(super) fn screen(name: &str, text: &str) -> Result<(), SceneError> {
         }
         if attributes(tag) > MAX_ATTRIBUTES {
             let title = format!("a tag has more than {MAX_ATTRIBUTES} attributes");
-            return Err(refusal(name, text, at..at + 1, title));
+            return Err(too_many(name, text, at..at + 1, title));
         }
         namespaces += tag.matches("xmlns").count();
         if namespaces > MAX_NAMESPACES {
             let title = format!("the file declares more than {MAX_NAMESPACES} namespaces");
-            return Err(refusal(name, text, at..at + 1, title));
+            return Err(too_many(name, text, at..at + 1, title));
         }
     }
     Ok(())
 }
 
-fn refusal(name: &str, text: &str, mark: Range<usize>, title: String) -> SceneError {
+fn too_many(name: &str, text: &str, mark: Range<usize>, title: String) -> SceneError {
     Diagnostic::about_file(name, title)
-        .at(text, mark, "this tag is one too many")
+        .at(text, mark, "this tag exceeds the limit")
         .help("no modelling program writes such a file: export the scene again")
         .into()
 }
 
-/// How long the comment, CDATA section, instruction or tag is that `markup` starts with.
+/// Length of the comment, CDATA section, processing instruction or tag at the start of `markup`.
 fn markup_length(markup: &str) -> usize {
     let until = |end: &str| markup.find(end).map_or(markup.len(), |at| at + end.len());
     if markup.starts_with("<!--") {
@@ -50,7 +50,7 @@ fn markup_length(markup: &str) -> usize {
     } else if markup.starts_with("<?") {
         until("?>")
     } else {
-        // A `>` may stand in an attribute's value.
+        // The value of an attribute may contain a `>`.
         let mut quote = None;
         let end = markup.char_indices().find(|(_, c)| match (quote, c) {
             (None, '"' | '\'') => {
@@ -68,7 +68,7 @@ fn markup_length(markup: &str) -> usize {
     }
 }
 
-/// How many attributes a tag has: equals signs outside of quotes.
+/// Number of attributes of a tag: equals signs outside of quotes.
 fn attributes(tag: &str) -> usize {
     let mut quote = None;
     let mut count = 0;

@@ -1,15 +1,15 @@
 // BEGIN SOLUTION(part6.task2)
-//! Eight vectors, one a lane, with the arithmetic of [`kit::Vec3`] operation by operation: so every lane has the bits that
-//! a vector alone would have.
+//! Eight vectors, one a lane. Repeats the arithmetic of [`kit::Vec3`] operation by operation, so every
+//! lane has the bits of the scalar vector.
 
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// How many paths are followed at once.
+/// The number of paths in a packet.
 pub(crate) const LANES: usize = 8;
 
-/// A vector a lane, or a colour.
+/// A vector or a color in each lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Vec3x8<S: Simd> {
     pub(crate) x: f64x8<S>,
@@ -27,7 +27,7 @@ impl<S: Simd> Vec3x8<S> {
         }
     }
 
-    /// What `of` says about each lane, gathered from anywhere.
+    /// The vectors that `of` returns for each lane.
     #[inline(always)]
     pub(crate) fn gather(simd: S, of: impl Fn(usize) -> [f64; 3]) -> Vec3x8<S> {
         Vec3x8 {

@@ -1,7 +1,6 @@
 //! The `pathtracer` program: from a scene file to a picture file.
 
 mod args;
-mod asked;
 mod budget;
 mod explain;
 mod export;
@@ -9,6 +8,7 @@ mod failure;
 mod outputs;
 mod progress;
 mod run;
+mod settings;
 mod summary;
 mod values;
 mod view;

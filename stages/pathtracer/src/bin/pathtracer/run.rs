@@ -11,8 +11,8 @@ use crate::{summary, view};
 use kit::hole;
 use kit::{Emitter, Environment, LitScene, Scene};
 use pathtracer::{
-    Accel, Job, LightSettings, Looking, layers::channels, layers::features, load_environment,
-    render_lit, render_normals,
+    Accel, DirectSampling, Job, LightSettings, layers::channels, layers::features,
+    load_environment, render_lit, render_normals,
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
@@ -54,7 +54,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     match &picture {
         Picture::Normals(_) => tell_idle_flags(args),
         Picture::Lit(lit) => {
-            tell_what_is_left_out(lit, light.looking);
+            tell_what_is_left_out(lit, light.direct_sampling);
             tell_whole_batch(light.adaptive, args.samples);
         }
     }
@@ -219,8 +219,8 @@ fn tell_idle(idle: &[&str], why: &str) {
 }
 
 /// Says what of the scene the picture will not show.
-fn tell_what_is_left_out(lit: &LitScene, looking: Looking) {
-    if looking == Looking::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
+fn tell_what_is_left_out(lit: &LitScene, sampling: DirectSampling) {
+    if sampling == DirectSampling::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
         eprintln!(
             "note: points, spots and suns have no size, so -H never finds them: leave it out to see their light"
         );

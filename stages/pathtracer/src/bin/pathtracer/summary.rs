@@ -21,7 +21,7 @@ pub(crate) fn scene(path: &Path, scene: &Scene, load: Duration) -> String {
 /// What hits are found with.
 pub(crate) fn accel(accel: &Accel, build: Duration) -> String {
     match accel {
-        Accel::Brute { .. } => "Hits        by asking every primitive".to_owned(),
+        Accel::Brute => "Hits        by asking every primitive".to_owned(),
         Accel::Bvh(Bvh { nodes, order }) => format!(
             "BVH         {} nodes over {} primitives, built in {}",
             nodes.len(),

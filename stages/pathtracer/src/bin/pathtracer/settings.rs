@@ -5,7 +5,7 @@ use crate::values::samples;
 use kit::FilmSize;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
-use pathtracer::{Lens, LightSettings, Looking};
+use pathtracer::{DirectSampling, Lens, LightSettings};
 
 /// The picture's size without `-r` and without a camera file.
 const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
@@ -78,10 +78,10 @@ impl Args {
         Ok(LightSettings {
             light_samples: self.light_samples.unwrap_or(default.light_samples),
             max_depth: self.max_depth.unwrap_or(default.max_depth),
-            looking: match (self.hemisphere, self.mis) {
-                (true, _) => Looking::Hemisphere,
-                (false, true) => Looking::Both,
-                (false, false) => Looking::Lights,
+            direct_sampling: match (self.hemisphere, self.mis) {
+                (true, _) => DirectSampling::Hemisphere,
+                (false, true) => DirectSampling::Mis,
+                (false, false) => DirectSampling::Lights,
             },
             roulette: !self.no_roulette,
             adaptive: self.adaptive()?,

@@ -1,4 +1,4 @@
-//! The `pathtracer` program: from a scene file to a picture file.
+//! The `pathtracer` program: renders a scene file to a picture file.
 
 mod args;
 mod budget;
@@ -22,16 +22,16 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    // A hole is told in one line, at the end; a panic of a stage as usual, with its place.
-    let tell_panic = panic::take_hook();
+    // A hole is reported in one line, at the end; another panic as usual, with its location.
+    let print_panic = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         if !info.payload().is::<Hole>() {
-            tell_panic(info);
+            print_panic(info);
         }
     }));
     match panic::catch_unwind(|| run::run(&args)) {
         Ok(Ok(code)) => code,
         Ok(Err(failure)) => failure.report(),
-        Err(payload) => Failure::of_panic(payload).report(),
+        Err(payload) => Failure::from_panic(payload).report(),
     }
 }

@@ -153,8 +153,8 @@ pub struct EffectSettings {
 }
 
 impl LitScene {
-    /// For every effect, in the order of [`Effect::ALL`], what in the scene or the settings calls for
-    /// it.
+    /// For every effect, in the order of [`Effect::ALL`], what in the scene or the settings calls
+    /// for it.
     pub fn effects(&self, settings: EffectSettings) -> Vec<Requirement> {
         Effect::ALL
             .into_iter()

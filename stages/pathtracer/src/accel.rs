@@ -43,8 +43,8 @@ impl Accel {
         }
     }
 
-    /// The closest hit of `ray` in `scene`, which the tree was built over; at equal `t` the hit with
-    /// the lowest id. Shortens the ray to the hit. Primitive `skip` is never hit.
+    /// The closest hit of `ray` in `scene`, which the tree was built over; at equal `t` the hit
+    /// with the lowest id. Shortens the ray to the hit. Primitive `skip` is never hit.
     ///
     /// Adds the tests to `counters`, but not the ray.
     #[inline]
@@ -65,7 +65,8 @@ impl Accel {
             Accel::Brute => {
                 let mut closest: Option<Hit> = None;
                 for id in prims(scene) {
-                    // A hit at equal `t` is in range, too: the first one, with the lowest id, stays.
+                    // A hit at equal `t` is in range, too: the first one, with the lowest id,
+                    // stays.
                     if let Some(hit) = world.hit_prim(id, ray)
                         && closest.is_none_or(|c| hit.t < c.t)
                     {

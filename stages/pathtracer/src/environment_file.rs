@@ -37,8 +37,8 @@ impl fmt::Display for EnvironmentFileError {
 
 impl std::error::Error for EnvironmentFileError {}
 
-/// Reads an environment map: an `.exr` or `.hdr` picture in longitude-latitude format, with -z in the
-/// centre.
+/// Reads an environment map: an `.exr` or `.hdr` picture in longitude-latitude format, with -z in
+/// the centre.
 pub fn load_environment(path: &Path) -> Result<Environment, EnvironmentFileError> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     if !["exr", "hdr"].contains(&extension.to_ascii_lowercase().as_str()) {

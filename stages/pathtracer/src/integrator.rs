@@ -218,8 +218,8 @@ impl<'a> PathIntegrator<'a> {
         }
     }
 
-    /// The colour of the texture where a surface was hit; white without a texture, and where nothing
-    /// is lit.
+    /// The colour of the texture where a surface was hit; white without a texture, and where
+    /// nothing is lit.
     #[inline]
     pub(crate) fn texture_color(&self, hit: &Hit) -> Spectrum {
         if self.textures.is_empty() || self.max_depth == 0 {

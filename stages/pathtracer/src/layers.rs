@@ -92,7 +92,8 @@ pub enum Values {
     Id(Vec<u32>),
 }
 
-/// The channels of the picture, its features, and the variance of the luminances of each pixel's samples.
+/// The channels of the picture, its features, and the variance of the luminances of each pixel's
+/// samples.
 pub fn channels(rendered: &Rendered, features: &[Feature], job: &Job) -> Vec<Channel> {
     let cell = job.cell;
     let pixels: Vec<(u32, u32)> = (cell.y0..cell.y1)

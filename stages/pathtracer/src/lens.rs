@@ -13,11 +13,13 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// Replaces the pinhole's `ray` by one through a point of the lens, chosen uniformly by `u` in [0, 1)².
+    /// Replaces the pinhole's `ray` by one through a point of the lens, chosen uniformly by `u` in
+    /// [0, 1)².
     ///
-    /// All rays through the lens intersect where `ray` intersects the plane of focus: points there are
-    /// sharp, others blur to discs (Cook, Porter, Carpenter, "Distributed ray tracing", SIGGRAPH 1984).
-    /// With radius 0 the result is `ray`, bit for bit. The range of the ray does not change.
+    /// All rays through the lens intersect where `ray` intersects the plane of focus: points there
+    /// are sharp, others blur to discs (Cook, Porter, Carpenter, "Distributed ray tracing",
+    /// SIGGRAPH 1984). With radius 0 the result is `ray`, bit for bit. The range of the ray does
+    /// not change.
     pub fn refract(&self, camera: &Camera, ray: &Ray, u: Vec2) -> Ray {
         if self.radius == 0.0 {
             return *ray;

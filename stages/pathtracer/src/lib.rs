@@ -1,11 +1,11 @@
 //! The renderer: the stages, connected to a scene, a camera and picture files.
 //!
-//! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force or
-//! a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar paths,
-//! and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
-//! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result), [`layers`]
-//! (albedo, normal, depth), [`tone`], [`output`] and [`part_file`] (picture files), [`mitsuba`] (export
-//! for another renderer). The program is in `src/bin/pathtracer`.
+//! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force
+//! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
+//! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
+//! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
+//! [`layers`] (albedo, normal, depth), [`tone`], [`output`] and [`part_file`] (picture files),
+//! [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
 
 pub mod accel;
 pub mod environment_file;

@@ -30,7 +30,8 @@ pub enum DirectSampling {
 /// How light transport is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSettings {
-    /// Samples per area light (`-l`); with [`DirectSampling::Hemisphere`] directions per area light.
+    /// Samples per area light (`-l`); with [`DirectSampling::Hemisphere`] directions per area
+    /// light.
     pub light_samples: u32,
     /// Ray depth (`-m`): 0 is emission only, 1 is direct light.
     pub max_depth: u32,
@@ -81,9 +82,9 @@ impl LightSettings {
 /// Renders a lit picture on rayon's current thread pool.
 ///
 /// The picture depends on `lit`, `job` and `settings` only, not on the threads. `accel` has to be
-/// built over `lit.scene`; `textures` are the textures of that scene. `tile_done` is called with each
-/// finished tile and the number of rays traced for it. Once `stop` is set, the remaining pixels stay
-/// black.
+/// built over `lit.scene`; `textures` are the textures of that scene. `tile_done` is called with
+/// each finished tile and the number of rays traced for it. Once `stop` is set, the remaining
+/// pixels stay black.
 pub fn render_lit(
     lit: &LitScene,
     textures: &Textures,

@@ -17,7 +17,8 @@ pub(crate) struct Materials {
     forced: bool,
 }
 
-/// The materials at one point of a surface: the BSDFs of parts 3 and 4, and those beyond the course.
+/// The materials at one point of a surface: the BSDFs of parts 3 and 4, and those beyond the
+/// course.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MaterialsAt<'a> {
     materials: &'a Materials,
@@ -66,7 +67,8 @@ impl Materials {
         self.counts[effect as usize].update(|count| count + more);
     }
 
-    /// The parameters of rough glass; `None` for other materials. Counts an operation of its effect.
+    /// The parameters of rough glass; `None` for other materials. Counts an operation of its
+    /// effect.
     #[inline]
     fn rough(&self, material: &Material) -> Option<RoughGlass> {
         let (reflectance, transmittance, roughness, ior, effect) = match *material {

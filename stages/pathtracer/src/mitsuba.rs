@@ -1,7 +1,7 @@
 //! Exports scenes for Mitsuba 3, an independent renderer, to compare pictures.
 //!
-//! What Mitsuba does not support in the same way is an error, not approximated: pictures should differ
-//! by noise only.
+//! What Mitsuba does not support in the same way is an error, not approximated: pictures should
+//! differ by noise only.
 
 use crate::{Job, LightSettings};
 use kit::{Emitter, Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
@@ -19,12 +19,12 @@ pub struct MitsubaFile {
 /// The largest difference of a pixel's aspect ratio from 1: Mitsuba's pixels are square.
 const SQUARE_TOLERANCE: f64 = 1e-6;
 
-/// Exports the scene as an `.xml` file and one `.ply` for the triangles of each object. `stem` is the
-/// file name without its extension.
+/// Exports the scene as an `.xml` file and one `.ply` for the triangles of each object. `stem` is
+/// the file name without its extension.
 ///
 /// Mitsuba counts the edges of a path, so a ray depth of m becomes m + 1. This is equal for matte
-/// surfaces; mirrors and glass show emitters one depth earlier in Mitsuba, so compare them at a depth
-/// that truncates no path.
+/// surfaces; mirrors and glass show emitters one depth earlier in Mitsuba, so compare them at a
+/// depth that truncates no path.
 ///
 /// # Errors
 ///

@@ -16,8 +16,8 @@ pub fn normal_color(n: Vec3) -> Spectrum {
 /// Renders normals on rayon's current thread pool. Rays that miss are black.
 ///
 /// The picture depends on `scene` and `job` only, not on the threads. `accel` has to be built over
-/// `scene`. `tile_done` is called with each finished tile and the number of rays traced for it. Once
-/// `stop` is set, the remaining pixels stay black.
+/// `scene`. `tile_done` is called with each finished tile and the number of rays traced for it.
+/// Once `stop` is set, the remaining pixels stay black.
 pub fn render_normals(
     scene: &Scene,
     accel: &Accel,

@@ -113,8 +113,8 @@ impl Output {
             .map_err(|why| OutputError::NotWritable(self.part.path().to_owned(), why))
     }
 
-    /// Writes the number of samples of each pixel of `cell`, of at most `ns_aa`, as a colour: blue for few,
-    /// green for half, red for all.
+    /// Writes the number of samples of each pixel of `cell`, of at most `ns_aa`, as a colour: blue
+    /// for few, green for half, red for all.
     pub fn write_rate(self, film: &Film, cell: Cell, ns_aa: u32) -> Result<(), OutputError> {
         let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
         let bytes: Vec<u8> = (cell.y0..cell.y1)

@@ -4,9 +4,9 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file in progress. It is written under a temporary name in the same folder and renamed when it is
-/// complete: readers never see a part of it, and an old file stays until then. Dropping it before
-/// removes the temporary file.
+/// A file in progress. It is written under a temporary name in the same folder and renamed when it
+/// is complete: readers never see a part of it, and an old file stays until then. Dropping it
+/// before removes the temporary file.
 #[derive(Debug)]
 pub struct PartFile {
     path: PathBuf,

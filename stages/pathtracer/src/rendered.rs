@@ -26,8 +26,8 @@ pub struct Job {
 pub struct Rendered {
     /// The whole film; black outside the cell.
     pub film: Film,
-    /// Tallies of the luminances of each pixel's samples, in the order of [`Film::pixels`]; empty for
-    /// normals.
+    /// Tallies of the luminances of each pixel's samples, in the order of [`Film::pixels`]; empty
+    /// for normals.
     pub luminance: Vec<Tally>,
     /// Rays and tests.
     pub counters: Counters,
@@ -50,8 +50,8 @@ impl Rendered {
         pixels.map(|pixel| u64::from(pixel.samples)).sum()
     }
 
-    /// Averages with another picture of the same job that was rendered with other samples. Every sample has
-    /// the same weight.
+    /// Averages with another picture of the same job that was rendered with other samples. Every
+    /// sample has the same weight.
     pub fn add(&mut self, other: &Rendered) {
         let size = self.film.size();
         for (x, y) in size.whole().pixels() {
@@ -70,9 +70,9 @@ impl Rendered {
         self.effects = self.effects + other.effects;
     }
 
-    /// The noise of the picture: the root mean square of the standard errors of the pixels' luminances,
-    /// relative to the mean luminance, over the pixels with at least two samples. `None` without such a
-    /// pixel, 0 for a black picture. An upper bound for Sobol samples.
+    /// The noise of the picture: the root mean square of the standard errors of the pixels'
+    /// luminances, relative to the mean luminance, over the pixels with at least two samples.
+    /// `None` without such a pixel, 0 for a black picture. An upper bound for Sobol samples.
     pub fn relative_error(&self) -> Option<f64> {
         let mut mean = Tally::default();
         let mut squared = Tally::default();

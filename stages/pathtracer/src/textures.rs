@@ -94,8 +94,8 @@ fn load_texture(path: &Path) -> Result<Texture, String> {
     Texture::new(width as usize, texels(&picture)).ok_or_else(|| "it is empty".to_owned())
 }
 
-/// Linear reflectances in [0, 1], row by row from the top left. Bytes are sRGB; values of exr and hdr
-/// files are linear.
+/// Linear reflectances in [0, 1], row by row from the top left. Bytes are sRGB; values of exr and
+/// hdr files are linear.
 fn texels(picture: &DynamicImage) -> Vec<Spectrum> {
     match picture {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {

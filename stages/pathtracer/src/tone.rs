@@ -9,8 +9,8 @@ pub const NAN_COLOR: [u8; 3] = [255, 0, 255];
 /// The display's exponent.
 const GAMMA: f64 = 2.2;
 
-/// The bytes of a pixel: `255·min(1, (c·√2)^(1/2.2))` for each channel, rounded down; negative values
-/// are 0. [`NAN_COLOR`] if a channel is NaN.
+/// The bytes of a pixel: `255·min(1, (c·√2)^(1/2.2))` for each channel, rounded down; negative
+/// values are 0. [`NAN_COLOR`] if a channel is NaN.
 ///
 /// The factor √2 is half a stop of exposure, as in the assignment's program.
 pub fn to_bytes(radiance: Spectrum) -> [u8; 3] {

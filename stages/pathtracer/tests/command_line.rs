@@ -136,7 +136,8 @@ fn a_cell_has_the_pixels_of_the_whole_picture() {
     let (all, cell) = (open("all.png"), open("cell.png"));
     assert_eq!(cell.dimensions(), (20, 11));
     for (x, y, pixel) in cell.enumerate_pixels() {
-        // Rows count from the top here: the cell starts 30 - (2 + 11) rows below the top of the picture.
+        // Rows count from the top here: the cell starts 30 - (2 + 11) rows below the top of the
+        // picture.
         assert_eq!(pixel, all.get_pixel(x + 5, y + 17));
     }
 }

@@ -258,8 +258,8 @@ fn pictures_do_not_depend_on_threads() {
     }
 }
 
-/// Effects that are not called for have a count of 0, the others a positive one; forcing all effects
-/// changes no bit of the picture.
+/// Effects that are not called for have a count of 0, the others a positive one; forcing all
+/// effects changes no bit of the picture.
 #[test]
 fn only_what_a_scene_calls_for_is_simulated() {
     for (name, lit, expected) in scenes() {
@@ -387,15 +387,16 @@ const COMPARED: u32 = 18;
 /// The relative bias that comparisons of light sampling always detect.
 const DETECTED: f64 = 0.2;
 
-/// The relative bias that comparisons with hemisphere sampling, which has more noise, always detect.
+/// The relative bias that comparisons with hemisphere sampling, which has more noise, always
+/// detect.
 const DETECTED_BY_HEMISPHERE: f64 = 0.6;
 
 /// Blocks along a side of a picture that is compared.
 const BLOCKS: u32 = 4;
 
-/// Compares the means of the blocks of two pictures by z-tests. The probability that any test of this
-/// file fails for a correct estimate is 1e-6. Also asserts that at least one block detects a picture
-/// that is brighter or darker by the fraction `detected`.
+/// Compares the means of the blocks of two pictures by z-tests. The probability that any test of
+/// this file fails for a correct estimate is 1e-6. Also asserts that at least one block detects a
+/// picture that is brighter or darker by the fraction `detected`.
 fn assert_agree(
     what: &str,
     lit: &LitScene,

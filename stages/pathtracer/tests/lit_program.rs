@@ -141,7 +141,8 @@ fn an_adaptive_picture_has_a_file_of_sample_counts() {
     let rate = image::open(folder.path().join("a_rate.png"))
         .expect("a picture")
         .into_rgb8();
-    // The wall needs about a quarter of the samples. The background stays black and takes all of them.
+    // The wall needs about a quarter of the samples. The background stays black and takes all of
+    // them.
     assert!(
         rate.get_pixel(10, 10).0[2] > 100,
         "{:?}",

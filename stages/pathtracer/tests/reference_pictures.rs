@@ -1,15 +1,16 @@
-//! Compares our normal-shading pictures with those of the assignment's own program: with vertex normals
-//! computed as it does, every byte is equal.
+//! Compares our normal-shading pictures with those of the assignment's own program: with vertex
+//! normals computed as it does, every byte is equal.
 //!
 //! The pictures are in the folder `FIRSTLIGHT_REFERENCE`, or in `../reference` relative to
 //! `FIRSTLIGHT_SCENES`.
 //!
 //! How the original program computes normals, and where our own pictures differ:
-//! - It ignores the normals in the file and weights the faces around a vertex by their area. We use the
-//!   file's normals: a difference of a byte or two on curved meshes.
-//! - At a vertex on the boundary of a mesh (on an edge with one face only) it uses only the hole, as if
-//!   that were a face: `(w - v) x (x - v)` with the next two vertices `w` and `x` around the hole. So
-//!   flat open meshes (the lamp, the ground under the banana) face the other way. Ours do not.
+//! - It ignores the normals in the file and weights the faces around a vertex by their area. We use
+//!   the file's normals: a difference of a byte or two on curved meshes.
+//! - At a vertex on the boundary of a mesh (on an edge with one face only) it uses only the hole,
+//!   as if that were a face: `(w - v) x (x - v)` with the next two vertices `w` and `x` around the
+//!   hole. So flat open meshes (the lamp, the ground under the banana) face the other way. Ours do
+//!   not.
 //! - If these three vertices are collinear, that normal is rounding noise and cannot be compared.
 // BEGIN SOLUTION(part2.task1)
 
@@ -34,8 +35,8 @@ fn place(vertex: &Vertex) -> Vec3 {
     Vec3::from(vertex.1.map(f64::from_bits))
 }
 
-/// For each boundary vertex the next one around its hole. The hole is on the left, so its edges have the
-/// opposite direction of the faces' edges.
+/// For each boundary vertex the next one around its hole. The hole is on the left, so its edges
+/// have the opposite direction of the faces' edges.
 fn around_holes(scene: &Scene) -> HashMap<Vertex, Vertex> {
     let of_face = |i: usize| {
         let [a, b, c] = vertices(scene, i);
@@ -161,8 +162,8 @@ fn our_pictures_equal_the_originals() {
         eprintln!("skipped: FIRSTLIGHT_SCENES names no folder with reference pictures beside it");
         return;
     };
-    // The least fraction of similar pixels with the file's normals: all but the lamp in the Cornell boxes,
-    // the box and the ground under the banana, the spout and the handle of the teapot.
+    // The least fraction of similar pixels with the file's normals: all but the lamp in the Cornell
+    // boxes, the box and the ground under the banana, the spout and the handle of the teapot.
     let cases = [
         ("CBbunny", 0.985),
         ("CBempty", 0.985),

@@ -1,10 +1,10 @@
-//! Measures millions of rays per second on one thread: the wide tree and the tree of stage `bvh`, in one
-//! run.
+//! Measures millions of rays per second on one thread: the wide tree and the tree of stage `bvh`,
+//! in one run.
 //!
-//! `cargo bench -p simd_bvh -- SCENE.dae`; without a scene a generated mesh. Camera rays go through a
-//! picture of 480 x 360 pixels in order; bounce rays leave the hits in random directions; shadow rays go
-//! from the hits to a point above and look for any hit. Each figure is the best of several repetitions,
-//! because other programs on the machine only add time.
+//! `cargo bench -p simd_bvh -- SCENE.dae`; without a scene a generated mesh. Camera rays go through
+//! a picture of 480 x 360 pixels in order; bounce rays leave the hits in random directions; shadow
+//! rays go from the hits to a point above and look for any hit. Each figure is the best of several
+//! repetitions, because other programs on the machine only add time.
 
 // BEGIN SOLUTION(part6.task1)
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};

@@ -9,8 +9,8 @@ use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 /// recursion ends.
 const MAX_DEPTH: u32 = 64;
 
-/// Builds a tree over the primitives whose box is not empty, with at most [`LANES`] in a leaf. Ids in a
-/// leaf ascend.
+/// Builds a tree over the primitives whose box is not empty, with at most [`LANES`] in a leaf. Ids
+/// in a leaf ascend.
 pub(crate) fn build(bounds: &[Aabb]) -> Bvh {
     let mut prims: Vec<BuildPrimitive> = (0..)
         .zip(bounds)
@@ -36,8 +36,8 @@ const UNBUILT: BvhNode = BvhNode {
 /// From this many primitives on, the two subtrees of a split are built in parallel.
 const MIN_PARALLEL: usize = 1 << 12;
 
-/// Builds the subtree over `prims`, which start at `first` in the tree's order; its root is the first
-/// node. The result does not depend on the number of threads.
+/// Builds the subtree over `prims`, which start at `first` in the tree's order; its root is the
+/// first node. The result does not depend on the number of threads.
 fn subtree(prims: &mut [BuildPrimitive], first: u32, depth: u32) -> Vec<BvhNode> {
     if prims.len() < MIN_PARALLEL {
         let mut nodes = vec![UNBUILT];
@@ -75,7 +75,8 @@ fn shifted(mut node: BvhNode, by: u32) -> BvhNode {
     node
 }
 
-/// Builds the subtree over `prims`, which start at `first` in the tree's order, with `node` as its root.
+/// Builds the subtree over `prims`, which start at `first` in the tree's order, with `node` as its
+/// root.
 fn split(
     nodes: &mut Vec<BvhNode>,
     node: usize,

@@ -13,8 +13,8 @@ pub(crate) struct BoxHits {
     pub(crate) entries: [u32; 8],
 }
 
-/// One ray, in the tree's space. The test is conservative: it never misses a box with a primitive that
-/// the ray hits.
+/// One ray, in the tree's space. The test is conservative: it never misses a box with a primitive
+/// that the ray hits.
 pub(crate) trait BoxTest {
     /// The boxes of `node` that the ray hits in its range.
     fn test(&self, node: &Node) -> BoxHits;
@@ -34,8 +34,8 @@ pub(crate) struct ScalarBoxTest {
     max_t: f64,
 }
 
-/// The range and the exits are widened by this share: more than the rounding errors of a plane's `t`
-/// and of any hit's `t`.
+/// The range and the exits are widened by this share: more than the rounding errors of a plane's
+/// `t` and of any hit's `t`.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
 impl ScalarBoxTest {
@@ -61,8 +61,9 @@ impl ScalarBoxTest {
         test
     }
 
-    /// The `t` at which the ray enters the box from `min` to `max`, if it hits. For a direction component
-    /// of 0 the quotients are infinite, or NaN for an origin in the plane; comparisons ignore NaN.
+    /// The `t` at which the ray enters the box from `min` to `max`, if it hits. For a direction
+    /// component of 0 the quotients are infinite, or NaN for an origin in the plane; comparisons
+    /// ignore NaN.
     fn entry(&self, min: Vec3, max: Vec3) -> Option<f64> {
         let LocalRay { o, d, .. } = self.local;
         let (mut entry, mut exit) = (self.min_t, self.max_t);

@@ -1,27 +1,29 @@
 // BEGIN SOLUTION(part6.task1)
-//! Collapses a binary tree to a wide one: decides which of its nodes become children of the same wide
-//! node.
+//! Collapses a binary tree to a wide one: decides which of its nodes become children of the same
+//! wide node.
 
 use crate::sah::LANES;
 use kit::{Bvh, BvhNode, NodeKind};
 
 /// The wide tree of least cost over a binary tree.
 ///
-/// Every ray that hits the box of a wide node tests its children, so the cost of a tree is the sum of
-/// the surface areas of its wide nodes. Dynamic programming from the leaves upwards minimises it: `C(i)`
-/// is the cost of the subtree of a node as at most `i` children of a wide node above. Either it is one
-/// child, a wide node itself, or its two children share the `i` lanes in the best way (Ylitie, Karras,
-/// Laine, "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", 2017).
+/// Every ray that hits the box of a wide node tests its children, so the cost of a tree is the sum
+/// of the surface areas of its wide nodes. Dynamic programming from the leaves upwards minimises
+/// it: `C(i)` is the cost of the subtree of a node as at most `i` children of a wide node above.
+/// Either it is one child, a wide node itself, or its two children share the `i` lanes in the best
+/// way (Ylitie, Karras, Laine, "Efficient incoherent ray traversal on GPUs through compressed wide
+/// BVHs", 2017).
 pub(crate) struct Collapse {
-    /// By node and number of lanes: how many of them the left child gets; 0 if the node is one child.
+    /// By node and number of lanes: how many of them the left child gets; 0 if the node is one
+    /// child.
     shares: Vec<[u8; LANES]>,
     /// By node: how many of its eight lanes the left child gets if it is a wide node itself.
     own: Vec<u8>,
 }
 
 impl Collapse {
-    /// Computes the tree of least cost. Children have to come after their parents in `binary`. A leaf for
-    /// which `is_mixed` is true needs two lanes or a wide node of its own.
+    /// Computes the tree of least cost. Children have to come after their parents in `binary`. A
+    /// leaf for which `is_mixed` is true needs two lanes or a wide node of its own.
     pub(crate) fn cheapest(binary: &Bvh, is_mixed: impl Fn(&BvhNode) -> bool) -> Collapse {
         let count = binary.nodes.len();
         let mut costs = vec![[0.0_f64; LANES]; count];
@@ -38,7 +40,8 @@ impl Collapse {
                 continue;
             };
             let (below, above) = (costs[left as usize], costs[right as usize]);
-            // The best way to share `i >= 2` lanes: its cost and the number of lanes of the left child.
+            // The best way to share `i >= 2` lanes: its cost and the number of lanes of the left
+            // child.
             let share = |i: usize| {
                 let ways = (1..i).map(|k| (below[k - 1] + above[i - k - 1], k as u8));
                 ways.min_by(|a, b| a.0.total_cmp(&b.0))

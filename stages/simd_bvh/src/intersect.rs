@@ -18,12 +18,13 @@ pub struct TestCounts {
 }
 
 impl WideBvh {
-    /// The closest hit in the ray's range with any primitive but `skip`; at equal `t` the one with the
-    /// lowest id.
+    /// The closest hit in the ray's range with any primitive but `skip`; at equal `t` the one with
+    /// the lowest id.
     ///
-    /// `exact` is the scalar kernel: it intersects a ray with a primitive in the ray's range (a sphere's
-    /// weights are 0). It is called for spheres, and for triangles that the lanes cannot decide. The
-    /// result equals that of calling it for every primitive, bit for bit. Adds to `counts`.
+    /// `exact` is the scalar kernel: it intersects a ray with a primitive in the ray's range (a
+    /// sphere's weights are 0). It is called for spheres, and for triangles that the lanes cannot
+    /// decide. The result equals that of calling it for every primitive, bit for bit. Adds to
+    /// `counts`.
     #[inline]
     pub fn closest(
         &self,
@@ -42,8 +43,8 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// Whether any primitive but `skip` is hit in the ray's range. Stops at the first hit. `exact` and
-    /// `counts` are those of [`WideBvh::closest`].
+    /// Whether any primitive but `skip` is hit in the ray's range. Stops at the first hit. `exact`
+    /// and `counts` are those of [`WideBvh::closest`].
     #[inline]
     pub fn occluded(
         &self,

@@ -1,21 +1,22 @@
 //! Part 6, task 1 (extra credit): a wide bounding volume hierarchy that tests eight boxes or eight
 //! triangles at a time.
 //!
-//! There are no further hints than these: [`WideBvh`] documents what to compute, the stages before it
-//! how; the speed is up to you. `cargo bench -p simd_bvh` compares it with the tree of stage `bvh`.
+//! There are no further hints than these: [`WideBvh`] documents what to compute, the stages before
+//! it how; the speed is up to you. `cargo bench -p simd_bvh` compares it with the tree of stage
+//! `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
 //! Reading order: `sah` and `binary` (the binary tree of least cost), `collapse` and `wide` (from
-//! binary to eight children a node), `space`, `node`, `triangle_block` and `sphere_block` (the memory
-//! layout of boxes, triangles and spheres), `box_test` and `simd_box_test` (one box, eight boxes at a
-//! time), `stack`, `traversal` and `intersect` (the traversal).
+//! binary to eight children a node), `space`, `node`, `triangle_block` and `sphere_block` (the
+//! memory layout of boxes, triangles and spheres), `box_test` and `simd_box_test` (one box, eight
+//! boxes at a time), `stack`, `traversal` and `intersect` (the traversal).
 //!
-//! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles are double
-//! precision, and each lane repeats the scalar kernel's arithmetic; where that kernel switches to its
-//! careful variant, it is called. So the hits are those of brute force, bit for bit. The source is the
-//! same for every machine: `fearless_simd` compiles it for each instruction set, and the best one that
-//! the machine has is chosen once a ray.
-// STUB: //! Use `fearless_simd` for the lanes; its `dispatch!` selects the instruction set once a ray.
+//! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles are
+//! double precision, and each lane repeats the scalar kernel's arithmetic; where that kernel
+//! switches to its careful variant, it is called. So the hits are those of brute force, bit for
+//! bit. The source is the same for every machine: `fearless_simd` compiles it for each instruction
+//! set, and the best one that the machine has is chosen once a ray.
+// STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a ray.
 // END SOLUTION(part6.task1)
 
 // BEGIN SOLUTION(part6.task1)

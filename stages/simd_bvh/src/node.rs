@@ -6,8 +6,8 @@ use kit::{Aabb, Vec3};
 
 /// The boxes of up to eight children in the tree's space, one a lane, and the children.
 ///
-/// The boxes are rounded outwards, so they contain their primitives. Single precision halves the memory
-/// and the width of the lanes; the primitives decide what is hit, never a box.
+/// The boxes are rounded outwards, so they contain their primitives. Single precision halves the
+/// memory and the width of the lanes; the primitives decide what is hit, never a box.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
@@ -20,11 +20,13 @@ pub(crate) struct Node {
 
 /// The margin of a box as a share of its largest edge, added before rounding.
 ///
-/// The triangle test decides on points with a few rounding errors of 2⁻⁵³ of the triangle's size. So it
-/// may report a hit for a ray that passes the triangle at such a distance; the box has to be hit, too.
+/// The triangle test decides on points with a few rounding errors of 2⁻⁵³ of the triangle's size.
+/// So it may report a hit for a ray that passes the triangle at such a distance; the box has to be
+/// hit, too.
 const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// The smallest margin, in the tree's space, whose size is 1: a ray in the plane of a flat box hits it.
+/// The smallest margin, in the tree's space, whose size is 1: a ray in the plane of a flat box hits
+/// it.
 const MIN_MARGIN: f64 = 1.0 / (1_u64 << 60) as f64;
 
 impl Node {

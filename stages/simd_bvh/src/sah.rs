@@ -6,7 +6,8 @@ use kit::{Aabb, Vec3};
 /// The largest number of primitives in a leaf, which are tested at once.
 pub(crate) const LANES: usize = 8;
 
-/// Bins along an axis, with a candidate plane between neighbours. Twice as many save 0.5 % of the tests.
+/// Bins along an axis, with a candidate plane between neighbours. Twice as many save 0.5 % of the
+/// tests.
 const BINS: usize = 16;
 
 /// A primitive during the build.
@@ -101,14 +102,15 @@ impl BinContents {
     }
 }
 
-/// The plane of least cost with primitives on both sides; `None` if there is none with a finite cost.
+/// The plane of least cost with primitives on both sides; `None` if there is none with a finite
+/// cost.
 ///
-/// A ray that hits a convex box hits a smaller one inside it with a probability that is the ratio of
-/// their surface areas. So a split into `L` and `R` has the expected cost of one step and
-/// `(area(L)·tests(L) + area(R)·tests(R)) / area`, where `tests` is the number of leaf tests: primitives
-/// over [`LANES`], rounded up (MacDonald and Booth, "Heuristics for ray tracing using space
-/// subdivision", 1990). The candidates are the planes between [`BINS`] bins of centroids on each axis
-/// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
+/// A ray that hits a convex box hits a smaller one inside it with a probability that is the ratio
+/// of their surface areas. So a split into `L` and `R` has the expected cost of one step and
+/// `(area(L)·tests(L) + area(R)·tests(R)) / area`, where `tests` is the number of leaf tests:
+/// primitives over [`LANES`], rounded up (MacDonald and Booth, "Heuristics for ray tracing using
+/// space subdivision", 1990). The candidates are the planes between [`BINS`] bins of centroids on
+/// each axis (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
 pub(crate) fn cheapest_plane(
     prims: &[BuildPrimitive],
     bounds: Aabb,

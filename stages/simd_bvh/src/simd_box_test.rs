@@ -9,10 +9,10 @@ use kit::Ray;
 
 /// Tests eight boxes at once in single precision, for rays of ordinary size.
 ///
-/// The ray crosses a plane at `b` at `t = (b - o)/d`. Here this is `b·i + c` with one rounding, where
-/// `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So the only
-/// error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`RELATIVE`] covers it, however far
-/// the origin is from the box and the box from 0.
+/// The ray crosses a plane at `b` at `t = (b - o)/d`. Here this is `b·i + c` with one rounding,
+/// where `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So
+/// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`RELATIVE`] covers it,
+/// however far the origin is from the box and the box from 0.
 pub(crate) struct SimdBoxTest<S: Simd> {
     simd: S,
     /// A point at `t` on the world's ray is at `t·speed` on the local ray.
@@ -25,8 +25,8 @@ pub(crate) struct SimdBoxTest<S: Simd> {
     end: u32,
 }
 
-/// How the ray crosses the planes of one axis. The fields are scalars: broadcasting them from memory
-/// costs nothing.
+/// How the ray crosses the planes of one axis. The fields are scalars: broadcasting them from
+/// memory costs nothing.
 struct Slabs {
     /// The plane that the ray crosses first: 0 for the lower one, 1 for the upper one.
     first: usize,
@@ -73,12 +73,13 @@ const ABSOLUTE: f32 = 1e-36;
 /// The largest distance of a ray origin, in the tree's space.
 const FARTHEST: f64 = (1 << 18) as f64;
 
-/// The largest `t` of a hit: the scene has a size of about 1, and no direction is shorter than a tenth.
+/// The largest `t` of a hit: the scene has a size of about 1, and no direction is shorter than a
+/// tenth.
 const END: f64 = (1 << 22) as f64;
 
-/// The smallest absolute value of a direction component; smaller ones are replaced by it, so that no
-/// division is by 0. Up to [`END`] this moves a ray by less than half the margin of the boxes, so it
-/// hits the same boxes.
+/// The smallest absolute value of a direction component; smaller ones are replaced by it, so that
+/// no division is by 0. Up to [`END`] this moves a ray by less than half the margin of the boxes,
+/// so it hits the same boxes.
 const SLOWEST: f32 = 1.0 / (1_u128 << 84) as f32;
 
 impl<S: Simd> SimdBoxTest<S> {

@@ -2,13 +2,14 @@
 //! The tree's own space: centred at the origin, with a size of about 1.
 //!
 //! Single precision has 24 bits. To use all of them, primitives and rays are translated and scaled
-//! first. A scene a million units away from the origin, or a billionth of a unit in size, is as fast as
-//! any other.
+//! first. A scene a million units away from the origin, or a billionth of a unit in size, is as
+//! fast as any other.
 
 use kit::{Aabb, Ray, Vec3};
 use std::ops::Range;
 
-/// `local = (world - center)·scale`. The scale is a power of two, so that only the difference rounds.
+/// `local = (world - center)·scale`. The scale is a power of two, so that only the difference
+/// rounds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TreeSpace {
     /// `center·scale`.
@@ -17,8 +18,9 @@ pub(crate) struct TreeSpace {
 }
 
 impl TreeSpace {
-    /// The space of primitives with these boxes, which are finite and not empty. The centre is the median
-    /// of their centres: one large primitive, say a ground, does not move it away from many small ones.
+    /// The space of primitives with these boxes, which are finite and not empty. The centre is the
+    /// median of their centres: one large primitive, say a ground, does not move it away from many
+    /// small ones.
     pub(crate) fn around(bounds: &[Aabb]) -> TreeSpace {
         let middle = |axis: usize| {
             let mut centers: Vec<f64> = bounds
@@ -35,8 +37,8 @@ impl TreeSpace {
         let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         // Half the extent, because the whole may overflow.
         let extent = (0.5 * all.max - 0.5 * all.min).max_element();
-        // Coordinates of a scene that is much smaller than its distance from the world's origin have few
-        // digits, whatever the scale.
+        // Coordinates of a scene that is much smaller than its distance from the world's origin
+        // have few digits, whatever the scale.
         let size = extent.max(SMALLEST_SHARE * center.abs().max_element());
         let scale = power_of_two(-exponent(size));
         TreeSpace {
@@ -51,7 +53,8 @@ impl TreeSpace {
         p * self.scale - self.shift
     }
 
-    /// Transforms a box from world space. The rounding errors are less than the margin of a node's box.
+    /// Transforms a box from world space. The rounding errors are less than the margin of a node's
+    /// box.
     pub(crate) fn bounds(&self, b: Aabb) -> Aabb {
         Aabb {
             min: self.point(b.min),
@@ -95,7 +98,8 @@ pub(crate) struct LocalRay {
     pub(crate) speed: f64,
 }
 
-/// Exponents are clamped to this absolute value, so that no product of two scales overflows.
+/// Exponents are clamped to this absolute value, so that products of two scales neither overflow
+/// nor underflow.
 const LARGEST_EXPONENT: i32 = 500;
 
 /// The binary exponent of `x`, which is not negative, clamped to [`LARGEST_EXPONENT`].

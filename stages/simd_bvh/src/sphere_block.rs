@@ -21,8 +21,8 @@ pub(crate) struct SphereBlock {
 /// radii. The margin is 2⁻⁸.
 const MISS_DISTANCE: f64 = 1.0 + 1.0 / 256.0;
 
-/// Up to this squared distance in squared radii (2²⁰ radii), squared distances have an error of at most
-/// 2⁻¹² of the squared radius.
+/// Up to this squared distance in squared radii (2²⁰ radii), squared distances have an error of at
+/// most 2⁻¹² of the squared radius.
 const FAR: f64 = (1_u64 << 40) as f64;
 
 /// A product of four lengths above this has not underflowed.
@@ -54,12 +54,11 @@ impl SphereBlock {
         PrimId(self.ids[lane])
     }
 
-    /// The lanes, one bit each, that the ray may hit in its range. It misses the others for certain, by a
-    /// margin far above the rounding errors here and in the scalar kernel.
+    /// The lanes, one bit each, that the ray may hit in its range. It misses the others for
+    /// certain, by a margin far above the rounding errors here and in the scalar kernel.
     ///
-    /// With `f = o - center` the squared distance from the line to the centre is
-    /// `(|f|²|d|² - (f·d)²) / |d|²`. A ray that starts outside and points away has no hit at positive
-    /// `t`.
+    /// With `f = o - center` the squared distance from the line to the centre is `(|f|²|d|² -
+    /// (f·d)²) / |d|²`. A ray that starts outside and points away has no hit at positive `t`.
     #[inline(always)]
     pub(crate) fn candidates<S: Simd>(&self, simd: S, ray: &Ray) -> u32 {
         let Ray { o, d, .. } = *ray;

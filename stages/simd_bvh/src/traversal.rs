@@ -20,8 +20,8 @@ pub(crate) struct Traversal<'a, S: Simd, E, const ANY: bool> {
     exact: &'a mut E,
     /// A local copy: counters behind a reference would be loaded and stored at every step.
     counts: TestCounts,
-    /// A reference, not a copy: reading a whole ray soon after its fields were written stalls, and a
-    /// copy whose address is taken would not stay in registers.
+    /// A reference, not a copy: reading a whole ray soon after its fields were written stalls, and
+    /// a copy whose address is taken would not stay in registers.
     ray: &'a Ray,
     /// The end of the range: `t` of the closest hit so far.
     max_t: f64,

@@ -70,8 +70,8 @@ impl<S: Simd> BlockHits<S> {
     }
 }
 
-/// A ray whose axes are permuted cyclically, so that the z component of its direction has the largest
-/// absolute value.
+/// A ray whose axes are permuted cyclically, so that the z component of its direction has the
+/// largest absolute value.
 ///
 /// The fields are scalars: broadcasting them from memory costs nothing.
 pub(crate) struct AxisPermutedRay {
@@ -88,8 +88,8 @@ const CANCELLATION: f64 = 1.0 / 1024.0;
 /// Below this, a factor of a product may have underflowed.
 const SMALLEST: f64 = 1e-290;
 
-// All of this is inlined into the traversal, which is compiled for the instruction set. Closures may
-// not be inlined, so there are none, not even those of `array::map`.
+// All of this is inlined into the traversal, which is compiled for the instruction set. Closures
+// may not be inlined, so there are none, not even those of `array::map`.
 impl AxisPermutedRay {
     #[inline(always)]
     pub(crate) fn new(ray: &Ray) -> AxisPermutedRay {
@@ -111,8 +111,8 @@ impl AxisPermutedRay {
     }
 
     /// Tests all lanes for hits up to `max_t`. Repeats the arithmetic of `intersect::test_triangle`
-    /// operation by operation (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2013);
-    /// where that switches to its careful variant, the lane is undecided.
+    /// operation by operation (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT
+    /// 2013); where that switches to its careful variant, the lane is undecided.
     #[inline(always)]
     pub(crate) fn test<S: Simd>(&self, simd: S, block: &TriangleBlock, max_t: f64) -> BlockHits<S> {
         let [a, b, c] = [
@@ -180,9 +180,9 @@ impl AxisPermutedRay {
     }
 }
 
-/// One vertex of each triangle, projected along the ray: relative to the ray's origin and with permuted
-/// axes, x and y where the line through it along the ray crosses the plane z = 0, times `d.z`, and its
-/// own z.
+/// One vertex of each triangle, projected along the ray: relative to the ray's origin and with
+/// permuted axes, x and y where the line through it along the ray crosses the plane z = 0, times
+/// `d.z`, and its own z.
 struct ProjectedVertex<S: Simd> {
     x: f64x8<S>,
     y: f64x8<S>,

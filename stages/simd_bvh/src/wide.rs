@@ -16,8 +16,8 @@ use kit::{Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
-/// It copies the vertices of the triangles, the centres and the radii. Primitives are numbered as in a
-/// [`kit::Scene`]: triangles first, then spheres.
+/// It copies the vertices of triangles, the centres and the squared radii. Primitives are numbered
+/// as in a [`kit::Scene`]: triangles first, then spheres.
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)
@@ -36,8 +36,8 @@ pub struct WideBvh {
 }
 
 impl WideBvh {
-    /// Builds the tree. A primitive with a NaN or infinite coordinate or a negative radius is omitted,
-    /// because no ray hits it.
+    /// Builds the tree. A primitive with a NaN or infinite coordinate or a negative radius is
+    /// omitted, because no ray hits it.
     pub fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)
         let boxes = triangles.iter().map(Triangle::bounds);
@@ -84,8 +84,8 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// The same tree for the instruction set `level` instead of the best one of this machine. Hits and
-    /// counts are the same.
+    /// The same tree for the instruction set `level` instead of the best one of this machine. Hits
+    /// and counts are the same.
     #[must_use]
     pub fn at_level(self, level: Level) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)

@@ -14,8 +14,8 @@ use kit::surface::SHADOW_GAP;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Estimates direct light by sampling the lights, in the lanes of `diffuse`. `wo_z` is the cosine
-    /// of the angle between the normal and the viewer.
+    /// Estimates direct light by sampling the lights, in the lanes of `diffuse`. `wo_z` is the
+    /// cosine of the angle between the normal and the viewer.
     #[inline(always)]
     pub(crate) fn direct(
         &mut self,

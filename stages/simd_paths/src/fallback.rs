@@ -40,11 +40,12 @@ pub trait ScalarFallback {
     /// Whether any primitive but `skip` is hit in the ray's range.
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool;
 
-    /// Refracts the camera's `ray` by its lens. Called if [`View::has_lens`](crate::View::has_lens).
+    /// Refracts the camera's `ray` by its lens. Called if
+    /// [`View::has_lens`](crate::View::has_lens).
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray;
 
-    /// The texture colour at `hit`, by which the reflectance is multiplied; white without a texture.
-    /// Called if [`PathSettings::has_textures`](crate::PathSettings::has_textures), where
+    /// The texture colour at `hit`, by which the reflectance is multiplied; white without a
+    /// texture. Called if [`PathSettings::has_textures`](crate::PathSettings::has_textures), where
     /// [`ScalarFallback::scatter`] is not.
     fn texture_color(&mut self, hit: &Hit) -> Spectrum;
 

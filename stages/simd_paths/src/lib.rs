@@ -16,7 +16,7 @@
 //! compiles the code for each instruction set; the best one that the machine has is chosen once a
 //! batch. Only inlined functions are compiled so, and a closure may not be inlined: hence few of
 //! them.
-// STUB: //! Use `fearless_simd` for the lanes; its `dispatch!` selects the instruction set once a batch.
+// STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a batch.
 // END SOLUTION(part6.task2)
 
 // BEGIN SOLUTION(part6.task2)

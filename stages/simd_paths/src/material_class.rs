@@ -14,7 +14,7 @@ pub(crate) enum MaterialClass {
     Other,
 }
 
-/// The class of a material and its color: the reflectance if diffuse, the radiance if it emits.
+/// The class of a material and its colour: the reflectance if diffuse, the radiance if it emits.
 pub(crate) fn classify(material: &Material) -> (MaterialClass, Spectrum) {
     match *material {
         Material::Diffuse { reflectance } => (MaterialClass::Diffuse, reflectance),

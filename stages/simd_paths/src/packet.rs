@@ -25,8 +25,8 @@ pub(crate) struct PathPacket<'a, S: Simd> {
 }
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Traces ray number `bounce` of each path, counted from 1, in `range`; accumulates the radiance
-    /// at its hit and samples the next ray. Returns the lanes whose paths continue.
+    /// Traces ray number `bounce` of each path, counted from 1, in `range`; accumulates the
+    /// radiance at its hit and samples the next ray. Returns the lanes whose paths continue.
     #[inline(always)]
     pub(crate) fn bounce(
         &mut self,

@@ -40,8 +40,8 @@ pub(crate) struct HitPacket<S: Simd> {
     pub(crate) prim: f64x8<S>,
     /// The hit's `t`; for a miss the end of the range.
     pub(crate) t: f64x8<S>,
-    /// The barycentric weights of the second and third vertex, times `det`. The division waits until
-    /// the closest hit is known.
+    /// The barycentric weights of the second and third vertex, times `det`. The division waits
+    /// until the closest hit is known.
     pub(crate) v: f64x8<S>,
     pub(crate) w: f64x8<S>,
     pub(crate) det: f64x8<S>,

@@ -18,7 +18,7 @@ pub struct PathScene<'a> {
     /// The scene.
     pub lit: &'a LitScene,
     // BEGIN SOLUTION(part6.task2)
-    /// The class and the color of each material.
+    /// The class and the colour of each material.
     pub(crate) materials: Vec<(MaterialClass, Spectrum)>,
     /// The primitives, if there are few; else the fallback traverses a tree.
     pub(crate) list: Option<PrimitiveList>,
@@ -118,7 +118,7 @@ impl<'a> PathScene<'a> {
     }
 
     // BEGIN SOLUTION(part6.task2)
-    /// The class and the color of the material of primitive number `id`.
+    /// The class and the colour of the material of primitive number `id`.
     #[inline(always)]
     pub(crate) fn material_of(&self, id: usize) -> (MaterialClass, Spectrum) {
         self.materials[self.lit.scene.material_number(PrimId(id as u32))]

@@ -9,9 +9,9 @@ use kit::math;
 const HALF_PI: f64 = 1.570_796_326_734_125_6;
 const HALF_PI_REMAINDER: f64 = 6.077_100_506_506_192e-11;
 
-/// Sine and cosine of `radians` in [0, 2π]. Repeats the arithmetic of [`math::sin_cos`] (libm's, from
-/// FreeBSD) operation by operation, and calls it for the few angles so close to a multiple of π/2
-/// that digits cancel.
+/// Sine and cosine of `radians` in [0, 2π]. Repeats the arithmetic of [`math::sin_cos`] (libm's,
+/// from FreeBSD) operation by operation, and calls it for the few angles so close to a multiple of
+/// π/2 that digits cancel.
 #[inline(always)]
 pub(crate) fn sin_cos<S: Simd>(simd: S, radians: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
     let splat = |x| f64x8::splat(simd, x);
@@ -62,8 +62,8 @@ fn near_multiples<S: Simd>(simd: S, radians: f64x8<S>) -> mask64x8<S> {
 }
 
 // The coefficients of FreeBSD's msun: Copyright (C) 1993 by Sun Microsystems, Inc. All rights
-// reserved. Developed at SunPro, a Sun Microsystems, Inc. business. Permission to use, copy, modify,
-// and distribute this software is freely granted, provided that this notice is preserved.
+// reserved. Developed at SunPro, a Sun Microsystems, Inc. business. Permission to use, copy,
+// modify, and distribute this software is freely granted, provided that this notice is preserved.
 
 const S1: f64 = -0.166_666_666_666_666_32;
 const S2: f64 = 0.008_333_333_333_322_49;

@@ -88,8 +88,8 @@ impl<S: Simd> SurfacePacket<S> {
         self.distance[lane] = surface.error.dot(surface.ng.abs());
     }
 
-    /// Fills all lanes as if they were on triangles. Returns the lanes, one bit each, whose result is
-    /// accurate: those of degenerate triangles are not.
+    /// Fills all lanes as if they were on triangles. Returns the lanes, one bit each, whose result
+    /// is accurate: those of degenerate triangles are not.
     #[inline(always)]
     fn fill_triangles(&mut self, simd: S, scene: &PathScene<'_>, ids: &[usize; LANES]) -> u64 {
         let triangles = &scene.lit.scene.triangles;
@@ -130,8 +130,8 @@ impl<S: Simd> SurfacePacket<S> {
         is_sound.to_bitmask()
     }
 
-    /// Fills the lanes that are on spheres. Returns the lanes, one bit each, whose result is accurate:
-    /// those of spheres so small that their points round to the centre are not.
+    /// Fills the lanes that are on spheres. Returns the lanes, one bit each, whose result is
+    /// accurate: those of spheres so small that their points round to the centre are not.
     #[inline(always)]
     fn fill_spheres(
         &mut self,
@@ -190,7 +190,8 @@ impl<S: Simd> SurfacePacket<S> {
         (self.p + self.ng * distance, skip)
     }
 
-    /// Transforms `w` from local space, where z is the normal, to world space, as [`kit::Frame`] does.
+    /// Transforms `w` from local space, where z is the normal, to world space, as [`kit::Frame`]
+    /// does.
     #[inline(always)]
     pub(crate) fn to_world(&self, simd: S, w: Vec3x8<S>) -> Vec3x8<S> {
         let one = f64x8::splat(simd, 1.0);

@@ -1,6 +1,6 @@
 // BEGIN SOLUTION(part6.task2)
-//! Eight vectors, one a lane. Repeats the arithmetic of [`kit::Vec3`] operation by operation, so every
-//! lane has the bits of the scalar vector.
+//! Eight vectors, one a lane. Repeats the arithmetic of [`kit::Vec3`] operation by operation, so
+//! every lane has the bits of the scalar vector.
 
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
@@ -9,7 +9,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// The number of paths in a packet.
 pub(crate) const LANES: usize = 8;
 
-/// A vector or a color in each lane.
+/// A vector or a colour in each lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Vec3x8<S: Simd> {
     pub(crate) x: f64x8<S>,

@@ -19,8 +19,8 @@ fn soup(random: &mut Random, count: usize, size: f64) -> Vec<Triangle> {
         .collect()
 }
 
-/// Checks rays to points on the triangles: from anywhere, from other triangles and along axes, with full
-/// and with cut ranges.
+/// Checks rays to points on the triangles: from anywhere, from other triangles and along axes, with
+/// full and with cut ranges.
 fn rays_at(checker: &mut Checker, random: &mut Random, count: usize, scale: f64) {
     for i in 0..count {
         let of = random.below(checker.scene.triangles.len());

@@ -71,8 +71,8 @@ impl PrimitiveList {
         self.triangles.len() + self.spheres.len()
     }
 
-    /// The closest hits in the lanes of `active` with any primitive but `skip`; at equal `t` the one
-    /// with the lowest number.
+    /// The closest hits in the lanes of `active` with any primitive but `skip`; at equal `t` the
+    /// one with the lowest number.
     #[inline(always)]
     pub(crate) fn closest<S: Simd>(
         &self,
@@ -115,7 +115,8 @@ impl PrimitiveList {
         hits
     }
 
-    /// The lanes of `active`, one bit each, that hit any primitive but `skip`; and the number of tests.
+    /// The lanes of `active`, one bit each, that hit any primitive but `skip`; and the number of
+    /// tests.
     #[inline(always)]
     pub(crate) fn occluded<S: Simd>(
         &self,

@@ -13,9 +13,9 @@ const FAR: f64 = (1_u64 << 40) as f64;
 const SMALLEST: f64 = 1e-100;
 const LARGEST: f64 = 1e100;
 
-/// Tests a sphere for hits up to `max_t`. Repeats the arithmetic of `intersect::test_sphere` operation
-/// by operation; where that switches to its careful variant, the lane is undecided. `None` if all
-/// lanes in `active` miss for certain.
+/// Tests a sphere for hits up to `max_t`. Repeats the arithmetic of `intersect::test_sphere`
+/// operation by operation; where that switches to its careful variant, the lane is undecided.
+/// `None` if all lanes in `active` miss for certain.
 #[inline(always)]
 pub(super) fn test<S: Simd>(
     simd: S,

@@ -1,6 +1,6 @@
 // BEGIN SOLUTION(part6.task2)
-//! Tests eight rays against a triangle (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection",
-//! JCGT 2013).
+//! Tests eight rays against a triangle (Woop, Benthin, Wald, "Watertight Ray/Triangle
+//! Intersection", JCGT 2013).
 
 use super::PacketTest;
 use crate::ray_packet::RayPacket;
@@ -8,8 +8,8 @@ use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
 
-/// A vertex projected along eight rays: relative to the ray's origin and with permuted axes, x and y
-/// where the line through it along the ray crosses the plane z = 0, times `d.z`, and its own z.
+/// A vertex projected along eight rays: relative to the ray's origin and with permuted axes, x and
+/// y where the line through it along the ray crosses the plane z = 0, times `d.z`, and its own z.
 pub(super) type ProjectedVertex = [[f64; LANES]; 3];
 
 /// Eight rays whose axes are permuted cyclically, so that the z component of each direction has the
@@ -64,9 +64,9 @@ impl<S: Simd> AxisPermutedRays<S> {
         }
     }
 
-    /// Tests a triangle for hits up to `max_t`. Repeats the arithmetic of `intersect::test_triangle`
-    /// operation by operation; where that switches to its careful variant, the lane is undecided.
-    /// `None` if all lanes in `active` miss for certain.
+    /// Tests a triangle for hits up to `max_t`. Repeats the arithmetic of
+    /// `intersect::test_triangle` operation by operation; where that switches to its careful
+    /// variant, the lane is undecided. `None` if all lanes in `active` miss for certain.
     #[inline(always)]
     pub(super) fn test(
         &self,

@@ -132,7 +132,8 @@ const TO_DEPTH_5: PathSettings = PathSettings {
     min_bounces: Some(3),
 };
 
-/// Equal random, and still not one normal: interpolated they give a zero of the other sign, and other tangents with it.
+/// Equal random, and still not one normal: interpolated they give a zero of the other sign, and
+/// other tangents with it.
 #[test]
 fn where_normals_differ_in_the_sign_of_a_zero() {
     let mut scene = box_with_a_point_light(vec![]);

@@ -37,8 +37,8 @@ fn record(lit: &LitScene, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
     }
 }
 
-/// The materials of the course, but no rough glass; and the texture colour at the last hit, which the
-/// callbacks of `estimate_radiance` share.
+/// The materials of the course, but no rough glass; and the texture colour at the last hit, which
+/// the callbacks of `estimate_radiance` share.
 struct Materials<'a>(&'a Cell<Spectrum>);
 
 impl Scattering for Materials<'_> {
@@ -120,7 +120,13 @@ impl<'a> ScalarPaths<'a> {
             .any(|id| skip != Some(id) && exact(self.lit, id, ray).is_some())
     }
 
-    fn direct(&self, surface: &Surface<'_>, tint: Spectrum, wo: Vec3, sampler: &mut PixelSampler) -> Spectrum {
+    fn direct(
+        &self,
+        surface: &Surface<'_>,
+        tint: Spectrum,
+        wo: Vec3,
+        sampler: &mut PixelSampler,
+    ) -> Spectrum {
         let samples = self.settings.light_samples;
         let occluded = &mut |ray: &Ray| {
             self.count(|counts| {

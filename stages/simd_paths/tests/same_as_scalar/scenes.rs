@@ -150,8 +150,8 @@ pub(crate) fn box_with_a_point_light(spheres: Vec<Sphere>) -> Scene {
     }
 }
 
-/// A box with at max_triangles `max_triangles` triangles and a few spheres. Some triangles are duplicates or
-/// degenerate, or have vertex normals that point elsewhere or cancel.
+/// A box with at max_triangles `max_triangles` triangles and a few spheres. Some triangles are
+/// duplicates or degenerate, or have vertex normals that point elsewhere or cancel.
 pub(crate) fn random_scene(random: &mut Random, max_triangles: usize) -> LitScene {
     let mut triangles = walls();
     while triangles.len() < max_triangles && random.below(20) > 0 {

@@ -44,8 +44,8 @@ pub(crate) struct Args {
     #[arg(short = 'r', long, num_args = 2, value_names = ["W", "H"], value_parser = edge)]
     pub(crate) resolution: Option<Vec<u32>>,
 
-    /// Render only a cell of the picture: its bottom left pixel, counted from the bottom left of the
-    /// picture, and its size, which is also the size of the written picture
+    /// Render only a cell of the picture: its bottom left pixel, counted from the bottom left of
+    /// the picture, and its size, which is also the size of the written picture
     #[arg(short = 'p', long = "cell", num_args = 4, value_names = ["X", "Y", "DX", "DY"], value_parser = pixels)]
     pub(crate) cell: Option<Vec<u32>>,
 
@@ -94,8 +94,8 @@ pub(crate) struct Args {
     #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
     pub(crate) time: Option<f64>,
 
-    /// Render passes of -s samples (16 if that is 1) until the mean noise of the pixels is at most this
-    /// fraction of the mean luminance, such as 0.02; with --time until either limit is reached
+    /// Render passes of -s samples (16 if that is 1) until the mean noise of the pixels is at most
+    /// this fraction of the mean luminance, such as 0.02; with --time until either limit is reached
     #[arg(long, value_name = "TARGET", value_parser = positive, conflicts_with = "adaptive")]
     pub(crate) error: Option<f64>,
 
@@ -111,8 +111,8 @@ pub(crate) struct Args {
     #[arg(long)]
     pub(crate) stats: bool,
 
-    /// Print which effects the scene calls for and why, how many operations they take, and how many all
-    /// effects would take (the picture is rendered a second time to count these)
+    /// Print which effects the scene calls for and why, how many operations they take, and how many
+    /// all effects would take (the picture is rendered a second time to count these)
     #[arg(long)]
     pub(crate) explain: bool,
 
@@ -170,8 +170,8 @@ pub(crate) enum AccelName {
     Brute,
     /// A binary bounding volume hierarchy
     Bvh,
-    /// A wide bounding volume hierarchy that tests eight boxes or triangles at a time; traces paths in
-    /// packets of eight where possible
+    /// A wide bounding volume hierarchy that tests eight boxes or triangles at a time; traces paths
+    /// in packets of eight where possible
     Simd,
 }
 

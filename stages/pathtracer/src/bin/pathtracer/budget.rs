@@ -11,7 +11,8 @@ pub(crate) const SAMPLES_PER_PASS: u32 = 16;
 /// The largest number of samples of a pixel: sample numbers have 32 bits.
 const MAX_SAMPLES: u32 = 1 << 30;
 
-/// Samples of a pixel after which a black picture is accepted: with fewer it may have missed the light.
+/// Samples of a pixel after which a black picture is accepted: with fewer it may have missed the
+/// light.
 const MIN_SAMPLES_IF_BLACK: u64 = 4096;
 
 /// When to stop.
@@ -34,8 +35,8 @@ impl Budget {
         (budget.time.is_some() || budget.error.is_some()).then_some(budget)
     }
 
-    /// Calls `pass` for passes of `job` with different samples until the budget is spent or `stop` is set,
-    /// at least once. The total time may differ from the limit by half the time of a pass.
+    /// Calls `pass` for passes of `job` with different samples until the budget is spent or `stop`
+    /// is set, at least once. The total time may differ from the limit by half the time of a pass.
     pub(crate) fn render(
         &self,
         job: &Job,

@@ -40,7 +40,8 @@ pub(crate) fn run(
             problems.join("\n  ")
         ))
     })?;
-    // Write all files before any is renamed, so that an old scene is never combined with new meshes.
+    // Write all files before any is renamed, so that an old scene is never combined with new
+    // meshes.
     let mut written = Vec::new();
     for file in files {
         let path = path.with_file_name(format!("{stem}{}", file.suffix));

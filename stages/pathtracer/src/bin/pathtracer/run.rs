@@ -226,7 +226,8 @@ fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
     }
 }
 
-/// Prints a note if the first batch of `-a` has all samples of `-s`, so that no pixel can stop early.
+/// Prints a note if the first batch of `-a` has all samples of `-s`, so that no pixel can stop
+/// early.
 fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
     if let Some((batch, tolerance)) = adaptive.filter(|&(batch, _)| batch >= samples) {
         eprintln!(
@@ -237,8 +238,8 @@ fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
     }
 }
 
-/// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends the
-/// program.
+/// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends
+/// the program.
 fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let pressed = Arc::clone(&stop);

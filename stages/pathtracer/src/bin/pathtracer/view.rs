@@ -30,8 +30,8 @@ pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
     textures
 }
 
-/// The camera and the size of the picture: those of the camera file `-c` with its angles unchanged, else
-/// those of the scene.
+/// The camera and the size of the picture: those of the camera file `-c` with its angles unchanged,
+/// else those of the scene.
 pub(crate) fn camera_and_film(args: &Args, scene: &Scene) -> Result<(Camera, FilmSize), Failure> {
     let Some(path) = &args.camera else {
         let film = args.film(None)?;

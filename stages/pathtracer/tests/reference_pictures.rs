@@ -27,11 +27,11 @@ type Vertex = (u32, [u64; 3]);
 
 fn vertices(scene: &Scene, i: usize) -> [Vertex; 3] {
     let t = &scene.triangles[i];
-    // Adding 0 makes -0 and 0 the same place.
+    // Adding 0 turns -0 into 0.
     [t.p0, t.p1, t.p2].map(|p| (scene.object_of[i], (p + 0.0).to_array().map(f64::to_bits)))
 }
 
-fn place(vertex: &Vertex) -> Vec3 {
+fn position(vertex: &Vertex) -> Vec3 {
     Vec3::from(vertex.1.map(f64::from_bits))
 }
 
@@ -64,8 +64,8 @@ fn original_normals(scene: &Scene) -> HashMap<Vertex, Option<Vec3>> {
         .collect();
     let next = around_holes(scene);
     for (v, w) in &next {
-        let to_next = place(w) - place(v);
-        let to_second = place(&next[w]) - place(v);
+        let to_next = position(w) - position(v);
+        let to_second = position(&next[w]) - position(v);
         let n = to_next.cross(to_second);
         let is_noise = n.length() <= COLLINEAR * to_next.length() * to_second.length();
         normals.insert(*v, if is_noise { None } else { n.try_normalize() });

@@ -43,7 +43,7 @@ impl<S: Simd> PathPacket<'_, S> {
                 let light = light::sample_light(simd, emitter, surfaces.p, self.next_2d(), diffuse);
                 let wi_z = light.wi.dot(surfaces.n);
                 let same_side = zero.simd_lt(wo_z * wi_z);
-                let active = (scatters & light.some & same_side).to_bitmask();
+                let active = (scatters & light.valid & same_side).to_bitmask();
                 if active == 0 {
                     continue;
                 }
@@ -56,9 +56,9 @@ impl<S: Simd> PathPacket<'_, S> {
                 };
                 let lit = active & !self.occluded(&rays, active, skip, workspace, fallback);
                 let more = sum + f * light.radiance * (wi_z.abs() / light.pdf);
-                sum = more.or(mask64x8::from_bitmask(simd, lit), sum);
+                sum = more.masked_or(mask64x8::from_bitmask(simd, lit), sum);
             }
-            direct = direct + sum.over(f64x8::splat(simd, f64::from(samples.max(1))));
+            direct = direct + sum / f64x8::splat(simd, f64::from(samples.max(1)));
         }
         direct
     }
@@ -95,10 +95,10 @@ impl<S: Simd> PathPacket<'_, S> {
         let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
         let d = surfaces.to_world(simd, wi);
         let (o, skip) = surfaces.leave(simd, d);
-        self.paths.o = o.or(mask, self.paths.o);
-        self.paths.d = d.or(mask, self.paths.d);
+        self.paths.o = o.masked_or(mask, self.paths.o);
+        self.paths.d = d.masked_or(mask, self.paths.d);
         self.paths.skip = mask.select(skip, self.paths.skip);
-        self.paths.throughput = throughput.or(mask, self.paths.throughput);
+        self.paths.throughput = throughput.masked_or(mask, self.paths.throughput);
         self.paths.emission_counts = mask.select(zero, self.paths.emission_counts);
         (continues & survivors).to_bitmask()
     }
@@ -122,7 +122,7 @@ impl<S: Simd> PathPacket<'_, S> {
             return (throughput, is_positive);
         }
         let u = f64x8::load_array(simd, self.samplers.next_1d());
-        (throughput.over(q), is_positive & u.simd_lt(q))
+        (throughput / q, is_positive & u.simd_lt(q))
     }
 
     #[inline(always)]

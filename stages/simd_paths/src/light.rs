@@ -9,7 +9,7 @@ use kit::{Emitter, EmittingMesh, Vec2};
 /// The results of [`Emitter::sample`], one a lane.
 pub(crate) struct LightSamples<S: Simd> {
     /// The lanes with a sample.
-    pub(crate) some: mask64x8<S>,
+    pub(crate) valid: mask64x8<S>,
     pub(crate) wi: Vec3x8<S>,
     pub(crate) distance: f64x8<S>,
     pub(crate) pdf: f64x8<S>,
@@ -56,10 +56,10 @@ fn sample_mesh<S: Simd>(
         let here = splat(part.before).simd_le(target);
         before = here.select(splat(part.before), before);
         inverse_area = here.select(splat(part.inverse_area), inverse_area);
-        p0 = Vec3x8::splat(simd, part.triangle.p0).or(here, p0);
-        e1 = Vec3x8::splat(simd, part.triangle.e1).or(here, e1);
-        e2 = Vec3x8::splat(simd, part.triangle.e2).or(here, e2);
-        front = Vec3x8::splat(simd, part.triangle.front).or(here, front);
+        p0 = Vec3x8::splat(simd, part.triangle.p0).masked_or(here, p0);
+        e1 = Vec3x8::splat(simd, part.triangle.e1).masked_or(here, e1);
+        e2 = Vec3x8::splat(simd, part.triangle.e2).masked_or(here, e2);
+        front = Vec3x8::splat(simd, part.triangle.front).masked_or(here, front);
     }
     let one = splat(1.0);
     let within = ((target - before) * inverse_area).min_precise(one);
@@ -71,10 +71,10 @@ fn sample_mesh<S: Simd>(
     let distance = distance2.sqrt();
     let pdf = distance2 * distance / (height * mesh.area());
     let zero = splat(0.0);
-    let some = zero.simd_lt(height) & zero.simd_lt(pdf) & pdf.simd_lt(splat(f64::INFINITY));
+    let valid = zero.simd_lt(height) & zero.simd_lt(pdf) & pdf.simd_lt(splat(f64::INFINITY));
     LightSamples {
-        some,
-        wi: d.over(distance),
+        valid,
+        wi: d / distance,
         distance,
         pdf,
         radiance: Vec3x8::splat(simd, mesh.radiance.to_array().into()),
@@ -101,7 +101,7 @@ fn sample_each<S: Simd>(
     };
     let bits = (0..LANES).filter(|&i| samples[i].is_some());
     LightSamples {
-        some: mask64x8::from_bitmask(simd, bits.map(|i| 1 << i).sum()),
+        valid: mask64x8::from_bitmask(simd, bits.map(|i| 1 << i).sum()),
         wi: vector(|s| s.wi.to_array()),
         distance: number(|s| s.distance),
         pdf: number(|s| s.pdf),

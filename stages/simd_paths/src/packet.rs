@@ -76,7 +76,7 @@ impl<S: Simd> PathPacket<'_, S> {
             let in_front = zero.simd_lt(wo.dot(surfaces.ng));
             let visible = mask64x8::from_bitmask(simd, emissive) & counts & in_front;
             let radiance = self.paths.radiance + self.paths.throughput * surfaces.color;
-            self.paths.radiance = radiance.or(visible, self.paths.radiance);
+            self.paths.radiance = radiance.masked_or(visible, self.paths.radiance);
         }
         let mut survivors = 0;
         if diffuse != 0 {
@@ -84,7 +84,7 @@ impl<S: Simd> PathPacket<'_, S> {
             let direct = self.direct(&surfaces, wo_z, diffuse, workspace, fallback);
             let radiance = self.paths.radiance + self.paths.throughput * direct;
             let mask = mask64x8::from_bitmask(simd, diffuse);
-            self.paths.radiance = radiance.or(mask, self.paths.radiance);
+            self.paths.radiance = radiance.masked_or(mask, self.paths.radiance);
             if bounce < self.settings.max_depth {
                 survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, workspace);
             }

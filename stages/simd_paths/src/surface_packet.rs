@@ -105,7 +105,7 @@ impl<S: Simd> SurfacePacket<S> {
         let is_sound = smallest.simd_lt(length2)
             & f64x8::splat(simd, SMALLEST).simd_lt(length2)
             & length2.simd_lt(f64x8::splat(simd, f64::INFINITY));
-        self.hit_ng = normal.over(length2.sqrt());
+        self.hit_ng = normal / length2.sqrt();
 
         let [b1, b2] = self.uv;
         self.p = p0 + e1 * b1 + e2 * b2;
@@ -118,13 +118,13 @@ impl<S: Simd> SurfacePacket<S> {
         let b0 = f64x8::splat(simd, 1.0) - b1 - b2;
         let normal = n0 * b0 + n1 * b1 + n2 * b2;
         let length = normal.length();
-        let points = f64x8::splat(simd, CANCELLED_NORMAL).simd_lt(length)
+        let is_defined = f64x8::splat(simd, CANCELLED_NORMAL).simd_lt(length)
             & length.simd_lt(f64x8::splat(simd, f64::INFINITY));
-        self.n = normal.over(length).or(points, self.hit_ng);
+        self.n = (normal / length).masked_or(is_defined, self.hit_ng);
 
         let behind = self.hit_ng.dot(n0 + n1 + n2);
         let behind = behind.simd_lt(f64x8::splat(simd, 0.0));
-        self.ng = (-self.hit_ng).or(behind, self.hit_ng);
+        self.ng = (-self.hit_ng).masked_or(behind, self.hit_ng);
         let error = p0.abs().max(p1.abs()).max(p2.abs()) * f64x8::splat(simd, POSITION_ERROR);
         self.distance = error.dot(self.ng.abs());
         is_sound.to_bitmask()
@@ -146,14 +146,14 @@ impl<S: Simd> SurfacePacket<S> {
         let of = |lane: usize| &spheres[ids[lane].max(count) - count];
         let center = Vec3x8::gather(simd, |lane| of(lane).center.to_array());
         let radius = f64x8::from_fn(simd, |lane| of(lane).radius);
-        let from_center = ((rays.o - center) + rays.d * hits.t).over(radius);
+        let from_center = ((rays.o - center) + rays.d * hits.t) / radius;
         let inverse = f64x8::splat(simd, 1.0) / from_center.length();
         let n = from_center * inverse;
         let flat = self.is_flat;
-        self.p = self.p.or(flat, center + n * radius);
-        self.n = self.n.or(flat, n);
-        self.hit_ng = self.hit_ng.or(flat, n);
-        self.ng = self.ng.or(flat, n);
+        self.p = self.p.masked_or(flat, center + n * radius);
+        self.n = self.n.masked_or(flat, n);
+        self.hit_ng = self.hit_ng.masked_or(flat, n);
+        self.ng = self.ng.masked_or(flat, n);
         let largest = center.abs()
             + Vec3x8 {
                 x: radius,

@@ -1,7 +1,7 @@
 //! Path tracing, one path at a time: the stages `direct` and `global`, connected to a scene.
 //!
-//! What the next step needs is passed to it: the [`RayOrigin`] from which the primitive to skip
-//! follows, and the texture colour that [`Materials::at`] multiplies reflectances by.
+//! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive to
+//! skip, and the texture colour, which [`Materials::at`] multiplies reflectances by.
 
 use crate::materials::{Materials, PathMaterials};
 use crate::textures::Textures;
@@ -107,7 +107,7 @@ impl<'a> PathIntegrator<'a> {
         self.counters.get()
     }
 
-    /// Calls `count`, which may add to the counters.
+    /// Calls `count` with the counters.
     #[inline]
     pub(crate) fn counting<T>(&self, count: impl FnOnce(&mut Counters) -> T) -> T {
         let mut counters = self.counters.get();
@@ -145,8 +145,8 @@ impl<'a> PathIntegrator<'a> {
         }
         // Where the next ray starts: nowhere for the camera ray, then the last hit.
         let mut origin: Option<RayOrigin> = None;
-        // The texture colour at the last hit. `estimate_radiance` hands only the material of a
-        // surface on, and no texture coordinates: hence a cell that its callbacks share.
+        // The texture colour at the last hit. `estimate_radiance` passes the material of a surface
+        // to its callbacks, but no texture coordinates, so they share this cell.
         let tint = Cell::new(Spectrum::WHITE);
         estimate_radiance(
             self.lit,
@@ -236,7 +236,7 @@ impl<'a> PathIntegrator<'a> {
         color
     }
 
-    /// The primitive that `ray` cannot hit, because it starts there.
+    /// The primitive that `ray`, which starts at `origin`, cannot hit; `None` for a camera ray.
     #[inline]
     pub(crate) fn skip(&self, origin: Option<RayOrigin>, ray: &Ray) -> Option<PrimId> {
         origin?.skip(&self.lit.scene, ray.d)

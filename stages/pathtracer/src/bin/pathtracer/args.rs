@@ -90,7 +90,7 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t = DEFAULT_SHADE)]
     pub(crate) shade: Shade,
 
-    /// Render passes of -s samples (16 if that is 1) for this time
+    /// Render passes of -s samples (16 if that is 1) for this many seconds
     #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
     pub(crate) time: Option<f64>,
 

@@ -107,7 +107,7 @@ impl<'a> PathIntegrator<'a> {
         self.counters.get()
     }
 
-    /// Calls `count` with the counters.
+    /// Calls `count` with the counters. Calls must not be nested.
     #[inline]
     pub(crate) fn counting<T>(&self, count: impl FnOnce(&mut Counters) -> T) -> T {
         let mut counters = self.counters.get();

@@ -1,8 +1,8 @@
 //! Lit shading: each pixel shows the light that reaches it.
 //!
-//! A camera sample with scalar paths: `raygen` generates its ray, and [`PathIntegrator`] traces it
+//! A camera sample with scalar paths: `raygen` generates its ray, and `PathIntegrator` traces it
 //! with the stage `global`, which calls the stage `direct` for the direct light at each surface. A
-//! ray depth of 0 or 1 needs `direct` only. With `--accel simd`, [`PacketRenderer`] traces most
+//! ray depth of 0 or 1 needs `direct` only. With `--accel simd`, `PacketRenderer` traces most
 //! pictures instead, in packets of eight paths.
 
 use crate::integrator::PathIntegrator;

@@ -66,7 +66,7 @@ impl Rendered {
         for (tally, other) in self.luminance.iter_mut().zip(&other.luminance) {
             tally.merge(other);
         }
-        self.counters = self.counters + other.counters;
+        self.counters += other.counters;
         self.effects = self.effects + other.effects;
     }
 

@@ -39,7 +39,7 @@ impl WideBvh {
             traversal.run(counts);
             traversal.found
         })
-        // STUB: kit::hole!("part6.task1", self, ray, left, exact, work)
+        // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
         // END SOLUTION(part6.task1)
     }
 
@@ -59,7 +59,7 @@ impl WideBvh {
             traversal.run(counts);
             traversal.found.is_some()
         })
-        // STUB: kit::hole!("part6.task1", self, ray, left, exact, work)
+        // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
         // END SOLUTION(part6.task1)
     }
 }

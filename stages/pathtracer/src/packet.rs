@@ -8,7 +8,7 @@ use crate::integrator::{PathIntegrator, RayOrigin};
 use crate::lit::{assemble, sample_pixel};
 use crate::textures::Textures;
 use crate::world::{record_hit, test_primitive};
-use crate::{Accel, DirectSampling, Job, LightSettings, Rendered};
+use crate::{Accel, Counters, DirectSampling, Job, LightSettings, Rendered};
 use global::roulette::FIRST_GAME as MIN_BOUNCES;
 use kit::effects::Effect;
 use kit::film::{self, Cell as Tile};
@@ -193,9 +193,13 @@ impl<'a> PacketRenderer<'a> {
             integrator,
             tree: self.tree,
             camera: &self.job.camera,
+            counters: Counters::default(),
         };
-        self.scene
-            .trace(&self.view, &self.paths, &starts, workspace, &mut fallback)
+        let samples = self
+            .scene
+            .trace(&self.view, &self.paths, &starts, workspace, &mut fallback);
+        integrator.counting(|counters| *counters += fallback.counters);
+        samples
     }
 }
 
@@ -204,6 +208,8 @@ struct Fallback<'b, 'a> {
     integrator: &'b PathIntegrator<'a>,
     tree: &'a WideBvh,
     camera: &'a Camera,
+    /// The tests of `closest` and `occluded`; the packets count the rays.
+    counters: Counters,
 }
 
 impl ScalarFallback for Fallback<'_, '_> {
@@ -221,15 +227,13 @@ impl ScalarFallback for Fallback<'_, '_> {
     #[inline]
     fn closest(&mut self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
         let scene = &self.integrator.lit.scene;
-        self.integrator
-            .counting(|counters| closest_in(self.tree, scene, ray, skip, counters))
+        closest_in(self.tree, scene, ray, skip, &mut self.counters)
     }
 
     #[inline]
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
         let scene = &self.integrator.lit.scene;
-        self.integrator
-            .counting(|counters| occluded_in(self.tree, scene, ray, skip, counters))
+        occluded_in(self.tree, scene, ray, skip, &mut self.counters)
     }
 
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {

@@ -11,7 +11,6 @@
 //! - [`lit`], [`emitter`], [`emitting_mesh`], [`environment`]: light sources that can be sampled.
 //! - [`surface`], [`frame`], [`bsdf`], [`warp`]: shading points, scattering, uniform sampling.
 //! - [`effects`]: which effects a scene needs.
-//! - [`statistics`], [`chi_square`]: tests of random results.
 //! - [`mod@hole`]: placeholders for tasks that are not written yet.
 //!
 //! The kit depends on vectors and threads only. It contains no formula that a task asks for.

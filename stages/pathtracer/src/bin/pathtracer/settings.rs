@@ -1,20 +1,21 @@
-//! What the flags ask for, put together.
+//! Converts flags to the settings of the renderer.
 
 use crate::args::{Args, SamplerName};
 use crate::values::samples;
 use kit::FilmSize;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
-use pathtracer::{Lens, LightSettings, Looking};
+use pathtracer::{DirectSampling, Lens, LightSettings};
 
-/// The picture's size without `-r` and without a camera file.
+/// The size of the picture without `-r` and without a camera file.
 const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
 
-/// Pixels of a picture at most, so that a slip of the finger does not take all memory: 32 bytes each, twice.
+/// The largest number of pixels, so that a typing error does not use up all memory: two times 32
+/// bytes each.
 const MAX_PIXELS: u64 = 100_000_000;
 
 impl Args {
-    /// The picture's size, given that of the camera file if there is one.
+    /// The size of the picture. `of_camera_file` is the size in the camera file, if there is one.
     pub(crate) fn film(&self, of_camera_file: Option<FilmSize>) -> Result<FilmSize, String> {
         let size = match self.resolution.as_deref() {
             Some(&[w, h]) => FilmSize { w, h },
@@ -22,7 +23,7 @@ impl Args {
         };
         if size.whole().area() > MAX_PIXELS {
             return Err(format!(
-                "a picture of {} x {} pixels is too large: at most {} million pixels are allowed, choose a smaller -r",
+                "-r: a picture of {} x {} pixels is too large: choose at most {} million pixels",
                 size.w,
                 size.h,
                 MAX_PIXELS / 1_000_000
@@ -39,7 +40,7 @@ impl Args {
         let (x1, y1) = (x.saturating_add(dx), y.saturating_add(dy));
         if dx == 0 || dy == 0 || x1 > film.w || y1 > film.h {
             return Err(format!(
-                "the cell -p {x} {y} {dx} {dy} does not lie in the picture: it needs at least one pixel, x + dx at most {} and y + dy at most {}",
+                "-p {x} {y} {dx} {dy}: the cell is not in the picture: choose at least one pixel, x + dx at most {} and y + dy at most {}",
                 film.w, film.h
             ));
         }
@@ -61,27 +62,27 @@ impl Args {
         match tolerance.parse::<f64>() {
             Ok(t) if t.is_finite() && t >= 0.0 => Ok(Some((per_batch, t))),
             _ => Err(format!(
-                "-a {batch} {tolerance}: the tolerance is a finite number that is not negative, such as 0.05"
+                "-a {batch} {tolerance}: the tolerance has to be a finite number of at least 0, such as 0.05"
             )),
         }
     }
 
-    /// How light is simulated.
+    /// The settings of light transport.
     pub(crate) fn light(&self) -> Result<LightSettings, String> {
         let default = LightSettings::default();
         if self.lens_radius > 0.0 && self.focus.is_none() {
             return Err(format!(
-                "--lens-radius {}: say with --focus at which distance the picture is sharp, such as --focus 3.5",
+                "--lens-radius {}: add the distance to the plane of focus, such as --focus 3.5",
                 self.lens_radius
             ));
         }
         Ok(LightSettings {
             light_samples: self.light_samples.unwrap_or(default.light_samples),
             max_depth: self.max_depth.unwrap_or(default.max_depth),
-            looking: match (self.hemisphere, self.mis) {
-                (true, _) => Looking::Hemisphere,
-                (false, true) => Looking::Both,
-                (false, false) => Looking::Lights,
+            direct_sampling: match (self.hemisphere, self.mis) {
+                (true, _) => DirectSampling::Hemisphere,
+                (false, true) => DirectSampling::Mis,
+                (false, false) => DirectSampling::Lights,
             },
             roulette: !self.no_roulette,
             adaptive: self.adaptive()?,
@@ -94,7 +95,7 @@ impl Args {
         })
     }
 
-    /// Where random numbers come from, for so many samples a pixel.
+    /// The source of random numbers for `samples` samples per pixel.
     pub(crate) fn sampling(&self, samples: u32) -> Sampling {
         Sampling {
             pattern: match self.sampler {
@@ -107,8 +108,8 @@ impl Args {
         }
     }
 
-    /// The given flags that do nothing where the scene is written and not a picture of it.
-    pub(crate) fn idle_in_export(&self) -> Vec<&'static str> {
+    /// The given flags that have no effect with `--export`.
+    pub(crate) fn unused_by_export(&self) -> Vec<&'static str> {
         given(&[
             (self.file.is_some(), "-f"),
             (self.cell.is_some(), "-p"),
@@ -120,8 +121,8 @@ impl Args {
         ])
     }
 
-    /// The given flags that do nothing with normal shading.
-    pub(crate) fn without_effect(&self) -> Vec<&'static str> {
+    /// The given flags that have no effect with normal shading.
+    pub(crate) fn unused_by_normals(&self) -> Vec<&'static str> {
         given(&[
             (self.light_samples.is_some(), "-l"),
             (self.max_depth.is_some(), "-m"),
@@ -137,7 +138,7 @@ impl Args {
     }
 }
 
-/// The names of those `flags` that are given.
+/// The names of the `flags` that are given.
 fn given(flags: &[(bool, &'static str)]) -> Vec<&'static str> {
     let given = flags.iter().filter(|(given, _)| *given);
     given.map(|&(_, flag)| flag).collect()

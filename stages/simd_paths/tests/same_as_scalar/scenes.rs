@@ -1,5 +1,6 @@
 // BEGIN SOLUTION(part6.task2)
-//! Scenes made at random: a box, things in it of every material, lights of every kind.
+//! Random scenes: a box that contains triangles and spheres of every material and lights of every
+//! kind.
 
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::{
@@ -7,12 +8,12 @@ use kit::{
     warp,
 };
 
-/// Numbers, points and directions from a fixed seed.
-pub(crate) struct Numbers(PixelSampler);
+/// Random random, points and directions from a fixed seed.
+pub(crate) struct Random(PixelSampler);
 
-impl Numbers {
-    pub(crate) fn new(seed: u64) -> Numbers {
-        Numbers(PixelSampler::new(0, 0, seed))
+impl Random {
+    pub(crate) fn new(seed: u64) -> Random {
+        Random(PixelSampler::new(0, 0, seed))
     }
 
     fn one(&mut self) -> f64 {
@@ -100,7 +101,7 @@ impl Numbers {
     }
 }
 
-/// The five walls of a box that is open towards +z; their corners are shared.
+/// The five walls of a box that is open towards +z, with shared vertices.
 fn walls() -> Vec<Triangle> {
     let corner = |i: usize| {
         let side = |bit: usize| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
@@ -121,8 +122,8 @@ fn walls() -> Vec<Triangle> {
     .collect()
 }
 
-/// A grey box with a point of light in it, and `spheres`.
-pub(crate) fn box_with_a_lamp(spheres: Vec<Sphere>) -> Scene {
+/// A grey box with a point light and `spheres` in it.
+pub(crate) fn box_with_a_point_light(spheres: Vec<Sphere>) -> Scene {
     let triangles = walls();
     Scene {
         object_of: vec![0; triangles.len() + spheres.len()],
@@ -149,45 +150,45 @@ pub(crate) fn box_with_a_lamp(spheres: Vec<Sphere>) -> Scene {
     }
 }
 
-/// A box with up to `most` triangles and a few spheres in all, some of them in each other's planes, without area, or
-/// with normals that lean or cancel.
-pub(crate) fn random_scene(numbers: &mut Numbers, most: usize) -> LitScene {
+/// A box with at max_triangles `max_triangles` triangles and a few spheres. Some triangles are
+/// duplicates or degenerate, or have vertex normals that point elsewhere or cancel.
+pub(crate) fn random_scene(random: &mut Random, max_triangles: usize) -> LitScene {
     let mut triangles = walls();
-    while triangles.len() < most && numbers.below(20) > 0 {
-        let p = numbers.point();
-        let size = [0.02, 0.5, 1.5][numbers.below(3)];
-        let mut t = Triangle::flat(p, p + size * numbers.point(), p + size * numbers.point());
-        match numbers.below(8) {
-            0 => t.n2 = numbers.direction(),
+    while triangles.len() < max_triangles && random.below(20) > 0 {
+        let p = random.point();
+        let size = [0.02, 0.5, 1.5][random.below(3)];
+        let mut t = Triangle::flat(p, p + size * random.point(), p + size * random.point());
+        match random.below(8) {
+            0 => t.n2 = random.direction(),
             1 => (t.n0, t.n1, t.n2) = (-t.n0, -t.n1, -t.n2),
             2 => (t.n1, t.n2) = (-0.5 * t.n0, -0.5 * t.n0),
             3 => t.p2 = t.p0 + 2.0 * (t.p1 - t.p0),
             5 => t.n1 = -(-t.n1).map(|c| if c == 0.0 { -c } else { c }),
-            4 => t = triangles[numbers.below(triangles.len())],
+            4 => t = triangles[random.below(triangles.len())],
             _ => {}
         }
         triangles.push(t);
     }
-    let count = numbers.below(4);
+    let count = random.below(4);
     let spheres = (0..count)
         .map(|_| Sphere {
-            center: numbers.point(),
-            radius: [3e-16, 0.001, 0.2, 0.6, 3.0][numbers.below(5)],
+            center: random.point(),
+            radius: [3e-16, 0.001, 0.2, 0.6, 3.0][random.below(5)],
         })
         .collect::<Vec<_>>();
-    let materials: Vec<Material> = (0..5).map(|_| numbers.material()).collect();
+    let materials: Vec<Material> = (0..5).map(|_| random.material()).collect();
     let objects = (0..5).map(|material| Object {
         name: format!("object {material}"),
         material,
     });
-    let lights = (0..numbers.below(4)).map(|i| NamedLight {
+    let lights = (0..random.below(4)).map(|i| NamedLight {
         name: format!("light {i}"),
-        light: numbers.light(),
+        light: random.light(),
     });
     let lights = lights.collect();
     let scene = Scene {
         object_of: (0..triangles.len() + spheres.len())
-            .map(|_| numbers.below(5) as u32)
+            .map(|_| random.below(5) as u32)
             .collect(),
         objects: objects.collect(),
         materials: materials
@@ -202,7 +203,7 @@ pub(crate) fn random_scene(numbers: &mut Numbers, most: usize) -> LitScene {
         lights,
         ..Scene::default()
     };
-    let sky = (numbers.below(10) == 0).then(|| Environment::uniform(numbers.colour()));
-    LitScene::new(scene, sky)
+    let environment = (random.below(10) == 0).then(|| Environment::uniform(random.colour()));
+    LitScene::new(scene, environment)
 }
 // END SOLUTION(part6.task2)

@@ -1,4 +1,5 @@
-//! Eight paths at a time make the picture that one at a time makes, bit for bit, with the same operations of light.
+//! Packets of eight paths render the pictures of scalar paths, bit for bit, with the same counts of
+//! effects.
 // BEGIN SOLUTION(part6.task2)
 
 mod common;
@@ -7,14 +8,14 @@ use common::{own_scenes, scene_files};
 use kit::sampler::{Pattern, Sampling};
 use kit::{FilmSize, LitScene};
 use pathtracer::{
-    Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, Textures, render_lit,
+    Accel, AccelKind, DirectSampling, Job, Lens, LightSettings, Rendered, Textures, render_lit,
 };
 use scenes::placement;
 use std::env;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-/// The scenes of the course, and whatever others there are.
+/// The scenes of the course, and those in the folder `FIRSTLIGHT_SCENES`.
 fn all_scene_files() -> Vec<PathBuf> {
     let mut folders = vec![own_scenes()];
     folders.extend(env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from));
@@ -43,7 +44,7 @@ fn render(
     render_lit(lit, textures, accel, &job, settings, &stop, &|_, _| {})
 }
 
-/// Settings that go their own ways through the sample loop and the paths.
+/// Samples per pixel and settings that cover the branches of the sample loop and the paths.
 fn all_settings() -> Vec<(u32, LightSettings)> {
     let deep = LightSettings {
         max_depth: 6,
@@ -102,14 +103,14 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
         (
             2,
             LightSettings {
-                looking: Looking::Both,
+                direct_sampling: DirectSampling::Mis,
                 ..deep
             },
         ),
         (
             2,
             LightSettings {
-                looking: Looking::Hemisphere,
+                direct_sampling: DirectSampling::Hemisphere,
                 ..deep
             },
         ),
@@ -124,7 +125,7 @@ fn all_settings() -> Vec<(u32, LightSettings)> {
 }
 
 #[test]
-fn pictures_and_counts_are_those_of_one_path_at_a_time() {
+fn pictures_and_counts_equal_those_of_scalar_paths() {
     let mut early = 0;
     for file in all_scene_files() {
         let scene = scenes::load(&file).expect("a scene").scene;
@@ -132,25 +133,31 @@ fn pictures_and_counts_are_those_of_one_path_at_a_time() {
         let lit = LitScene::new(scene, None);
         let accels = [AccelKind::Bvh, AccelKind::Simd].map(|kind| Accel::build(kind, &lit.scene));
         for (samples, settings) in all_settings() {
-            let [one, eight] = accels
+            let [scalar, packets] = accels
                 .each_ref()
                 .map(|accel| render((&lit, &textures), accel, samples, &settings));
             let what = format!("{}: {samples} samples, {settings:?}", file.display());
-            assert!(eight.film == one.film, "{what}: other pictures");
+            assert!(packets.film == scalar.film, "{what}: the pictures differ");
             if settings.adaptive.is_some_and(|(batch, _)| batch < samples) {
-                let taken = eight.film.pixels().iter().map(|pixel| pixel.samples);
+                let taken = packets.film.pixels().iter().map(|pixel| pixel.samples);
                 early += usize::from(taken.clone().min() < taken.max());
             }
-            assert!(eight.luminance == one.luminance, "{what}: other spreads");
-            assert_eq!(eight.effects, one.effects, "{what}");
-            assert_eq!(eight.counters.rays, one.counters.rays, "{what}");
+            assert!(
+                packets.luminance == scalar.luminance,
+                "{what}: the luminances differ"
+            );
+            assert_eq!(packets.effects, scalar.effects, "{what}");
+            assert_eq!(packets.counters.rays, scalar.counters.rays, "{what}");
         }
     }
-    assert!(early > 3, "pixels that stop early in {early} pictures");
+    assert!(
+        early > 3,
+        "only {early} pictures have pixels that stop early"
+    );
 }
 
 #[test]
-fn a_picture_that_is_stopped_stays_black() {
+fn an_interrupted_picture_stays_black() {
     let lit = LitScene::new(
         scenes::load(&all_scene_files()[0]).expect("a scene").scene,
         None,

@@ -1,29 +1,29 @@
 // BEGIN SOLUTION(part6.task2)
-//! Eight rays against a sphere.
+//! Tests eight rays against a sphere.
 
-use super::Verdict;
-use crate::rays::Rays;
+use super::PacketTest;
+use crate::ray_packet::RayPacket;
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Sphere;
 
-/// As in `intersect::test_sphere`, where each is explained.
+/// As in `intersect::test_sphere`, which explains them.
 const CLOSE_CALL: f64 = 1.0 / 1024.0;
 const FAR: f64 = (1_u64 << 40) as f64;
 const SMALLEST: f64 = 1e-100;
 const LARGEST: f64 = 1e100;
 
-/// Tests a sphere by the arithmetic of the plain kernel, `intersect::test_sphere`, operation by operation, for hits up to
-/// `max_t`. Where that one goes on to its careful twin, the lane is unsure. `None` if surely none of the lanes in `asked`
-/// hits it.
+/// Tests a sphere for hits up to `max_t`. Repeats the arithmetic of `intersect::test_sphere`
+/// operation by operation; where that switches to its careful variant, the lane is undecided.
+/// `None` if all lanes in `active` miss for certain.
 #[inline(always)]
 pub(super) fn test<S: Simd>(
     simd: S,
     sphere: &Sphere,
-    rays: &Rays<S>,
+    rays: &RayPacket<S>,
     max_t: f64x8<S>,
-    asked: u64,
-) -> Option<Verdict<S>> {
+    active: u64,
+) -> Option<PacketTest<S>> {
     let (d, r2) = (rays.d, sphere.radius * sphere.radius);
     let f = rays.o - Vec3x8::splat(simd, sphere.center);
     let a = d.dot(d);
@@ -45,9 +45,9 @@ pub(super) fn test<S: Simd>(
         0
     };
     let zero = f64x8::splat(simd, 0.0);
-    let unsure = asked & !sound;
-    let candidates = asked & sound & zero.simd_le(disc).to_bitmask();
-    if candidates | unsure == 0 {
+    let undecided = active & !sound;
+    let candidates = active & sound & zero.simd_le(disc).to_bitmask();
+    if candidates | undecided == 0 {
         return None;
     }
     let root = (a * disc).sqrt();
@@ -57,9 +57,9 @@ pub(super) fn test<S: Simd>(
     let near = goes_away.select(by_sum, by_product);
     let far = goes_away.select(by_product, by_sum);
     let t = rays.in_range(near, max_t).select(near, far);
-    Some(Verdict {
+    Some(PacketTest {
         hit: mask64x8::from_bitmask(simd, candidates) & rays.in_range(t, max_t),
-        unsure,
+        undecided,
         t,
         v: zero,
         w: zero,

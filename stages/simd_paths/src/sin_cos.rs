@@ -1,27 +1,28 @@
 // BEGIN SOLUTION(part6.task2)
-//! Sines and cosines of eight angles.
+//! Sine and cosine of eight angles.
 
 use crate::lanes::lanes;
 use fearless_simd::{Simd, f64x8, i64x8, mask64x8, prelude::*};
 use kit::math;
 
-/// π/2 to 33 bits, so that its multiples by small numbers are exact, and the rest of it.
+/// π/2 rounded to 33 bits, so that small multiples of it are exact, and the remainder.
 const HALF_PI: f64 = 1.570_796_326_734_125_6;
-const HALF_PI_REST: f64 = 6.077_100_506_506_192e-11;
+const HALF_PI_REMAINDER: f64 = 6.077_100_506_506_192e-11;
 
-/// Sines and cosines of `radians` in [0, 2π], by the arithmetic of [`math::sin_cos`] (libm's, which is FreeBSD's) operation
-/// by operation; it is asked itself about the few angles so close to a multiple of π/2 that digits cancel.
+/// Sine and cosine of `radians` in [0, 2π]. Repeats the arithmetic of [`math::sin_cos`] (libm's,
+/// from FreeBSD) operation by operation, and calls it for the few angles so close to a multiple of
+/// π/2 that digits cancel.
 #[inline(always)]
 pub(crate) fn sin_cos<S: Simd>(simd: S, radians: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
     let splat = |x| f64x8::splat(simd, x);
-    // libm decides by the upper half of the bits: up to and with it, an angle belongs to the quadrant before.
+    // libm compares the upper 32 bits: an angle with equal upper bits is in the lower quadrant.
     let beyond = |high: u64| radians.simd_ge(splat(f64::from_bits((high + 1) << 32)));
     let one = splat(1.0);
     let zero = splat(0.0);
     let step = |high| beyond(high).select(one, zero);
-    let quarters = step(0x3fe9_21fb) + step(0x4002_d97c) + step(0x400f_6a7a) + step(0x4015_fdbc);
-    let reduced = radians - quarters * HALF_PI;
-    let rest = quarters * HALF_PI_REST;
+    let quadrant = step(0x3fe9_21fb) + step(0x4002_d97c) + step(0x400f_6a7a) + step(0x4015_fdbc);
+    let reduced = radians - quadrant * HALF_PI;
+    let rest = quadrant * HALF_PI_REMAINDER;
     let x = reduced - rest;
     let y = (reduced - x) - rest;
 
@@ -29,30 +30,30 @@ pub(crate) fn sin_cos<S: Simd>(simd: S, radians: f64x8<S>) -> (f64x8<S>, f64x8<S
     let w = z * z;
     let r = (z * S4 + S3) * z + S2 + (z * S6 + S5) * (z * w);
     let v = z * x;
-    // In the first quadrant nothing was subtracted, and libm goes a shorter way.
+    // In the first quadrant nothing is subtracted, and libm uses a shorter formula.
     let unreduced = x + v * (z * r + S1);
     let sin = x - ((z * (y * 0.5 - v * r) - y) - v * S1);
-    let sin = quarters.simd_eq(zero).select(unreduced, sin);
+    let sin = quadrant.simd_eq(zero).select(unreduced, sin);
     let r = z * ((z * C3 + C2) * z + C1) + (w * w) * ((z * C6 + C5) * z + C4);
     let hz = z * 0.5;
     let w = one - hz;
     let cos = w + (((one - w) - hz) + (z * r - x * y));
 
-    let odd = quarters.simd_eq(one) | quarters.simd_eq(splat(3.0));
+    let odd = quadrant.simd_eq(one) | quadrant.simd_eq(splat(3.0));
     let (s, c) = (odd.select(cos, sin), odd.select(sin, cos));
-    let s_falls = quarters.simd_eq(splat(2.0)) | quarters.simd_eq(splat(3.0));
-    let c_falls = quarters.simd_eq(one) | quarters.simd_eq(splat(2.0));
-    let (mut s, mut c) = (s_falls.select(-s, s), c_falls.select(-c, c));
+    let s_is_negative = quadrant.simd_eq(splat(2.0)) | quadrant.simd_eq(splat(3.0));
+    let c_is_negative = quadrant.simd_eq(one) | quadrant.simd_eq(splat(2.0));
+    let (mut s, mut c) = (s_is_negative.select(-s, s), c_is_negative.select(-c, c));
 
-    for lane in lanes(close_calls(simd, radians).to_bitmask()) {
+    for lane in lanes(near_multiples(simd, radians).to_bitmask()) {
         (s[lane], c[lane]) = math::sin_cos(radians[lane]);
     }
     (s, c)
 }
 
-/// Where libm takes more digits of π.
+/// The angles for which libm uses more digits of π.
 #[inline(always)]
-fn close_calls<S: Simd>(simd: S, radians: f64x8<S>) -> mask64x8<S> {
+fn near_multiples<S: Simd>(simd: S, radians: f64x8<S>) -> mask64x8<S> {
     let bits = radians.bitcast::<i64x8<S>>() >> 32;
     let low = bits & i64x8::splat(simd, 0x000f_ffff);
     let is = |high: i64| bits.simd_eq(i64x8::splat(simd, high));
@@ -60,9 +61,9 @@ fn close_calls<S: Simd>(simd: S, radians: f64x8<S>) -> mask64x8<S> {
     (above & low.simd_eq(i64x8::splat(simd, 0x0009_21fb))) | is(0x4012_d97c) | is(0x4019_21fb)
 }
 
-// The coefficients of FreeBSD's msun: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a
-// Sun Microsystems, Inc. business. Permission to use, copy, modify, and distribute this software is freely granted,
-// provided that this notice is preserved.
+// The coefficients of FreeBSD's msun: Copyright (C) 1993 by Sun Microsystems, Inc. All rights
+// reserved. Developed at SunPro, a Sun Microsystems, Inc. business. Permission to use, copy,
+// modify, and distribute this software is freely granted, provided that this notice is preserved.
 
 const S1: f64 = -0.166_666_666_666_666_32;
 const S2: f64 = 0.008_333_333_333_322_49;
@@ -88,15 +89,15 @@ mod tests {
     fn check<S: Simd>(simd: S, radians: [f64; 8]) {
         let (sin, cos) = sin_cos(simd, f64x8::load_array(simd, radians));
         for (lane, radians) in radians.into_iter().enumerate() {
-            let said = [sin[lane], cos[lane]].map(f64::to_bits);
+            let result = [sin[lane], cos[lane]].map(f64::to_bits);
             let (sin, cos) = math::sin_cos(radians);
-            assert_eq!(said, [sin, cos].map(f64::to_bits), "of {radians:?}");
+            assert_eq!(result, [sin, cos].map(f64::to_bits), "for {radians:?}");
         }
     }
 
     #[test]
-    fn the_bits_are_libms() {
-        // All around, the eighths of a turn from both sides, and next to 0.
+    fn bits_equal_those_of_libm() {
+        // The whole range, the multiples of π/4 from both sides, and close to 0.
         let around = (0..=1 << 20).map(|i| TAU * f64::from(i) / f64::from(1 << 20));
         let eighths = (0..=8).flat_map(|i| {
             let angle = f64::from(i) * FRAC_PI_4;

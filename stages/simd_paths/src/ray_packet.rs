@@ -1,20 +1,20 @@
 // BEGIN SOLUTION(part6.task2)
-//! Eight rays, and where they hit.
+//! Eight rays and their hits.
 
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, TriangleHit};
 
-/// Eight rays, as [`Ray`] has one.
+/// Eight rays, with the fields of [`Ray`].
 #[derive(Clone, Copy)]
-pub(crate) struct Rays<S: Simd> {
+pub(crate) struct RayPacket<S: Simd> {
     pub(crate) o: Vec3x8<S>,
     pub(crate) d: Vec3x8<S>,
     pub(crate) min_t: f64x8<S>,
     pub(crate) max_t: f64x8<S>,
 }
 
-impl<S: Simd> Rays<S> {
+impl<S: Simd> RayPacket<S> {
     /// The ray in a lane.
     #[inline(always)]
     pub(crate) fn lane(&self, lane: usize) -> Ray {
@@ -26,35 +26,35 @@ impl<S: Simd> Rays<S> {
         }
     }
 
-    /// The lanes whose `t` is in the ray's range, cut at `max_t`.
+    /// The lanes whose `t` is in the range from the ray's `min_t` to `max_t`.
     #[inline(always)]
     pub(crate) fn in_range(&self, t: f64x8<S>, max_t: f64x8<S>) -> mask64x8<S> {
         self.min_t.simd_le(t) & t.simd_le(max_t)
     }
 }
 
-/// Where eight rays hit.
+/// The hits of eight rays.
 #[derive(Clone, Copy)]
-pub(crate) struct Hits<S: Simd> {
-    /// The primitive's number; [`NONE`] where nothing is hit.
+pub(crate) struct HitPacket<S: Simd> {
+    /// The number of the primitive; [`NONE`] for a miss.
     pub(crate) prim: f64x8<S>,
-    /// Where on the ray; the end of its range where nothing is hit.
+    /// The hit's `t`; for a miss the end of the range.
     pub(crate) t: f64x8<S>,
-    /// The weights of a triangle's second and third vertex, times `det`: to divide is dear, and most hits are of no use
-    /// once a closer one is found.
+    /// The barycentric weights of the second and third vertex, times `det`. The division waits
+    /// until the closest hit is known.
     pub(crate) v: f64x8<S>,
     pub(crate) w: f64x8<S>,
     pub(crate) det: f64x8<S>,
 }
 
-/// The number of no primitive.
+/// The number that stands for no primitive.
 pub(crate) const NONE: f64 = -1.0;
 
-impl<S: Simd> Hits<S> {
-    /// No hits of rays that end at `max_t`.
+impl<S: Simd> HitPacket<S> {
+    /// Misses, for rays that end at `max_t`.
     #[inline(always)]
-    pub(crate) fn none(simd: S, max_t: f64x8<S>) -> Hits<S> {
-        Hits {
+    pub(crate) fn none(simd: S, max_t: f64x8<S>) -> HitPacket<S> {
+        HitPacket {
             prim: f64x8::splat(simd, NONE),
             t: max_t,
             v: f64x8::splat(simd, 0.0),
@@ -63,13 +63,13 @@ impl<S: Simd> Hits<S> {
         }
     }
 
-    /// The lanes without a hit.
+    /// The lanes that miss.
     #[inline(always)]
     pub(crate) fn is_none(&self) -> mask64x8<S> {
         self.prim.simd_lt(f64x8::splat(self.prim.simd, 0.0))
     }
 
-    /// The hit of one lane, found elsewhere.
+    /// Sets the hit of one lane, found by the fallback.
     #[inline(always)]
     pub(crate) fn set(&mut self, lane: usize, id: PrimId, hit: TriangleHit) {
         self.prim[lane] = f64::from(id.0);
@@ -79,7 +79,7 @@ impl<S: Simd> Hits<S> {
         self.det[lane] = 1.0;
     }
 
-    /// The hit in a lane that has one, whose weights are in `weights`.
+    /// The hit in a lane that does not miss, with its weights from `weights`.
     pub(crate) fn lane(&self, lane: usize, weights: &[f64x8<S>; 2]) -> TriangleHit {
         TriangleHit {
             t: self.t[lane],
@@ -88,16 +88,16 @@ impl<S: Simd> Hits<S> {
         }
     }
 
-    /// The weights of the second and the third vertex; a sphere's are 0.
+    /// The barycentric weights of the second and third vertex; 0 for spheres.
     #[inline(always)]
     pub(crate) fn weights(&self) -> [f64x8<S>; 2] {
         [self.v / self.det, self.w / self.det]
     }
 }
 
-/// The primitive of that number, if it is one.
+/// The primitive with this number; `None` for [`NONE`].
 #[inline(always)]
-pub(crate) fn prim(number: f64) -> Option<PrimId> {
+pub(crate) fn prim_id(number: f64) -> Option<PrimId> {
     (number >= 0.0).then_some(PrimId(number as u32))
 }
 // END SOLUTION(part6.task2)

@@ -1,14 +1,14 @@
 // BEGIN SOLUTION(part6.task1)
-//! A scene and its trees, held against asking every primitive.
+//! Checks the trees of a scene against brute force.
 
 use bvh::{construct_bvh, intersect_bvh};
 use kit::{
     Aabb, Bvh, Hit, Interval, PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle,
     TriangleHit, Vec3, World, warp,
 };
-use simd_bvh::{Level, WideBvh, Work};
+use simd_bvh::{Level, TestCounts, WideBvh};
 
-/// The plain kernels: where `ray` meets primitive `id`.
+/// The scalar kernels: intersects `ray` with primitive `id`.
 pub(crate) fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
     match scene.primitive(id) {
         Primitive::Triangle(t) => intersect::test_triangle(t, ray),
@@ -20,23 +20,23 @@ pub(crate) fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit>
     }
 }
 
-/// The lowest `t`, of equal ones that with the lowest id.
-fn brute_force(scene: &Scene, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
+/// The closest hit; at equal `t` the one with the lowest id.
+fn brute_force(scene: &Scene, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
     (0..scene.len() as u32)
         .map(PrimId)
-        .filter(|&id| left != Some(id))
+        .filter(|&id| skip != Some(id))
         .filter_map(|id| Some((id, exact(scene, id, ray)?)))
         .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
 }
 
-/// What the tree of stage `bvh` says.
-fn through_plain(
+/// The closest hit by the tree of stage `bvh`.
+fn through_binary_tree(
     tree: &Bvh,
     scene: &Scene,
     ray: &Ray,
-    left: Option<PrimId>,
+    skip: Option<PrimId>,
 ) -> Option<(PrimId, TriangleHit)> {
-    let mut world = Kernels { scene, left };
+    let mut world = Kernels { scene, skip };
     let hit = intersect_bvh(tree, &mut { *ray }, &mut world)?;
     let weights = TriangleHit {
         t: hit.t,
@@ -48,7 +48,7 @@ fn through_plain(
 
 struct Kernels<'a> {
     scene: &'a Scene,
-    left: Option<PrimId>,
+    skip: Option<PrimId>,
 }
 
 impl World for Kernels<'_> {
@@ -57,7 +57,7 @@ impl World for Kernels<'_> {
     }
 
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
-        if self.left == Some(id) {
+        if self.skip == Some(id) {
             return None;
         }
         match self.scene.primitive(id) {
@@ -67,7 +67,7 @@ impl World for Kernels<'_> {
     }
 
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
-        self.left != Some(id) && exact(self.scene, id, ray).is_some()
+        self.skip != Some(id) && exact(self.scene, id, ray).is_some()
     }
 }
 
@@ -82,20 +82,20 @@ fn levels() -> Vec<Level> {
     levels
 }
 
-pub(crate) struct Checked {
+pub(crate) struct Checker {
     pub(crate) scene: Scene,
     /// The tree at each level of [`levels`].
     trees: Vec<(Level, WideBvh)>,
-    /// For scenes that are too large to ask every primitive: the plain tree, which says the same.
-    plain: Option<Bvh>,
-    /// How many rays hit.
+    /// For scenes that are too large for brute force: the tree of stage `bvh`.
+    binary: Option<Bvh>,
+    /// The number of rays that hit.
     pub(crate) hits: usize,
 }
 
-impl Checked {
-    pub(crate) fn new(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checked {
+impl Checker {
+    pub(crate) fn new(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checker {
         let tree = WideBvh::build(&triangles, &spheres);
-        Checked {
+        Checker {
             scene: Scene {
                 triangles,
                 spheres,
@@ -105,58 +105,58 @@ impl Checked {
                 .into_iter()
                 .map(|level| (level, tree.clone().at_level(level)))
                 .collect(),
-            plain: None,
+            binary: None,
             hits: 0,
         }
     }
 
-    /// A large scene, held against the tree of stage `bvh`.
-    pub(crate) fn large(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checked {
-        let checked = Checked::new(triangles, spheres);
-        Checked {
-            plain: Some(construct_bvh(&checked.scene.primitive_bounds(), 4)),
-            ..checked
+    /// A large scene, checked against the tree of stage `bvh`.
+    pub(crate) fn large(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checker {
+        let checker = Checker::new(triangles, spheres);
+        Checker {
+            binary: Some(construct_bvh(&checker.scene.primitive_bounds(), 4)),
+            ..checker
         }
     }
 
-    pub(crate) fn check(&mut self, ray: &Ray, left: Option<PrimId>) {
-        let mut wanted = match &self.plain {
-            Some(tree) => through_plain(tree, &self.scene, ray, left),
-            None => brute_force(&self.scene, ray, left),
+    pub(crate) fn check(&mut self, ray: &Ray, skip: Option<PrimId>) {
+        let mut expected = match &self.binary {
+            Some(tree) => through_binary_tree(tree, &self.scene, ray, skip),
+            None => brute_force(&self.scene, ray, skip),
         };
-        self.hits += usize::from(wanted.is_some());
+        self.hits += usize::from(expected.is_some());
         let bits = |hit: Option<(PrimId, TriangleHit)>| {
             hit.map(|(id, hit)| (id, [hit.t, hit.b1, hit.b2].map(f64::to_bits)))
         };
         let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
-        let mut works = Vec::new();
+        let mut all_counts = Vec::new();
         for (level, tree) in &self.trees {
-            let mut work = Work::default();
-            let hit = tree.closest(ray, left, exact, &mut work);
-            if self.plain.is_some() && bits(hit) != bits(wanted) {
-                // Two trees, two answers. (The plain one's slack is relative to t: among hits whose t is 0 but for
-                // rounding errors it may miss the lowest.)
-                let brute = brute_force(&self.scene, ray, left);
-                wanted = brute;
+            let mut counts = TestCounts::default();
+            let hit = tree.closest(ray, skip, exact, &mut counts);
+            if self.binary.is_some() && bits(hit) != bits(expected) {
+                // The trees disagree: brute force decides. The slack of the tree of stage `bvh` is
+                // relative to `t`, so among hits with a `t` near 0 it may miss the lowest.
+                let brute = brute_force(&self.scene, ray, skip);
+                expected = brute;
             }
-            assert_eq!(bits(hit), bits(wanted), "{level:?} {ray:?}");
-            let any = tree.occluded(ray, left, exact, &mut work);
-            assert_eq!(any, wanted.is_some(), "{level:?} {ray:?}");
-            works.push(work);
+            assert_eq!(bits(hit), bits(expected), "{level:?} {ray:?}");
+            let any = tree.occluded(ray, skip, exact, &mut counts);
+            assert_eq!(any, expected.is_some(), "{level:?} {ray:?}");
+            all_counts.push(counts);
         }
         assert!(
-            works.iter().all(|work| *work == works[0]),
-            "what is counted does not depend on the machine: {works:?}"
+            all_counts.iter().all(|counts| *counts == all_counts[0]),
+            "the counts depend on the instruction set: {all_counts:?}"
         );
     }
 }
 
-/// Points and directions from a fixed seed.
-pub(crate) struct Numbers(PixelSampler);
+/// Random numbers, points and directions from a fixed seed.
+pub(crate) struct Random(PixelSampler);
 
-impl Numbers {
-    pub(crate) fn new(seed: u64) -> Numbers {
-        Numbers(PixelSampler::new(0, 0, seed))
+impl Random {
+    pub(crate) fn new(seed: u64) -> Random {
+        Random(PixelSampler::new(0, 0, seed))
     }
 
     pub(crate) fn one(&mut self) -> f64 {
@@ -167,7 +167,7 @@ impl Numbers {
         (self.one() * n as f64) as usize
     }
 
-    /// In the cube from -1 to 1.
+    /// A point in the cube from -1 to 1.
     pub(crate) fn point(&mut self) -> Vec3 {
         let p = self.0.next_2d();
         2.0 * Vec3::new(p.x, p.y, self.one()) - 1.0
@@ -177,7 +177,7 @@ impl Numbers {
         warp::uniform_sphere(self.0.next_2d())
     }
 
-    /// A corner, a point on an edge or one inside: where rays are told apart with most difficulty.
+    /// A vertex, a point on an edge or a point inside: where hits are hardest to decide.
     pub(crate) fn on(&mut self, t: &Triangle) -> Vec3 {
         let s = self.one();
         match self.below(4) {

@@ -1,33 +1,34 @@
 // BEGIN SOLUTION(part6.task1)
-//! A ray against the eight boxes of a node at once.
+//! Tests a ray against the eight boxes of a node at once.
 
+use crate::box_test::{BoxHits, BoxTest};
 use crate::node::Node;
-use crate::probe::{Met, Probe};
-use crate::space::{LocalRay, ORDINARY, Space};
+use crate::space::{LocalRay, ORDINARY, TreeSpace};
 use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 use kit::Ray;
 
-/// All eight lanes at once, in single precision, for rays of ordinary sizes.
+/// Tests eight boxes at once in single precision, for rays of ordinary size.
 ///
-/// A plane at `b` is crossed at `t = (b - o)/d`. Here that is `b·i + c` in one rounding, with `i = 1/d` rounded and
-/// `c = -o·i` rounded down where the ray enters and up where it leaves. So the only error is relative to `t`: 2⁻²³ from `i` and
-/// 2⁻²⁴ from the sum. [`RELATIVE`] takes it up, however far the origin is from the box and the box from 0.
-pub(crate) struct Lanes<S: Simd> {
+/// The ray crosses a plane at `b` at `t = (b - o)/d`. Here this is `b·i + c` with one rounding,
+/// where `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So
+/// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`RELATIVE`] covers it,
+/// however far the origin is from the box and the box from 0.
+pub(crate) struct SimdBoxTest<S: Simd> {
     simd: S,
-    /// Here a point is at `t·speed`, where in the world it is at `t`.
+    /// A point at `t` on the world's ray is at `t·speed` on the local ray.
     speed: f64,
-    /// By axis.
+    /// One for each axis.
     slabs: [Slabs; 3],
     min_t: f32,
-    /// The end of the range, and its bits.
+    /// The end of the range and its bits.
     max_t: f32,
     end: u32,
 }
 
-/// The boxes' two planes across one axis. Numbers are kept, not lanes of them: filling lanes from memory costs nothing,
-/// and what is not asked need not be filled.
+/// How the ray crosses the planes of one axis. The fields are scalars: broadcasting them from
+/// memory costs nothing.
 struct Slabs {
-    /// Which of the two the ray crosses first: 0 for the lower one.
+    /// The plane that the ray crosses first: 0 for the lower one, 1 for the upper one.
     first: usize,
     inverse: f32,
     entering: f32,
@@ -40,7 +41,7 @@ impl Slabs {
         let d = d as f32;
         let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
         let offset = -(o as f32) * inverse;
-        // Two units in the last place: more than the rounding of the origin and of the product.
+        // Two units in the last place: more than the rounding errors of the origin and the product.
         let margin = 2.0 * f32::EPSILON * offset.abs() + ABSOLUTE;
         Slabs {
             first: usize::from(inverse < 0.0),
@@ -63,28 +64,30 @@ impl Slabs {
     }
 }
 
-/// Exits and ends are this much later than computed: more than twice the error of two crossings.
+/// Factor by which exits and ends of ranges are enlarged: more than twice the error of two planes.
 const RELATIVE: f32 = 1.0 + 1.0 / (1 << 20) as f32;
 
-/// And by this, where numbers are too small to have 24 digits.
+/// Added as well, for numbers too small to have 24 bits.
 const ABSOLUTE: f32 = 1e-36;
 
-/// Rays come from no farther than this.
+/// The largest distance of a ray origin, in the tree's space.
 const FARTHEST: f64 = (1 << 18) as f64;
 
-/// And meet nothing beyond this: the scene is about 1 in size, and no direction is shorter than a tenth.
+/// The largest `t` of a hit: the scene has a size of about 1, and no direction is shorter than a
+/// tenth.
 const END: f64 = (1 << 22) as f64;
 
-/// Components of a direction are at least this, in size. Before [`END`] a ray with a smaller one moves by less than half of
-/// what boxes are widened by; so they meet the same ones, and nothing is divided by 0.
+/// The smallest absolute value of a direction component; smaller ones are replaced by it, so that
+/// no division is by 0. Up to [`END`] this moves a ray by less than half the margin of the boxes,
+/// so it hits the same boxes.
 const SLOWEST: f32 = 1.0 / (1_u128 << 84) as f32;
 
-impl<S: Simd> Lanes<S> {
-    /// `None` for rays that this is not for: of extreme size, from very far away, or that look behind their origin.
+impl<S: Simd> SimdBoxTest<S> {
+    /// `None` for rays of extreme size, from very far away or with a negative `min_t`.
     #[inline(always)]
-    pub(crate) fn new(simd: S, ray: &Ray, space: &Space) -> Option<Lanes<S>> {
+    pub(crate) fn new(simd: S, ray: &Ray, space: &TreeSpace) -> Option<SimdBoxTest<S>> {
         let LocalRay { o, d, speed } = space.ray(ray);
-        // A NaN is within no bounds.
+        // Every comparison with NaN is false.
         let is_ordinary = ORDINARY.contains(&d.abs().element_sum())
             && o.abs().element_sum() < FARTHEST
             && ray.min_t >= 0.0
@@ -93,7 +96,7 @@ impl<S: Simd> Lanes<S> {
             return None;
         }
         let min_t = (ray.min_t * speed) as f32 * (1.0 / RELATIVE);
-        let mut lanes = Lanes {
+        let mut test = SimdBoxTest {
             simd,
             speed,
             slabs: [
@@ -105,14 +108,14 @@ impl<S: Simd> Lanes<S> {
             max_t: 0.0,
             end: 0,
         };
-        lanes.shorten(ray.max_t);
-        Some(lanes)
+        test.shorten(ray.max_t);
+        Some(test)
     }
 }
 
-impl<S: Simd> Probe for Lanes<S> {
+impl<S: Simd> BoxTest for SimdBoxTest<S> {
     #[inline(always)]
-    fn meet(&self, node: &Node) -> Met {
+    fn test(&self, node: &Node) -> BoxHits {
         let simd = self.simd;
         let [x, y, z] = &self.slabs;
         let entry = x.enter(simd, node, 0).max(y.enter(simd, node, 1));
@@ -120,9 +123,9 @@ impl<S: Simd> Probe for Lanes<S> {
         let exit = x.leave(simd, node, 0).min(y.leave(simd, node, 1));
         let exit = exit.min(z.leave(simd, node, 2).min(self.max_t));
         let exit = exit.mul_add_precise(RELATIVE, ABSOLUTE);
-        Met {
+        BoxHits {
             lanes: entry.simd_le(exit).to_bitmask() as u32,
-            // Not negative, so their bits are in the same order as they are.
+            // The entries are not negative, so their bits have the same order.
             entries: entry.bitcast::<u32x8<S>>().to_array(),
         }
     }

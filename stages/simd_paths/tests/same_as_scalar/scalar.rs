@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! One path at a time, by the stages: asking every primitive.
+//! Scalar paths with the stages, intersected by brute force.
 
 use direct::{estimate_direct_lighting_importance, lambert_f, lambert_pdf, lambert_sample};
 use global::{
@@ -11,10 +11,10 @@ use kit::{
     Spectrum, Surface, TriangleHit, Vec2, Vec3,
 };
 use raygen::generate_ray;
-use simd_paths::{Counts, Neighbours, Path, PathSettings, Start, View};
+use simd_paths::{Counts, NextRay, PathSettings, PathStart, ScalarFallback, ScalarPath, View};
 use std::cell::Cell;
 
-/// The plain kernels: where `ray` meets primitive `id`.
+/// The scalar kernels: intersects `ray` with primitive `id`.
 fn exact(lit: &LitScene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
     match lit.scene.primitive(id) {
         Primitive::Triangle(t) => intersect::test_triangle(t, ray),
@@ -37,10 +37,11 @@ fn record(lit: &LitScene, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
     }
 }
 
-/// The materials of the course, rough glass without its roughness; and the tint of the surface at hand.
-struct Materials(Cell<Spectrum>);
+/// The materials of the course, but no rough glass; and the texture colour at the last hit, which
+/// the callbacks of `estimate_radiance` share.
+struct Materials<'a>(&'a Cell<Spectrum>);
 
-impl Scattering for Materials {
+impl Scattering for Materials<'_> {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match *material {
             Material::Diffuse { reflectance } => lambert_f(self.0.get() * reflectance, wo, wi),
@@ -82,52 +83,47 @@ impl Scattering for Materials {
     }
 }
 
-/// The plain way through a scene.
-pub(crate) struct Plain<'a> {
+/// Traces scalar paths through a scene.
+pub(crate) struct ScalarPaths<'a> {
     lit: &'a LitScene,
     settings: PathSettings,
-    materials: Materials,
-    /// What was done; not what the lanes have counted.
+    /// What the scalar code did, without what packets counted.
     pub(crate) counts: Cell<Counts>,
 }
 
-/// Where a ray starts: the primitive, and its geometric normal.
-type At = Cell<Option<(PrimId, Vec3)>>;
-
-impl<'a> Plain<'a> {
-    pub(crate) fn new(lit: &'a LitScene, settings: PathSettings) -> Plain<'a> {
-        Plain {
+impl<'a> ScalarPaths<'a> {
+    pub(crate) fn new(lit: &'a LitScene, settings: PathSettings) -> ScalarPaths<'a> {
+        ScalarPaths {
             lit,
             settings,
-            materials: Materials(Cell::new(Spectrum::WHITE)),
             counts: Cell::default(),
         }
     }
 
-    fn left_by(&self, at: &At, ray: &Ray) -> Option<PrimId> {
-        let (prim, ng) = at.get()?;
+    /// The primitive that a ray from primitive `prim`, with the geometric normal `ng`, cannot hit.
+    fn skip(&self, (prim, ng): (PrimId, Vec3), ray: &Ray) -> Option<PrimId> {
         let is_flat = (prim.0 as usize) < self.lit.scene.triangles.len();
         (is_flat || ray.d.dot(ng) > 0.0).then_some(prim)
     }
 
-    fn nearest(&self, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
+    fn nearest(&self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
         (0..self.lit.scene.len() as u32)
             .map(PrimId)
-            .filter(|&id| left != Some(id))
+            .filter(|&id| skip != Some(id))
             .filter_map(|id| Some((id, exact(self.lit, id, ray)?)))
             .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
     }
 
-    fn blocked(&self, ray: &Ray, left: Option<PrimId>) -> bool {
+    fn blocked(&self, ray: &Ray, skip: Option<PrimId>) -> bool {
         (0..self.lit.scene.len() as u32)
             .map(PrimId)
-            .any(|id| left != Some(id) && exact(self.lit, id, ray).is_some())
+            .any(|id| skip != Some(id) && exact(self.lit, id, ray).is_some())
     }
 
     fn direct(
         &self,
-        at: &At,
         surface: &Surface<'_>,
+        tint: Spectrum,
         wo: Vec3,
         sampler: &mut PixelSampler,
     ) -> Spectrum {
@@ -137,7 +133,7 @@ impl<'a> Plain<'a> {
                 counts.rays += 1;
                 counts.light_rays += 1;
             });
-            self.blocked(ray, self.left_by(at, ray))
+            self.blocked(ray, self.skip((surface.prim, surface.ng), ray))
         };
         estimate_direct_lighting_importance(
             self.lit,
@@ -145,20 +141,18 @@ impl<'a> Plain<'a> {
             wo,
             samples,
             sampler,
-            &self.materials,
+            &Materials(&Cell::new(tint)),
             occluded,
         )
     }
 
-    /// What a picture shows that every surface carries, if any does.
-    fn look_at(&self, hit: &Hit) -> Spectrum {
-        let tint = if self.settings.has_textures {
+    /// The colour of the texture, which all surfaces have if any has one; else white.
+    fn look_up_texture(&self, hit: &Hit) -> Spectrum {
+        if self.settings.has_textures {
             Spectrum::new(hit.uv.x, hit.uv.y, 0.5)
         } else {
             Spectrum::WHITE
-        };
-        self.materials.0.set(tint);
-        tint
+        }
     }
 
     fn count(&self, add: impl FnOnce(&mut Counts)) {
@@ -167,10 +161,10 @@ impl<'a> Plain<'a> {
         self.counts.set(counts);
     }
 
-    fn play(&self, throughput: Spectrum, bounce: u32, u: f64) -> Option<Spectrum> {
+    fn roulette(&self, throughput: Spectrum, bounce: u32, u: f64) -> Option<Spectrum> {
         self.count(|counts| counts.bounces += 1);
-        match self.settings.first_game {
-            // The stage's own first game is its own affair.
+        match self.settings.min_bounces {
+            // Replaces the threshold of the stage.
             Some(first) if bounce > first => play_roulette(throughput, u32::MAX, u),
             Some(_) => play_roulette(throughput, 0, u),
             None => Some(throughput),
@@ -178,7 +172,7 @@ impl<'a> Plain<'a> {
     }
 }
 
-/// A lens of a kind.
+/// A made-up lens.
 fn through_lens(ray: &Ray, sampler: &mut PixelSampler) -> Ray {
     let u = sampler.next_2d();
     let aside = 0.1 * Vec3::new(u.x, u.y, 0.0);
@@ -189,46 +183,51 @@ fn through_lens(ray: &Ray, sampler: &mut PixelSampler) -> Ray {
     }
 }
 
-/// What the path of `start` sees.
-pub(crate) fn radiance(plain: &Plain<'_>, view: &View, start: &Start) -> Spectrum {
-    let ((x, y), mut sampler) = start.clone();
-    let place = if view.centered {
+/// The radiance of the path from `start`.
+pub(crate) fn radiance(scalar: &ScalarPaths<'_>, view: &View, start: &PathStart) -> Spectrum {
+    let PathStart {
+        pixel: (x, y),
+        mut sampler,
+    } = start.clone();
+    let position = if view.centered {
         Vec2::splat(0.5)
     } else {
         sampler.next_2d()
     };
     let film = Vec2::new(f64::from(view.film.w), f64::from(view.film.h));
     let corner = Vec2::new(f64::from(x), f64::from(y));
-    let ray = generate_ray(&view.camera, (corner + place) / film);
+    let ray = generate_ray(&view.camera, (corner + position) / film);
     let ray = if view.has_lens {
         through_lens(&ray, &mut sampler)
     } else {
         ray
     };
-    let at = Cell::new(None);
+    let mut origin = None;
+    let tint = Cell::new(Spectrum::WHITE);
     estimate_radiance(
-        plain.lit,
+        scalar.lit,
         &ray,
-        plain.settings.max_depth,
+        scalar.settings.max_depth,
         &mut sampler,
-        &plain.materials,
+        &Materials(&tint),
         &mut |ray| {
-            plain.count(|counts| counts.rays += 1);
-            let Some((id, hit)) = plain.nearest(ray, plain.left_by(&at, ray)) else {
-                plain.count(|counts| counts.background += u64::from(plain.lit.has_background()));
+            scalar.count(|counts| counts.rays += 1);
+            let skip = origin.and_then(|origin| scalar.skip(origin, ray));
+            let Some((id, hit)) = scalar.nearest(ray, skip) else {
+                scalar.count(|counts| counts.background += u64::from(scalar.lit.has_background()));
                 return None;
             };
-            let hit = record(plain.lit, id, ray, hit);
-            at.set(Some((hit.prim, hit.ng)));
-            plain.look_at(&hit);
+            let hit = record(scalar.lit, id, ray, hit);
+            origin = Some((hit.prim, hit.ng));
+            tint.set(scalar.look_up_texture(&hit));
             Some(hit)
         },
-        &mut |surface, wo, sampler| plain.direct(&at, surface, wo, sampler),
-        &mut |throughput, bounce, u| plain.play(throughput, bounce, u),
+        &mut |surface, wo, sampler| scalar.direct(surface, tint.get(), wo, sampler),
+        &mut |throughput, bounce, u| scalar.roulette(throughput, bounce, u),
     )
 }
 
-impl Neighbours for Plain<'_> {
+impl ScalarFallback for ScalarPaths<'_> {
     fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
         exact(self.lit, id, ray)
     }
@@ -237,28 +236,27 @@ impl Neighbours for Plain<'_> {
         record(self.lit, id, ray, hit)
     }
 
-    fn closest(&mut self, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
-        self.nearest(ray, left)
+    fn closest(&mut self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
+        self.nearest(ray, skip)
     }
 
-    fn occluded(&mut self, ray: &Ray, left: Option<PrimId>) -> bool {
-        self.blocked(ray, left)
+    fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
+        self.blocked(ray, skip)
     }
 
-    fn aim(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
+    fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
         through_lens(ray, sampler)
     }
 
-    fn tint(&mut self, hit: &Hit) -> Spectrum {
-        self.look_at(hit)
+    fn texture_color(&mut self, hit: &Hit) -> Spectrum {
+        self.look_up_texture(hit)
     }
 
-    fn go_on(&mut self, path: &mut Path, d: Vec3, hit: &Hit) -> Option<(Ray, Option<PrimId>)> {
-        let at = Cell::new(Some((hit.prim, hit.ng)));
-        self.look_at(hit);
+    fn scatter(&mut self, path: &mut ScalarPath, d: Vec3, hit: &Hit) -> Option<NextRay> {
+        let tint = self.look_up_texture(hit);
         let surface = self.lit.surface(hit);
         if !surface.material.is_delta() {
-            let direct = self.direct(&at, &surface, -d, &mut path.sampler);
+            let direct = self.direct(&surface, tint, -d, &mut path.sampler);
             path.radiance += path.throughput * direct;
         }
         if path.bounce == self.settings.max_depth {
@@ -266,12 +264,14 @@ impl Neighbours for Plain<'_> {
         }
         let (u, choice) = (path.sampler.next_2d(), path.sampler.next_1d());
         let wo = surface.frame.to_local(-d);
-        let sample = self.materials.sample(surface.material, wo, u, choice)?;
+        let materials = Materials(&Cell::new(tint));
+        let sample = materials.sample(surface.material, wo, u, choice)?;
         let u = path.sampler.next_1d();
-        path.throughput = self.play(path.throughput * sample.weight(), path.bounce, u)?;
-        path.sees_light = sample.delta;
+        path.throughput = self.roulette(path.throughput * sample.weight(), path.bounce, u)?;
+        path.emission_counts = sample.delta;
         let ray = surface.leave(surface.frame.to_world(sample.wi));
-        Some((ray, self.left_by(&at, &ray)))
+        let skip = self.skip((surface.prim, surface.ng), &ray);
+        Some(NextRay { ray, skip })
     }
 }
 // END SOLUTION(part6.task2)

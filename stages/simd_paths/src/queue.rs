@@ -1,17 +1,17 @@
 // BEGIN SOLUTION(part6.task2)
-//! Paths on their way, field by field, so that eight of them fill lanes.
+//! The paths of a batch, one array per field, so that eight of them load into lanes.
 
-use crate::BATCH;
+use crate::BATCH_SIZE;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::PixelSampler;
 use kit::sampler::PixelSamplers;
 
-type Field = [f64; BATCH];
+type Field = [f64; BATCH_SIZE];
 
-/// The paths that are not over yet come first, in the order in which they started.
+/// The paths that still continue, in the order in which they started.
 #[derive(Clone, Debug)]
-pub(crate) struct Batch {
+pub(crate) struct PathQueue {
     pub(crate) count: usize,
     pub(crate) samplers: Vec<PixelSampler>,
     fields: Fields,
@@ -23,84 +23,90 @@ struct Fields {
     d: [Field; 3],
     throughput: [Field; 3],
     radiance: [Field; 3],
-    left: Field,
-    sees_light: Field,
-    slot: Field,
+    skip: Field,
+    emission_counts: Field,
+    index: Field,
 }
 
-/// Eight of them.
+/// Eight paths.
 #[derive(Clone, Copy)]
-pub(crate) struct Paths<S: Simd> {
-    /// Where the next ray starts and goes.
+pub(crate) struct PathLanes<S: Simd> {
+    /// Origins and directions of the next rays.
     pub(crate) o: Vec3x8<S>,
     pub(crate) d: Vec3x8<S>,
     pub(crate) throughput: Vec3x8<S>,
     pub(crate) radiance: Vec3x8<S>,
-    /// The number of the primitive that the ray leaves for good.
-    pub(crate) left: f64x8<S>,
-    /// 1 where emission counts at the next hit, 0 where it has been counted.
-    pub(crate) sees_light: f64x8<S>,
-    /// The number of the path.
-    pub(crate) slot: f64x8<S>,
+    /// The number of the primitive that the ray leaves and cannot hit again, or `NONE`.
+    pub(crate) skip: f64x8<S>,
+    /// 1 where emission at the next hit counts, 0 where direct light has counted it.
+    pub(crate) emission_counts: f64x8<S>,
+    /// The number of the path in its batch.
+    pub(crate) index: f64x8<S>,
 }
 
-impl Default for Batch {
-    fn default() -> Batch {
-        let field = [0.0; BATCH];
-        Batch {
+impl Default for PathQueue {
+    fn default() -> PathQueue {
+        let field = [0.0; BATCH_SIZE];
+        PathQueue {
             count: 0,
-            samplers: vec![PixelSampler::new(0, 0, 0); BATCH],
+            samplers: vec![PixelSampler::new(0, 0, 0); BATCH_SIZE],
             fields: Fields {
                 o: [field; 3],
                 d: [field; 3],
                 throughput: [field; 3],
                 radiance: [field; 3],
-                left: field,
-                sees_light: field,
-                slot: field,
+                skip: field,
+                emission_counts: field,
+                index: field,
             },
         }
     }
 }
 
-impl Batch {
-    /// The paths from number `first`, a multiple of eight.
+impl PathQueue {
+    /// Loads eight paths from number `first`, a multiple of eight.
     #[inline(always)]
-    pub(crate) fn load<S: Simd>(&self, simd: S, first: usize) -> Paths<S> {
-        Paths {
+    pub(crate) fn load<S: Simd>(&self, simd: S, first: usize) -> PathLanes<S> {
+        PathLanes {
             o: load_vector(simd, &self.fields.o, first),
             d: load_vector(simd, &self.fields.d, first),
             throughput: load_vector(simd, &self.fields.throughput, first),
             radiance: load_vector(simd, &self.fields.radiance, first),
-            left: load(simd, &self.fields.left, first),
-            sees_light: load(simd, &self.fields.sees_light, first),
-            slot: load(simd, &self.fields.slot, first),
+            skip: load(simd, &self.fields.skip, first),
+            emission_counts: load(simd, &self.fields.emission_counts, first),
+            index: load(simd, &self.fields.index, first),
         }
     }
 
-    /// Their samplers.
+    /// The samplers of these paths.
     #[inline(always)]
     pub(crate) fn samplers(&self, first: usize) -> PixelSamplers<LANES> {
-        let eight: &[PixelSampler; LANES] = self.samplers[first..first + LANES]
+        let samplers: &[PixelSampler; LANES] = self.samplers[first..first + LANES]
             .try_into()
             .expect("eight samplers");
-        PixelSamplers::of(eight)
+        PixelSamplers::of(samplers)
     }
 
-    /// Puts those of `paths` that are in `mask` at place `first`, one after the other; what came after is lost.
+    /// Stores the paths in the lanes of `mask` one after the other, from number `first`. Overwrites
+    /// eight paths.
     #[inline(always)]
-    pub(crate) fn store<S: Simd>(&mut self, first: usize, paths: &Paths<S>, mask: mask64x8<S>) {
+    pub(crate) fn store<S: Simd>(&mut self, first: usize, paths: &PathLanes<S>, mask: mask64x8<S>) {
         store_vector(&mut self.fields.o, first, paths.o, mask);
         store_vector(&mut self.fields.d, first, paths.d, mask);
         store_vector(&mut self.fields.throughput, first, paths.throughput, mask);
         store_vector(&mut self.fields.radiance, first, paths.radiance, mask);
-        store(&mut self.fields.left, first, paths.left, mask);
-        store(&mut self.fields.sees_light, first, paths.sees_light, mask);
-        store(&mut self.fields.slot, first, paths.slot, mask);
+        store(&mut self.fields.skip, first, paths.skip, mask);
+        store(
+            &mut self.fields.emission_counts,
+            first,
+            paths.emission_counts,
+            mask,
+        );
+        store(&mut self.fields.index, first, paths.index, mask);
     }
 }
 
-// Functions, not closures: those would not be compiled for the instruction set.
+// Functions, because closures would not be compiled for the instruction set.
 
 #[inline(always)]
 fn load<S: Simd>(simd: S, field: &Field, first: usize) -> f64x8<S> {

@@ -1,82 +1,84 @@
 // BEGIN SOLUTION(part6.task2)
-//! Where eight rays hit, as shading sees it.
+//! Eight points on surfaces, as shading needs them.
 
 use crate::lanes::lanes;
-use crate::rays::{Hits, NONE, Rays};
+use crate::ray_packet::{HitPacket, NONE, RayPacket};
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{Neighbours, PathScene};
+use crate::{PathScene, ScalarFallback};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::surface::POSITION_ERROR;
 use kit::{Hit, PrimId, Triangle, Vec2};
 
-/// Eight places on surfaces. What `intersect` records of a hit, and what [`kit::Surface`] makes of that, by their
-/// arithmetic, operation by operation.
-pub(crate) struct Surfaces<S: Simd> {
-    /// The primitives' numbers.
+/// Eight points on surfaces. Repeats the arithmetic of `intersect::record_triangle`,
+/// `intersect::intersect_sphere` and [`kit::Surface`] operation by operation.
+pub(crate) struct SurfacePacket<S: Simd> {
+    /// The numbers of the primitives.
     pub(crate) prim: f64x8<S>,
     pub(crate) p: Vec3x8<S>,
     /// Shading normals.
     pub(crate) n: Vec3x8<S>,
-    /// Geometric normals as the hit has them, and on the side of the vertex normals.
+    /// Geometric normals of the hits.
     pub(crate) hit_ng: Vec3x8<S>,
+    /// Geometric normals on the side of the vertex normals.
     pub(crate) ng: Vec3x8<S>,
     pub(crate) uv: [f64x8<S>; 2],
-    /// Reflectance of what scatters, radiance of what emits.
-    pub(crate) colour: Vec3x8<S>,
-    /// How far rays are moved off, along `ng`.
+    /// The reflectance if diffuse, the radiance if it emits.
+    pub(crate) color: Vec3x8<S>,
+    /// How far along `ng` the origins of rays are moved off the surface.
     distance: f64x8<S>,
     is_flat: mask64x8<S>,
 }
 
-/// As in `intersect::record_triangle`: where that one thinks twice about a normal, and below which vertex normals that cancel
-/// say nothing.
+/// As in `intersect::record_triangle`: the bounds below which it computes a normal with more care.
 const CANCELLATION: f64 = 1.0 / 1024.0;
 const SMALLEST: f64 = 1e-290;
+
+/// As in `intersect::record_triangle`: vertex normals whose sum is shorter cancel.
 const CANCELLED_NORMAL: f64 = 1e-12;
 
-impl<S: Simd> Surfaces<S> {
-    /// Those at `hits` in the lanes of `found`, whose primitives are `ids`.
+impl<S: Simd> SurfacePacket<S> {
+    /// The surfaces at `hits`, in the lanes of `hit`. `ids` are the primitives.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn at(
         simd: S,
         scene: &PathScene<'_>,
-        rays: &Rays<S>,
-        hits: &Hits<S>,
+        rays: &RayPacket<S>,
+        hits: &HitPacket<S>,
         ids: &[usize; LANES],
-        found: u64,
-        colour: Vec3x8<S>,
-        others: &impl Neighbours,
-    ) -> Surfaces<S> {
+        hit: u64,
+        color: Vec3x8<S>,
+        fallback: &impl ScalarFallback,
+    ) -> SurfacePacket<S> {
         let count = scene.lit.scene.triangles.len();
-        let mut surfaces = Surfaces {
+        let mut surfaces = SurfacePacket {
             prim: hits.prim,
             p: rays.o,
             n: rays.d,
             hit_ng: rays.d,
             ng: rays.d,
             uv: hits.weights(),
-            colour,
+            color,
             distance: hits.t,
             is_flat: hits.prim.simd_lt(f64x8::splat(simd, count as f64)),
         };
         let flat = surfaces.is_flat.to_bitmask();
         let mut sound = 0;
         if count > 0 {
-            sound = flat & surfaces.be_flat(simd, scene, ids);
+            sound = flat & surfaces.fill_triangles(simd, scene, ids);
         }
-        if found & !flat != 0 {
-            sound |= !flat & surfaces.be_round(simd, scene, rays, hits, ids);
+        if hit & !flat != 0 {
+            sound |= !flat & surfaces.fill_spheres(simd, scene, rays, hits, ids);
         }
-        for lane in lanes(found & !sound) {
+        for lane in lanes(hit & !sound) {
             let hit = hits.lane(lane, &surfaces.uv);
             let id = PrimId(ids[lane] as u32);
-            surfaces.set(lane, scene, &others.record(id, &rays.lane(lane), hit));
+            surfaces.set(lane, scene, &fallback.record(id, &rays.lane(lane), hit));
         }
         surfaces
     }
 
-    /// The lane is at `hit`.
+    /// Sets one lane to the surface at `hit`.
     fn set(&mut self, lane: usize, scene: &PathScene<'_>, hit: &Hit) {
         let surface = scene.lit.surface(hit);
         self.p.set(lane, surface.p.to_array());
@@ -86,10 +88,10 @@ impl<S: Simd> Surfaces<S> {
         self.distance[lane] = surface.error.dot(surface.ng.abs());
     }
 
-    /// All lanes are on triangles. The lanes, one bit each, in which that says where: not on triangles that are next to
-    /// nothing.
+    /// Fills all lanes as if they were on triangles. Returns the lanes, one bit each, whose result
+    /// is accurate: those of degenerate triangles are not.
     #[inline(always)]
-    fn be_flat(&mut self, simd: S, scene: &PathScene<'_>, ids: &[usize; LANES]) -> u64 {
+    fn fill_triangles(&mut self, simd: S, scene: &PathScene<'_>, ids: &[usize; LANES]) -> u64 {
         let triangles = &scene.lit.scene.triangles;
         let last = triangles.len() - 1;
         let of: [&Triangle; LANES] = std::array::from_fn(|lane| &triangles[ids[lane].min(last)]);
@@ -103,7 +105,7 @@ impl<S: Simd> Surfaces<S> {
         let is_sound = smallest.simd_lt(length2)
             & f64x8::splat(simd, SMALLEST).simd_lt(length2)
             & length2.simd_lt(f64x8::splat(simd, f64::INFINITY));
-        self.hit_ng = normal.over(length2.sqrt());
+        self.hit_ng = normal / length2.sqrt();
 
         let [b1, b2] = self.uv;
         self.p = p0 + e1 * b1 + e2 * b2;
@@ -116,27 +118,27 @@ impl<S: Simd> Surfaces<S> {
         let b0 = f64x8::splat(simd, 1.0) - b1 - b2;
         let normal = n0 * b0 + n1 * b1 + n2 * b2;
         let length = normal.length();
-        let points = f64x8::splat(simd, CANCELLED_NORMAL).simd_lt(length)
+        let is_defined = f64x8::splat(simd, CANCELLED_NORMAL).simd_lt(length)
             & length.simd_lt(f64x8::splat(simd, f64::INFINITY));
-        self.n = normal.over(length).or(points, self.hit_ng);
+        self.n = (normal / length).masked_or(is_defined, self.hit_ng);
 
         let behind = self.hit_ng.dot(n0 + n1 + n2);
         let behind = behind.simd_lt(f64x8::splat(simd, 0.0));
-        self.ng = (-self.hit_ng).or(behind, self.hit_ng);
+        self.ng = (-self.hit_ng).masked_or(behind, self.hit_ng);
         let error = p0.abs().max(p1.abs()).max(p2.abs()) * f64x8::splat(simd, POSITION_ERROR);
         self.distance = error.dot(self.ng.abs());
         is_sound.to_bitmask()
     }
 
-    /// Lanes that are not on triangles are on spheres. The lanes, one bit each, in which that says where: not on spheres that
-    /// are nothing but their centre as far as rounding can tell.
+    /// Fills the lanes that are on spheres. Returns the lanes, one bit each, whose result is
+    /// accurate: those of spheres so small that their points round to the centre are not.
     #[inline(always)]
-    fn be_round(
+    fn fill_spheres(
         &mut self,
         simd: S,
         scene: &PathScene<'_>,
-        rays: &Rays<S>,
-        hits: &Hits<S>,
+        rays: &RayPacket<S>,
+        hits: &HitPacket<S>,
         ids: &[usize; LANES],
     ) -> u64 {
         let count = scene.lit.scene.triangles.len();
@@ -144,29 +146,29 @@ impl<S: Simd> Surfaces<S> {
         let of = |lane: usize| &spheres[ids[lane].max(count) - count];
         let center = Vec3x8::gather(simd, |lane| of(lane).center.to_array());
         let radius = f64x8::from_fn(simd, |lane| of(lane).radius);
-        let from_center = ((rays.o - center) + rays.d * hits.t).over(radius);
+        let from_center = ((rays.o - center) + rays.d * hits.t) / radius;
         let inverse = f64x8::splat(simd, 1.0) / from_center.length();
         let n = from_center * inverse;
         let flat = self.is_flat;
-        self.p = self.p.or(flat, center + n * radius);
-        self.n = self.n.or(flat, n);
-        self.hit_ng = self.hit_ng.or(flat, n);
-        self.ng = self.ng.or(flat, n);
-        let reach = center.abs()
+        self.p = self.p.masked_or(flat, center + n * radius);
+        self.n = self.n.masked_or(flat, n);
+        self.hit_ng = self.hit_ng.masked_or(flat, n);
+        self.ng = self.ng.masked_or(flat, n);
+        let largest = center.abs()
             + Vec3x8 {
                 x: radius,
                 y: radius,
                 z: radius,
             };
-        let error = reach * f64x8::splat(simd, POSITION_ERROR);
+        let error = largest * f64x8::splat(simd, POSITION_ERROR);
         self.distance = flat.select(self.distance, error.dot(n.abs()));
         let is_sound = f64x8::splat(simd, 0.0).simd_lt(inverse)
             & inverse.simd_lt(f64x8::splat(simd, f64::INFINITY));
         is_sound.to_bitmask()
     }
 
-    /// The hit in a lane that has one.
-    pub(crate) fn hit(&self, lane: usize, hits: &Hits<S>) -> Hit {
+    /// The hit in a lane.
+    pub(crate) fn hit(&self, lane: usize, hits: &HitPacket<S>) -> Hit {
         Hit {
             t: hits.t[lane],
             p: self.p.lane(lane),
@@ -177,18 +179,19 @@ impl<S: Simd> Surfaces<S> {
         }
     }
 
-    /// The origins of rays that leave along `w`, and the primitives that these leave for good.
+    /// The origins of rays that leave along `w`, and the primitives that these rays skip.
     #[inline(always)]
     pub(crate) fn leave(&self, simd: S, w: Vec3x8<S>) -> (Vec3x8<S>, f64x8<S>) {
         let zero = f64x8::splat(simd, 0.0);
         let behind = w.dot(self.ng).simd_lt(zero);
         let distance = behind.select(-self.distance, self.distance);
-        let away = self.is_flat | zero.simd_lt(w.dot(self.hit_ng));
-        let left = away.select(self.prim, f64x8::splat(simd, NONE));
-        (self.p + self.ng * distance, left)
+        let outward = self.is_flat | zero.simd_lt(w.dot(self.hit_ng));
+        let skip = outward.select(self.prim, f64x8::splat(simd, NONE));
+        (self.p + self.ng * distance, skip)
     }
 
-    /// `w`, of which `w.z` is the part along the normal, from the surfaces' local space into the world's: [`kit::Frame`].
+    /// Transforms `w` from local space, where z is the normal, to world space, as [`kit::Frame`]
+    /// does.
     #[inline(always)]
     pub(crate) fn to_world(&self, simd: S, w: Vec3x8<S>) -> Vec3x8<S> {
         let one = f64x8::splat(simd, 1.0);

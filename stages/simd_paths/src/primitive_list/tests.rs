@@ -1,9 +1,9 @@
 // BEGIN SOLUTION(part6.task2)
-//! What a room says is what asking every primitive says, bit for bit.
+//! A list of primitives finds the hits of the scalar kernels, bit for bit.
 
-use super::{Room, Scratch};
-use crate::neighbours::{Neighbours, Path};
-use crate::rays::{NONE, Rays};
+use super::{PrimitiveList, Scratch};
+use crate::fallback::{NextRay, ScalarFallback, ScalarPath};
+use crate::ray_packet::{NONE, RayPacket};
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use kit::{
@@ -11,10 +11,10 @@ use kit::{
     Vec3, warp,
 };
 
-/// The plain kernels; nothing else is asked for.
+/// The scalar kernels; nothing else is called.
 struct Kernels<'a>(&'a Scene);
 
-impl Neighbours for Kernels<'_> {
+impl ScalarFallback for Kernels<'_> {
     fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
         match self.0.primitive(id) {
             Primitive::Triangle(t) => intersect::test_triangle(t, ray),
@@ -27,37 +27,37 @@ impl Neighbours for Kernels<'_> {
     }
 
     fn record(&self, _: PrimId, _: &Ray, _: TriangleHit) -> Hit {
-        unreachable!("nothing is lit")
+        unreachable!("nothing is shaded")
     }
 
-    fn closest(&mut self, ray: &Ray, left: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
+    fn closest(&mut self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
         (0..self.0.len() as u32)
             .map(PrimId)
-            .filter(|&id| left != Some(id))
+            .filter(|&id| skip != Some(id))
             .filter_map(|id| Some((id, self.test(id, ray)?)))
             .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
     }
 
     fn occluded(&mut self, _: &Ray, _: Option<PrimId>) -> bool {
-        unreachable!("a room is asked")
+        unreachable!("the list finds hits itself")
     }
 
-    fn aim(&mut self, _: &Ray, _: &mut PixelSampler) -> Ray {
+    fn through_lens(&mut self, _: &Ray, _: &mut PixelSampler) -> Ray {
         unreachable!("there is no camera")
     }
 
-    fn tint(&mut self, _: &Hit) -> Spectrum {
-        unreachable!("nothing is lit")
+    fn texture_color(&mut self, _: &Hit) -> Spectrum {
+        unreachable!("nothing is shaded")
     }
 
-    fn go_on(&mut self, _: &mut Path, _: Vec3, _: &Hit) -> Option<(Ray, Option<PrimId>)> {
-        unreachable!("no path is followed")
+    fn scatter(&mut self, _: &mut ScalarPath, _: Vec3, _: &Hit) -> Option<NextRay> {
+        unreachable!("no path is traced")
     }
 }
 
-struct Numbers(PixelSampler);
+struct Random(PixelSampler);
 
-impl Numbers {
+impl Random {
     fn one(&mut self) -> f64 {
         self.0.next_1d()
     }
@@ -66,7 +66,7 @@ impl Numbers {
         (self.one() * n as f64) as usize
     }
 
-    /// A corner of a coarse grid, or any point of the cube from -1 to 1.
+    /// A point of a coarse grid, or any point of the cube from -1 to 1.
     fn point(&mut self) -> Vec3 {
         let p = self.0.next_2d();
         let p = 2.0 * Vec3::new(p.x, p.y, self.one()) - 1.0;
@@ -77,7 +77,7 @@ impl Numbers {
         }
     }
 
-    /// A corner, a point on an edge or one inside.
+    /// A vertex, a point on an edge or a point inside.
     fn on(&mut self, t: &Triangle) -> Vec3 {
         let s = self.one();
         match self.below(4) {
@@ -88,7 +88,7 @@ impl Numbers {
         }
     }
 
-    /// A ray at places where hits are hard to tell, some of them with ends or directions out of the ordinary.
+    /// A ray towards a point where hits are hard to decide; some have unusual ranges or directions.
     fn ray(&mut self, scene: &Scene) -> Ray {
         let [from, to] = [0, 1].map(|_| {
             let of = self.below(scene.triangles.len());
@@ -144,13 +144,13 @@ impl Numbers {
 #[inline(always)]
 fn check<S: Simd>(
     simd: S,
-    room: &Room,
+    list: &PrimitiveList,
     scene: &Scene,
     rays: &[Ray; LANES],
-    asked: u64,
-    left: [f64; LANES],
+    active: u64,
+    skip: [f64; LANES],
 ) -> u32 {
-    let lanes = Rays {
+    let lanes = RayPacket {
         o: Vec3x8::gather(simd, |lane| rays[lane].o.to_array()),
         d: Vec3x8::gather(simd, |lane| rays[lane].d.to_array()),
         min_t: f64x8::from_fn(simd, |lane| rays[lane].min_t),
@@ -158,20 +158,20 @@ fn check<S: Simd>(
     };
     let mut scratch = Scratch::default();
     let mut kernels = Kernels(scene);
-    let left_lanes = f64x8::load_array(simd, left);
-    let hits = room.closest(simd, &lanes, asked, left_lanes, &mut scratch, &kernels);
-    let (blocked, _) = room.occluded(simd, &lanes, asked, left_lanes, &mut scratch, &kernels);
+    let skip_lanes = f64x8::load_array(simd, skip);
+    let hits = list.closest(simd, &lanes, active, skip_lanes, &mut scratch, &kernels);
+    let (blocked, _) = list.occluded(simd, &lanes, active, skip_lanes, &mut scratch, &kernels);
     let [b1, b2] = hits.weights();
     let mut found = 0;
-    for lane in (0..LANES).filter(|lane| asked >> lane & 1 == 1) {
-        let wanted = kernels.closest(&rays[lane], crate::rays::prim(left[lane]));
+    for lane in (0..LANES).filter(|lane| active >> lane & 1 == 1) {
+        let expected = kernels.closest(&rays[lane], crate::ray_packet::prim_id(skip[lane]));
         let is_hit = hits.prim[lane] >= 0.0;
-        let said = is_hit.then(|| {
+        let actual = is_hit.then(|| {
             let bits = [hits.t[lane], b1[lane], b2[lane]].map(f64::to_bits);
             (hits.prim[lane] as u32, bits)
         });
-        let wanted = wanted.map(|(id, hit)| (id.0, [hit.t, hit.b1, hit.b2].map(f64::to_bits)));
-        assert_eq!(said, wanted, "{:?} in {scene:?}", rays[lane]);
+        let expected = expected.map(|(id, hit)| (id.0, [hit.t, hit.b1, hit.b2].map(f64::to_bits)));
+        assert_eq!(actual, expected, "{:?} in {scene:?}", rays[lane]);
         assert_eq!(blocked >> lane & 1 == 1, is_hit, "{:?}", rays[lane]);
         found += u32::from(is_hit);
     }
@@ -179,24 +179,24 @@ fn check<S: Simd>(
 }
 
 #[test]
-fn a_room_says_what_asking_every_primitive_says() {
-    let mut numbers = Numbers(PixelSampler::new(0, 0, 6));
-    let mut found = 0;
+fn the_list_finds_the_hits_of_brute_force() {
+    let mut random = Random(PixelSampler::new(0, 0, 6));
+    let mut hits = 0;
     for i in 0..3000 {
-        let scene = numbers.scene([1.0, 1e-9, 1e90][i % 3]);
-        let room = Room::new(&scene).expect("few primitives");
+        let scene = random.scene([1.0, 1e-9, 1e90][i % 3]);
+        let list = PrimitiveList::new(&scene).expect("few primitives");
         for _ in 0..8 {
-            let rays: [Ray; LANES] = std::array::from_fn(|_| numbers.ray(&scene));
-            let left = std::array::from_fn(|_| match numbers.below(3) {
-                0 => numbers.below(scene.len()) as f64,
+            let rays: [Ray; LANES] = std::array::from_fn(|_| random.ray(&scene));
+            let skip = std::array::from_fn(|_| match random.below(3) {
+                0 => random.below(scene.len()) as f64,
                 _ => NONE,
             });
-            let asked = numbers.below(256) as u64;
+            let active = random.below(256) as u64;
             for level in [Level::new(), Level::baseline()] {
-                found += dispatch!(level, simd => check(simd, &room, &scene, &rays, asked, left));
+                hits += dispatch!(level, simd => check(simd, &list, &scene, &rays, active, skip));
             }
         }
     }
-    assert!(found > 50_000, "{found} rays hit");
+    assert!(hits > 50_000, "{hits} rays hit");
 }
 // END SOLUTION(part6.task2)

@@ -1,66 +1,69 @@
 // BEGIN SOLUTION(part6.task1)
-//! What the walk asks about a ray: which boxes of a node it meets.
+//! Ray/box tests: which boxes of a node a ray hits.
 
 use crate::node::Node;
-use crate::space::{LocalRay, Space};
+use crate::space::{LocalRay, TreeSpace};
 use kit::{Ray, Vec3};
 
-/// The boxes of a node that a ray meets.
-pub(crate) struct Met {
-    /// One bit a lane.
+/// The boxes of a node that a ray hits.
+pub(crate) struct BoxHits {
+    /// The lanes of the boxes, one bit each.
     pub(crate) lanes: u32,
-    /// For these lanes: numbers that are in the order of the rays' entries, none later than the entry really is.
+    /// For these lanes: integers in the order of the entry `t`, each rounded down.
     pub(crate) entries: [u32; 8],
 }
 
-/// One ray, in the tree's space. What it says is never a false miss, for any hit that a primitive may have.
-pub(crate) trait Probe {
-    /// The boxes of `node` that the ray meets within its range.
-    fn meet(&self, node: &Node) -> Met;
+/// One ray, in the tree's space. The test is conservative: it never misses a box with a primitive
+/// that the ray hits.
+pub(crate) trait BoxTest {
+    /// The boxes of `node` that the ray hits in its range.
+    fn test(&self, node: &Node) -> BoxHits;
 
-    /// Nothing beyond `max_t` of the world's ray counts any more.
+    /// Shortens the range to `max_t` of the ray in world space.
     fn shorten(&mut self, max_t: f64);
 
-    /// Whether a box that was entered at `entry` is still within the range.
+    /// Whether `entry`, from [`BoxHits::entries`], is still in the range.
     fn is_within(&self, entry: u32) -> bool;
 }
 
-/// One box after the other, in double precision, for every ray: the plain twin.
-pub(crate) struct Plain {
-    /// Its coordinates are finite, or all NaN: then all boxes are met.
+/// Tests one box after the other in double precision. For any ray.
+pub(crate) struct ScalarBoxTest {
+    /// The coordinates are finite, or all NaN, which hits every box.
     local: LocalRay,
     min_t: f64,
     max_t: f64,
 }
 
-/// The range and the exits are widened by so much: more than the rounding errors of a crossing and of any hit's `t`.
+/// The range and the exits are widened by this share: more than the rounding errors of a plane's
+/// `t` and of any hit's `t`.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
-impl Plain {
-    /// Few rays come here, and the others need not get ready for it.
+impl ScalarBoxTest {
+    /// Cold: few rays need this test.
     #[cold]
     #[inline(never)]
-    pub(crate) fn new(ray: &Ray, space: &Space) -> Plain {
+    pub(crate) fn new(ray: &Ray, space: &TreeSpace) -> ScalarBoxTest {
         let mut local = space.ray(ray);
         if !(local.o.is_finite() && local.d.is_finite()) {
             (local.o, local.d) = (Vec3::NAN, Vec3::NAN);
         }
         let min_t = ray.min_t * local.speed;
-        let mut plain = Plain {
+        let mut test = ScalarBoxTest {
             local,
-            // The smaller one also for a range that is not a number: nothing is hit, whatever is met.
+            // `max` ignores a NaN: such a range has no hits anyway.
             min_t: f64::NEG_INFINITY.max(min_t - SLACK * min_t.abs()),
             max_t: 0.0,
         };
-        if plain.min_t == f64::INFINITY {
-            plain.min_t = f64::NEG_INFINITY;
+        if test.min_t == f64::INFINITY {
+            test.min_t = f64::NEG_INFINITY;
         }
-        plain.shorten(ray.max_t);
-        plain
+        test.shorten(ray.max_t);
+        test
     }
 
-    /// Where the ray enters the box from `min` to `max`, if it does. A slab is divided by a direction of 0, too: the
-    /// quotient is infinite, or NaN for a ray in the plane, which is passed over.
+    /// The `t` at which the ray enters the box from `min` to `max`, if it hits. For a direction
+    /// component of 0 the quotients are infinite, or NaN for an origin in the plane; comparisons
+    /// ignore NaN.
     fn entry(&self, min: Vec3, max: Vec3) -> Option<f64> {
         let LocalRay { o, d, .. } = self.local;
         let (mut entry, mut exit) = (self.min_t, self.max_t);
@@ -82,20 +85,20 @@ impl Plain {
     }
 }
 
-impl Probe for Plain {
-    fn meet(&self, node: &Node) -> Met {
-        let mut met = Met {
+impl BoxTest for ScalarBoxTest {
+    fn test(&self, node: &Node) -> BoxHits {
+        let mut hits = BoxHits {
             lanes: 0,
             entries: [0; 8],
         };
         for lane in 0..node.count as usize {
             let bounds = node.bounds(lane);
             if let Some(entry) = self.entry(bounds.min, bounds.max) {
-                met.lanes |= 1 << lane;
-                met.entries[lane] = ordered((entry as f32).next_down());
+                hits.lanes |= 1 << lane;
+                hits.entries[lane] = ordered((entry as f32).next_down());
             }
         }
-        met
+        hits
     }
 
     fn shorten(&mut self, max_t: f64) {
@@ -110,7 +113,7 @@ impl Probe for Plain {
     }
 }
 
-/// The bits of `x`, made such that larger numbers have larger bits, negative ones, too.
+/// Maps `x` to an integer that has the same order, for negative numbers, too.
 fn ordered(x: f32) -> u32 {
     let bits = x.to_bits();
     if x.is_sign_negative() {

@@ -1,47 +1,47 @@
 // BEGIN SOLUTION(part6.task2)
-//! Lights, sampled for eight points at once.
+//! Samples a light for eight points at once.
 
 use crate::lanes::lanes;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, EmittingMesh, Vec2};
 
-/// What [`Emitter::sample`] gives, lane by lane.
-pub(crate) struct Samples<S: Simd> {
-    /// The lanes that have one.
-    pub(crate) some: mask64x8<S>,
+/// The results of [`Emitter::sample`], one a lane.
+pub(crate) struct LightSamples<S: Simd> {
+    /// The lanes with a sample.
+    pub(crate) valid: mask64x8<S>,
     pub(crate) wi: Vec3x8<S>,
     pub(crate) distance: f64x8<S>,
     pub(crate) pdf: f64x8<S>,
     pub(crate) radiance: Vec3x8<S>,
 }
 
-/// Lamps of more triangles are asked point by point.
-const MOST_TRIANGLES: usize = 4;
+/// Emitters with more triangles are sampled point by point.
+const MAX_TRIANGLES: usize = 4;
 
-/// [`Emitter::sample`] for each of eight points, those in the lanes of `asked`.
+/// Calls [`Emitter::sample`] for the points in the lanes of `active`.
 #[inline(always)]
-pub(crate) fn sample<S: Simd>(
+pub(crate) fn sample_light<S: Simd>(
     simd: S,
     emitter: &Emitter,
     p: Vec3x8<S>,
     u: [f64x8<S>; 2],
-    asked: u64,
-) -> Samples<S> {
+    active: u64,
+) -> LightSamples<S> {
     match emitter {
-        Emitter::Mesh(mesh) if mesh.len() <= MOST_TRIANGLES => sample_mesh(simd, mesh, p, u),
-        _ => sample_each(simd, emitter, p, u, asked),
+        Emitter::Mesh(mesh) if mesh.len() <= MAX_TRIANGLES => sample_mesh(simd, mesh, p, u),
+        _ => sample_each(simd, emitter, p, u, active),
     }
 }
 
-/// By the arithmetic of [`Emitter::sample`], operation by operation.
+/// Repeats the arithmetic of [`Emitter::sample`] operation by operation.
 #[inline(always)]
 fn sample_mesh<S: Simd>(
     simd: S,
     mesh: &EmittingMesh,
     p: Vec3x8<S>,
     u: [f64x8<S>; 2],
-) -> Samples<S> {
+) -> LightSamples<S> {
     let splat = |x| f64x8::splat(simd, x);
     let target = u[0] * mesh.area();
     let part = mesh.part(0);
@@ -56,10 +56,10 @@ fn sample_mesh<S: Simd>(
         let here = splat(part.before).simd_le(target);
         before = here.select(splat(part.before), before);
         inverse_area = here.select(splat(part.inverse_area), inverse_area);
-        p0 = Vec3x8::splat(simd, part.triangle.p0).or(here, p0);
-        e1 = Vec3x8::splat(simd, part.triangle.e1).or(here, e1);
-        e2 = Vec3x8::splat(simd, part.triangle.e2).or(here, e2);
-        front = Vec3x8::splat(simd, part.triangle.front).or(here, front);
+        p0 = Vec3x8::splat(simd, part.triangle.p0).masked_or(here, p0);
+        e1 = Vec3x8::splat(simd, part.triangle.e1).masked_or(here, e1);
+        e2 = Vec3x8::splat(simd, part.triangle.e2).masked_or(here, e2);
+        front = Vec3x8::splat(simd, part.triangle.front).masked_or(here, front);
     }
     let one = splat(1.0);
     let within = ((target - before) * inverse_area).min_precise(one);
@@ -71,10 +71,10 @@ fn sample_mesh<S: Simd>(
     let distance = distance2.sqrt();
     let pdf = distance2 * distance / (height * mesh.area());
     let zero = splat(0.0);
-    let some = zero.simd_lt(height) & zero.simd_lt(pdf) & pdf.simd_lt(splat(f64::INFINITY));
-    Samples {
-        some,
-        wi: d.over(distance),
+    let valid = zero.simd_lt(height) & zero.simd_lt(pdf) & pdf.simd_lt(splat(f64::INFINITY));
+    LightSamples {
+        valid,
+        wi: d / distance,
         distance,
         pdf,
         radiance: Vec3x8::splat(simd, mesh.radiance.to_array().into()),
@@ -87,10 +87,10 @@ fn sample_each<S: Simd>(
     emitter: &Emitter,
     p: Vec3x8<S>,
     u: [f64x8<S>; 2],
-    asked: u64,
-) -> Samples<S> {
+    active: u64,
+) -> LightSamples<S> {
     let mut samples = [None; LANES];
-    for i in lanes(asked) {
+    for i in lanes(active) {
         samples[i] = emitter.sample(p.lane(i), Vec2::new(u[0][i], u[1][i]));
     }
     let number = |of: fn(&kit::LightSample) -> f64| {
@@ -100,8 +100,8 @@ fn sample_each<S: Simd>(
         Vec3x8::gather(simd, |i| samples[i].as_ref().map_or([0.0; 3], of))
     };
     let bits = (0..LANES).filter(|&i| samples[i].is_some());
-    Samples {
-        some: mask64x8::from_bitmask(simd, bits.map(|i| 1 << i).sum()),
+    LightSamples {
+        valid: mask64x8::from_bitmask(simd, bits.map(|i| 1 << i).sum()),
         wi: vector(|s| s.wi.to_array()),
         distance: number(|s| s.distance),
         pdf: number(|s| s.pdf),

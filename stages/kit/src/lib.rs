@@ -13,7 +13,7 @@
 //! - [`effects`]: which effects a scene needs.
 //! - [`mod@hole`]: placeholders for tasks that are not written yet.
 //!
-//! The kit depends on vectors and threads only. It contains no formula that a task asks for.
+//! The kit depends on `glam` and `libm` only. It contains no formula that a task asks for.
 
 pub mod aabb;
 mod area_lights;

@@ -190,6 +190,7 @@ fn why_miss(why: Miss) -> &'static str {
 mod tests {
     use super::*;
     use crate::expected::Decision;
+    use oracle::may_touch;
 
     /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the plane z = 0.
     fn square() -> [Triangle; 2] {

@@ -130,12 +130,9 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             first += 1;
         }
         // A worker reads all cases before it starts: later ones need not see the ones that are done.
-        cases_to_run[..first].iter_mut().for_each(|case| {
-            case.work = Work::Boxes {
-                boxes: vec![],
-                probes: vec![],
-            }
-        });
+        cases_to_run[..first]
+            .iter_mut()
+            .for_each(|case| case.work = Work::Stop(Vec::new()));
     }
     Ok(Run {
         endings: endings

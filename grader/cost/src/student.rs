@@ -11,7 +11,7 @@ use grader::workspace::Workspace;
 use judge::cases::probes::{brute_force, wire_ray, wire_triangle};
 use kernels::{Bundle, Precision};
 use kit::{Aabb, Ray, Sphere, Triangle};
-use wire::work::{Probe, Shapes, TestTiming, Xyz};
+use wire::work::{BoxWork, Probe, Shapes, SphereWork, TestTiming, TriangleWork, Xyz};
 use wire::{Outcome, Work};
 
 /// A shape that the student has a test for.
@@ -125,7 +125,7 @@ impl Student {
         for mesh in closed.meshes() {
             let rays: Vec<Ray> = mesh.rays.iter().map(|(ray, _)| *ray).collect();
             match self.ask(brute_force(&mesh.triangles, &[], &rays))? {
-                Ok(wire::Answer::Hits(hits)) => {
+                Ok(wire::Answer::BruteForce(hits)) => {
                     leaks += hits.hits.iter().filter(|hit| hit.is_none()).count();
                 }
                 Ok(_) => return Err(mixed_up()),
@@ -153,7 +153,7 @@ impl Student {
         };
         let tests = f64::from(passes) * shapes.len() as f64;
         Ok(match self.ask(Work::TimeTest(timing))? {
-            Ok(wire::Answer::TestTimes(seconds)) => {
+            Ok(wire::Answer::TimeTest(seconds)) => {
                 Ok(seconds.iter().map(|s| 1e9 * s / tests).collect())
             }
             Ok(_) => return Err(mixed_up()),
@@ -182,10 +182,10 @@ impl Asked for Triangle {
     const STAGE: &'static str = "intersect";
 
     fn ask(pairs: &[(Triangle, Ray)]) -> Work {
-        Work::Triangles {
+        Work::Triangles(TriangleWork {
             triangles: pairs.iter().map(|(tri, _)| wire_triangle(tri)).collect(),
             probes: probes(pairs),
-        }
+        })
     }
 
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>> {
@@ -209,10 +209,10 @@ impl Asked for Sphere {
     const STAGE: &'static str = "intersect";
 
     fn ask(pairs: &[(Sphere, Ray)]) -> Work {
-        Work::Spheres {
+        Work::Spheres(SphereWork {
             spheres: pairs.iter().map(|(s, _)| wire_sphere(s)).collect(),
             probes: probes(pairs),
-        }
+        })
     }
 
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>> {
@@ -232,10 +232,10 @@ impl Asked for Aabb {
     const STAGE: &'static str = "bbox";
 
     fn ask(pairs: &[(Aabb, Ray)]) -> Work {
-        Work::Boxes {
+        Work::Boxes(BoxWork {
             boxes: pairs.iter().map(|(b, _)| wire_box(b)).collect(),
             probes: probes(pairs),
-        }
+        })
     }
 
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>> {

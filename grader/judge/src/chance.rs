@@ -13,10 +13,10 @@ use statistics::{sidak, smallest_sure_bias, two_sided};
 const FAMILY: f64 = 1e-6;
 
 /// A run makes no more tests by chance than this.
-pub(super) const TESTS: usize = 100;
+pub(crate) const TESTS: usize = 100;
 
 /// Estimates below this number are not tested: a mean of few is not normally distributed.
-pub(super) const MANY: usize = 500;
+pub(crate) const MANY: usize = 500;
 
 /// Chance of a false alarm of each test.
 fn alarm() -> f64 {
@@ -24,7 +24,7 @@ fn alarm() -> f64 {
 }
 
 /// Whether the mean of `numbers` is `truth`, as far as their spread lets one tell.
-pub(super) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64) {
+pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64) {
     let z = numbers.z_against(truth);
     let wrong = two_sided(z).is_nan() || two_sided(z) < alarm();
     let class = wrong.then(|| Class::of_number(numbers.mean(), truth));
@@ -45,7 +45,7 @@ pub(super) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64)
 }
 
 /// Whether `directions` fall where the density `pdf` says.
-pub(super) fn spread(
+pub(crate) fn spread(
     tally: &mut Tally,
     directions: &[Option<Vec3>],
     pdf: impl Fn(Vec3) -> f64,

@@ -5,7 +5,7 @@ use grader::runner::{self, Worker};
 use judge::cases::Spec;
 use serde::Serialize;
 use std::collections::HashMap;
-use wire::work::{Node, NodeKind, Probe, Xyz};
+use wire::work::{BoxWork, Node, NodeKind, Probe, VisitsWork, Xyz};
 use wire::{Answer, Case, Outcome, Work};
 
 /// Boxes, and for each pixel which of them were asked for.
@@ -36,21 +36,15 @@ pub fn asked_for(
     together: &Result<Worker, String>,
 ) -> Result<Option<Boxes>, GraderError> {
     match (&spec.work, answer, together) {
-        (Work::Boxes { boxes, probes }, Answer::Boxes(met), _) => {
+        (Work::Boxes(BoxWork { boxes, probes }), Answer::Boxes(met), _) => {
             Ok(Some(of_probes(boxes, probes, met)))
         }
-        (
-            Work::SceneHits {
-                scene, tree, rays, ..
-            },
-            _,
-            Ok(together),
-        ) => {
-            let work = Work::Visits {
-                scene: scene.clone(),
-                tree: tree.clone(),
-                rays: rays.clone(),
-            };
+        (Work::SceneHits(traced), _, Ok(together)) => {
+            let work = Work::Visits(VisitsWork {
+                scene: traced.scene.clone(),
+                tree: traced.tree.clone(),
+                rays: traced.rays.clone(),
+            });
             let case = Case {
                 work,
                 ..spec.case()
@@ -67,7 +61,7 @@ pub fn asked_for(
                     .collect()
             });
             Ok(Some(Boxes {
-                boxes: of_tree(&tree.nodes),
+                boxes: of_tree(&traced.tree.nodes),
                 asked: asked.collect(),
             }))
         }

@@ -152,7 +152,7 @@ fn picture(
     let Some(size) = spec.picture else {
         return Ok(None);
     };
-    let Some(new) = compose(size, answer) else {
+    let Some(new) = compose(size, &spec.work, answer) else {
         return Ok(None);
     };
     let old = read_png(&workspace.golden_picture(spec.task, spec.name))?;

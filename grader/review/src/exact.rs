@@ -10,26 +10,26 @@ use kit::{Primitive, Scene};
 use rayon::prelude::*;
 use wire::Work;
 use wire::answer::Hit;
-use wire::work::Ray;
+use wire::work::{BruteForceWork, Ray, SceneWork};
 
 /// The hit that is right for each of `calls`, without fields where a miss is; `None` for work that is not about
 /// closest hits.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
-        Work::BruteForce {
+        Work::BruteForce(BruteForceWork {
             triangles,
             spheres,
             rays,
-        } => {
+        }) => {
             let scene = convert::scene(triangles, spheres);
             Some(of_scene(spec, &scene, rays, calls))
         }
-        Work::SceneHits {
+        Work::SceneHits(SceneWork {
             scene,
             rays,
             any_hit: false,
             ..
-        } => Some(of_scene(spec, &scene::load(scene), rays, calls)),
+        }) => Some(of_scene(spec, &scene::load(scene), rays, calls)),
         _ => None,
     }
 }

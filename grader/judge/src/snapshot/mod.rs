@@ -8,8 +8,8 @@
 //! changed between two.
 
 mod diff;
-mod light;
 mod line;
+pub(crate) mod lines;
 mod parse;
 mod write;
 
@@ -17,3 +17,4 @@ pub use diff::{Changes, changes};
 pub use line::{Line, Value};
 pub use parse::{ParseError, Snapshot, parse};
 pub use write::{FULL_LINES, Fields, full, record, write};
+pub(crate) use write::{Forms, field, forms, number, vector};

@@ -86,5 +86,5 @@ fn spoilt_mesh(spoil: impl Fn(&mut [Option<Hit>])) -> (Spec, Answer) {
         box_tests: 0,
         prim_tests: 0,
     };
-    (spec, Answer::Hits(answer))
+    (spec, Answer::SceneHits(answer))
 }

@@ -4,16 +4,16 @@ mod cli;
 
 use clap::Command;
 use cli::{course, handout, mutants};
-use grader::cli::{end, sister};
+use grader::cli::{run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn command() -> Command {
-    sister([handout::command(), course::command(), mutants::command()])
+    subprogram_command([handout::command(), course::command(), mutants::command()])
 }
 
 fn main() -> ExitCode {
     let matches = command().get_matches();
-    end(|| match matches.subcommand() {
+    run_to_exit_code(|| match matches.subcommand() {
         Some(("handout", matches)) => handout::run(matches),
         Some(("course", matches)) => course::run(matches),
         Some((_, matches)) => mutants::run(matches),

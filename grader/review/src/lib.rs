@@ -15,11 +15,11 @@ pub mod page;
 pub mod picture;
 
 use case::{Case, State};
+use grader::consistency;
 use grader::course::{CaseEntry, Course, Task};
 use grader::error::GraderError;
 use grader::grade;
-use grader::lists;
-use grader::report::table::describe;
+use grader::report::table::status_text;
 use grader::score::Status;
 use grader::worker_set::WorkerSet;
 use grader::workspace::Workspace;
@@ -75,7 +75,7 @@ impl Review {
             let endings = workers.run(&chosen, &mut String::new())?;
             for ((entry, spec), ending) in task.cases.iter().zip(chosen).zip(&endings) {
                 let case = match grade::answered(&task.key, ending, course)? {
-                    Err(status) => Case::silent(spec, describe(&status)),
+                    Err(status) => Case::silent(spec, status_text(&status)),
                     Ok(answer) => {
                         let tier = author.tier(entry);
                         Case::of(workspace, spec, tier, answer, &workers.together)?
@@ -121,7 +121,7 @@ impl Review {
     fn lost(&mut self, specs: &[&Spec], status: &Status) {
         let cases = specs
             .iter()
-            .map(|spec| Case::silent(spec, describe(status)));
+            .map(|spec| Case::silent(spec, status_text(status)));
         self.cases.extend(cases);
     }
 
@@ -139,7 +139,7 @@ pub fn check_goldens(
 ) -> Result<(), GraderError> {
     let missing: Vec<String> = grade::chosen(tasks, specs)?
         .into_iter()
-        .filter_map(|spec| lists::missing_golden(workspace, spec))
+        .filter_map(|spec| consistency::missing_golden(workspace, spec))
         .collect();
     match missing.split_first() {
         None => Ok(()),

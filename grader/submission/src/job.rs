@@ -4,7 +4,7 @@ use crate::file_tree::{self, Files};
 use crate::packages::{lock, manifest, members};
 use grader::error::GraderError;
 use grader::grade::BuildRoot;
-use grader::interrupt::{self, Claim};
+use grader::interrupt::{self, LockFile};
 use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ pub struct Job {
     target: PathBuf,
     /// The worker and all it imports, with every stage as the reference solves it. No tests, no goldens.
     trusted: Files,
-    _claim: Claim,
+    _lock: LockFile,
 }
 
 impl Job {
@@ -30,12 +30,12 @@ impl Job {
                 "Building the course for submissions: this first time it takes a few minutes."
             );
         }
-        let claim = interrupt::claim(&top.join("in_use"))?;
+        let lock = interrupt::lock(&top.join("in_use"))?;
         Ok(Job {
             folder: top.join("job"),
             target,
             trusted: trusted(workspace)?,
-            _claim: claim,
+            _lock: lock,
         })
     }
 

@@ -6,7 +6,7 @@ use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::report;
-use grader::report::table::{self, Hint};
+use grader::report::table::{self, HintLevel};
 use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -20,7 +20,7 @@ fn main() -> ExitCode {
         .about("Grades what was handed in, in a clean copy of the course")
         .after_help(cli::EXIT_CODES);
     let matches = command.get_matches();
-    cli::end(|| run(&matches))
+    cli::run_to_exit_code(|| run(&matches))
 }
 
 /// Of many ignored files this many are named.
@@ -62,9 +62,9 @@ fn grade_one(
         Format::Table => print!("{}", show(&judgement, hint(matches))),
     }
     Ok(if judgement.report.is_full() {
-        Verdict::Full
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }
 
@@ -93,14 +93,14 @@ fn grade_class(
         println!("not graded: {refused}");
     }
     Ok(if summary.refused.is_empty() {
-        Verdict::Full
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }
 
 /// A judgement for people.
-fn show(judgement: &Judgement, hint: Hint) -> String {
+fn show(judgement: &Judgement, hint: HintLevel) -> String {
     let mut text = String::new();
     if !judgement.ignored.is_empty() {
         let named = judgement.ignored.iter().take(IGNORED_NAMED);
@@ -138,13 +138,13 @@ fn show(judgement: &Judgement, hint: Hint) -> String {
     let _ = writeln!(
         text,
         "\neach stage among the reference's:\n{}",
-        table::show(&judgement.report, hint)
+        table::format_report(&judgement.report, hint)
     );
     if let Some(together) = &judgement.together {
         let _ = writeln!(
             text,
             "all stages of the submission together:\n{}",
-            table::show(together, hint)
+            table::format_report(together, hint)
         );
     }
     text

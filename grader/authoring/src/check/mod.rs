@@ -1,6 +1,6 @@
 //! Does the course keep its word? `grader course check` asks this before anything is handed out.
 //!
-//! [`grader::lists`]: `course.toml`, cases and goldens agree. [`leak`]: no handout says what its solutions said. [`build`]: every
+//! [`grader::consistency`]: `course.toml`, cases and goldens agree. [`leak`]: no handout says what its solutions said. [`build`]: every
 //! handout builds without a warning, is formatted, passes its tests, and its own grader finds every
 //! carved task not attempted and every kept one full. The reference scores full.
 
@@ -9,10 +9,10 @@ pub mod leak;
 
 use crate::handout::Handout;
 use build::Tests;
+use grader::consistency;
 use grader::course::{Course, Part};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
-use grader::lists;
 use grader::score::Report;
 use grader::workspace::Workspace;
 use judge::cases;
@@ -28,7 +28,7 @@ pub fn course(
     let course = Course::read(workspace)?;
     let mut complaints = Vec::new();
     progress("lists: course.toml, cases, goldens");
-    let found = lists::find(workspace, &course, &cases::all(0));
+    let found = consistency::problems(workspace, &course, &cases::all(0));
     note(&mut complaints, found, &mut progress);
     let mut handouts = Vec::new();
     for part in &course.parts {
@@ -121,7 +121,7 @@ fn of_reference(course: &Course, report: &Report) -> Vec<String> {
             )
         })
         .collect();
-    let [core, robust] = lists::points(course);
+    let [core, robust] = consistency::total_points(course);
     if report.max_score != core || report.robust_max_score != robust {
         complaints.push(format!(
             "course.toml gives {core} core and {robust} robust points, the report {} and {}",

@@ -54,11 +54,11 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             "The course holds together ({} s).",
             start.elapsed().as_secs()
         );
-        return Ok(Verdict::Full);
+        return Ok(Verdict::Passed);
     }
     match complaints.len() {
         1 => println!("1 complaint."),
         many => println!("{many} complaints."),
     }
-    Ok(Verdict::Short)
+    Ok(Verdict::Failed)
 }

@@ -56,7 +56,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let bless = matches.get_flag("bless");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let mut verdict = Verdict::Full;
+    let mut verdict = Verdict::Passed;
     for task in course.select(what)? {
         if let Some(folder) = with {
             let mutants = Corpus::strangers(folder, task)?;
@@ -79,13 +79,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             show_what_students_read(name, graded, &known);
         }
         if !accused.is_empty() || !table.survivors().is_empty() {
-            verdict = Verdict::Short;
+            verdict = Verdict::Failed;
         }
         if bless {
             store(&diagnosis::file(&workspace, &task.key), &known)?;
             store(&Table::file(&workspace, &task.key), &table)?;
         } else if seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
-            verdict = Verdict::Short;
+            verdict = Verdict::Failed;
         }
     }
     Ok(verdict)

@@ -85,7 +85,7 @@ impl Handout {
             Some(parent) if !parent.as_os_str().is_empty() => parent,
             _ => Path::new("."),
         };
-        let scratch = grader::interrupt::scratch_in(parent)?;
+        let scratch = grader::interrupt::temp_folder_in(parent)?;
         let whole = scratch.path().join("handout");
         for (path, contents) in &self.files {
             file_tree::write(&whole.join(path), contents)?;

@@ -4,7 +4,7 @@
 //! and the environment variable [`CHOICE`] says which of them its functions call.
 
 use super::corpus::Sources;
-use grader::compile::{Build, Built};
+use grader::compile::{BuildOutcome, WorkerBuild};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
 use std::fmt::Write;
@@ -295,7 +295,7 @@ pub fn worker(
     write_job(workspace, &job, stage)?;
     let target = workspace.root().join("target/mutants/target");
     let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
-    match (Build {
+    match (WorkerBuild {
         root: &job,
         features,
         target: Some(&target),
@@ -303,8 +303,8 @@ pub fn worker(
     })
     .run()?
     {
-        Built::Worker(program) => Ok(program),
-        Built::DoesNotCompile(_) => Err(GraderError::new(format!(
+        BuildOutcome::Worker(program) => Ok(program),
+        BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
             "the versions of `{stage}` in {} do not compile: mend the mutant or variant that cargo names",
             job.display()
         ))),

@@ -35,7 +35,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let proposed = bless::propose(&workspace, what)?;
     if proposed.is_empty() {
         println!("The goldens are what the reference answers: nothing changes.");
-        return Ok(Verdict::Full);
+        return Ok(Verdict::Passed);
     }
     for change in &proposed {
         let golden = change
@@ -47,11 +47,11 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     if matches.get_flag("yes") || agreed(proposed.len())? {
         bless::accept(&workspace, &proposed)?;
         println!("{} goldens written.", proposed.len());
-        return Ok(Verdict::Full);
+        return Ok(Verdict::Passed);
     }
     bless::reject(&proposed)?;
     println!("Nothing written.");
-    Ok(Verdict::Short)
+    Ok(Verdict::Failed)
 }
 
 /// Asks on the terminal; without one nobody can agree.

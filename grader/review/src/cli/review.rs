@@ -76,9 +76,9 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     write_whole(&out, page::write(&review, &author)?.as_bytes())?;
     println!("{}: {}", out.display(), page::verdict(&review));
     Ok(if review.is_same() {
-        Verdict::Full
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }
 
@@ -104,7 +104,7 @@ fn page_file(matches: &ArgMatches, workspace: &Workspace) -> Result<PathBuf, Gra
             folder.display()
         )));
     }
-    interrupt::scratch_in(folder)?;
+    interrupt::temp_folder_in(folder)?;
     Ok(out.clone())
 }
 

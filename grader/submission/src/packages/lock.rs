@@ -9,7 +9,7 @@ use std::process::Command;
 
 /// Has cargo take what `files` do not use out of their `Cargo.lock`, so that they build `--locked`. Versions stay.
 pub fn mend(files: &mut Files) -> Result<(), GraderError> {
-    let scratch = interrupt::scratch()?;
+    let scratch = interrupt::temp_folder()?;
     file_tree::make_equal(scratch.path(), files)?;
     let output = Command::new(compile::cargo())
         .current_dir(scratch.path())

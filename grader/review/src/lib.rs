@@ -26,7 +26,7 @@ use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::Spec;
 use std::path::Path;
-use submission::job::Job;
+use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
 /// Goldens against answers, case by case.
@@ -94,7 +94,7 @@ impl Review {
         tasks: &[&Task],
         specs: &[Spec],
         submission: &Submission,
-        job: &Job,
+        clean: &CleanWorkspace,
         author: &Author,
     ) -> Result<Review, GraderError> {
         let mut review = Review::default();
@@ -107,7 +107,7 @@ impl Review {
                     review.lost(&grade::chosen(&of_stage, specs)?, &Status::DoesNotCompile);
                 }
                 Some(sources) => {
-                    let site = job.with(&[(stage, sources)])?;
+                    let site = clean.with_stages(&[(stage, sources)])?;
                     let workers = grade::workers(&site, &of_stage, specs, false)?;
                     review.add(workspace, course, &of_stage, specs, &workers, author)?;
                 }

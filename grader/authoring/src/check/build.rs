@@ -45,7 +45,7 @@ pub fn find(
         target: top.join("target"),
         tests,
     };
-    file_tree::make_equal(&desk.folder, &handout.files)?;
+    file_tree::sync_folder(&desk.folder, &handout.files)?;
     let mut complaints = Vec::new();
     progress(&format!("{here}: building it, without a warning"));
     let mut found = desk.build()?;

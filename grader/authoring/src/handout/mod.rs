@@ -57,7 +57,7 @@ impl Handout {
             taken: Vec::new(),
             solved: BTreeSet::new(),
         };
-        for path in file_tree::paths(root)? {
+        for path in file_tree::workspace_paths(root)? {
             if plan.takes(&path) {
                 let contents = file_tree::read(root, &path)?;
                 handout.add(&plan, &knife, path, contents, root)?;
@@ -75,7 +75,7 @@ impl Handout {
         handout
             .files
             .insert("README.md".into(), readme.into_bytes());
-        lock::mend(&mut handout.files)?;
+        lock::remove_unused(&mut handout.files)?;
         Ok(handout)
     }
 
@@ -156,7 +156,7 @@ impl Handout {
             }
             let old = text(path, contents.clone())?;
             *contents = match plan.owner(path) {
-                None => manifest::of_workspace(&old, &plan.left_out()),
+                None => manifest::without_members(&old, &plan.left_out()),
                 Some(_) if tests_holes(path) => manifest::without_tests(&old),
                 Some(_) => old,
             }

@@ -29,7 +29,7 @@ pub(super) struct Plan<'a> {
 
 impl<'a> Plan<'a> {
     pub(super) fn new(members: &'a [Member]) -> Plan<'a> {
-        let needed = members::closure(members, &PROGRAMS);
+        let needed = members::with_dependencies(members, &PROGRAMS);
         Plan { members, needed }
     }
 
@@ -46,7 +46,7 @@ impl<'a> Plan<'a> {
         if top == "golden" {
             return !is_rust && !is_manifest && !path.starts_with("golden/mutants");
         }
-        let Some(owner) = members::owner(self.members, path) else {
+        let Some(owner) = members::containing_member(self.members, path) else {
             let at_the_top = path.components().count() == 1;
             let is_known = is_manifest || top.starts_with("LICENSE") || AT_THE_TOP.contains(&&*top);
             return path == Path::new("stages/course.toml")
@@ -60,7 +60,7 @@ impl<'a> Plan<'a> {
 
     /// The crate that the file `path` belongs to.
     pub(super) fn owner(&self, path: &Path) -> Option<&'a Member> {
-        members::owner(self.members, path)
+        members::containing_member(self.members, path)
     }
 
     /// Whether the file `path` is a test of its crate, or something else that runs the crate's code.
@@ -69,14 +69,14 @@ impl<'a> Plan<'a> {
             .owner(path)
             .and_then(|owner| path.strip_prefix(&owner.folder).ok());
         let folder = inside.and_then(|inside| inside.iter().next());
-        folder.is_some_and(|folder| members::TESTS.iter().any(|test| folder == *test))
+        folder.is_some_and(|folder| members::TEST_FOLDERS.iter().any(|test| folder == *test))
     }
 
     /// Whether the crate's tests are about something `carved`: it, or something that it links, is. The grader's are
     /// about the reference in any case.
     pub(super) fn tests(&self, member: &Member, carved: &BTreeSet<&str>) -> bool {
         is_of_the_grader(member)
-            || !members::closure(self.members, &[&member.name]).is_disjoint(carved)
+            || !members::with_dependencies(self.members, &[&member.name]).is_disjoint(carved)
     }
 
     /// The folders of crates that a handout goes without.

@@ -11,7 +11,7 @@ use grader::workspace::Workspace;
 use judge::cases;
 use review::{self, Author, page};
 use std::path::{Path, PathBuf};
-use submission::job::Job;
+use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
 pub(crate) fn command() -> Command {
@@ -58,7 +58,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         }
         Some(folder) => {
             let submission = Submission::read(folder, &course, workspace.root())?;
-            let job = Job::open(&workspace)?;
+            let clean = CleanWorkspace::open(&workspace)?;
             let author = Author::Student(folder.display().to_string());
             let of = review::Review::of_submission;
             let review = of(
@@ -67,7 +67,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
                 &tasks,
                 &specs,
                 &submission,
-                &job,
+                &clean,
                 &author,
             )?;
             (review, author)

@@ -11,6 +11,6 @@ fn main() -> ExitCode {
     run_to_exit_code(|| match matches.subcommand() {
         Some(("bless", matches)) => bless::run(matches),
         Some((_, matches)) => review::run(matches),
-        None => unreachable!("clap asks for a command"),
+        None => unreachable!("clap requires a command"),
     })
 }

@@ -74,7 +74,7 @@ impl Course {
             let stage = workspace.root().join("stages").join(&task.stage);
             ensure(stage.is_dir(), || {
                 let (key, stage) = (&task.key, &task.stage);
-                format!("`{key}` names the stage `{stage}`, but there is no folder stages/{stage}")
+                format!("`{key}` names the stage `{stage}`, but there is no stages/{stage}")
             })
             .map_err(in_file)?;
         }

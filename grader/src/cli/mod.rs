@@ -1,7 +1,7 @@
 //! The command line of `grader`.
 //!
 //! `grader part1` grades in this program ([`grade`]). Each other command is a separate program
-//! ([`subprogram`]), so that a student who only grades does not have to compile it. This module has
+//! (`subprogram`), so that a student who only grades does not have to compile it. This module has
 //! what all of them share: the [`Verdict`], the exit codes ([`run_to_exit_code`]), common options.
 
 pub mod grade;

@@ -43,7 +43,7 @@ pub struct BuildRoot<'a> {
     pub root: &'a Path,
     /// Where cargo keeps what it builds, if not there.
     pub target: Option<&'a Path>,
-    /// As [`crate::compile::Build::sealed`].
+    /// As [`crate::compile::WorkerBuild::sealed`].
     pub sealed: bool,
 }
 
@@ -67,7 +67,7 @@ pub fn in_place(
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
     let specs = cases::all(request.seed);
-    let times = times && speedup::belongs_to(&tasks);
+    let times = times && speedup::applies_to(&tasks);
     let workers = workers(&BuildRoot::of(workspace), &tasks, &specs, times)?;
     let mut graded = by(&workers, workspace, &course, &tasks, &specs)?;
     if times {

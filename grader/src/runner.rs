@@ -71,7 +71,7 @@ impl From<PathBuf> for Worker {
 
 /// Runs `cases` in the program `worker`. A case that ends the worker costs only itself.
 pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
-    let folder = interrupt::scratch()?;
+    let folder = interrupt::temp_folder()?;
     let records = folder.path().join("records");
     let mut cases_to_run = cases.to_vec();
     for case in &mut cases_to_run {

@@ -4,7 +4,7 @@ use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use cost::page::page;
 use cost::report::Shape;
 use cost::{Order, Size, table};
-use grader::cli::{Format, Verdict, end, seed_argument, seed_of, sister};
+use grader::cli::{Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command};
 use grader::error::GraderError;
 use grader::report;
 use grader::workspace::Workspace;
@@ -41,8 +41,8 @@ fn command() -> Command {
 const EXPERIMENTS: [&str; 5] = ["triangle", "sphere", "box", "bvh", "picture"];
 
 fn main() -> ExitCode {
-    let matches = sister([command()]).get_matches();
-    end(|| match matches.subcommand() {
+    let matches = subprogram_command([command()]).get_matches();
+    run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap asks for a command"),
     })
@@ -78,5 +78,5 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         Format::Json => println!("{}", report::json(&cost)?),
         Format::Table => print!("{}", table::show(&cost)),
     }
-    Ok(Verdict::Full)
+    Ok(Verdict::Passed)
 }

@@ -4,7 +4,7 @@ use super::accuracy::Judge;
 use super::leaks::Closed;
 use super::report::Accuracy;
 use super::truth::{Answer, Judged};
-use grader::compile::{Build, Built};
+use grader::compile::{BuildOutcome, WorkerBuild};
 use grader::error::GraderError;
 use grader::runner::{self, Ending, Worker};
 use grader::workspace::Workspace;
@@ -61,18 +61,18 @@ impl Student {
         let Some(workspace) = workspace else {
             return Ok(Err("nobody asked for it".into()));
         };
-        let build = Build {
+        let build = WorkerBuild {
             root: workspace.root(),
             features: &[feature],
             target: None,
             sealed: false,
         };
         Ok(match build.run()? {
-            Built::Worker(program) => Ok(Student {
+            BuildOutcome::Worker(program) => Ok(Student {
                 worker: program.into(),
                 task,
             }),
-            Built::DoesNotCompile(_) => Err("your code does not compile".into()),
+            BuildOutcome::DoesNotCompile(_) => Err("your code does not compile".into()),
         })
     }
 

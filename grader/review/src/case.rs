@@ -1,6 +1,6 @@
 //! What changed in one case.
 
-use super::boxes;
+use super::box_tests;
 use super::cause::Cause;
 use super::picture::{Picture, Pixels};
 use crate::bless;
@@ -159,7 +159,7 @@ fn picture(
     let comparable = old.dimensions() == new.dimensions()
         && [golden, actual].map(|s| s.lines.len()) == [old.pixels().len(); 2];
     let pixels = if comparable {
-        let boxes = boxes::asked_for(spec, answer, together)?;
+        let boxes = box_tests::of_case(spec, answer, together)?;
         Some(Pixels::of(
             spec,
             (golden, &old),

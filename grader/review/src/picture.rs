@@ -1,6 +1,6 @@
 //! A golden picture and what takes its place, pixel by pixel.
 
-use super::boxes::Boxes;
+use super::box_tests::BoxTests;
 use super::cause::Cause;
 use super::columns::{Column, columns};
 use super::exact;
@@ -35,7 +35,7 @@ pub struct Pixels {
     /// What the exact oracle answers.
     pub exact: Option<Exact>,
     /// The boxes that were asked for.
-    pub boxes: Option<Boxes>,
+    pub boxes: Option<BoxTests>,
 }
 
 /// What is right where golden and actual differ.
@@ -58,7 +58,7 @@ impl Pixels {
         golden: (&Snapshot, &RgbImage),
         actual: (&Snapshot, &RgbImage),
         full: &Snapshot,
-        boxes: Option<Boxes>,
+        boxes: Option<BoxTests>,
     ) -> Pixels {
         let colours = from_the_bottom(golden.1).zip(from_the_bottom(actual.1));
         let lines = golden.0.lines.iter().zip(&actual.0.lines);

@@ -1,4 +1,4 @@
-//! Showing a report: [`table`] for people, JSON for programs.
+//! Prints reports: as a [`table`] for people, as JSON for programs.
 
 mod speedups;
 pub mod table;
@@ -8,13 +8,13 @@ use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
 
-/// A report as one JSON object.
+/// Formats a report as one JSON object.
 pub fn json(report: &impl Serialize) -> Result<String, GraderError> {
     serde_json::to_string_pretty(report)
         .map_err(|e| GraderError::new(format!("cannot write the report as JSON: {e}")))
 }
 
-/// Writes `text` to `path` whole or not at all.
+/// Writes `text` to the file `path` atomically: on an error the old file stays as it was.
 pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
     let folder = path
         .parent()
@@ -22,7 +22,7 @@ pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
         .unwrap_or(Path::new("."));
     let failed = |e: &std::io::Error| GraderError::file("write", path, without_path(e));
     let mut file = tempfile::Builder::new();
-    // Temporary files are the owner's alone, reports are as other files are.
+    // Temporary files are readable by their owner only; reports get the usual permissions.
     #[cfg(unix)]
     file.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = file.tempfile_in(folder).map_err(|e| failed(&e))?;

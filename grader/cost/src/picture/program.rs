@@ -3,7 +3,7 @@
 use grader::child_processes;
 use grader::compile;
 use grader::error::GraderError;
-use grader::interrupt::{self, Scratch};
+use grader::interrupt::{self, TempFolder};
 use grader::runner::tail;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 #[derive(Debug)]
 pub struct Program {
     path: PathBuf,
-    folder: Scratch,
+    folder: TempFolder,
 }
 
 /// What to render.
@@ -53,10 +53,10 @@ const LOOK: Duration = Duration::from_millis(2);
 impl Program {
     /// Builds the program of the workspace `root`; or why not, in words that end a sentence.
     pub fn build(root: &Path) -> Result<Result<Program, String>, GraderError> {
-        match compile::program_with_stages(root, "pathtracer")? {
+        match compile::build_program_with_stages(root, "pathtracer")? {
             Ok(path) => Ok(Ok(Program {
                 path,
-                folder: interrupt::scratch()?,
+                folder: interrupt::temp_folder()?,
             })),
             Err(_) => Ok(Err("the program pathtracer does not compile".into())),
         }

@@ -1,11 +1,11 @@
-//! Answers side by side.
+//! Tables of golden and actual answers.
 
 use crate::case::{Case, ROWS, Row, State};
 use judge::snapshot::{Fields, Line};
 use pages::html::escape;
 use std::fmt::Write;
 
-/// The calls that differ, golden and actual side by side.
+/// Formats the calls that differ, golden and actual side by side.
 pub(super) fn rows(case: &Case) -> String {
     let mut text = String::new();
     if let State::Differs { changes, .. } = &case.state {
@@ -48,7 +48,7 @@ pub(super) fn rows(case: &Case) -> String {
     text + "</tbody>\n</table></div>\n"
 }
 
-/// Both answers, what differs marked.
+/// The golden and the actual answer, with the differing fields marked.
 fn sides(row: &Row) -> [String; 2] {
     let nothing = Fields::new();
     let fields = |line: &Option<Line>| {

@@ -1,4 +1,4 @@
-//! The boxes that the rays of a picture ask for.
+//! The box tests of the rays of a picture.
 
 use grader::error::GraderError;
 use grader::runner::{self, Worker};
@@ -8,36 +8,37 @@ use std::collections::HashMap;
 use wire::work::{BoxWork, Node, NodeKind, Probe, VisitsWork, Xyz};
 use wire::{Answer, Case, Outcome, Work};
 
-/// Boxes, and for each pixel which of them were asked for.
+/// Boxes, and for each pixel which of them were tested.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Boxes {
+pub struct BoxTests {
     /// All boxes.
-    pub boxes: Vec<Boxed>,
-    /// For each call what it asked for, in order: twice the box's index, and 1 more if the ray meets it.
-    pub asked: Vec<Vec<u32>>,
+    pub boxes: Vec<TestedBox>,
+    /// For each call its box tests in order: 2 * (index of the box), plus 1 if the ray hits the
+    /// box.
+    pub tests: Vec<Vec<u32>>,
 }
 
 /// One box.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Boxed {
+pub struct TestedBox {
     /// Its corners: `min`, then `max`.
     pub corners: [Xyz; 2],
-    /// Levels below the root of its tree.
+    /// The depth of its node; 0 for the root.
     pub depth: u32,
-    /// Primitives in it, if it is a leaf's.
+    /// The number of primitives, if it is the box of a leaf.
     pub leaf: Option<u32>,
 }
 
-/// The boxes that the calls of `spec` ask for: of a tree those of its nodes, of a single box the box itself. `None`
-/// for what asks for none, or where `together` does not come back with an answer.
-pub fn asked_for(
+/// The box tests in the calls of `spec`: of the nodes of a BVH, or of single boxes. `None` if the
+/// case tests no boxes, or if the worker `together` returns no answer.
+pub fn of_case(
     spec: &Spec,
     answer: &Answer,
     together: &Result<Worker, String>,
-) -> Result<Option<Boxes>, GraderError> {
+) -> Result<Option<BoxTests>, GraderError> {
     match (&spec.work, answer, together) {
-        (Work::Boxes(BoxWork { boxes, probes }), Answer::Boxes(met), _) => {
-            Ok(Some(of_probes(boxes, probes, met)))
+        (Work::Boxes(BoxWork { boxes, probes }), Answer::Boxes(intervals), _) => {
+            Ok(Some(of_probes(boxes, probes, intervals)))
         }
         (Work::SceneHits(traced), _, Ok(together)) => {
             let work = Work::Visits(VisitsWork {
@@ -54,23 +55,23 @@ pub fn asked_for(
             let Some(Outcome::Answered(Answer::Visits(visits))) = outcome else {
                 return Ok(None);
             };
-            let asked = visits.rays.iter().map(|visits| {
+            let tests = visits.rays.iter().map(|visits| {
                 let visits = visits.iter();
                 visits
                     .map(|visit| 2 * visit.node + u32::from(visit.met))
                     .collect()
             });
-            Ok(Some(Boxes {
+            Ok(Some(BoxTests {
                 boxes: of_tree(&traced.tree.nodes),
-                asked: asked.collect(),
+                tests: tests.collect(),
             }))
         }
         _ => Ok(None),
     }
 }
 
-/// Single boxes, each with its rays. Boxes that are equal count once.
-fn of_probes(shapes: &[[Xyz; 2]], probes: &[Probe], met: &[Option<[f64; 2]>]) -> Boxes {
+/// The tests of single boxes. Equal boxes are listed once.
+fn of_probes(shapes: &[[Xyz; 2]], probes: &[Probe], intervals: &[Option<[f64; 2]>]) -> BoxTests {
     let mut boxes = Vec::new();
     let mut number_of = HashMap::new();
     let numbers: Vec<u32> = shapes
@@ -79,36 +80,37 @@ fn of_probes(shapes: &[[Xyz; 2]], probes: &[Probe], met: &[Option<[f64; 2]>]) ->
             let next = number_of.len() as u32;
             let key = corners.map(|corner| corner.map(f64::to_bits));
             *number_of.entry(key).or_insert_with(|| {
-                boxes.push(alone(corners));
+                boxes.push(without_tree(corners));
                 next
             })
         })
         .collect();
-    let asked = probes.iter().zip(met);
-    let asked = asked
-        .map(|(probe, met)| vec![2 * numbers[probe.shape as usize] + u32::from(met.is_some())]);
-    Boxes {
-        asked: asked.collect(),
+    let tests = probes.iter().zip(intervals);
+    let tests = tests.map(|(probe, interval)| {
+        vec![2 * numbers[probe.shape as usize] + u32::from(interval.is_some())]
+    });
+    BoxTests {
+        tests: tests.collect(),
         boxes,
     }
 }
 
-fn alone(corners: [Xyz; 2]) -> Boxed {
-    Boxed {
+fn without_tree(corners: [Xyz; 2]) -> TestedBox {
+    TestedBox {
         corners,
         depth: 0,
         leaf: None,
     }
 }
 
-/// The nodes' boxes with their depths. A tree that is none (a node below itself) keeps depths of 0.
-fn of_tree(nodes: &[Node]) -> Vec<Boxed> {
-    let mut boxes: Vec<Boxed> = nodes.iter().map(|node| alone(node.bounds)).collect();
+/// The boxes of the nodes with their depths. In a malformed tree (a cycle), nodes may keep depth 0.
+fn of_tree(nodes: &[Node]) -> Vec<TestedBox> {
+    let mut boxes: Vec<TestedBox> = nodes.iter().map(|node| without_tree(node.bounds)).collect();
     for (i, node) in nodes.iter().enumerate() {
         match node.kind {
             NodeKind::Leaf { count, .. } => boxes[i].leaf = Some(count),
             NodeKind::Interior { left, right } => {
-                // The course's trees number children after their parents.
+                // In the course's trees, children have larger indices than their parents.
                 let depth = boxes[i].depth + 1;
                 for child in [left, right].map(|child| child as usize) {
                     if child > i && child < boxes.len() {
@@ -126,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn depths_count_from_the_root_and_a_loop_ends() {
+    fn depths_count_from_the_root_and_cycles_end() {
         let node = |kind| Node {
             bounds: [[0.0; 3], [1.0; 3]],
             kind,

@@ -1,10 +1,10 @@
-//! What is said of cases, in words.
+//! Describes the state of cases as text.
 
 use crate::case::{Case, State};
 use pages::html::escape;
 use std::fmt::Write;
 
-/// The cases in a state.
+/// The number of cases whose state satisfies `is`.
 pub(super) fn count(cases: &[&Case], is: impl Fn(&State) -> bool) -> usize {
     cases.iter().filter(|case| is(&case.state)).count()
 }
@@ -21,8 +21,8 @@ pub(super) fn is_silent(state: &State) -> bool {
     matches!(state, State::Silent(_))
 }
 
-/// What is to be said of a case under its name.
-pub(super) fn of_case(case: &Case) -> String {
+/// Formats what a case tests and how its answers changed.
+pub(super) fn describe(case: &Case) -> String {
     let mut text = format!("<p class=\"about\">{}</p>\n", escape(case.about));
     match &case.state {
         State::Same => text.push_str("<p class=\"good\">Nothing changed.</p>\n"),
@@ -42,7 +42,7 @@ pub(super) fn of_case(case: &Case) -> String {
     text
 }
 
-/// A change as `grader bless` says it.
+/// A change in the same words as `grader bless` prints it.
 pub(super) fn meaning(case: &Case) -> String {
     let State::Differs {
         changes, pixels, ..
@@ -50,15 +50,15 @@ pub(super) fn meaning(case: &Case) -> String {
     else {
         return String::new();
     };
-    let mut said = Vec::new();
+    let mut parts = Vec::new();
     if !changes.is_empty() {
-        said.push(changes.to_string());
+        parts.push(changes.to_string());
     }
     if let Some(picture) = &case.picture {
-        said.push(format!(
+        parts.push(format!(
             "{pixels} of {} pixels",
             picture.actual.pixels().len()
         ));
     }
-    said.join("; ")
+    parts.join("; ")
 }

@@ -1,4 +1,4 @@
-//! Do `course.toml`, the grader's cases and the goldens list the same?
+//! Checks that `course.toml`, the grader's cases and the goldens agree with each other.
 
 use crate::course::Course;
 use crate::workspace::Workspace;
@@ -6,14 +6,15 @@ use judge::Tier;
 use judge::cases::Spec;
 use wire::Work;
 
-/// Cases that are listed and not there, or there and worth nothing; goldens that are missing or left over.
-pub fn find(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<String> {
-    let mut complaints = Vec::new();
+/// Lists what does not agree: cases in `course.toml` that the grader does not have, cases without
+/// points, and missing goldens.
+pub fn problems(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<String> {
+    let mut problems = Vec::new();
     for task in course.tasks() {
         for entry in &task.cases {
             if !specs.iter().any(|spec| spec.is(&task.key, &entry.name)) {
-                complaints.push(format!(
-                    "{}: course.toml lists the case `{}`, which the grader does not have",
+                problems.push(format!(
+                    "{}: course.toml lists the case `{}`, but the grader has no such case",
                     task.key, entry.name
                 ));
             }
@@ -27,18 +28,18 @@ pub fn find(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<Strin
                 .map(|case| (task.key.as_str(), case.name.as_str()))
         });
         if !listed.any(is_listed) {
-            complaints.push(format!(
-                "{}: the grader has the case `{}`, which course.toml gives no points",
+            problems.push(format!(
+                "{}: the grader has the case `{}`, but course.toml does not list it",
                 spec.task, spec.name
             ));
             continue;
         }
-        complaints.extend(missing_golden(workspace, spec));
+        problems.extend(missing_golden(workspace, spec));
     }
-    complaints
+    problems
 }
 
-/// The golden that the case `spec` lacks, if it lacks one, in a sentence.
+/// A message about the golden file that the case `spec` needs and that does not exist, if any.
 pub fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
     let snapshot = workspace.snapshot(spec.task, spec.name);
     let picture = workspace.golden_picture(spec.task, spec.name);
@@ -50,7 +51,7 @@ pub fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
         return None;
     };
     Some(format!(
-        "{}: the case `{}` has no golden {}. `grader bless {}` writes it",
+        "{}: the case `{}` has no golden {}. Run `grader bless {}` to write it",
         spec.task,
         spec.name,
         missing
@@ -61,8 +62,8 @@ pub fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
     ))
 }
 
-/// The course's points: core and robust.
-pub fn points(course: &Course) -> [f64; 2] {
+/// The sum of the core points and the sum of the robust points of the course.
+pub fn total_points(course: &Course) -> [f64; 2] {
     [Tier::Core, Tier::Robust].map(|tier| course.tasks().map(|task| task.points(tier)).sum())
 }
 
@@ -74,25 +75,31 @@ mod tests {
     use judge::truths::expected;
 
     #[test]
-    fn core_probes_are_decided() {
+    fn core_cases_contain_hits_and_few_undecidable_probes() {
         let course =
-            Course::parse(include_str!("../../stages/course.toml")).expect("the course is sound");
+            Course::parse(include_str!("../../stages/course.toml")).expect("the course is valid");
         let specs = all(0);
-        let mut probed = 0;
+        let mut probes = 0;
         for task in course.tasks() {
             for entry in task.cases.iter().filter(|case| case.tier == Tier::Core) {
                 let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
-                let spec = spec.expect("every case of the course is there");
+                let spec = spec.expect("the grader has every case of the course");
                 let expected = expected(spec, Tier::Core);
                 let count = |decision| expected.iter().filter(|e| e.decision() == decision).count();
-                let (hits, open) = (count(Decision::Hit), count(Decision::Either));
-                let name = format!("{} {}: {hits} hits, {open} open", task.key, entry.name);
-                // Whoever always says miss must lose points, and nobody gets them for nothing.
-                assert!(expected.is_empty() || hits > 0, "{name}");
-                assert!(open * 50 <= expected.len(), "{name} of {}", expected.len());
-                probed += expected.len();
+                let (hits, undecidable) = (count(Decision::Hit), count(Decision::Either));
+                let counts = format!(
+                    "{} {}: {hits} hits and {undecidable} undecidable of {} probes",
+                    task.key,
+                    entry.name,
+                    expected.len()
+                );
+                // Code that always returns a miss must lose points, and so must any constant
+                // answer.
+                assert!(expected.is_empty() || hits > 0, "{counts}");
+                assert!(undecidable * 50 <= expected.len(), "{counts}");
+                probes += expected.len();
             }
         }
-        assert!(probed > 3000, "{probed}");
+        assert!(probes > 3000, "{probes} probes");
     }
 }

@@ -1,46 +1,46 @@
-//! The clean workspace that submissions are built in.
+//! The workspace that submissions are built in: trusted files and the submission's sources.
 
 use crate::file_tree::{self, Files};
 use crate::packages::{lock, manifest, members};
 use grader::error::GraderError;
 use grader::grade::BuildRoot;
-use grader::interrupt::{self, Claim};
+use grader::interrupt::{self, LockFile};
 use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
 
-/// A folder for one job after the other: what does not change between two of them is built once.
+/// A workspace for building one submission after the other. Cargo rebuilds only what differs.
 #[derive(Debug)]
-pub struct Job {
+pub struct CleanWorkspace {
     folder: PathBuf,
     target: PathBuf,
-    /// The worker and all it imports, with every stage as the reference solves it. No tests, no goldens.
+    /// The files of the worker and its dependencies, with the reference's stages. No tests, no
+    /// goldens.
     trusted: Files,
-    _claim: Claim,
+    _lock: LockFile,
 }
 
-impl Job {
-    /// Lays out the folder below `target/` of `workspace`. One grader at a time.
-    pub fn open(workspace: &Workspace) -> Result<Job, GraderError> {
+impl CleanWorkspace {
+    /// Opens the clean workspace in the folder `target/` of `workspace`. Fails if another grader
+    /// uses it.
+    pub fn open(workspace: &Workspace) -> Result<CleanWorkspace, GraderError> {
         let top = workspace.root().join("target/submissions");
-        std::fs::create_dir_all(&top).map_err(|e| GraderError::file("make", &top, e))?;
+        std::fs::create_dir_all(&top).map_err(|e| GraderError::file("create", &top, e))?;
         let target = top.join("target");
         if !target.is_dir() {
-            // What cargo says about code that is not the caller's own is kept for the report.
-            eprintln!(
-                "Building the course for submissions: this first time it takes a few minutes."
-            );
+            // A sealed build does not print cargo's progress.
+            eprintln!("Building the course for submissions. The first time takes a few minutes.");
         }
-        let claim = interrupt::claim(&top.join("in_use"))?;
-        Ok(Job {
+        let lock = interrupt::lock(&top.join("in_use"))?;
+        Ok(CleanWorkspace {
             folder: top.join("job"),
             target,
-            trusted: trusted(workspace)?,
-            _claim: claim,
+            trusted: trusted_files(workspace)?,
+            _lock: lock,
         })
     }
 
-    /// Puts the given stages in place of the reference's.
-    pub fn with(&self, stages: &[(&str, &Files)]) -> Result<BuildRoot<'_>, GraderError> {
+    /// Writes the workspace with these stages in place of the reference's.
+    pub fn with_stages(&self, stages: &[(&str, &Files)]) -> Result<BuildRoot<'_>, GraderError> {
         let mut files = self.trusted.clone();
         for (stage, sources) in stages {
             let src = Path::new("stages").join(stage).join("src");
@@ -51,7 +51,7 @@ impl Job {
                     .map(|(path, text)| (src.join(path), text.clone())),
             );
         }
-        file_tree::make_equal(&self.folder, &files)?;
+        file_tree::sync_folder(&self.folder, &files)?;
         Ok(BuildRoot {
             root: &self.folder,
             target: Some(&self.target),
@@ -60,18 +60,19 @@ impl Job {
     }
 }
 
-fn trusted(workspace: &Workspace) -> Result<Files, GraderError> {
+/// The files of the worker and of all crates that it depends on.
+fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
     let root = workspace.root();
     let members = members::read(root)?;
-    let needed = members::closure(&members, &["worker"]);
+    let needed = members::with_dependencies(&members, &["worker"]);
     let left_out: Vec<PathBuf> = members
         .iter()
         .filter(|member| !needed.contains(member.name.as_str()))
         .map(|member| member.folder.clone())
         .collect();
     let mut files = Files::new();
-    for path in file_tree::paths(root)? {
-        let owner = members::owner(&members, &path);
+    for path in file_tree::workspace_paths(root)? {
+        let owner = members::containing_member(&members, &path);
         let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
         let wanted = match owner {
             None => {
@@ -84,7 +85,7 @@ fn trusted(workspace: &Workspace) -> Result<Files, GraderError> {
                 let is_test = inside
                     .iter()
                     .next()
-                    .is_some_and(|name| members::TESTS.iter().any(|test| name == *test));
+                    .is_some_and(|name| members::TEST_FOLDERS.iter().any(|test| name == *test));
                 needed.contains(owner.name.as_str()) && !is_test
             }
         };
@@ -95,13 +96,13 @@ fn trusted(workspace: &Workspace) -> Result<Files, GraderError> {
         if is_manifest {
             let text = String::from_utf8_lossy(&contents);
             contents = match owner {
-                None => manifest::of_workspace(&text, &left_out),
+                None => manifest::without_members(&text, &left_out),
                 Some(_) => manifest::without_tests(&text),
             }
             .into_bytes();
         }
         files.insert(path, contents);
     }
-    lock::mend(&mut files)?;
+    lock::remove_unused(&mut files)?;
     Ok(files)
 }

@@ -1,20 +1,21 @@
-//! One crate that holds many versions of a stage beside each other.
+//! Builds many versions of a stage as modules of one crate.
 //!
-//! Building a worker for each mutant would take minutes; so all of a stage's mutants are modules of one crate,
-//! and the environment variable [`CHOICE`] says which of them its functions call.
+//! Building one worker per mutant would take minutes. So all versions of a stage are modules of one
+//! crate, and the environment variable [`VERSION_VARIABLE`] selects the one that its functions
+//! call.
 
 use super::corpus::Sources;
-use grader::compile::{Build, Built};
+use grader::compile::{BuildOutcome, WorkerBuild};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Says which version a hosting worker runs, counted from 0.
-pub const CHOICE: &str = "FIRSTLIGHT_VERSION";
+/// The environment variable with the number of the version to run, counted from 0.
+pub const VERSION_VARIABLE: &str = "FIRSTLIGHT_VERSION";
 
-/// The functions of each stage: before the parameters, parameters, names of the parameters, after them.
-struct Signature {
+/// The signature of a function of a stage.
+struct StageFunction {
     stage: &'static str,
     function: &'static str,
     generics: &'static str,
@@ -25,8 +26,8 @@ struct Signature {
 const RAY: (&str, &str) = ("ray", "&Ray");
 const RAY_MUT: (&str, &str) = ("ray", "&mut Ray");
 
-const SIGNATURES: &[Signature] = &[
-    Signature {
+const STAGE_FUNCTIONS: &[StageFunction] = &[
+    StageFunction {
         stage: "raygen",
         function: "raytrace_pixel",
         generics: "",
@@ -44,98 +45,98 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "PixelEstimate",
     },
-    Signature {
+    StageFunction {
         stage: "raygen",
         function: "generate_ray",
         generics: "",
         parameters: &[("camera", "&Camera"), ("sensor", "Vec2")],
         returns: "Ray",
     },
-    Signature {
+    StageFunction {
         stage: "intersect",
         function: "test_triangle",
         generics: "",
         parameters: &[("tri", "&Triangle"), RAY],
         returns: "Option<TriangleHit>",
     },
-    Signature {
+    StageFunction {
         stage: "intersect",
         function: "intersect_triangle",
         generics: "",
         parameters: &[("tri", "&Triangle"), ("id", "PrimId"), RAY_MUT],
         returns: "Option<Hit>",
     },
-    Signature {
+    StageFunction {
         stage: "intersect",
         function: "test_sphere",
         generics: "",
         parameters: &[("s", "&Sphere"), RAY],
         returns: "Option<f64>",
     },
-    Signature {
+    StageFunction {
         stage: "intersect",
         function: "intersect_sphere",
         generics: "",
         parameters: &[("s", "&Sphere"), ("id", "PrimId"), RAY_MUT],
         returns: "Option<Hit>",
     },
-    Signature {
+    StageFunction {
         stage: "bbox",
         function: "intersect_bbox",
         generics: "",
         parameters: &[("b", "&Aabb"), RAY],
         returns: "Option<Interval>",
     },
-    Signature {
+    StageFunction {
         stage: "bvh",
         function: "construct_bvh",
         generics: "",
         parameters: &[("bounds", "&[Aabb]"), ("max_leaf_size", "usize")],
         returns: "Bvh",
     },
-    Signature {
+    StageFunction {
         stage: "bvh",
         function: "intersect_bvh",
         generics: "<W: World>",
         parameters: &[("bvh", "&Bvh"), RAY_MUT, ("world", "&mut W")],
         returns: "Option<Hit>",
     },
-    Signature {
+    StageFunction {
         stage: "bvh",
         function: "occludes_bvh",
         generics: "<W: World>",
         parameters: &[("bvh", "&Bvh"), RAY, ("world", "&mut W")],
         returns: "bool",
     },
-    Signature {
+    StageFunction {
         stage: "direct",
         function: "lambert_f",
         generics: "",
         parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("wi", "Vec3")],
         returns: "Spectrum",
     },
-    Signature {
+    StageFunction {
         stage: "direct",
         function: "lambert_pdf",
         generics: "",
         parameters: &[("wo", "Vec3"), ("wi", "Vec3")],
         returns: "f64",
     },
-    Signature {
+    StageFunction {
         stage: "direct",
         function: "lambert_sample",
         generics: "",
         parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("u", "Vec2")],
         returns: "Option<BsdfSample>",
     },
-    Signature {
+    StageFunction {
         stage: "direct",
         function: "zero_bounce_radiance",
         generics: "",
         parameters: &[("surface", "&Surface"), ("wo", "Vec3")],
         returns: "Spectrum",
     },
-    Signature {
+    StageFunction {
         stage: "direct",
         function: "estimate_direct_lighting_hemisphere",
         generics: "",
@@ -150,7 +151,7 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "Spectrum",
     },
-    Signature {
+    StageFunction {
         stage: "direct",
         function: "estimate_direct_lighting_importance",
         generics: "",
@@ -165,35 +166,35 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "Spectrum",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "fresnel_dielectric",
         generics: "",
         parameters: &[("cos_i", "f64"), ("eta", "f64")],
         returns: "f64",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "reflect",
         generics: "",
         parameters: &[("wo", "Vec3")],
         returns: "Vec3",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "refract",
         generics: "",
         parameters: &[("wo", "Vec3"), ("ior", "f64")],
         returns: "Option<Vec3>",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "mirror_sample",
         generics: "",
         parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3")],
         returns: "Option<BsdfSample>",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "refraction_sample",
         generics: "",
@@ -204,7 +205,7 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "Option<BsdfSample>",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "glass_sample",
         generics: "",
@@ -217,7 +218,7 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "Option<BsdfSample>",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "estimate_radiance",
         generics: "",
@@ -239,21 +240,21 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "Spectrum",
     },
-    Signature {
+    StageFunction {
         stage: "global",
         function: "play_roulette",
         generics: "",
         parameters: &[("throughput", "Spectrum"), ("bounces", "u32"), ("u", "f64")],
         returns: "Option<Spectrum>",
     },
-    Signature {
+    StageFunction {
         stage: "adaptive",
         function: "has_converged",
         generics: "",
         parameters: &[("samples", "&Tally"), ("tolerance", "f64")],
         returns: "bool",
     },
-    Signature {
+    StageFunction {
         stage: "adaptive",
         function: "has_surely_converged",
         generics: "",
@@ -264,7 +265,7 @@ const SIGNATURES: &[Signature] = &[
         ],
         returns: "bool",
     },
-    Signature {
+    StageFunction {
         stage: "adaptive",
         function: "raytrace_pixel_adaptive",
         generics: "",
@@ -284,18 +285,19 @@ const SIGNATURES: &[Signature] = &[
     },
 ];
 
-/// Builds a worker whose `stage` has all of `versions`; [`CHOICE`] picks one. Other stages are the workspace's.
+/// Builds a worker whose `stage` contains all `versions`. [`VERSION_VARIABLE`] selects one of them.
+/// The other stages are the workspace's own.
 pub fn worker(
     workspace: &Workspace,
     stage: &str,
     versions: &[Sources],
 ) -> Result<PathBuf, GraderError> {
     let job = workspace.root().join("target/mutants/jobs").join(stage);
-    write_host(&job.join("host"), stage, versions)?;
-    write_job(workspace, &job, stage)?;
+    write_versions(&job.join("host"), stage, versions)?;
+    write_workspace(workspace, &job, stage)?;
     let target = workspace.root().join("target/mutants/target");
     let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
-    match (Build {
+    match (WorkerBuild {
         root: &job,
         features,
         target: Some(&target),
@@ -303,17 +305,18 @@ pub fn worker(
     })
     .run()?
     {
-        Built::Worker(program) => Ok(program),
-        Built::DoesNotCompile(_) => Err(GraderError::new(format!(
-            "the versions of `{stage}` in {} do not compile: mend the mutant or variant that cargo names",
+        BuildOutcome::Worker(program) => Ok(program),
+        BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
+            "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",
             job.display()
         ))),
     }
 }
 
-/// Writes the crate that holds all versions.
-fn write_host(folder: &Path, stage: &str, versions: &[Sources]) -> Result<(), GraderError> {
-    // Files of earlier versions may stay: nothing names them as a module. What is unchanged is not built again.
+/// Writes the crate that contains all versions.
+fn write_versions(folder: &Path, stage: &str, versions: &[Sources]) -> Result<(), GraderError> {
+    // Files of earlier runs may stay, because no `mod` names them. Cargo rebuilds only what
+    // changed.
     let src = folder.join("src");
     let manifest = format!(
         "[package]\nname = \"{stage}\"\nversion.workspace = true\nedition.workspace = true\n\n[dependencies]\nkit.workspace = true\n"
@@ -340,7 +343,7 @@ fn module(version: usize) -> String {
     format!("v{version}")
 }
 
-/// The host's `lib.rs`: a function for each of the stage's, which calls the chosen version's.
+/// The `lib.rs` of the crate: each function of the stage calls the selected version.
 fn library(stage: &str, versions: usize) -> String {
     let mut text = String::from("#![allow(warnings)]\nuse kit::*;\n");
     for i in 0..versions {
@@ -348,20 +351,20 @@ fn library(stage: &str, versions: usize) -> String {
     }
     let _ = writeln!(
         text,
-        "fn choice() -> usize {{\n    static CHOICE: std::sync::OnceLock<usize> = std::sync::OnceLock::new();\n    \
-         *CHOICE.get_or_init(|| std::env::var(\"{CHOICE}\").unwrap().parse().unwrap())\n}}"
+        "fn choice() -> usize {{\n    static VERSION_VARIABLE: std::sync::OnceLock<usize> = std::sync::OnceLock::new();\n    \
+         *VERSION_VARIABLE.get_or_init(|| std::env::var(\"{VERSION_VARIABLE}\").unwrap().parse().unwrap())\n}}"
     );
-    for signature in SIGNATURES
+    for function in STAGE_FUNCTIONS
         .iter()
-        .filter(|signature| signature.stage == stage)
+        .filter(|function| function.stage == stage)
     {
-        let Signature {
+        let StageFunction {
             function,
             generics,
             parameters,
             returns,
             ..
-        } = signature;
+        } = function;
         let declared: Vec<String> = parameters
             .iter()
             .map(|(name, of)| format!("{name}: {of}"))
@@ -385,37 +388,38 @@ fn library(stage: &str, versions: usize) -> String {
     text
 }
 
-/// Writes a workspace of two crates, host and worker; everything else is taken from the real one.
-fn write_job(workspace: &Workspace, job: &Path, stage: &str) -> Result<(), GraderError> {
+/// Writes a workspace of two crates, the versions and the worker. Their dependencies are in the
+/// course's workspace.
+fn write_workspace(workspace: &Workspace, job: &Path, stage: &str) -> Result<(), GraderError> {
     let root = workspace.root();
     let path = root.join("Cargo.toml");
     let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
     let mut manifest: toml::Table = text
         .parse()
-        .map_err(|e| GraderError::file("understand", &path, e))?;
-    let unfit = || GraderError::file("use", &path, "it has no [workspace.dependencies]");
+        .map_err(|e| GraderError::file("parse", &path, e))?;
+    let no_table = || GraderError::file("use", &path, "it has no [workspace.dependencies]");
     let spec = manifest
         .get_mut("workspace")
         .and_then(toml::Value::as_table_mut)
-        .ok_or_else(unfit)?;
+        .ok_or_else(no_table)?;
     spec.insert("members".into(), toml::Value::from(vec!["host", "worker"]));
     let dependencies = spec
         .get_mut("dependencies")
         .and_then(toml::Value::as_table_mut)
-        .ok_or_else(unfit)?;
+        .ok_or_else(no_table)?;
     for (name, dependency) in dependencies.iter_mut() {
         let Some(path) = dependency.get_mut("path") else {
             continue;
         };
-        let place = match path.as_str() {
+        let folder = match path.as_str() {
             _ if name == stage => job.join("host"),
             _ if name == "worker" => job.join("worker"),
             Some(below) => root.join(below),
             None => continue,
         };
-        *path = toml::Value::from(place.display().to_string());
+        *path = toml::Value::from(folder.display().to_string());
     }
-    // A hundred versions build faster so, and floats come out the same.
+    // A hundred versions build faster with little optimisation, and compute the same floats.
     if let Some(release) = manifest
         .get_mut("profile")
         .and_then(|profile| profile.get_mut("release"))
@@ -446,7 +450,8 @@ fn copy(from: &Path, to: &Path) -> Result<(), GraderError> {
     write(to, &text)
 }
 
-/// Writes a file and the folders above it; leaves one alone that is already so, for cargo's sake.
+/// Writes a file and creates its parent folders. Does not write a file again that is up to date, so
+/// that cargo does not rebuild it.
 fn write(path: &Path, text: &str) -> Result<(), GraderError> {
     if std::fs::read_to_string(path).is_ok_and(|old| old == text) {
         return Ok(());

@@ -5,7 +5,7 @@ use super::rays::Target;
 use kernels::Found;
 use kit::{Aabb, Interval, Ray, Sphere, Triangle, Vec3};
 use oracle::bbox::{END_ERROR, End};
-use oracle::{self, Kernel, Real, surface};
+use oracle::{self, Kernel, BigFloat, surface};
 
 /// What is true of one pair.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ pub(crate) struct Truth {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TrueEnd {
     /// Its value.
-    pub(crate) t: Real,
+    pub(crate) t: BigFloat,
     /// How far a robust kernel in `f64` may be off.
     pub(crate) bound: f64,
 }
@@ -136,7 +136,7 @@ impl Judged for Aabb {
     fn truth(&self, ray: &Ray) -> Truth {
         let verdict = oracle::bbox(self, ray);
         let true_end = |end: End, own: f64| match end {
-            End::At(t) if t != Real::new(own) => Some(TrueEnd {
+            End::At(t) if t != BigFloat::new(own) => Some(TrueEnd {
                 t,
                 bound: END_ERROR * t.to_f64().abs(),
             }),

@@ -4,26 +4,29 @@ use kit::camera::scale_fov;
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::{Aabb, Camera, Light, Mat3, Material, Scene, Spectrum, Triangle, Vec3};
 
-/// Half the width and half the depth of the box; its floor is at y = 0, its front open to +z.
+/// Half the width and half the depth of the box. The floor is at y = 0; the side towards +z is
+/// open.
 const HALF: f64 = 1.0;
 /// Height of the ceiling.
 const HEIGHT: f64 = 1.5;
-/// Half the edges of the light in x and z.
+/// Half the edge lengths of the light in x and z.
 const LIGHT: [f64; 2] = [0.4, 0.3];
 /// Height of the light, just below the ceiling.
 const LIGHT_HEIGHT: f64 = 1.49;
-/// Room for the mesh: width, height, depth.
-const ROOM: Vec3 = Vec3::new(1.6, 1.15, 1.6);
+/// Largest width, height and depth of the mesh.
+const MESH_SIZE: Vec3 = Vec3::new(1.6, 1.15, 1.6);
 /// Gap under the mesh, so that it does not touch the floor.
 const GAP: f64 = 1e-3;
 
-/// A Cornell box with `mesh` in the middle of its floor, scaled evenly to fill it, lit from the ceiling.
+/// Returns a Cornell box with `mesh` in the middle of its floor, scaled uniformly to fill it, lit
+/// from the ceiling.
 ///
-/// Stand-ins for the two large scenes of the assignment: `cornell_with(generate(MeshKind::Smooth, 100_000))`
-/// for CBdragon and `cornell_with(generate(MeshKind::Terrain, 500_000))` for CBlucy.
+/// This replaces the two large scenes of the assignment:
+/// `cornell_with(generate(MeshKind::Smooth, 100_000))` for CBdragon and
+/// `cornell_with(generate(MeshKind::Terrain, 500_000))` for CBlucy.
 pub fn cornell_with(mesh: Vec<Triangle>) -> Scene {
     let mut scene = Scene {
-        triangles: fitted(mesh),
+        triangles: fit_into_box(mesh),
         ..Scene::default()
     };
     let matte = |r, g, b| Material::Diffuse {
@@ -31,7 +34,7 @@ pub fn cornell_with(mesh: Vec<Triangle>) -> Scene {
     };
     let radiance = Spectrum::grey(10.0);
     add_object(&mut scene, "mesh", matte(0.7, 0.7, 0.7));
-    // Walls wind so that their normals point into the box.
+    // The vertex order of the walls makes their normals point into the box.
     let (l, h) = (HALF, HEIGHT);
     let white = matte(0.7, 0.7, 0.7);
     add_quad(
@@ -93,18 +96,18 @@ pub fn cornell_with(mesh: Vec<Triangle>) -> Scene {
     scene
 }
 
-/// Vertical angle of view in degrees: the front of the box fills the picture.
+/// Vertical field of view in degrees: the front of the box fills the picture.
 const VERTICAL_FOV: f64 = 27.0;
 
-/// The mesh, scaled and moved into the box.
-fn fitted(mut mesh: Vec<Triangle>) -> Vec<Triangle> {
+/// Scales the mesh uniformly and moves it into the box.
+fn fit_into_box(mut mesh: Vec<Triangle>) -> Vec<Triangle> {
     let bounds = mesh
         .iter()
         .fold(Aabb::EMPTY, |all, triangle| all.union(triangle.bounds()));
     if bounds.is_empty() {
         return mesh;
     }
-    let scale = (ROOM / bounds.extent()).min_element();
+    let scale = (MESH_SIZE / bounds.extent()).min_element();
     let foot = Vec3::new(bounds.centroid().x, bounds.min.y, bounds.centroid().z);
     for triangle in &mut mesh {
         for p in [&mut triangle.p0, &mut triangle.p1, &mut triangle.p2] {
@@ -122,7 +125,7 @@ fn add_quad(scene: &mut Scene, name: &str, material: Material, corners: [[f64; 3
     add_object(scene, name, material);
 }
 
-/// Makes an object of the triangles that have none yet.
+/// Adds an object with the triangles that do not belong to one yet.
 fn add_object(scene: &mut Scene, name: &str, material: Material) {
     let index = scene.objects.len() as u32;
     scene.materials.push(NamedMaterial {

@@ -1,24 +1,26 @@
-//! Meshes whose triangles share their vertices.
+//! Triangle meshes with shared vertices.
 
 use kit::{Triangle, Vec3};
 
-/// Vertices and triangles that name them. Triangles that share a vertex share it to the last bit.
+/// A list of vertices, and triangles that are indices into it. Triangles that share a vertex have
+/// exactly the same position for it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IndexedMesh {
-    /// Vertices.
+    /// Positions of the vertices.
     pub positions: Vec<Vec3>,
-    /// Three vertices each, counter-clockwise seen from outside.
+    /// Three vertex indices per triangle, counter-clockwise seen from outside.
     pub faces: Vec<[u32; 3]>,
 }
 
 impl IndexedMesh {
-    /// The corners of a face.
+    /// Returns the positions of the vertices of a face.
     pub fn corners(&self, face: [u32; 3]) -> [Vec3; 3] {
         face.map(|vertex| self.positions[vertex as usize])
     }
 
-    /// Cuts faces in three about their middle, spread evenly over the mesh, until there are `wanted` faces,
-    /// or one fewer: each cut adds two. A mesh that has as many already stays as it is.
+    /// Divides faces into three at their centroid, evenly spread over the mesh, until there are
+    /// `wanted` faces or one less: each division adds two faces, and a face is divided once at
+    /// most. A mesh that has enough faces already is returned unchanged.
     pub(super) fn cut_to(mut self, wanted: usize) -> IndexedMesh {
         let faces = self.faces.len();
         let cuts = (wanted.saturating_sub(faces) / 2).min(faces);
@@ -36,7 +38,8 @@ impl IndexedMesh {
         self
     }
 
-    /// The triangles, each vertex with the mean normal of its faces, weighted by their areas.
+    /// Returns the triangles. Each vertex normal is the area-weighted mean of the normals of its
+    /// faces.
     pub fn smooth_triangles(&self) -> Vec<Triangle> {
         let mut normals = vec![Vec3::ZERO; self.positions.len()];
         for face in &self.faces {
@@ -64,7 +67,7 @@ impl IndexedMesh {
         self.faces.iter().map(triangle).collect()
     }
 
-    /// The triangles, each with the normal of its plane.
+    /// Returns the triangles, each with the normal of its plane.
     pub fn flat_triangles(&self) -> Vec<Triangle> {
         let triangle = |face: &[u32; 3]| {
             let [p0, p1, p2] = self.corners(*face);

@@ -1,7 +1,8 @@
-//! Large meshes that are computed, not stored: the same on every platform, to the last bit.
+//! Generators of large meshes. The meshes are the same on every platform, to the last bit.
 //!
-//! Sines come from [`kit::math`], randomness from an integer hash. Read [`IndexedMesh`] first, then `noise` and
-//! `octasphere` (what the meshes are made with), then one file a mesh, then [`cornell_with`].
+//! Sines are computed by [`kit::math`], random numbers by an integer hash. Read [`IndexedMesh`]
+//! first, then `noise` and `octasphere` (used by several generators), then one file per mesh, then
+//! [`cornell_with`].
 
 mod cornell;
 mod indexed_mesh;
@@ -22,14 +23,15 @@ use std::str::FromStr;
 /// The meshes that can be generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MeshKind {
-    /// A closed smooth blob with lobes and folds: triangles of about one size.
+    /// A closed, smooth, rounded shape with lobes and folds; all triangles have about the same
+    /// size.
     Smooth,
-    /// A rough mountain landscape, open below: detail down to the single triangle.
+    /// A rough mountain landscape, open at the bottom; its detail goes down to single triangles.
     Terrain,
-    /// A rope of closed strands tied into a trefoil: long thin triangles in all directions, whose boxes
-    /// overlap.
+    /// A rope of closed strands tied into a trefoil knot: long thin triangles in all directions,
+    /// whose bounding boxes overlap.
     Knot,
-    /// A sea urchin: a closed mesh that is all needles.
+    /// A closed mesh of needles, like a sea urchin.
     Needles,
 }
 
@@ -42,7 +44,7 @@ impl MeshKind {
         MeshKind::Needles,
     ];
 
-    /// Its name in lower case.
+    /// The name in lower case.
     pub fn name(self) -> &'static str {
         match self {
             MeshKind::Smooth => "smooth",
@@ -52,7 +54,8 @@ impl MeshKind {
         }
     }
 
-    /// Whether the mesh is closed: every edge has exactly two triangles, and they wind outwards.
+    /// Whether the mesh is closed: every edge has exactly two triangles, and all triangles are
+    /// counter-clockwise seen from outside.
     pub fn is_closed(self) -> bool {
         self != MeshKind::Terrain
     }
@@ -76,12 +79,13 @@ impl FromStr for MeshKind {
     }
 }
 
-/// The mesh with `triangles` triangles, inside the cube from -1 to 1, with smooth vertex normals (needles: flat
-/// ones).
+/// Generates the mesh with `triangles` triangles, inside the cube from -1 to 1. Vertex normals are
+/// smooth, those of needles flat.
 ///
-/// From 100 triangles up their number is exact if it is even, one fewer if it is odd: the faces of a closed
-/// mesh of triangles are always even in number. Each kind takes the largest regular pattern that is not too
-/// large and cuts a few triangles in three. A triangle takes 144 bytes, so 10 million take 1.4 GB.
+/// From 100 triangles on the number is exact if it is even, and one less if it is odd: a closed
+/// triangle mesh always has an even number of faces. Each generator makes the largest regular mesh
+/// that has at most `triangles` faces, then divides some faces into three. A triangle takes 144
+/// bytes, so 10 million take 1.4 GB.
 pub fn generate(kind: MeshKind, triangles: usize) -> Vec<Triangle> {
     let pattern = match kind {
         MeshKind::Smooth => smooth::mesh(triangles),

@@ -1,4 +1,5 @@
-//! A closed grid over the sphere: the octahedron |x|+|y|+|z| = f, cut at its whole-numbered points.
+//! A closed triangle grid on the sphere: the octahedron |x|+|y|+|z| = f with its integer points as
+//! vertices, projected to the sphere.
 
 use super::indexed_mesh::IndexedMesh;
 use kit::Vec3;
@@ -6,30 +7,31 @@ use kit::Vec3;
 /// Marks a grid point that is not on the octahedron.
 const NONE: u32 = u32::MAX;
 
-/// Numbers the whole-numbered points of the octahedron: seen from above, the upper and the lower half are two
-/// squares over the same (x, y) that share their rims.
-struct Numbering {
+/// Vertex indices of the integer points of the octahedron. Seen from above, the upper and the lower
+/// half are two grids over the same (x, y) that share the points of their outline.
+struct VertexIndices {
     f: i64,
     upper: Vec<u32>,
     lower: Vec<u32>,
 }
 
-impl Numbering {
+impl VertexIndices {
     fn slot(&self, x: i64, y: i64) -> usize {
         ((x + self.f) * (2 * self.f + 1) + (y + self.f)) as usize
     }
 
-    fn number(&self, x: i64, y: i64, above: bool) -> u32 {
+    fn get(&self, x: i64, y: i64, above: bool) -> u32 {
         let half = if above { &self.upper } else { &self.lower };
         half[self.slot(x, y)]
     }
 }
 
-/// The grid with 8f² triangles, `f >= 1`. `place` gives the position of the vertex in a unit direction.
+/// Returns the grid with 8f² triangles, `f >= 1`. `place` returns the position of the vertex in a
+/// unit direction.
 pub(super) fn octasphere(f: u32, mut place: impl FnMut(Vec3) -> Vec3) -> IndexedMesh {
     let f = i64::from(f);
     let squares = ((2 * f + 1) * (2 * f + 1)) as usize;
-    let mut numbering = Numbering {
+    let mut indices = VertexIndices {
         f,
         upper: vec![NONE; squares],
         lower: vec![NONE; squares],
@@ -41,36 +43,32 @@ pub(super) fn octasphere(f: u32, mut place: impl FnMut(Vec3) -> Vec3) -> Indexed
         let reach = f - x.abs();
         for y in -reach..=reach {
             let z = reach - y.abs();
-            let slot = numbering.slot(x, y);
+            let slot = indices.slot(x, y);
             let mut add = |z: i64| {
                 let number = mesh.positions.len() as u32;
                 let direction = Vec3::new(x as f64, y as f64, z as f64).normalize();
                 mesh.positions.push(place(direction));
                 number
             };
-            numbering.upper[slot] = add(z);
-            // On the rim both halves are one.
-            numbering.lower[slot] = if z == 0 {
-                numbering.upper[slot]
-            } else {
-                add(-z)
-            };
+            indices.upper[slot] = add(z);
+            // On the outline the two halves share their vertices.
+            indices.lower[slot] = if z == 0 { indices.upper[slot] } else { add(-z) };
         }
     }
     for above in [true, false] {
         for x in -f..f {
             for y in -f..f {
-                add_square(&mut mesh, &numbering, [x, y], above);
+                add_square(&mut mesh, &indices, [x, y], above);
             }
         }
     }
     mesh
 }
 
-/// The triangles over the unit square from (x, y): both where all four corners are on the octahedron, one at
-/// the rim. The diagonal runs parallel to the rim of its quadrant.
-fn add_square(mesh: &mut IndexedMesh, numbering: &Numbering, [x, y]: [i64; 2], above: bool) {
-    let at = |dx: i64, dy: i64| numbering.number(x + dx, y + dy, above);
+/// Adds the triangles over the unit square from (x, y): two if all four corners are on the
+/// octahedron, one at the outline. The diagonal is parallel to the outline of its quadrant.
+fn add_square(mesh: &mut IndexedMesh, indices: &VertexIndices, [x, y]: [i64; 2], above: bool) {
+    let at = |dx: i64, dy: i64| indices.get(x + dx, y + dy, above);
     let (a, b, c, d) = (at(0, 0), at(1, 0), at(1, 1), at(0, 1));
     let rising = (x >= 0) != (y >= 0);
     let halves = if rising {

@@ -4,14 +4,15 @@ use super::indexed_mesh::IndexedMesh;
 use super::noise::gradient_noise;
 use kit::Vec3;
 
-/// Heights lie in about [0, RELIEF] above the plane y = 0.
+/// Heights are in about [0, RELIEF] above the plane y = 0.
 const RELIEF: f64 = 0.9;
 
-/// The largest such mesh of at most `triangles` triangles: 2n², over the square from -1 to 1 in x and
-/// z. Open below and at the rim.
+/// Returns the largest such mesh of at most `triangles` triangles: 2n², over the square from -1 to
+/// 1 in x and z. The mesh is open at the bottom and at the border.
 pub(super) fn mesh(triangles: usize) -> IndexedMesh {
     let n = ((triangles as f64 / 2.0).sqrt() as u32).max(1);
-    // Each octave halves the size of features: the last one is about two squares wide.
+    // Each octave halves the size of the features; the features of the last one are about two
+    // squares wide.
     let octaves = n.ilog2().max(2);
     let at = |i: u32| 2.0 * f64::from(i) / f64::from(n) - 1.0;
     let mut mesh = IndexedMesh::default();
@@ -34,22 +35,23 @@ pub(super) fn mesh(triangles: usize) -> IndexedMesh {
     mesh
 }
 
-/// Ridged noise: the folds of |noise| make crests, and each octave is stronger where the one before was high
-/// (F. K. Musgrave, "Procedural fractal terrains", in Ebert et al., Texturing & Modeling, 1994). Falls to
-/// the sea at the rim.
+/// Returns the height at (x, z), by ridged noise: the folds of |noise| form crests, and each octave
+/// is stronger where the one before was high (F. K. Musgrave, "Procedural fractal terrains", in
+/// Ebert et al., Texturing & Modeling, 1994). The height falls to 0 at the border.
 fn height(x: f64, z: f64, octaves: u32) -> f64 {
     let mut sum = 0.0;
     let mut amplitude = 0.5;
     let mut frequency = 1.9;
     let mut weight: f64 = 1.0;
     for octave in 0..octaves {
-        // Each octave in a plane of its own, off the lattice, where noise would be 0.
+        // Each octave uses another plane, off the lattice planes, where the noise would be 0.
         let p = Vec3::new(frequency * x, 0.5 + f64::from(octave), frequency * z);
         let ridge = 1.0 - gradient_noise(p, 17).abs().min(1.0);
         let crest = ridge * ridge * weight;
         sum += amplitude * crest;
         weight = (2.0 * crest - 0.3).clamp(0.0, 1.0);
-        // A little over half: slopes get steeper with every octave, so it stays rough at every size.
+        // A little over 1/2: slopes become steeper with every octave, so the surface is rough at
+        // every scale.
         amplitude *= 0.53;
         frequency *= 2.03;
     }

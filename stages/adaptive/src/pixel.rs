@@ -49,7 +49,7 @@ mod tests {
     use super::*;
     use crate::{has_converged, has_surely_converged};
     use kit::Vec3;
-    use statistics::{sidak, smallest_sure_bias, two_sided};
+    use statistics::{sidak, detectable_bias, two_sided};
 
     const FILM: FilmSize = FilmSize { w: 4, h: 2 };
 
@@ -169,7 +169,7 @@ mod tests {
             mended.mean(),
             mended.standard_error()
         );
-        assert!(smallest_sure_bias(mended.standard_error(), alarm) < 0.12);
+        assert!(detectable_bias(mended.standard_error(), alarm) < 0.12);
         let plain = rare_light(0.001, 4000, budget, &mut has_converged);
         assert!(two_sided(plain.z_against(1.0)) < 1e-30);
         assert!(plain.mean() < 0.2, "{}", plain.mean());
@@ -185,7 +185,7 @@ mod tests {
         let fixed = rare_light(0.5, 2000, budget(512, 32, 0.1), &mut |_, _| false);
         let p = two_sided(half.z_between(&fixed));
         assert!(p > 1e-6, "{} against {}", half.mean(), fixed.mean());
-        assert!(smallest_sure_bias(half.standard_error(), 1e-6) < 0.02);
+        assert!(detectable_bias(half.standard_error(), 1e-6) < 0.02);
     }
 }
 // END SOLUTION(part5.task1)

@@ -133,7 +133,7 @@ mod tests {
             };
             let fit = fit_to(&|wi| lambert_pdf(wo, wi));
             assert!(fit.p > alarm, "p = {:e}", fit.p);
-            assert!(fit.smallest_sure_deviation(alarm) < 0.05);
+            assert!(fit.detectable_deviation(alarm) < 0.05);
             let uniform = fit_to(&|wi| {
                 if lambert_pdf(wo, wi) > 0.0 {
                     1.0 / TAU

@@ -109,7 +109,7 @@ mod tests {
                 };
                 let fit = fit_to(shininess);
                 assert!(fit.p > alarm, "shininess {shininess}, {wo}: {fit:?}");
-                assert!(fit.smallest_sure_deviation(alarm) < 0.1, "{fit:?}");
+                assert!(fit.detectable_deviation(alarm) < 0.1, "{fit:?}");
                 assert!(fit_to(1.3 * shininess + 0.3).p < alarm);
             }
         }

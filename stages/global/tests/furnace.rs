@@ -7,7 +7,7 @@ use kit::{
     BsdfSample, Environment, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene,
     Spectrum, Sphere, Surface, Tally, Vec2, Vec3, math,
 };
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{sidak, detectable_bias, two_sided};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// Chance that any of the z-tests of this file accuses a right estimate.
@@ -158,7 +158,7 @@ fn assert_mean(what: &str, estimate: &Tally, truth: f64, worst_sure_bias: f64) {
     let p = two_sided(estimate.z_against(truth));
     let (mean, error) = (estimate.mean(), estimate.standard_error());
     assert!(p > alarm, "{what}: {mean} ± {error}, should be {truth}");
-    let sure = smallest_sure_bias(error, alarm);
+    let sure = detectable_bias(error, alarm);
     assert!(sure <= worst_sure_bias, "{what}: too noisy to tell ±{sure}");
     // What is off by as much is caught, whichever way.
     for off in [sure, -sure] {

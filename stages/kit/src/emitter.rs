@@ -233,7 +233,7 @@ pub(crate) mod tests {
         let fit = chi_square::fit_samples(20_000, 5, sample, &pdf);
         assert!(fit.p > ALARM, "{emitter:?}: {fit:?}");
         // A deviation of 14 % (root mean square) is sure to be seen, as a density off by 2 is.
-        assert!(fit.smallest_sure_deviation(ALARM) < 0.14, "{fit:?}");
+        assert!(fit.detectable_deviation(ALARM) < 0.14, "{fit:?}");
         let half = chi_square::fit_samples(20_000, 5, sample, |w| 0.5 * pdf(w));
         assert!(half.p < 1e-30, "{half:?}");
         let mut numbers = PixelSampler::new(0, 0, 1);

@@ -11,7 +11,7 @@ use image::{Rgb, RgbImage};
 use kernels::{Found, Kernel};
 use kit::{Ray, Triangle, Vec3};
 use meshes::{MeshKind, generate};
-use pages::html::{escape, png_address};
+use pages::html::{escape, png_data_uri};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -80,7 +80,7 @@ pub(crate) fn figure(family: &Family) -> Result<Option<(String, String)>, Grader
         drawn += &format!(
             "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {through} leaks in magenta\">\
              <figcaption>{}</figcaption></figure>",
-            png_address(&picture)?,
+            png_data_uri(&picture)?,
             escape(&name(row)),
         );
         said += &match through {

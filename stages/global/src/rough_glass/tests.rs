@@ -5,7 +5,7 @@ use super::*;
 use crate::{reflect, refract};
 use kit::{PixelSampler, Tally, warp};
 use statistics::chi_square;
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{sidak, detectable_bias, two_sided};
 
 fn glass(roughness: f64) -> RoughGlass {
     RoughGlass {
@@ -56,7 +56,7 @@ fn samples_fall_where_the_pdf_says() {
                 };
                 let fit = fit_to(glass);
                 assert!(fit.p > alarm, "{glass:?} from {wo}: {fit:?}");
-                assert!(fit.smallest_sure_deviation(alarm) < 0.1);
+                assert!(fit.detectable_deviation(alarm) < 0.1);
                 let other = RoughGlass {
                     roughness: 0.7 * roughness,
                     ..glass
@@ -127,7 +127,7 @@ fn the_weight_of_samples_is_the_integral_of_f() {
             .collect();
         let p = two_sided(uniformly.z_between(&by_samples));
         assert!(p > alarm, "{} {}", by_samples.mean(), uniformly.mean());
-        let sure = smallest_sure_bias(uniformly.standard_error(), alarm);
+        let sure = detectable_bias(uniformly.standard_error(), alarm);
         assert!(sure < 0.2 * by_samples.mean(), "{wo}: {sure}");
     }
 }

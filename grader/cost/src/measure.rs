@@ -15,14 +15,14 @@ use kernels::{HitF64, Kernel, OperationCounts, Pass, Precision, RayAndShapes};
 use kit::{Aabb, Sphere, Triangle};
 use rayon::prelude::*;
 
-/// What to measure.
+/// The arguments of [`measure()`]: what to measure.
 #[derive(Clone, Debug)]
 pub struct CostRequest {
-    /// The shapes whose kernels to compare.
+    /// The shapes whose kernels are compared.
     pub shapes: Vec<Shape>,
-    /// Whether to compare trees.
+    /// Whether trees are compared.
     pub trees: bool,
-    /// Whether to render pictures with the program of the workspace.
+    /// Whether pictures are rendered with the program of the workspace.
     pub pictures: bool,
     /// The numbers of rays and rounds.
     pub size: SampleCounts,
@@ -37,13 +37,13 @@ pub struct SampleCounts {
     pub rays: usize,
     /// Rays through closed meshes.
     pub leak_rays: usize,
-    /// How often the kernels and the student's worker are timed in turn.
+    /// Number of times that the kernels and the student's worker are timed in turn.
     pub turns: usize,
     /// Rounds in each turn.
     pub rounds: usize,
     /// Triangles in the mesh that trees are built over.
     pub mesh: usize,
-    /// How often each tree is built.
+    /// Number of times that each tree is built.
     pub builds: usize,
 }
 

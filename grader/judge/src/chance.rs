@@ -7,7 +7,7 @@
 use super::tally::{Aspect, Class, Tally};
 use kit::{Tally as Numbers, Vec3};
 use statistics::chi_square;
-use statistics::{sidak, detectable_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 
 /// Chance that a whole run accuses right code because of its luck.
 const FAMILY: f64 = 1e-6;

@@ -1,4 +1,4 @@
-//! Rays and boxes.
+//! The exact ray/box test.
 
 use std::cmp::Ordering;
 

@@ -90,12 +90,12 @@ impl BigFloat {
         }
     }
 
-    /// -1, 0 or 1.
+    /// Returns the sign: -1, 0 or 1.
     pub fn sign(&self) -> i32 {
         self.m.signum() as i32
     }
 
-    /// `(m, e)` of `m · 2^e`.
+    /// Returns `(m, e)` of `m · 2^e`.
     pub fn parts(&self) -> (i128, i64) {
         (self.m, self.e)
     }

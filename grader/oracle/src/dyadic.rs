@@ -23,12 +23,12 @@ impl Dyadic {
         Dyadic { m: m.into(), e }
     }
 
-    /// -1, 0 or 1.
+    /// Returns the sign: -1, 0 or 1.
     pub(super) fn sign(&self) -> i32 {
         sign_of(&self.m)
     }
 
-    /// `|m|`.
+    /// Returns `|m|`.
     pub(super) fn magnitude(&self) -> UBig {
         self.m.clone().into_parts().1
     }
@@ -210,7 +210,7 @@ impl Dyadic3 {
     }
 }
 
-/// -1, 0 or 1.
+/// Returns the sign: -1, 0 or 1.
 fn sign_of(m: &IBig) -> i32 {
     match m.sign() {
         _ if m.is_zero() => 0,

@@ -1,4 +1,4 @@
-//! Rays and spheres.
+//! The exact ray/sphere test.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! The hit point and its normals.
+//! The true hit point and its normals.
 
 use kit::{Ray, Sphere, Triangle, Vec3};
 

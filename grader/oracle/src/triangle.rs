@@ -1,4 +1,4 @@
-//! Rays and triangles.
+//! The exact ray/triangle test.
 
 use std::cmp::Ordering;
 
@@ -207,7 +207,7 @@ impl ExactTriangle {
         }
     }
 
-    /// How `t` compares with a range end; `det` must not be 0.
+    /// Compares `t` with an end of the range; `det` must not be 0.
     fn compare_t(&self, end: f64) -> Ordering {
         if end.is_infinite() {
             return 0.0.partial_cmp(&end).unwrap_or(Ordering::Equal);

@@ -125,8 +125,8 @@ impl TriangleErrorBounds {
     pub(super) fn textbook_t(&self, det: f64, t: f64) -> f64 {
         let sizes = sum_abs(self.normal_sizes);
         let det_error = TEXTBOOK_T * self.d.abs().dot(self.normal_sizes);
-        let mixed = self.extent * self.extent * self.max_edge;
-        let num_error = TEXTBOOK_T * (self.extent * sizes + mixed);
+        let interpolated = self.extent * self.extent * self.max_edge;
+        let num_error = TEXTBOOK_T * (self.extent * sizes + interpolated);
         (num_error + t.abs() * det_error) / (det.abs() - det_error).max(0.0) + TEXTBOOK_T * t.abs()
     }
 
@@ -164,10 +164,10 @@ impl TriangleErrorBounds {
     /// Textbook code computes `o + t·d`. Robust code interpolates the vertices, which keeps the
     /// point on the triangle's plane but moves it within the plane by the error of the weights.
     pub(super) fn position(&self, kernel: Kernel, t: f64, b: f64) -> f64 {
-        let mixed = DOUBLED * (2.0 * b * self.max_edge + gamma(8.0) * self.extent);
+        let interpolated = DOUBLED * (2.0 * b * self.max_edge + gamma(8.0) * self.extent);
         match kernel {
-            Kernel::Textbook => mixed + t * max_abs(self.d) + gamma(4.0) * self.extent,
-            Kernel::Robust => mixed,
+            Kernel::Textbook => interpolated + t * max_abs(self.d) + gamma(4.0) * self.extent,
+            Kernel::Robust => interpolated,
         }
     }
 }

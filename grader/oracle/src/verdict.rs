@@ -49,7 +49,7 @@ pub enum Miss {
     NotFinite,
     /// The direction is 0: a miss by convention.
     ZeroDirection,
-    /// `min_t > max_t`: no `t` counts.
+    /// `min_t > max_t`: the range is empty.
     EmptyRange,
     /// A triangle without area, or a sphere of negative radius: a miss by convention.
     Degenerate,
@@ -126,7 +126,7 @@ impl Answers {
         miss: true,
     };
 
-    /// Everything scores.
+    /// Every answer scores.
     pub const ANY: Answers = Answers {
         hits: [
             Some(Candidate {

@@ -15,7 +15,7 @@ const LIGHT: [f64; 2] = [0.4, 0.3];
 const LIGHT_HEIGHT: f64 = 1.49;
 /// Largest width, height and depth of the mesh.
 const MESH_SIZE: Vec3 = Vec3::new(1.6, 1.15, 1.6);
-/// Gap under the mesh, so that it does not touch the floor.
+/// Gap between the mesh and the floor, so that they do not touch.
 const GAP: f64 = 1e-3;
 
 /// Returns a Cornell box with `mesh` in the middle of its floor, scaled uniformly to fill it, lit

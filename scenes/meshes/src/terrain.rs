@@ -1,4 +1,4 @@
-//! A rough landscape: mountains with detail down to the single triangle.
+//! A rough landscape: mountains with detail down to single triangles.
 
 use super::indexed_mesh::IndexedMesh;
 use super::noise::gradient_noise;

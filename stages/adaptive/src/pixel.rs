@@ -49,7 +49,7 @@ mod tests {
     use super::*;
     use crate::{has_converged, has_surely_converged};
     use kit::Vec3;
-    use statistics::{sidak, detectable_bias, two_sided};
+    use statistics::{detectable_bias, sidak, two_sided};
 
     const FILM: FilmSize = FilmSize { w: 4, h: 2 };
 

@@ -11,7 +11,7 @@ mod floor;
 use floor::{Floor, RHO};
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::{Environment, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally, Vec3};
-use statistics::{sidak, detectable_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Chance that any of the tests of this file accuses a right estimate.

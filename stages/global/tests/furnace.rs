@@ -7,7 +7,7 @@ use kit::{
     BsdfSample, Environment, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene,
     Spectrum, Sphere, Surface, Tally, Vec2, Vec3, math,
 };
-use statistics::{sidak, detectable_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// Chance that any of the z-tests of this file accuses a right estimate.

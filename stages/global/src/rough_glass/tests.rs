@@ -5,7 +5,7 @@ use super::*;
 use crate::{reflect, refract};
 use kit::{PixelSampler, Tally, warp};
 use statistics::chi_square;
-use statistics::{sidak, detectable_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 
 fn glass(roughness: f64) -> RoughGlass {
     RoughGlass {

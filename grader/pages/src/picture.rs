@@ -1,4 +1,4 @@
-//! Pictures from answers: what a case whose calls are pixels looks like.
+//! Pictures of the worker's answers, for cases with one call per pixel.
 
 use image::{Rgb, RgbImage};
 use std::io::Cursor;
@@ -9,11 +9,12 @@ use wire::{Answer, Work};
 use grader::error::GraderError;
 use grader::report::write_whole;
 
-/// The colour of a pixel whose value is not a number.
-const NOT_A_NUMBER: Rgb<u8> = Rgb([255, 0, 255]);
+/// The colour of a pixel whose value is NaN: magenta.
+const NAN_COLOUR: Rgb<u8> = Rgb([255, 0, 255]);
 
-/// The picture that `answer` to `work` makes, `width` by `height`, its calls row by row from the bottom left, each in the
-/// colour that [`judge::picture`] gives it. `None` if there are not as many answers as pixels, or they have no colour.
+/// Converts `answer` to a picture of `width` by `height` pixels, in the colours of [`judge::picture`]. The answers are in
+/// rows from the bottom left. Returns `None` if the number of answers is not the number of pixels, or if this kind of
+/// answer has no colour.
 pub fn compose([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Option<RgbImage> {
     let colours = judge::picture::colours(work, answer)?;
     if colours.len() != width as usize * height as usize {
@@ -26,15 +27,16 @@ pub fn compose([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Optio
     Some(picture)
 }
 
-/// The colour of a hit: its normal, each component from -1..1 to 0..1.
+/// Returns the colour of a hit: its normal, each component mapped from -1..1 to 0..1; black for a
+/// miss.
 pub fn normal_colour(hit: Option<&Hit>) -> Rgb<u8> {
     tone(judge::picture::hit(hit))
 }
 
-/// The tone curve of the assignment's program: `255 · min(1, (c·√2)^(1/2.2))`.
+/// Applies the tone curve of the assignment's program: `255 · min(1, (c·√2)^(1/2.2))`.
 fn tone(colour: [f64; 3]) -> Rgb<u8> {
     if colour.iter().any(|c| c.is_nan()) {
-        return NOT_A_NUMBER;
+        return NAN_COLOUR;
     }
     Rgb(colour.map(|c| {
         (255.0
@@ -44,7 +46,7 @@ fn tone(colour: [f64; 3]) -> Rgb<u8> {
     }))
 }
 
-/// The bytes of a PNG.
+/// Encodes the picture as a PNG.
 pub fn encode_png(picture: &RgbImage) -> Result<Vec<u8>, GraderError> {
     let mut bytes = Cursor::new(Vec::new());
     let encoded = picture.write_to(&mut bytes, image::ImageFormat::Png);
@@ -52,12 +54,12 @@ pub fn encode_png(picture: &RgbImage) -> Result<Vec<u8>, GraderError> {
     Ok(bytes.into_inner())
 }
 
-/// Writes a PNG whole or not at all.
+/// Writes the picture as a PNG file. The file is written completely or not at all.
 pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), GraderError> {
     write_whole(path, &encode_png(picture)?)
 }
 
-/// Reads a PNG.
+/// Reads a PNG file.
 pub fn read_png(path: &Path) -> Result<RgbImage, GraderError> {
     Ok(image::open(path)
         .map_err(|e| GraderError::file("read", path, e))?
@@ -70,7 +72,7 @@ mod tests {
     use wire::work::BoxWork;
 
     #[test]
-    fn the_first_answer_is_the_bottom_left_pixel() {
+    fn answers_start_at_the_bottom_left_pixel() {
         let work = Work::Boxes(BoxWork {
             boxes: Vec::new(),
             probes: Vec::new(),
@@ -82,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn a_normal_that_is_not_a_number_is_magenta() {
-        assert_eq!(tone([f64::NAN, 0.0, 0.0]), NOT_A_NUMBER);
+    fn a_nan_normal_is_magenta() {
+        assert_eq!(tone([f64::NAN, 0.0, 0.0]), NAN_COLOUR);
     }
 }

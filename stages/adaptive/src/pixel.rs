@@ -50,7 +50,7 @@ mod tests {
     use super::*;
     use crate::{has_converged, has_surely_converged};
     use kit::Vec3;
-    use statistics::{sidak, smallest_sure_bias, two_sided};
+    use statistics::{detectable_bias, sidak, two_sided};
 
     const FILM: FilmSize = FilmSize { w: 4, h: 2 };
 
@@ -170,7 +170,7 @@ mod tests {
             unbiased.mean(),
             unbiased.standard_error()
         );
-        assert!(smallest_sure_bias(unbiased.standard_error(), significance) < 0.12);
+        assert!(detectable_bias(unbiased.standard_error(), significance) < 0.12);
         let plain = rare_light(0.001, 4000, budget, &mut has_converged);
         assert!(two_sided(plain.z_against(1.0)) < 1e-30);
         assert!(plain.mean() < 0.2, "{}", plain.mean());
@@ -187,7 +187,7 @@ mod tests {
         let fixed = rare_light(0.5, 2000, budget(512, 32, 0.1), &mut |_, _| false);
         let p = two_sided(half.z_between(&fixed));
         assert!(p > 1e-6, "{} adaptive, {} fixed", half.mean(), fixed.mean());
-        assert!(smallest_sure_bias(half.standard_error(), 1e-6) < 0.02);
+        assert!(detectable_bias(half.standard_error(), 1e-6) < 0.02);
     }
 }
 // END SOLUTION(part5.task1)

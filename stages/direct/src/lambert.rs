@@ -137,7 +137,7 @@ mod tests {
             };
             let fit = fit_to(&|wi| lambert_pdf(wo, wi));
             assert!(fit.p > significance, "p = {:e}", fit.p);
-            assert!(fit.smallest_sure_deviation(significance) < 0.05);
+            assert!(fit.detectable_deviation(significance) < 0.05);
             let uniform = fit_to(&|wi| {
                 if lambert_pdf(wo, wi) > 0.0 {
                     1.0 / TAU

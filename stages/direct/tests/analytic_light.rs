@@ -11,7 +11,7 @@ mod floor;
 use floor::{Floor, RHO};
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::{Environment, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally, Vec3};
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Significance level of all tests of this file together.
@@ -34,7 +34,7 @@ fn assert_estimates(what: &str, estimate: &Tally, truth: f64) {
         estimate.mean(),
         estimate.standard_error()
     );
-    let sure = smallest_sure_bias(estimate.standard_error(), significance) / truth;
+    let sure = detectable_bias(estimate.standard_error(), significance) / truth;
     assert!(
         sure < WORST_SURE_BIAS,
         "{what} is too noisy: a bias below ±{sure} is not detected"
@@ -304,7 +304,7 @@ fn very_close_light_gives_a_finite_estimate() {
 fn typical_mistakes_are_detected() {
     let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
     let estimate = floor.lights(SAMPLES, 1);
-    let sure = smallest_sure_bias(estimate.standard_error(), sidak(FAMILY, TESTS));
+    let sure = detectable_bias(estimate.standard_error(), sidak(FAMILY, TESTS));
     let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
     let without_cosine = floor.lights_without_cosine(SAMPLES).mean();
     assert!(

@@ -111,7 +111,7 @@ mod tests {
                 };
                 let fit = fit_to(shininess);
                 assert!(fit.p > significance, "shininess {shininess}, {wo}: {fit:?}");
-                assert!(fit.smallest_sure_deviation(significance) < 0.1, "{fit:?}");
+                assert!(fit.detectable_deviation(significance) < 0.1, "{fit:?}");
                 assert!(fit_to(1.3 * shininess + 0.3).p < significance);
             }
         }

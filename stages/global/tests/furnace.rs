@@ -8,7 +8,7 @@ use kit::{
     BsdfSample, Environment, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene,
     Spectrum, Sphere, Surface, Tally, Vec2, Vec3, math,
 };
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// Significance level of all z-tests of this file together.
@@ -164,7 +164,7 @@ fn assert_mean(what: &str, estimate: &Tally, truth: f64, worst_sure_bias: f64) {
         p > significance,
         "{what}: {mean} ± {error}, expected {truth}"
     );
-    let sure = smallest_sure_bias(error, significance);
+    let sure = detectable_bias(error, significance);
     assert!(
         sure <= worst_sure_bias,
         "{what}: too noisy, a bias below ±{sure} is not detected"

@@ -239,7 +239,7 @@ pub(crate) mod tests {
         assert!(fit.p > SIGNIFICANCE, "{emitter:?}: {fit:?}");
         // The test detects every deviation of 14 % (root mean square), so also a density that is
         // wrong by a factor of 2.
-        assert!(fit.smallest_sure_deviation(SIGNIFICANCE) < 0.14, "{fit:?}");
+        assert!(fit.detectable_deviation(SIGNIFICANCE) < 0.14, "{fit:?}");
         let half = chi_square::fit_samples(20_000, 5, sample, |w| 0.5 * pdf(w));
         assert!(half.p < 1e-30, "{half:?}");
         let mut sampler = PixelSampler::new(0, 0, 1);

@@ -7,7 +7,7 @@ use crate::cause::Cause;
 use crate::picture::{Picture, Pixels};
 use grader::error::GraderError;
 use image::RgbImage;
-use pages::html::{base64, escape, json_in_script, png_address};
+use pages::html::{base64, escape, json_in_script, png_data_uri};
 use serde_json::json;
 use std::fmt::Write;
 
@@ -21,7 +21,7 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
     let image = |who: &str, picture: &RgbImage| -> Result<String, GraderError> {
         Ok(format!(
             "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
-            png_address(picture)?
+            png_data_uri(picture)?
         ))
     };
     let (w, h) = picture.actual.dimensions();

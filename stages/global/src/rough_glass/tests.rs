@@ -6,7 +6,7 @@ use super::*;
 use crate::{reflect, refract};
 use kit::{PixelSampler, Tally, warp};
 use statistics::chi_square;
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 
 fn glass(roughness: f64) -> RoughGlass {
     RoughGlass {
@@ -58,7 +58,7 @@ fn samples_follow_the_pdf() {
                 };
                 let fit = fit_to(glass);
                 assert!(fit.p > significance, "{glass:?} from {wo}: {fit:?}");
-                assert!(fit.smallest_sure_deviation(significance) < 0.1);
+                assert!(fit.detectable_deviation(significance) < 0.1);
                 let other = RoughGlass {
                     roughness: 0.7 * roughness,
                     ..glass
@@ -129,7 +129,7 @@ fn mean_sample_weight_is_the_integral_of_f() {
             .collect();
         let p = two_sided(uniform.z_between(&by_samples));
         assert!(p > significance, "{} {}", by_samples.mean(), uniform.mean());
-        let sure = smallest_sure_bias(uniform.standard_error(), significance);
+        let sure = detectable_bias(uniform.standard_error(), significance);
         assert!(sure < 0.2 * by_samples.mean(), "{wo}: {sure}");
     }
 }

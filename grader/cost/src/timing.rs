@@ -1,24 +1,25 @@
-//! Timing many things in turns, so that a change of the machine's speed meets all of them.
+//! Interleaved timing of several kernels, so that a change of the machine's speed affects all of
+//! them.
 
 use super::quartiles::Quartiles;
 use super::report::Timing;
 use std::time::Instant;
 
-/// Nanoseconds of one test, round after round, for each of several things.
+/// The time of one test in nanoseconds, for each kernel and each round.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rounds {
-    /// By thing, then by round.
+    /// By kernel, then by round.
     ns: Vec<Vec<f64>>,
 }
 
-/// How long a thing should run between two looks at the clock: long enough for the clock, short enough that all have
-/// had their turn before the machine changes its mind.
+/// Target time of one measurement: long enough for the resolution of the clock, short enough that a
+/// round ends before the machine's speed changes.
 const TURN_NS: f64 = 300_000.0;
 
 impl Rounds {
-    /// Lets all `passes` take turns `rounds` times, in another order each time; each runs `tests` tests a call, and
-    /// as many calls a turn as make [`TURN_NS`].
-    pub(crate) fn take(passes: &mut [kernels::Pass], tests: usize, rounds: usize) -> Rounds {
+    /// Times all `passes` in `rounds` rounds, in another order each round. A pass executes `tests`
+    /// tests per call, and is called often enough to run for [`TURN_NS`].
+    pub(crate) fn measure(passes: &mut [kernels::Pass], tests: usize, rounds: usize) -> Rounds {
         let timed = |pass: &mut kernels::Pass, calls: usize| {
             let started = Instant::now();
             for _ in 0..calls {
@@ -26,7 +27,7 @@ impl Rounds {
             }
             started.elapsed().as_nanos() as f64 / calls as f64
         };
-        // Warms caches and branch predictors, too.
+        // This also warms up caches and branch predictors.
         let calls: Vec<usize> = passes
             .iter_mut()
             .map(|pass| (TURN_NS / timed(pass, 2)).ceil().max(1.0) as usize)
@@ -41,7 +42,7 @@ impl Rounds {
         Rounds { ns }
     }
 
-    /// Appends the rounds of another take over the same things.
+    /// Appends the rounds of another measurement of the same kernels.
     pub(crate) fn extend(&mut self, more: Rounds) {
         self.ns.resize(more.ns.len().max(self.ns.len()), Vec::new());
         for (ns, more) in self.ns.iter_mut().zip(more.ns) {
@@ -49,24 +50,25 @@ impl Rounds {
         }
     }
 
-    /// Appends a thing that was timed elsewhere in the same turns, round by round.
+    /// Appends a kernel that was timed elsewhere in the same turns.
     pub(crate) fn push(&mut self, ns: Vec<f64>) {
         self.ns.push(ns);
     }
 
-    /// Nanoseconds by thing, then by round.
+    /// Returns the nanoseconds by kernel, then by round.
     pub(crate) fn ns(&self) -> &[Vec<f64>] {
         &self.ns
     }
 
-    /// The times of each thing, the first of them being the textbook's.
+    /// Summarises each kernel; the first one is the textbook's.
     pub(crate) fn timings(&self) -> Vec<Timing> {
         let textbook = self.ns.first().map_or(&[][..], |ns| ns);
         self.ns.iter().map(|ns| timing(ns, textbook)).collect()
     }
 }
 
-/// The middle and the quartiles' distance of one thing's rounds, alone and over those of the textbook.
+/// Returns the median and the interquartile range of a kernel's rounds, and of their ratios to the
+/// textbook's rounds.
 pub(crate) fn timing(ns: &[f64], textbook: &[f64]) -> Timing {
     let ratios = ns.iter().zip(textbook).map(|(ns, textbook)| ns / textbook);
     let (ns, ratio) = (Quartiles::of(ns.iter().copied()), Quartiles::of(ratios));
@@ -84,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slow_moment_of_the_machine_is_no_difference() {
+    fn a_slowdown_of_the_machine_is_no_difference() {
         // Both take twice as long in the last two rounds.
         let textbook = [10.0, 10.1, 9.9, 20.0, 20.2];
         let other = [10.1, 10.0, 10.0, 20.1, 20.0];
@@ -102,10 +104,10 @@ mod tests {
     }
 
     #[test]
-    fn everything_takes_its_turn() {
+    fn every_kernel_is_timed_in_every_round() {
         let pass = || Box::new(|| 1_usize) as kernels::Pass;
-        let mut rounds = Rounds::take(&mut [pass(), pass()], 1, 3);
-        rounds.extend(Rounds::take(&mut [pass(), pass()], 1, 2));
+        let mut rounds = Rounds::measure(&mut [pass(), pass()], 1, 3);
+        rounds.extend(Rounds::measure(&mut [pass(), pass()], 1, 2));
         rounds.push(vec![1.0; 5]);
         assert_eq!(
             rounds.ns.iter().map(Vec::len).collect::<Vec<_>>(),

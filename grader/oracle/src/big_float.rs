@@ -1,4 +1,4 @@
-//! Numbers good to 126 bits, for truths that are quotients and roots.
+//! Floating-point numbers with 126 bits, for exact results that are quotients and roots.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -8,38 +8,39 @@ use dashu_int::ops::{BitTest, DivRem, SquareRootRem};
 
 use super::dyadic::Dyadic;
 
-/// The number `m · 2^e` with `2^126 <= |m| < 2^127`, or zero: a relative error of 2^-126, about
-/// 1e-38, over a range of exponents that no quotient of `f64` arithmetic leaves.
+/// The number `m · 2^e` with `2^126 <= |m| < 2^127`, or zero. The relative error of an operation is
+/// 2^-126, about 1e-38, and the exponent never overflows for quotients of `f64` expressions.
 ///
-/// The last bit of `m` is set when bits were cut off behind it, so that rounding to `f64`
-/// ([`Real::to_f64`]) never mistakes "a little over half" for "half".
+/// The lowest bit of `m` is set if nonzero bits were cut off after it (a *sticky* bit), so that
+/// rounding to `f64` ([`BigFloat::to_f64`]) distinguishes "slightly more than half" from "half".
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub struct Real {
+pub struct BigFloat {
     m: i128,
     e: i64,
 }
 
-/// Bits of a mantissa.
+/// Bits of the mantissa `m`.
 const BITS: i64 = 127;
-/// Bits of the square root that [`Real::root_parts`] keeps: more than [`BITS`], because sums with it follow.
+/// Bits of the square root that [`BigFloat::root_parts`] computes: more than [`BITS`], because sums
+/// with it follow.
 const ROOT_BITS: i64 = 192;
 
-impl Real {
+impl BigFloat {
     /// Zero.
-    pub const ZERO: Real = Real { m: 0, e: 0 };
+    pub const ZERO: BigFloat = BigFloat { m: 0, e: 0 };
 
-    /// The value of a finite `x`.
-    pub fn new(x: f64) -> Real {
-        Real::from(&Dyadic::new(x))
+    /// Returns the value of a finite `x`.
+    pub fn new(x: f64) -> BigFloat {
+        BigFloat::from(&Dyadic::new(x))
     }
 
-    /// `num / den`; `den` must not be zero.
-    pub(super) fn ratio(num: &Dyadic, den: &Dyadic) -> Real {
+    /// Returns `num / den`; `den` must not be zero.
+    pub(super) fn ratio(num: &Dyadic, den: &Dyadic) -> BigFloat {
         assert!(den.sign() != 0, "a quotient by zero has no value");
         if num.sign() == 0 {
-            return Real::ZERO;
+            return BigFloat::ZERO;
         }
-        // One bit more than needed: the quotient of the leading bits may be just under 1.
+        // One bit more than needed, because the quotient of the leading bits may be just under 1.
         let shift = BITS + 1 + den.m.bit_len() as i64 - num.m.bit_len() as i64;
         let (n, d) = (num.magnitude(), den.magnitude());
         let (n, d) = match usize::try_from(shift) {
@@ -48,10 +49,11 @@ impl Real {
         };
         let (quotient, rest) = n.div_rem(d);
         let negative = num.sign() != den.sign();
-        Real::round(&quotient, num.e - den.e - shift, !rest.is_zero(), negative)
+        BigFloat::round(&quotient, num.e - den.e - shift, !rest.is_zero(), negative)
     }
 
-    /// The square root of `x >= 0` to [`ROOT_BITS`] bits, as a dyadic number, and whether it is exact.
+    /// Returns the square root of `x >= 0` to [`ROOT_BITS`] bits as a dyadic number, and whether it
+    /// is exact.
     pub(super) fn root_parts(x: &Dyadic) -> (Dyadic, bool) {
         assert!(x.sign() >= 0, "a negative number has no real root");
         if x.sign() == 0 {
@@ -70,8 +72,9 @@ impl Real {
         (root, rest.is_zero())
     }
 
-    /// `magnitude · 2^e`, cut to [`BITS`] bits; `sticky` says that something nonzero was already cut off.
-    fn round(magnitude: &UBig, e: i64, sticky: bool, negative: bool) -> Real {
+    /// Returns `magnitude · 2^e`, truncated to [`BITS`] bits. `sticky`: whether nonzero bits were
+    /// cut off before.
+    fn round(magnitude: &UBig, e: i64, sticky: bool, negative: bool) -> BigFloat {
         let excess = magnitude.bit_len() as i64 - BITS;
         let (bits, sticky) = match usize::try_from(excess) {
             Ok(cut) => {
@@ -81,23 +84,23 @@ impl Real {
             Err(_) => (magnitude << excess.unsigned_abs() as usize, sticky),
         };
         let m = i128::try_from(&bits).expect("127 bits fit") | i128::from(sticky);
-        Real {
+        BigFloat {
             m: if negative { -m } else { m },
             e: e + excess,
         }
     }
 
-    /// -1, 0 or 1.
+    /// Returns the sign: -1, 0 or 1.
     pub fn sign(&self) -> i32 {
         self.m.signum() as i32
     }
 
-    /// `(m, e)` of `m · 2^e`.
+    /// Returns `(m, e)` of `m · 2^e`.
     pub fn parts(&self) -> (i128, i64) {
         (self.m, self.e)
     }
 
-    /// The nearest `f64`, ties to even; infinite or denormal where the value is out of range.
+    /// Returns the nearest `f64`, ties to even; infinite or denormal if the value is out of range.
     pub fn to_f64(&self) -> f64 {
         if self.m == 0 {
             return 0.0;
@@ -122,12 +125,13 @@ impl Real {
         f64::from_bits((field << 52) + kept).copysign(self.m as f64)
     }
 
-    /// `k` in `2^k <= |x| < 2^(k+1)`; of zero, meaningless.
+    /// Returns `k` with `2^k <= |x| < 2^(k+1)`; the result for zero has no meaning.
     fn exponent(&self) -> i64 {
         self.e + BITS - 1
     }
 
-    /// `|answer - self|` in units in the last place of this number's `f64`; see [`ulps`].
+    /// Returns `|answer - self|` in units in the last place of the `f64` nearest to `self`; see
+    /// [`ulps`].
     pub fn ulps(&self, answer: f64) -> f64 {
         if !answer.is_finite() {
             return f64::INFINITY;
@@ -137,7 +141,7 @@ impl Real {
         }
         let ulp = (self.exponent() - 52).max(-1074);
         let answer = scale(answer, -ulp);
-        // The truth in ulps, in two parts: an integer of at most 53 bits and a fraction.
+        // The exact value in ulps, in two parts: an integer of at most 53 bits and a fraction.
         let cut = ulp - self.e;
         if cut >= BITS {
             return (answer - scale(self.m as f64, -cut)).abs();
@@ -147,7 +151,8 @@ impl Real {
         ((answer - whole as f64) - fraction).abs()
     }
 
-    /// The size of one unit in the last place of this number's `f64`; of zero, the smallest number.
+    /// Returns one unit in the last place of the `f64` nearest to this number; for zero, the
+    /// smallest positive number.
     pub fn ulp(&self) -> f64 {
         if self.m == 0 {
             return f64::from_bits(1);
@@ -156,24 +161,24 @@ impl Real {
     }
 }
 
-/// How far `answer` is from `truth`, in units in the last place of `truth`: half a unit or less
-/// is the best an `f64` can do. Infinite for NaN and infinities, and for any answer but 0 where
-/// the truth is 0.
-pub fn ulps(answer: f64, truth: &Real) -> f64 {
+/// Returns the distance of `answer` from `truth` in units in the last place of `truth`; the nearest
+/// `f64` is at most half a unit off. Infinite if `answer` is NaN or infinite, or if `truth` is 0
+/// and `answer` is not.
+pub fn ulps(answer: f64, truth: &BigFloat) -> f64 {
     truth.ulps(answer)
 }
 
-impl From<&Dyadic> for Real {
-    fn from(x: &Dyadic) -> Real {
+impl From<&Dyadic> for BigFloat {
+    fn from(x: &Dyadic) -> BigFloat {
         if x.sign() == 0 {
-            return Real::ZERO;
+            return BigFloat::ZERO;
         }
-        Real::round(&x.magnitude(), x.e, false, x.sign() < 0)
+        BigFloat::round(&x.magnitude(), x.e, false, x.sign() < 0)
     }
 }
 
-impl Ord for Real {
-    fn cmp(&self, other: &Real) -> Ordering {
+impl Ord for BigFloat {
+    fn cmp(&self, other: &BigFloat) -> Ordering {
         let by_size = || (self.e, self.m.unsigned_abs()).cmp(&(other.e, other.m.unsigned_abs()));
         match self.sign().cmp(&other.sign()) {
             Ordering::Equal if self.sign() < 0 => by_size().reverse(),
@@ -183,22 +188,22 @@ impl Ord for Real {
     }
 }
 
-impl PartialOrd for Real {
-    fn partial_cmp(&self, other: &Real) -> Option<Ordering> {
+impl PartialOrd for BigFloat {
+    fn partial_cmp(&self, other: &BigFloat) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl fmt::Debug for Real {
+impl fmt::Debug for BigFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:e}", self.to_f64())
     }
 }
 
-/// `x · 2^k`, rounded once at most; infinite or zero where it leaves the range.
+/// Returns `x · 2^k`, rounded once at most; infinite or zero if it is out of range.
 pub(super) fn scale(x: f64, k: i64) -> f64 {
     let power = |k: i64| f64::from_bits(((k + 1023) as u64) << 52);
-    // Two steps of at most 2^1000 reach every f64 from every other; only the last may round.
+    // Steps of at most 2^1000 reach every f64 from every other; only the last one may round.
     let k = k.clamp(-3000, 3000);
     let mut rest = k;
     let mut x = x;
@@ -218,7 +223,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_f64_comes_back() {
+    fn an_f64_converts_to_itself() {
         for x in [
             0.0,
             1.0,
@@ -228,53 +233,53 @@ mod tests {
             -f64::from_bits(1),
             f64::from_bits(12345),
         ] {
-            assert_eq!(Real::new(x).to_f64(), x);
-            assert_eq!(Real::new(x).ulps(x), 0.0);
+            assert_eq!(BigFloat::new(x).to_f64(), x);
+            assert_eq!(BigFloat::new(x).ulps(x), 0.0);
         }
     }
 
     #[test]
     fn quotients_round_to_the_nearest() {
-        let third = Real::ratio(&Dyadic::new(1.0), &Dyadic::new(-3.0));
+        let third = BigFloat::ratio(&Dyadic::new(1.0), &Dyadic::new(-3.0));
         assert_eq!(third.to_f64(), -1.0 / 3.0);
         let distance = third.ulps(-1.0 / 3.0);
         assert!((distance - 1.0 / 3.0).abs() < 1e-12, "{distance}");
         // Just over half way between two floats, by one part in 2^200: must round up.
         let half_way = &Dyadic::new(1.0) + &Dyadic::new(f64::EPSILON / 2.0);
-        assert_eq!(Real::from(&half_way).to_f64(), 1.0);
+        assert_eq!(BigFloat::from(&half_way).to_f64(), 1.0);
         let over = &half_way
             + &Dyadic {
                 m: 1.into(),
                 e: -200,
             };
-        assert_eq!(Real::from(&over).to_f64(), 1.0 + f64::EPSILON);
+        assert_eq!(BigFloat::from(&over).to_f64(), 1.0 + f64::EPSILON);
     }
 
     #[test]
-    fn denormal_and_overflowing_quotients_have_an_f64() {
+    fn denormal_and_overflowing_quotients_round_to_f64() {
         let tiny = Dyadic::new(f64::from_bits(3));
-        let halves = Real::ratio(&tiny, &Dyadic::new(2.0));
+        let halves = BigFloat::ratio(&tiny, &Dyadic::new(2.0));
         assert_eq!(halves.to_f64(), f64::from_bits(2));
         assert_eq!(halves.ulps(f64::from_bits(1)), 0.5);
-        let huge = Real::ratio(&Dyadic::new(f64::MAX), &tiny);
+        let huge = BigFloat::ratio(&Dyadic::new(f64::MAX), &tiny);
         assert_eq!(huge.to_f64(), f64::INFINITY);
-        let none = Real::ratio(&tiny, &Dyadic::new(f64::MAX));
+        let none = BigFloat::ratio(&tiny, &Dyadic::new(f64::MAX));
         assert_eq!(none.to_f64(), 0.0);
         assert!(none < halves && halves < huge);
     }
 
     #[test]
     fn roots_of_squares_are_exact() {
-        let (root, exact) = Real::root_parts(&Dyadic::new(2.25));
+        let (root, exact) = BigFloat::root_parts(&Dyadic::new(2.25));
         assert!(exact);
-        assert_eq!(Real::from(&root).to_f64(), 1.5);
-        let (root, exact) = Real::root_parts(&Dyadic::new(2.0));
+        assert_eq!(BigFloat::from(&root).to_f64(), 1.5);
+        let (root, exact) = BigFloat::root_parts(&Dyadic::new(2.0));
         assert!(!exact);
-        assert_eq!(Real::from(&root).to_f64(), std::f64::consts::SQRT_2);
+        assert_eq!(BigFloat::from(&root).to_f64(), std::f64::consts::SQRT_2);
     }
 
     #[test]
-    fn scaling_reaches_across_the_whole_range() {
+    fn scaling_covers_the_whole_exponent_range() {
         assert_eq!(scale(f64::from_bits(1), 1074), 1.0);
         assert_eq!(scale(1.0, -1074), f64::from_bits(1));
         assert_eq!(scale(f64::MAX, -3000), 0.0);

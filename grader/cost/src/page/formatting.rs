@@ -1,8 +1,8 @@
-//! Numbers and lists in words.
+//! Formats numbers and lists for captions.
 
-use crate::report::Row;
+use crate::report::KernelRow;
 
-/// "a", "a and b", "a, b and c"; "none" of none.
+/// Joins a list: "a", "a and b", "a, b and c"; "none" if it is empty.
 pub(crate) fn list<S: AsRef<str>>(things: &[S]) -> String {
     let things: Vec<&str> = things.iter().map(AsRef::as_ref).collect();
     match things.as_slice() {
@@ -12,19 +12,20 @@ pub(crate) fn list<S: AsRef<str>>(things: &[S]) -> String {
     }
 }
 
-/// With a capital in front.
+/// Returns the text with its first letter in upper case.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(|first| first.to_uppercase().to_string());
     first.unwrap_or_default() + letters.as_str()
 }
 
-/// A kernel's name with its precision.
-pub(crate) fn name(row: &Row) -> String {
+/// Returns a kernel's name with its precision.
+pub(crate) fn name(row: &KernelRow) -> String {
     format!("{} {}", row.name, row.precision.name())
 }
 
-/// Two figures that count, in plain digits from 0.001 to a million and else as a power of ten.
+/// Formats with two significant digits, as a decimal number from 0.001 to a million and else with
+/// an exponent.
 pub(crate) fn figures(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
@@ -37,12 +38,13 @@ pub(crate) fn figures(x: f64) -> String {
     format!("{x:.decimals$}")
 }
 
-/// A share in percent.
+/// Formats a fraction in percent.
 pub(crate) fn percent(share: f64) -> String {
     format!("{} %", figures(100.0 * share))
 }
 
-/// A power of ten in digits where they are few, such as 0.01; else such as 1e-9.
+/// Formats a tick label: as a decimal number if it is short, such as 0.01, else with an exponent,
+/// such as 1e-9.
 pub(crate) fn tick(value: f64) -> String {
     if (1e-3..1e5).contains(&value) {
         let text = format!("{value:.3}");
@@ -57,14 +59,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_read_well() {
+    fn lists_are_joined_with_commas_and_and() {
         assert_eq!(list::<&str>(&[]), "none");
         assert_eq!(list(&["a"]), "a");
         assert_eq!(list(&["a", "b", "c"]), "a, b and c");
     }
 
     #[test]
-    fn headings_begin_with_a_capital() {
+    fn capital_changes_only_the_first_letter() {
         assert_eq!(
             ["direct light", "", "éclat"].map(capital),
             ["Direct light", "", "Éclat"]
@@ -72,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn two_figures_count() {
+    fn numbers_have_two_significant_digits() {
         assert_eq!(
             [0.0, 1.234, 0.0456, 123.4, 4.5e-9].map(figures),
             ["0", "1.2", "0.046", "123", "4.5e-9"]

@@ -1,20 +1,20 @@
-//! The numbers that a kernel may be run on.
+//! The number types of the kernels.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// In what numbers a kernel works.
+/// The number type of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// Single: 24 bits.
+    /// Single precision: 24 bits.
     F32,
-    /// Double: 53 bits.
+    /// Double precision: 53 bits.
     F64,
-    /// Stored in single, computed with in double.
+    /// Stored in single precision, computed in double precision.
     F32InF64,
 }
 
 impl Precision {
-    /// The nearest number that can be stored.
+    /// Returns the nearest number that can be stored.
     pub fn stored(self, x: f64) -> f64 {
         match self {
             Precision::F64 => x,
@@ -22,7 +22,7 @@ impl Precision {
         }
     }
 
-    /// The distance from 1 to the next larger number in which answers are given.
+    /// Returns the distance from 1 to the next larger number, in the precision of the results.
     pub fn epsilon(self) -> f64 {
         match self {
             Precision::F32 => f64::from(f32::EPSILON),
@@ -31,10 +31,11 @@ impl Precision {
     }
 }
 
-/// A floating-point number: `f32`, `f64`, or [`Counted`](crate::Counted), which is `f64` and counts.
+/// A floating-point number: `f32`, `f64`, or [`CountingF64`](crate::CountingF64), an `f64` that
+/// counts operations.
 ///
-/// A kernel is written once, for any of them.
-pub trait Real:
+/// Kernels are generic over this trait.
+pub trait Scalar:
     Copy
     + Send
     + Sync
@@ -46,55 +47,56 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// Which it is.
+    /// The precision.
     const PRECISION: Precision;
 
-    /// The nearest such number to `x`.
-    fn of(x: f64) -> Self;
+    /// Rounds `x` to this type.
+    fn from_f64(x: f64) -> Self;
 
-    /// Its value.
-    fn wide(self) -> f64;
+    /// Returns the value as `f64`.
+    fn to_f64(self) -> f64;
 
-    /// Its square root.
+    /// Returns the square root.
     fn sqrt(self) -> Self;
 
-    /// Without its sign.
+    /// Returns the absolute value.
     fn abs(self) -> Self;
 
-    /// `self · factor + term` with a single rounding. Where the processor's own instruction may not be assumed, as in
-    /// a plain build for x86-64, this is a call into the C library.
+    /// Returns `self · factor + term` with a single rounding. If the target has no fused
+    /// multiply-add instruction, as in a default build for x86-64, this calls the C library.
     fn mul_add(self, factor: Self, term: Self) -> Self;
 
-    /// The distance from 1 to the next larger number.
+    /// Returns the distance from 1 to the next larger number.
     fn epsilon() -> Self {
-        Self::of(Self::PRECISION.epsilon())
+        Self::from_f64(Self::PRECISION.epsilon())
     }
 
-    /// The larger of two; `other` if this is NaN. One machine instruction, which `f64::max` is not.
+    /// Returns the larger number, or `other` if `self` is NaN. Compiles to one machine instruction,
+    /// unlike `f64::max`.
     #[inline(always)]
-    fn or_larger(self, other: Self) -> Self {
+    fn select_max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
 
-    /// The smaller of two; `other` if this is NaN.
+    /// Returns the smaller number, or `other` if `self` is NaN.
     #[inline(always)]
-    fn or_smaller(self, other: Self) -> Self {
+    fn select_min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
 }
 
 macro_rules! real {
     ($number:ident, $precision:expr) => {
-        impl Real for $number {
+        impl Scalar for $number {
             const PRECISION: Precision = $precision;
 
             #[inline(always)]
-            fn of(x: f64) -> $number {
+            fn from_f64(x: f64) -> $number {
                 x as $number
             }
 
             #[inline(always)]
-            fn wide(self) -> f64 {
+            fn to_f64(self) -> f64 {
                 f64::from(self)
             }
 

@@ -1,11 +1,12 @@
-//! Colours and shapes that are told apart by the colour-blind and on paper without colour.
+//! Colours, markers and dashes that can be distinguished by colour-blind readers and in print
+//! without colour.
 
-use super::canvas::{Canvas, Drawn, Place};
+use super::canvas::{Canvas, DrawResult, Position};
 use plotters::style::{RGBColor, WHITE};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The palette of Okabe and Ito, "Color universal design" (2008), darkest contrasts first; its yellow is too faint for lines
-/// on white.
+/// The palette of Okabe and Ito, "Color universal design" (2008), strongest contrasts first. Its
+/// yellow has too little contrast for lines on white.
 const PALETTE: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -16,24 +17,24 @@ const PALETTE: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
 ];
 
-/// Bluish green: as it should be.
+/// Bluish green: correct.
 pub(crate) const GREEN: RGBColor = PALETTE[2];
-/// Sky blue: near enough.
+/// Sky blue: within the bound.
 pub(crate) const SKY: RGBColor = PALETTE[6];
-/// Yellow: not as it should be.
+/// Yellow: beyond the bound.
 pub(crate) const YELLOW: RGBColor = RGBColor(240, 228, 66);
 /// Vermilion: wrong.
 pub(crate) const VERMILION: RGBColor = PALETTE[1];
 /// Reddish purple: leaks.
 pub(crate) const PURPLE: RGBColor = PALETTE[4];
-/// Lines to read values by.
+/// Grid lines.
 pub(crate) const GRID: RGBColor = RGBColor(222, 222, 222);
-/// What errors are held against.
+/// Error bounds.
 pub(crate) const BOUND: RGBColor = RGBColor(170, 170, 170);
-/// Axes and what explains.
+/// Axes and annotations.
 pub(crate) const INK: RGBColor = RGBColor(60, 60, 60);
 
-/// Dashes and gaps in points; a line without is whole.
+/// Lengths of dashes and gaps in points; `None` is a solid line.
 const DASHES: [Option<[f64; 2]>; 4] = [None, Some([7.0, 3.0]), Some([2.0, 2.5]), Some([11.0, 2.5])];
 
 /// The shape of a marker.
@@ -55,21 +56,21 @@ const MARKERS: [Marker; 5] = [
     Marker::Down,
 ];
 
-/// How a series of points looks.
+/// Colour, marker and dashes of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Look {
+pub(crate) struct SeriesStyle {
     pub(crate) color: RGBColor,
     pub(crate) marker: Marker,
-    /// Only the marker's outline is drawn.
+    /// Whether only the marker's outline is drawn.
     pub(crate) hollow: bool,
     pub(crate) dashes: Option<[f64; 2]>,
 }
 
-impl Look {
-    /// Of the series number `i`: colour, marker and dashes go round in circles of different lengths, so that no two of the first
-    /// dozens are the same.
-    pub(crate) fn of(i: usize) -> Look {
-        Look {
+impl SeriesStyle {
+    /// Returns the style of series `i`. Colours, markers and dashes repeat with different periods,
+    /// so that the first dozens of styles are all different.
+    pub(crate) fn of(i: usize) -> SeriesStyle {
+        SeriesStyle {
             color: PALETTE[i % PALETTE.len()],
             marker: MARKERS[i % MARKERS.len()],
             hollow: false,
@@ -81,23 +82,34 @@ impl Look {
 /// Width of the rim around markers, in points.
 const RIM: f64 = 0.8;
 
-/// Draws a marker of about `area` square points.
-pub(crate) fn marker(canvas: &Canvas, look: Look, center: Place, area: f64) -> Drawn {
+/// Draws a marker with an area of about `area` square points.
+pub(crate) fn marker(
+    canvas: &Canvas,
+    style: SeriesStyle,
+    center: Position,
+    area: f64,
+) -> DrawResult {
     let radius = (area / PI).sqrt();
-    if !look.hollow {
-        // A white rim keeps markers apart that lie on each other.
-        filled(canvas, look.marker, center, radius + RIM, WHITE)?;
-        return filled(canvas, look.marker, center, radius, look.color);
+    if !style.hollow {
+        // A white outline separates overlapping markers.
+        filled(canvas, style.marker, center, radius + RIM, WHITE)?;
+        return filled(canvas, style.marker, center, radius, style.color);
     }
-    if look.marker == Marker::Disc {
-        return canvas.disc(center, radius, look.color, Some(1.5));
+    if style.marker == Marker::Disc {
+        return canvas.disc(center, radius, style.color, Some(1.5));
     }
-    let mut closed = outline(look.marker, center, radius);
+    let mut closed = outline(style.marker, center, radius);
     closed.extend_from_within(..1);
-    canvas.line(&closed, look.color, 1.5)
+    canvas.line(&closed, style.color, 1.5)
 }
 
-fn filled(canvas: &Canvas, marker: Marker, center: Place, radius: f64, color: RGBColor) -> Drawn {
+fn filled(
+    canvas: &Canvas,
+    marker: Marker,
+    center: Position,
+    radius: f64,
+    color: RGBColor,
+) -> DrawResult {
     if marker == Marker::Disc {
         canvas.disc(center, radius, color, None)
     } else {
@@ -105,9 +117,9 @@ fn filled(canvas: &Canvas, marker: Marker, center: Place, radius: f64, color: RG
     }
 }
 
-/// The corners of a marker whose area is that of a disc of `radius`.
-fn outline(marker: Marker, (x, y): Place, radius: f64) -> Vec<Place> {
-    // Corners, their distance from the middle, and where the first one is.
+/// Returns the corners of a marker with the area of a disc of `radius`.
+fn outline(marker: Marker, (x, y): Position, radius: f64) -> Vec<Position> {
+    // Number of corners, their distance from the centre, and the angle of the first one.
     let (corners, out, first) = match marker {
         Marker::Disc => (24, 1.0, 0.0),
         Marker::Square => (4, 1.25, FRAC_PI_2 / 2.0),
@@ -129,16 +141,22 @@ fn outline(marker: Marker, (x, y): Place, radius: f64) -> Vec<Place> {
         .collect()
 }
 
-/// Draws a line as `look` has it.
-pub(crate) fn line(canvas: &Canvas, look: Look, places: &[Place], width: f64) -> Drawn {
-    match look.dashes {
-        None => canvas.line(places, look.color, width),
-        Some(dashes) => canvas.dashes(places, look.color, width, dashes),
+/// Draws a line in this style.
+pub(crate) fn line(
+    canvas: &Canvas,
+    style: SeriesStyle,
+    positions: &[Position],
+    width: f64,
+) -> DrawResult {
+    match style.dashes {
+        None => canvas.line(positions, style.color, width),
+        Some(dashes) => canvas.dashes(positions, style.color, width, dashes),
     }
 }
 
-/// White or black, whichever is easier to read on `color` (relative luminance of WCAG 2, linearised by a power).
-pub(crate) fn ink_on(color: RGBColor) -> RGBColor {
+/// Returns white or black, whichever has more contrast on `color` (relative luminance of WCAG 2,
+/// linearised by a power).
+pub(crate) fn text_color_on(color: RGBColor) -> RGBColor {
     let linear = |c: u8| (f64::from(c) / 255.0).powf(2.2);
     let luminance = 0.2126 * linear(color.0) + 0.7152 * linear(color.1) + 0.0722 * linear(color.2);
     if luminance > 0.18 {
@@ -153,16 +171,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn series_are_told_apart() {
+    fn styles_of_series_differ() {
         for i in 0..24 {
             for j in 0..i {
-                assert_ne!(Look::of(i), Look::of(j), "{i} and {j}");
+                assert_ne!(SeriesStyle::of(i), SeriesStyle::of(j), "{i} and {j}");
             }
         }
     }
 
     #[test]
-    fn markers_have_one_size() {
+    fn markers_have_equal_areas() {
         let area = |marker| {
             let corners = outline(marker, (0.0, 0.0), 1.0);
             let next = corners.iter().cycle().skip(1);
@@ -183,8 +201,11 @@ mod tests {
     }
 
     #[test]
-    fn ink_is_read_on_every_colour() {
-        assert_eq!(ink_on(RGBColor(0, 114, 178)), RGBColor(255, 255, 255));
-        assert_eq!(ink_on(YELLOW), RGBColor(0, 0, 0));
+    fn text_contrasts_with_its_background() {
+        assert_eq!(
+            text_color_on(RGBColor(0, 114, 178)),
+            RGBColor(255, 255, 255)
+        );
+        assert_eq!(text_color_on(YELLOW), RGBColor(0, 0, 0));
     }
 }

@@ -19,6 +19,7 @@ pub mod error;
 pub mod grade;
 pub mod interrupt;
 pub mod lists;
+pub mod records;
 pub mod report;
 pub mod runner;
 pub mod score;

@@ -98,6 +98,7 @@ impl Student {
                 limit_ms / 1000
             )),
             Some(Ending::Died(how)) => Err(format!("your code {how}")),
+            Some(Ending::Malformed(why)) => Err(why),
             Some(Ending::Skipped) | None => return Err(GraderError::new("the worker lost a case")),
         })
     }

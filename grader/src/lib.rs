@@ -24,7 +24,7 @@ pub mod diagnosis;
 pub mod error;
 pub mod grade;
 pub mod interrupt;
-
+pub mod records;
 pub mod report;
 pub mod runner;
 pub mod score;

@@ -22,7 +22,7 @@ pub enum Status {
     NotAttempted,
     /// Another task must be written first. Contains its key.
     Needs(String),
-    /// The code panicked, timed out or ended the process. Contains a description.
+    /// The code panicked, timed out or ended the process, or its worker's record is malformed. Contains a description.
     Crashed(String),
     /// The stage does not compile.
     DoesNotCompile,
@@ -232,7 +232,7 @@ pub fn status_without_answer(
             "did not return within {} s (call {call} of the case): an endless loop?",
             *limit_ms as f64 / 1e3
         ))),
-        Ending::Died(how) => Some(Status::Crashed(how.clone())),
+        Ending::Died(how) | Ending::Malformed(how) => Some(Status::Crashed(how.clone())),
         Ending::Skipped => {
             return Err(GraderError::new(format!(
                 "a case of {task} was skipped, but only timings may be skipped"
@@ -244,13 +244,12 @@ pub fn status_without_answer(
         Ending::Recorded(record) => match &record.outcome {
             Outcome::Answered(_) => None,
             Outcome::NotAttempted { task: hole } if hole == task => Some(Status::NotAttempted),
-            Outcome::NotAttempted { task: hole } => {
-                debug_assert!(
-                    course.tasks().any(|task| task.key == *hole),
-                    "holes have keys of the course"
-                );
+            Outcome::NotAttempted { task: hole } if course.holes().any(|(_, key)| key == hole) => {
                 Some(Status::Needs(hole.clone()))
             }
+            Outcome::NotAttempted { task: hole } => Some(Status::Crashed(format!(
+                "the worker's record names the hole {hole:?}, which is none of the course"
+            ))),
             Outcome::Panicked {
                 message,
                 location,

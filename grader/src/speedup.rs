@@ -178,6 +178,7 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
             format!("{at} takes more than {} s", limit_ms / 1000)
         }
         Ending::Died(how) => format!("on {at} your code {how}"),
+        Ending::Malformed(why) => format!("on {at} {why}"),
         Ending::Skipped => format!("{at} is skipped, because smaller ones took too long"),
         Ending::Recorded(record) => match &record.outcome {
             Outcome::NotAttempted { task } => {

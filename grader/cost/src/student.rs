@@ -102,6 +102,7 @@ impl Student {
                 Err(format!("your code takes more than {} s", limit_ms / 1000))
             }
             Some(Ending::Died(how)) => Err(format!("your code {how}")),
+            Some(Ending::Malformed(why)) => Err(why),
             Some(Ending::Skipped) | None => {
                 return Err(GraderError::new("the worker returned no record for a case"));
             }

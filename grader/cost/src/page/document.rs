@@ -34,7 +34,7 @@ pub fn page(report: &CostReport) -> Result<String, GraderError> {
             Some(trees::figure(trees)?),
             None,
         );
-        sections.push(("TreeReport".into(), section));
+        sections.push(("Trees".into(), section));
     }
     if let Some(pictures) = &report.pictures {
         let mut section = String::new();
@@ -54,7 +54,7 @@ pub fn page(report: &CostReport) -> Result<String, GraderError> {
         if let Some(missing) = &pictures.missing {
             let _ = writeln!(section, "<p>No pictures: {}.</p>", escape(missing));
         }
-        sections.push(("PictureReport".into(), section));
+        sections.push(("Pictures".into(), section));
     }
     let machine = &report.machine;
     let mut html = format!(

@@ -122,8 +122,8 @@ fn asked(answer: &TraverseAnswer) -> String {
 /// Tests of many rays.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tests {
-    boxes: u32,
-    prims: u32,
+    boxes: u64,
+    prims: u64,
 }
 
 /// Judges the number of tests, for the rays along each axis apart.
@@ -141,10 +141,10 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let axis = kit::Vec3::from(scripted.ray.d).abs().max_position();
         let made = by_axis.entry(axis).or_insert_with(|| Made::since(call));
-        made.tests.boxes += answer.box_tests;
-        made.tests.prims += answer.prim_tests;
-        made.hits += answer.prim_hits;
-        made.could_hit += in_range(scripted).count() as u32;
+        made.tests.boxes += u64::from(answer.box_tests);
+        made.tests.prims += u64::from(answer.prim_tests);
+        made.hits += u64::from(answer.prim_hits);
+        made.could_hit += in_range(scripted).count() as u64;
         for order in &orders {
             let tests = plain_tests(world, order, scripted);
             made.twice_plain.boxes += tests.boxes;
@@ -158,9 +158,9 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
             twice_plain,
             ..
         } = made;
-        let mut count = |what: &str, tests: u32, twice_plain: u32| {
-            let plain = f64::from(twice_plain) / 2.0;
-            let times = f64::from(tests) / plain;
+        let mut count = |what: &str, tests: u64, twice_plain: u64| {
+            let plain = twice_plain as f64 / 2.0;
+            let times = tests as f64 / plain;
             let class = (times > WORK_FACTOR).then(|| made.why(times));
             tally.judge_class(Aspect::Work, call, class, times, || {
                 format!(
@@ -187,9 +187,9 @@ struct Made {
     /// What taking children as they come makes of them, from the left and from the right together.
     twice_plain: Tests,
     /// Primitives that were hit when they were asked for.
-    hits: u32,
+    hits: u64,
     /// Primitives that are hit in the rays' ranges.
-    could_hit: u32,
+    could_hit: u64,
 }
 
 impl Made {
@@ -206,7 +206,7 @@ impl Made {
     /// The class of too many tests: going to the farther child first, or on after a hit, finds all that is hit; not
     /// cutting boxes off at a hit finds no more than the nearest.
     fn why(&self, times: f64) -> Class {
-        match f64::from(self.hits) / f64::from(self.could_hit.max(1)) {
+        match self.hits as f64 / self.could_hit.max(1) as f64 {
             ALL_FROM.. => Class::Named("finds all that is hit"),
             MANY_FROM.. => Class::Named("finds much of what is hit"),
             _ => Class::of_size(times),
@@ -253,7 +253,7 @@ fn plain_tests(world: &ScriptedWorld, order: &[usize], scripted: &ScriptedRay) -
             continue;
         };
         let prims = &tree.order[first as usize..first as usize + count as usize];
-        tests.prims += if entered { count } else { 0 };
+        tests.prims += if entered { u64::from(count) } else { 0 };
         let met = prims.iter().filter_map(|&id| scripted.prims[id as usize]);
         let hit = met
             .filter(|&t| scripted.ray.min_t <= t)

@@ -1,14 +1,9 @@
 //! Turns the findings about answers into points.
 
-use crate::course::{CaseEntry, Course, Task};
-use crate::diagnosis::Diagnosis;
-use crate::error::GraderError;
-use crate::runner::Ending;
-use crate::speedup::Speedups;
+use crate::course::{CaseEntry, Task};
 use judge::Tier;
 use judge::tally::{Aspect, Finding, Worst};
 use serde::Serialize;
-use wire::Outcome;
 
 /// The status of a task or a case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -71,30 +66,8 @@ pub struct TaskResult {
     pub status: Status,
     /// The crate below `stages/` that has its functions.
     pub stage: String,
-    /// The known mistake that explains its wrong answers, if there is one.
-    pub diagnosis: Option<Diagnosis>,
-    /// A Rust test that reproduces the worst wrong answer.
-    pub worst_as_test: Option<String>,
     /// Its cases.
     pub cases: Vec<CaseResult>,
-}
-
-/// The result of one run of the grader.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
-    /// Core points earned.
-    pub score: f64,
-    /// Core points possible.
-    pub max_score: f64,
-    /// Robust points earned.
-    pub robust_score: f64,
-    /// Robust points possible.
-    pub robust_max_score: f64,
-    /// The tasks that were graded.
-    pub tasks: Vec<TaskResult>,
-    /// The speedups by the BVH of Part 2, if they were measured.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub speedups: Option<Speedups>,
 }
 
 impl CaseResult {
@@ -188,80 +161,7 @@ impl TaskResult {
             robust_max_score: task.points(Tier::Robust),
             status,
             stage: task.stage.clone(),
-            diagnosis: None,
-            worst_as_test: None,
             cases,
         }
     }
-}
-
-impl Report {
-    /// Adds up the points of a run's tasks.
-    pub fn new(tasks: Vec<TaskResult>) -> Report {
-        let sum = |points: fn(&TaskResult) -> f64| {
-            tasks
-                .iter()
-                .map(points)
-                .fold(0.0, |sum, points| sum + points)
-        };
-        Report {
-            score: sum(|task| task.score),
-            max_score: sum(|task| task.max_score),
-            robust_score: sum(|task| task.robust_score),
-            robust_max_score: sum(|task| task.robust_max_score),
-            tasks,
-            speedups: None,
-        }
-    }
-
-    /// Whether every core point was earned.
-    pub fn is_full(&self) -> bool {
-        self.tasks.iter().all(|task| task.score >= task.max_score)
-    }
-}
-
-/// The status of a case of `task` that ended without an answer; `None` if there is an answer to
-/// judge.
-pub fn status_without_answer(
-    task: &str,
-    ending: &Ending,
-    course: &Course,
-) -> Result<Option<Status>, GraderError> {
-    Ok(match ending {
-        Ending::TimedOut { call, limit_ms } => Some(Status::Crashed(format!(
-            "did not return within {} s (call {call} of the case): an endless loop?",
-            *limit_ms as f64 / 1e3
-        ))),
-        Ending::Died(how) | Ending::Malformed(how) => Some(Status::Crashed(how.clone())),
-        Ending::Skipped => {
-            return Err(GraderError::new(format!(
-                "a case of {task} was skipped, but only timings may be skipped"
-            )));
-        }
-        Ending::Recorded(record) if record.untouched.iter().any(|key| key == task) => {
-            Some(Status::NotAttempted)
-        }
-        Ending::Recorded(record) => match &record.outcome {
-            Outcome::Answered(_) => None,
-            Outcome::NotAttempted { task: hole } if hole == task => Some(Status::NotAttempted),
-            Outcome::NotAttempted { task: hole } if course.holes().any(|(_, key)| key == hole) => {
-                Some(Status::Needs(hole.clone()))
-            }
-            Outcome::NotAttempted { task: hole } => Some(Status::Crashed(format!(
-                "the worker's record names the hole {hole:?}, which is none of the course"
-            ))),
-            Outcome::Panicked {
-                message,
-                location,
-                call,
-            } => Some(Status::Crashed(format!(
-                "panicked at {location}: {message} (call {call} of the case)"
-            ))),
-            Outcome::Unable { reason } => {
-                return Err(GraderError::new(format!(
-                    "a case of {task} could not run: {reason}"
-                )));
-            }
-        },
-    })
 }

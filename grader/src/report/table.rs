@@ -1,7 +1,8 @@
 //! Formats the report for people: a table of scores, then the failed cases in as much detail as the
 //! hint level allows.
 
-use crate::score::{CaseResult, Report, Status, TaskResult};
+use super::{Report, TaskReport};
+use crate::score::{CaseResult, Status, TaskResult};
 use clap::builder::styling::{AnsiColor, Style};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
@@ -34,7 +35,7 @@ pub fn format_report(report: &Report, hint: HintLevel) -> String {
     table
         .load_style(presets::UTF8_BORDERS_ONLY)
         .set_header(["task", "", "core", "extra", "status"]);
-    for task in &report.tasks {
+    for TaskReport { result: task, .. } in &report.tasks {
         table.add_row([
             Cell::new(&task.key),
             Cell::new(&task.title),
@@ -67,7 +68,7 @@ pub fn format_report(report: &Report, hint: HintLevel) -> String {
 /// the formula that the code uses.
 fn rounding_errors(text: &mut String, report: &Report) {
     let mut lines = String::new();
-    for task in &report.tasks {
+    for TaskReport { result: task, .. } in &report.tasks {
         for (tier, name) in [(Tier::Core, "core"), (Tier::Robust, "extra")] {
             let cases = task.cases.iter().filter(|case| case.tier == tier);
             let errors = cases
@@ -127,7 +128,8 @@ fn coloured(table: &str, report: &Report) -> String {
         return table.to_owned();
     }
     let lines = table.lines().map(|line| {
-        let row = report.tasks.iter().find(|task| line.contains(&task.key));
+        let mut results = report.tasks.iter().map(|task| &task.result);
+        let row = results.find(|task| line.contains(&task.key));
         let status = row.map(|task| (colour(task), summary(task)));
         match status.and_then(|(colour, status)| Some((colour, line.rsplit_once(&status)?, status)))
         {
@@ -200,7 +202,8 @@ pub fn status_text(status: &Status) -> String {
     }
 }
 
-fn details(text: &mut String, task: &TaskResult, hint: HintLevel) {
+fn details(text: &mut String, report: &TaskReport, hint: HintLevel) {
+    let task = &report.result;
     let failed: Vec<&CaseResult> = task
         .cases
         .iter()
@@ -216,7 +219,7 @@ fn details(text: &mut String, task: &TaskResult, hint: HintLevel) {
     }
     let _ = writeln!(text, "\n{}  {}", task.key, task.title);
     if hint >= HintLevel::Mistake {
-        diagnosis(text, task);
+        diagnosis(text, report);
     }
     // Core cases come first.
     let (core, robust): (Vec<_>, Vec<_>) =
@@ -235,7 +238,7 @@ fn details(text: &mut String, task: &TaskResult, hint: HintLevel) {
         failed_cases(text, &robust, hint);
     }
     if hint >= HintLevel::Ray
-        && let Some(test) = &task.worst_as_test
+        && let Some(test) = &report.worst_as_test
     {
         let _ = writeln!(
             text,
@@ -249,12 +252,12 @@ fn details(text: &mut String, task: &TaskResult, hint: HintLevel) {
     }
 }
 
-fn diagnosis(text: &mut String, task: &TaskResult) {
-    match &task.diagnosis {
+fn diagnosis(text: &mut String, report: &TaskReport) {
+    match &report.diagnosis {
         Some(diagnosis) => {
             let _ = writeln!(
                 text,
-                "  {}: {}.\n  HintLevel: {}",
+                "  {}: {}.\n  Hint: {}",
                 if diagnosis.is_likely() {
                     "Likely"
                 } else {
@@ -349,8 +352,6 @@ mod tests {
             robust_max_score: 0.0,
             status: Status::Failed,
             stage: "bvh".into(),
-            diagnosis: None,
-            worst_as_test: None,
             cases: cases.collect(),
         }
     }
@@ -361,7 +362,7 @@ mod tests {
         task.cases[0].about = "Rays beside it. Pitfall: an epsilon.".into();
         let shown = |hint| {
             let mut text = String::new();
-            details(&mut text, &task, hint);
+            details(&mut text, &task.clone().into(), hint);
             text
         };
         let first = shown(HintLevel::Class);
@@ -404,7 +405,7 @@ mod tests {
         failing.robust_max_score = 2.0;
         let shown = |task: &TaskResult| {
             let mut text = String::new();
-            details(&mut text, task, HintLevel::Mistake);
+            details(&mut text, &task.clone().into(), HintLevel::Mistake);
             text
         };
         let hidden = shown(&failing);

@@ -110,7 +110,7 @@ fn row(report: &SubmissionReport) -> String {
         together.unwrap_or_default()
     );
     for task in &scores.tasks {
-        let _ = write!(row, ",{}", task.score);
+        let _ = write!(row, ",{}", task.result.score);
     }
     let mut notes = Vec::new();
     if !report.compiler.is_empty() {

@@ -19,7 +19,8 @@ use clean_workspace::CleanWorkspace;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
-use grader::score::{CaseResult, Report, Status, TaskResult};
+use grader::report::{Report, TaskReport};
+use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
 use read::Submission;
 use serde::Serialize;
@@ -58,7 +59,7 @@ impl SubmissionReport {
         let course = Course::read(workspace)?;
         let tasks = course.select(&request.what)?;
         let mut report = SubmissionReport {
-            scores: Report::new(Vec::new()),
+            scores: Report::new(Vec::new(), None),
             together: None,
             missing: Vec::new(),
             ignored: submission
@@ -114,17 +115,17 @@ impl SubmissionReport {
 }
 
 /// The scores of the tasks that were graded and of those that could not be, ordered by key.
-fn combine(mut graded: Vec<TaskResult>, ungraded: &[TaskResult]) -> Report {
+fn combine(mut graded: Vec<TaskReport>, ungraded: &[TaskReport]) -> Report {
     graded.extend_from_slice(ungraded);
-    graded.sort_by(|a, b| a.key.cmp(&b.key));
-    Report::new(graded)
+    graded.sort_by(|a, b| a.result.key.cmp(&b.result.key));
+    Report::new(graded, None)
 }
 
 /// The result of a task whose cases all have this status and no points.
-fn no_points(task: &Task, status: &Status) -> TaskResult {
+fn no_points(task: &Task, status: &Status) -> TaskReport {
     let cases = task
         .cases
         .iter()
         .map(|entry| CaseResult::new(entry, "", status.clone(), Vec::new()));
-    TaskResult::new(task, cases.collect())
+    TaskResult::new(task, cases.collect()).into()
 }

@@ -16,7 +16,7 @@ use grader::consistency;
 use grader::course::{Course, Part};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
-use grader::score::Report;
+use grader::report::Report;
 use grader::workspace::Workspace;
 use judge::cases;
 use std::collections::BTreeSet;
@@ -126,6 +126,7 @@ fn check_reference_score(course: &Course, report: &Report) -> Vec<String> {
     let mut problems: Vec<String> = report
         .tasks
         .iter()
+        .map(|task| &task.result)
         .filter(|task| task.score < task.max_score || task.robust_score < task.robust_max_score)
         .map(|task| {
             format!(

@@ -11,7 +11,7 @@ use judge::{self, tally::Finding};
 use pages::picture;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use wire::work::NodeKind;
+use wire::work::{NodeKind, SceneWork, VisitsWork};
 use wire::{Answer, Outcome, Work};
 
 #[test]
@@ -31,17 +31,17 @@ fn every_box_that_is_counted_is_a_visit() {
         .iter()
         .find(|spec| spec.is("part2.task3", "mesh_in_cornell_box"));
     let case = spec.expect("the case is there").case();
-    let Work::SceneHits {
+    let Work::SceneHits(SceneWork {
         scene, tree, rays, ..
-    } = case.work.clone()
+    }) = case.work.clone()
     else {
         panic!("{case:?}")
     };
-    let work = Work::Visits {
+    let work = Work::Visits(VisitsWork {
         scene,
         tree: tree.clone(),
         rays,
-    };
+    });
     let visits = match worker::run(
         0,
         &wire::Case {
@@ -56,7 +56,7 @@ fn every_box_that_is_counted_is_a_visit() {
         Outcome::NotAttempted { .. } => return,
         outcome => panic!("{outcome:?}"),
     };
-    let Outcome::Answered(Answer::Hits(hits)) = worker::run(0, &case).outcome else {
+    let Outcome::Answered(Answer::SceneHits(hits)) = worker::run(0, &case).outcome else {
         panic!("the case has an answer")
     };
     let count: usize = visits.rays.iter().map(Vec::len).sum();
@@ -165,7 +165,7 @@ fn check_picture(
     let Some(size) = spec.picture else {
         return Ok(());
     };
-    let actual = picture::compose(size, answer).ok_or("its answers make no picture")?;
+    let actual = picture::compose(size, &spec.work, answer).ok_or("its answers make no picture")?;
     let path = workspace.golden_picture(spec.task, spec.name);
     if picture::read_png(&path).is_ok_and(|golden| golden == actual) {
         return Ok(());

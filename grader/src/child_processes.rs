@@ -1,39 +1,41 @@
-//! Programs that the grader runs: cargo, workers, renderers. None outlives it.
+//! Starts the programs that the grader runs (cargo, workers, renderers) and ends them with it.
 
 use std::io;
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::Mutex;
 
-/// Process ids of the programs that are running.
-static RUNNING: Mutex<Vec<u32>> = Mutex::new(Vec::new());
+/// The ids of the processes that are running.
+static RUNNING_IDS: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 
-/// Stands for a program that is running. When it is dropped the program is taken for ended.
+/// Marks a process as running. Dropping it removes the process from the list of running ones.
 #[derive(Debug)]
-pub struct Running(u32);
+pub struct RunningProcess(u32);
 
-impl Drop for Running {
+impl Drop for RunningProcess {
     fn drop(&mut self) {
-        if let Ok(mut running) = RUNNING.lock() {
+        if let Ok(mut running) = RUNNING_IDS.lock() {
             running.retain(|id| *id != self.0);
         }
     }
 }
 
-/// Starts a program that ends with the grader, and so does what it starts itself, such as a compiler. Keep the second
-/// value until it has ended.
-pub fn start(command: &mut Command) -> io::Result<(Child, Running)> {
-    // A process group of its own can be ended as a whole. So Ctrl-C does not reach it but through the grader.
+/// Starts a program in a process group of its own. If the grader is interrupted, it ends the whole
+/// group: the program and what the program started, such as a compiler.
+///
+/// Keep the second value until the program has ended.
+pub fn start(command: &mut Command) -> io::Result<(Child, RunningProcess)> {
+    // The terminal sends Ctrl-C to the grader's own group only: the grader ends this one itself.
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(command, 0);
     let child = command.spawn()?;
-    if let Ok(mut running) = RUNNING.lock() {
+    if let Ok(mut running) = RUNNING_IDS.lock() {
         running.push(child.id());
     }
-    let running = Running(child.id());
+    let running = RunningProcess(child.id());
     Ok((child, running))
 }
 
-/// Runs a program to its end, with nothing to read, and gives what it writes.
+/// Runs a program to its end with an empty standard input and returns its output.
 pub fn output(command: &mut Command) -> io::Result<Output> {
     command
         .stdin(Stdio::null())
@@ -43,15 +45,15 @@ pub fn output(command: &mut Command) -> io::Result<Output> {
     child.wait_with_output()
 }
 
-/// Ends all that is running.
-pub fn end_all() {
-    let running = RUNNING.lock().map(|running| running.clone());
-    running.unwrap_or_default().into_iter().for_each(end);
+/// Ends all running programs and what they started.
+pub fn terminate_all() {
+    let running = RUNNING_IDS.lock().map(|running| running.clone());
+    running.unwrap_or_default().into_iter().for_each(terminate);
 }
 
-/// Ends the program `id` and what it started.
-fn end(id: u32) {
-    // The standard library ends single processes only, and sending a signal by hand takes unsafe code.
+/// Ends the process group `id`: a program and what it started.
+fn terminate(id: u32) {
+    // The standard library can only end single processes, and sending a signal takes unsafe code.
     let _ = Command::new("kill")
         .args(["-TERM", "--", &format!("-{id}")])
         .stderr(Stdio::null())
@@ -64,11 +66,11 @@ mod tests {
     use std::io::{BufRead, BufReader};
     use std::time::Duration;
 
-    /// Longer than any machine takes to end two programs, shorter than the program sleeps.
-    const PATIENCE: Duration = Duration::from_secs(60);
+    /// Longer than any machine needs to end two programs, and shorter than the program's sleep.
+    const TIMEOUT: Duration = Duration::from_secs(60);
 
     #[test]
-    fn a_program_ends_with_what_it_started() {
+    fn terminating_a_program_also_ends_its_children() {
         let mut shell = Command::new("sh");
         shell
             .args(["-c", "sleep 1000 & echo started; wait"])
@@ -76,22 +78,22 @@ mod tests {
         let (mut child, _running) = start(&mut shell).unwrap();
         let mut stdout = BufReader::new(child.stdout.take().unwrap());
         stdout.read_line(&mut String::new()).unwrap();
-        end(child.id());
+        terminate(child.id());
         assert!(!child.wait().unwrap().success());
-        // The pipe ends when the sleeper, which has its other end too, has ended.
+        // `sleep` holds the write end of the pipe, so the pipe closes only when `sleep` has ended.
         let (sender, ended) = std::sync::mpsc::channel();
         std::thread::spawn(move || sender.send(stdout.read_line(&mut String::new())));
-        assert_eq!(ended.recv_timeout(PATIENCE).unwrap().unwrap(), 0);
+        assert_eq!(ended.recv_timeout(TIMEOUT).unwrap().unwrap(), 0);
     }
 
     #[test]
-    fn what_has_ended_is_forgotten() {
+    fn a_program_that_ended_is_removed_from_the_list() {
         let id = {
             let (mut child, _running) = start(&mut Command::new("true")).unwrap();
-            assert!(RUNNING.lock().unwrap().contains(&child.id()));
+            assert!(RUNNING_IDS.lock().unwrap().contains(&child.id()));
             child.wait().unwrap();
             child.id()
         };
-        assert!(!RUNNING.lock().unwrap().contains(&id));
+        assert!(!RUNNING_IDS.lock().unwrap().contains(&id));
     }
 }

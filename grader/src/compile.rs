@@ -1,52 +1,54 @@
-//! Building the worker with the student's stages, and other programs of the workspace.
+//! Builds the worker with the student's stages, and other programs of the workspace.
 
 use crate::child_processes;
 use crate::error::GraderError;
+use crate::target_folder;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// How building a worker ended.
+/// The result of building a worker.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Built {
-    /// The program.
+pub enum BuildOutcome {
+    /// The path of the program.
     Worker(PathBuf),
-    /// Some of the code does not compile.
-    DoesNotCompile(Broken),
+    /// At least one crate does not compile.
+    DoesNotCompile(CompileErrors),
 }
 
-/// Code that does not compile.
+/// The errors of a build that failed because code does not compile.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Broken {
-    /// The crates that have errors. What depends on them was not tried.
-    pub crates: BTreeSet<String>,
-    /// The compiler's messages, which have been shown on stderr unless the build is sealed.
+pub struct CompileErrors {
+    /// The crates that have errors. Crates that depend on them were not built.
+    pub failed_crates: BTreeSet<String>,
+    /// The compiler's messages. They were also printed to stderr unless the build is sealed.
     pub messages: String,
 }
 
-/// A build of the worker, in release.
+/// A release build of the worker.
 #[derive(Clone, Copy, Debug)]
-pub struct Build<'a> {
-    /// The workspace's top folder.
+pub struct WorkerBuild<'a> {
+    /// The root folder of the workspace.
     pub root: &'a Path,
-    /// Cargo features: the stages to link, all of which are tried even where one does not compile.
+    /// Cargo features: the stages to link. If one of them does not compile, the others are still
+    /// built.
     pub features: &'a [&'a str],
-    /// Where cargo keeps what it builds, if not in the workspace.
+    /// Cargo's target directory, if it is not the workspace's own.
     pub target: Option<&'a Path>,
-    /// No network, no other versions of libraries than the lock file's, and nothing shown: for code that is not
-    /// the caller's own.
+    /// Builds code that is not the caller's own: without network access, with the library versions
+    /// of the lock file, and without printing anything.
     pub sealed: bool,
 }
 
-impl Build<'_> {
-    /// Runs cargo. Its progress and the compiler's messages go to stderr as they come.
-    pub fn run(&self) -> Result<Built, GraderError> {
+impl WorkerBuild<'_> {
+    /// Runs cargo. Its progress and the compiler's messages go to stderr as they arrive.
+    pub fn run(&self) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed;
-        match follow(self.command(show && has_colours()), "worker", show)? {
-            Ok(program) => keep_apart(program, self.features),
-            Err(broken) => Ok(Built::DoesNotCompile(broken)),
+        match run_cargo(self.command(show && has_colours()), "worker", show)? {
+            Ok(program) => copy_under_own_name(program, self.features),
+            Err(errors) => Ok(BuildOutcome::DoesNotCompile(errors)),
         }
     }
 
@@ -63,25 +65,46 @@ impl Build<'_> {
                 .args(["--offline", "--locked"])
                 .stderr(Stdio::piped());
         }
-        if let Some(target) = self.target {
+        let target = self.target.map(Path::to_path_buf);
+        if let Some(target) = target.or_else(|| target_folder::of(self.root)) {
             command.arg("--target-dir").arg(target);
         }
         command
     }
 }
 
-/// Builds the program of `package` as it stands in the workspace `root`, in release: the program, or the compiler's
-/// messages, which have been shown on stderr.
-pub fn program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
-    let followed = follow(release_build(root, package, has_colours()), package, true)?;
-    Ok(followed.map_err(|broken| broken.messages))
+/// Builds the program of `package` in the workspace `root`, in release. The program must not link a stage. Returns its
+/// path, or the compiler's messages, which were also printed to stderr.
+pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
+    build_in(root, package, None)
+}
+
+/// As [`build_program`], for a program that links the stages of the workspace.
+pub fn build_program_with_stages(
+    root: &Path,
+    package: &str,
+) -> Result<Result<PathBuf, String>, GraderError> {
+    build_in(root, package, target_folder::of(root))
+}
+
+fn build_in(
+    root: &Path,
+    package: &str,
+    target: Option<PathBuf>,
+) -> Result<Result<PathBuf, String>, GraderError> {
+    let mut command = release_build(root, package, has_colours());
+    if let Some(target) = target {
+        command.arg("--target-dir").arg(target);
+    }
+    let built = run_cargo(command, package, true)?;
+    Ok(built.map_err(|errors| errors.messages))
 }
 
 fn has_colours() -> bool {
     std::io::stderr().is_terminal()
 }
 
-/// Cargo, told to build the program of `package`, which has the package's name.
+/// The command `cargo build --release` for the program of `package`, which has the package's name.
 fn release_build(root: &Path, package: &str, colours: bool) -> Command {
     let mut command = Command::new(cargo());
     command
@@ -98,13 +121,13 @@ fn release_build(root: &Path, package: &str, colours: bool) -> Command {
     command
 }
 
-/// Runs cargo to its end: the program that it built, or what the compiler says against the code. `show` passes that on to
-/// stderr.
-fn follow(
+/// Runs cargo to its end. Returns the path of the program that it built, or the compiler's errors.
+/// `show` also prints the compiler's messages to stderr.
+fn run_cargo(
     mut command: Command,
     package: &str,
     show: bool,
-) -> Result<Result<PathBuf, Broken>, GraderError> {
+) -> Result<Result<PathBuf, CompileErrors>, GraderError> {
     let (mut child, _running) = child_processes::start(&mut command).map_err(|e| {
         GraderError::new(format!(
             "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
@@ -118,9 +141,9 @@ fn follow(
     let stdout = child
         .stdout
         .take()
-        .ok_or_else(|| GraderError::new("cargo has no output"))?;
+        .ok_or_else(|| GraderError::new("cannot read cargo's standard output"))?;
     let mut program = None;
-    let mut broken = Broken::default();
+    let mut errors = CompileErrors::default();
     for line in BufReader::new(stdout).lines() {
         let line =
             line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
@@ -132,37 +155,40 @@ fn follow(
                 if show {
                     eprint!("{text}");
                 }
-                broken.messages.push_str(&text);
-                broken.crates.insert(of_crate);
+                errors.messages.push_str(&text);
+                errors.failed_crates.insert(of_crate);
             }
         }
     }
     let status = child
         .wait()
-        .map_err(|e| GraderError::new(format!("cargo was lost: {e}")))?;
-    let said = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
+        .map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
+    let stderr = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
     match program {
         Some(program) if status.success() => Ok(Ok(program)),
-        _ if !broken.messages.is_empty() => Ok(Err(broken)),
-        // Nothing that the code could be blamed for: a library that is not there, a broken manifest.
+        _ if !errors.messages.is_empty() => Ok(Err(errors)),
+        // Not the fault of the code: a library is missing, for example, or a manifest is broken.
         _ => Err(GraderError::new(format!(
             "cargo could not build the package {package} in {} ({status}). {}",
             command
                 .get_current_dir()
                 .unwrap_or(Path::new("."))
                 .display(),
-            said.as_deref().unwrap_or("Its reason stands above.").trim()
+            stderr
+                .as_deref()
+                .unwrap_or("Cargo's message is above.")
+                .trim()
         ))),
     }
 }
 
-/// One of cargo's JSON messages, if it is of interest.
+/// The messages of cargo that matter here, read from its JSON output.
 enum Message {
-    /// A program was built, or was there already.
+    /// A program was built, or was up to date.
     Program(PathBuf),
-    /// The compiler is not content.
+    /// A warning of the compiler.
     Warning(String),
-    /// The compiler gave up on a crate.
+    /// An error of the compiler in a crate.
     Error { text: String, of_crate: String },
 }
 
@@ -183,23 +209,23 @@ impl Message {
     }
 }
 
-/// The cargo that built the grader's caller, else the one on the path.
+/// The cargo that runs the grader, or else the one on the path.
 pub fn cargo() -> OsString {
     std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-/// Copies the program under a name of its own: the next build with other features would overwrite it.
-fn keep_apart(program: PathBuf, features: &[&str]) -> Result<Built, GraderError> {
+/// Copies the worker to a name that contains its features, because the next build with other
+/// features overwrites the original.
+fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<BuildOutcome, GraderError> {
     let mut name = format!("worker-{}", features.join("-"));
     name.push_str(std::env::consts::EXE_SUFFIX);
     let copy = program.with_file_name(name);
-    // Written beside and renamed: a worker that still runs from the old file is not disturbed.
+    // Writes a new file and renames it, so that a worker that still runs keeps its old file.
     let fresh = copy.with_extension(format!("new{}", std::process::id()));
     let copied = std::fs::copy(&program, &fresh).and_then(|_| std::fs::rename(&fresh, &copy));
     copied.map_err(|e| {
-        // Half a program is of no use to anybody.
-        let _ = std::fs::remove_file(&fresh);
+        let _ = std::fs::remove_file(&fresh); // it may be incomplete
         GraderError::file("write", &copy, e)
     })?;
-    Ok(Built::Worker(copy))
+    Ok(BuildOutcome::Worker(copy))
 }

@@ -1,4 +1,4 @@
-//! The course as `stages/course.toml` lists it.
+//! Reads `stages/course.toml`: the list of parts, tasks, cases and points.
 
 use crate::error::GraderError;
 use crate::workspace::Workspace;
@@ -6,13 +6,14 @@ use judge::Tier;
 use serde::Deserialize;
 use std::collections::BTreeSet;
 
-/// Parts, tasks, cases and points.
+/// The course: its parts, tasks, cases and points.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Course {
-    /// What holds everywhere, in sentences for students.
+    /// The conventions of the course, as sentences for students.
     pub conventions: Vec<String>,
-    /// Keys of tasks that have holes in the stages already, and no cases yet. Handouts carve them, too.
+    /// Keys of tasks whose functions are marked in the stages but that have no cases. Handouts
+    /// leave out their solutions, too.
     #[serde(default)]
     pub ungraded: Vec<String>,
     /// The parts in order.
@@ -20,44 +21,44 @@ pub struct Course {
     pub parts: Vec<Part>,
 }
 
-/// One hand-in.
+/// One part: the tasks that students hand in together.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
-    /// Counted from 1.
+    /// Its number, counted from 1.
     pub number: u32,
-    /// For people.
+    /// Its title.
     pub title: String,
     /// The tasks in order.
     #[serde(rename = "task")]
     pub tasks: Vec<Task>,
 }
 
-/// One thing to write.
+/// One task: some functions to write in one stage.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Task {
-    /// The one name of the task everywhere, such as `part1.task3`.
+    /// The name of the task in all files and programs, such as `part1.task3`.
     pub key: String,
-    /// For people.
+    /// Its title.
     pub title: String,
-    /// The crate below `stages/` that it is written in.
+    /// The crate below `stages/` that has the functions.
     pub stage: String,
     /// The functions to write.
     pub holes: Vec<String>,
-    /// What it is checked with.
+    /// The cases that test it.
     pub cases: Vec<CaseEntry>,
 }
 
-/// One check and what it is worth.
+/// One case and its points.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CaseEntry {
-    /// Name, unique in its task.
+    /// Its name, unique in its task.
     pub name: String,
-    /// Whose points it gives.
+    /// Whether its points are core or robust points.
     pub tier: Tier,
-    /// How many.
+    /// The points that it is worth.
     pub points: f64,
 }
 
@@ -67,20 +68,20 @@ impl Course {
         let path = workspace.course_toml();
         let text =
             std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
-        let refused = |e| GraderError::new(format!("{}: {e}", path.display()));
-        let course = Course::parse(&text).map_err(refused)?;
+        let in_file = |e| GraderError::new(format!("{}: {e}", path.display()));
+        let course = Course::parse(&text).map_err(in_file)?;
         for task in course.tasks() {
             let stage = workspace.root().join("stages").join(&task.stage);
             ensure(stage.is_dir(), || {
                 let (key, stage) = (&task.key, &task.stage);
-                format!("`{key}` is written in the stage `{stage}`, but there is no stages/{stage}")
+                format!("`{key}` names the stage `{stage}`, but there is no stages/{stage}")
             })
-            .map_err(refused)?;
+            .map_err(in_file)?;
         }
         Ok(course)
     }
 
-    /// Reads a course from the text of a `course.toml` and refuses one that contradicts itself.
+    /// Parses the text of a `course.toml`. A list that contradicts itself is an error.
     pub fn parse(text: &str) -> Result<Course, GraderError> {
         let course: Course = toml::from_str(text).map_err(|e| GraderError::new(e.to_string()))?;
         course.check()?;
@@ -92,22 +93,23 @@ impl Course {
         self.parts.iter().flat_map(|part| &part.tasks)
     }
 
-    /// The stages that its tasks are written in, in the order of the course, each once.
+    /// The stages of its tasks, in the order of the course, each once.
     pub fn stages(&self) -> Vec<&str> {
         stages_of(self.tasks())
     }
 
-    /// The tasks that `what` names: `all`, a part such as `part2`, or a task such as `part2.task3`.
+    /// The tasks that `what` selects: `all`, a part such as `part2`, or a task such as
+    /// `part2.task3`.
     pub fn select(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
         let chosen: Vec<&Task> = self
             .tasks()
             .filter(|task| what == "all" || task.key == what || task.part_key() == what)
             .collect();
         if chosen.is_empty() {
-            if let Some(part) = self.parts.iter().find(|part| part.is_meant_by(what)) {
+            if let Some(part) = self.parts.iter().find(|part| part.matches_key(what)) {
                 let keys: Vec<&str> = part.tasks.iter().map(|task| task.key.as_str()).collect();
                 return Err(GraderError::new(format!(
-                    "the course has no `{what}`. The tasks of its part {} are {}",
+                    "the course has no task `{what}`. The tasks of part {} are {}",
                     part.number,
                     keys.join(", ")
                 )));
@@ -118,7 +120,7 @@ impl Course {
                 .map(|part| format!("part{}", part.number))
                 .collect();
             return Err(GraderError::new(format!(
-                "the course has no `{what}`. Say `all`, a part ({}) or a task such as `{}`",
+                "the course has no `{what}`. Expected `all`, a part ({}) or a task such as `{}`",
                 parts.join(", "),
                 self.tasks().next().map_or("part1.task1", |task| &task.key),
             )));
@@ -126,39 +128,39 @@ impl Course {
         Ok(chosen)
     }
 
-    /// The keys of all tasks that have holes, graded or not, each with the number of its part.
+    /// The keys of all tasks with functions to write, graded or not, each with its part's number.
     pub fn holes(&self) -> impl Iterator<Item = (u32, &str)> {
         let graded = self.tasks().map(|task| task.key.as_str());
         let ungraded = self.ungraded.iter().map(String::as_str);
         graded
             .chain(ungraded)
-            .filter_map(|key| Some((part_of(key)?, key)))
+            .filter_map(|key| Some((part_number(key)?, key)))
     }
 
     fn check(&self) -> Result<(), GraderError> {
         for pair in self.parts.windows(2) {
             ensure(pair[0].number < pair[1].number, || {
                 format!(
-                    "part {} stands after part {}",
+                    "part {} comes after part {}: expected the parts in ascending order",
                     pair[1].number, pair[0].number
                 )
             })?;
         }
         for key in &self.ungraded {
-            ensure(part_of(key).is_some(), || {
-                format!("`ungraded` lists `{key}`, which is no key such as `part3.task1`")
+            ensure(part_number(key).is_some(), || {
+                format!("`ungraded` lists `{key}`: expected a key such as `part3.task1`")
             })?;
             ensure(self.tasks().all(|task| task.key != *key), || {
-                format!("`{key}` is a task, so it cannot be `ungraded`, too")
+                format!("`{key}` is listed as a task and as `ungraded`: remove one of them")
             })?;
         }
         let mut keys = BTreeSet::new();
         for part in &self.parts {
             for task in &part.tasks {
-                let own = format!("part{}.", part.number);
-                ensure(task.key.starts_with(&own), || {
+                let prefix = format!("part{}.", part.number);
+                ensure(task.key.starts_with(&prefix), || {
                     format!(
-                        "task `{}` stands in part {}: its key must begin with `{own}`",
+                        "task `{}` is in part {}: its key must begin with `{prefix}`",
                         task.key, part.number
                     )
                 })?;
@@ -172,7 +174,7 @@ impl Course {
     }
 }
 
-/// The stages that `tasks` are written in, in their order, each once.
+/// The stages of `tasks`, in their order, each once.
 pub fn stages_of<'a>(tasks: impl IntoIterator<Item = &'a Task>) -> Vec<&'a str> {
     let mut stages = Vec::new();
     for task in tasks {
@@ -184,20 +186,20 @@ pub fn stages_of<'a>(tasks: impl IntoIterator<Item = &'a Task>) -> Vec<&'a str> 
 }
 
 impl Part {
-    /// Whether a key such as `part1.task9` asks for a task of this part.
-    fn is_meant_by(&self, key: &str) -> bool {
+    /// Whether a key such as `part1.task9` begins with this part's key.
+    fn matches_key(&self, key: &str) -> bool {
         key.split_once('.')
             .is_some_and(|(part, _)| part == format!("part{}", self.number))
     }
 }
 
 impl Task {
-    /// The part it belongs to, such as `part1`.
+    /// The key of its part, such as `part1`.
     pub fn part_key(&self) -> &str {
         self.key.split('.').next().unwrap_or_default()
     }
 
-    /// The points of one purse.
+    /// The sum of its core points or of its robust points.
     pub fn points(&self, tier: Tier) -> f64 {
         self.cases
             .iter()
@@ -214,31 +216,31 @@ impl Task {
             })?;
             ensure(case.points.is_finite() && case.points > 0.0, || {
                 format!(
-                    "case `{}` of `{}` is worth {} points: it must be more than 0",
+                    "case `{}` of `{}` has {} points: expected more than 0",
                     case.name, self.key, case.points
                 )
             })?;
         }
         ensure(self.points(Tier::Core) > 0.0, || {
             format!(
-                "task `{}` has no core points, so nobody could pass it",
+                "task `{}` has no core points: give at least one of its cases the tier core",
                 self.key
             )
         })
     }
 }
 
-/// The number of the part that a task's key begins with.
-fn part_of(key: &str) -> Option<u32> {
+/// The number of the part in a task's key.
+fn part_number(key: &str) -> Option<u32> {
     let (part, _) = key.strip_prefix("part")?.split_once(".task")?;
     part.parse().ok()
 }
 
-fn ensure(holds: bool, sentence: impl FnOnce() -> String) -> Result<(), GraderError> {
-    if holds {
+fn ensure(condition: bool, message: impl FnOnce() -> String) -> Result<(), GraderError> {
+    if condition {
         Ok(())
     } else {
-        Err(GraderError::new(sentence()))
+        Err(GraderError::new(message()))
     }
 }
 
@@ -247,13 +249,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_task_that_is_not_there_is_answered_by_those_of_its_part() {
-        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is sound");
-        let told = |what: &str| course.select(what).unwrap_err().to_string();
-        let tasks = told("part1.task9");
+    fn the_error_for_an_unknown_task_lists_the_tasks_of_its_part() {
+        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let error = |what: &str| course.select(what).unwrap_err().to_string();
+        let tasks = error("part1.task9");
         assert!(tasks.contains("part1.task1, part1.task2"), "{tasks}");
         assert!(!tasks.contains("part2"), "{tasks}");
-        let parts = told("part9");
+        let parts = error("part9");
         assert!(parts.contains("part1, part2"), "{parts}");
     }
 }

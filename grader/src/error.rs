@@ -1,25 +1,26 @@
-//! What can go wrong that is not the student's code.
+//! Errors that are not the fault of the student's code.
 
 use std::fmt;
 use std::path::Path;
 
-/// The grader or its input is at fault: what, where, and what to do. Ends with exit code 2.
+/// An error in the grader or in its input. The message says what happened, where, and what to do.
+/// A program that returns it ends with exit code 2.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GraderError(String);
 
 impl GraderError {
-    /// An error with its whole sentence.
-    pub fn new(sentence: impl Into<String>) -> GraderError {
-        GraderError(sentence.into())
+    /// An error with this message.
+    pub fn new(message: impl Into<String>) -> GraderError {
+        GraderError(message.into())
     }
 
-    /// `doing` something with the file `path` failed.
-    pub fn file(doing: &str, path: &Path, cause: impl fmt::Display) -> GraderError {
-        GraderError(format!("cannot {doing} {}: {cause}", path.display()))
+    /// The error "cannot `action` `path`: `cause`", such as "cannot read a.toml: not found".
+    pub fn file(action: &str, path: &Path, cause: impl fmt::Display) -> GraderError {
+        GraderError(format!("cannot {action} {}: {cause}", path.display()))
     }
 }
 
-/// What went wrong with a temporary file, without its name, which tells nobody anything.
+/// The cause of an error about a temporary file, without the file's random name.
 pub fn without_path(error: &std::io::Error) -> String {
     let inner = error.get_ref().and_then(std::error::Error::source);
     inner.map_or_else(|| error.to_string(), ToString::to_string)

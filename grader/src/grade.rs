@@ -3,8 +3,9 @@
 use crate::course::{Course, Task, stages_of};
 use crate::diagnosis;
 use crate::error::GraderError;
+use crate::report::{Report, TaskReport};
 use crate::runner::Ending;
-use crate::score::{CaseResult, Report, Status, TaskResult, status_without_answer};
+use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::Signature;
 use crate::speedup;
 use crate::stage_workers::Workers;
@@ -43,7 +44,7 @@ pub struct BuildRoot<'a> {
     pub root: &'a Path,
     /// Where cargo keeps what it builds, if not there.
     pub target: Option<&'a Path>,
-    /// As [`crate::compile::Build::sealed`].
+    /// As [`crate::compile::WorkerBuild::sealed`].
     pub sealed: bool,
 }
 
@@ -58,7 +59,7 @@ impl BuildRoot<'_> {
     }
 }
 
-/// Grades the code in `workspace` in place, and with `times` times it if it is about trees.
+/// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH, if a task is about it.
 pub fn in_place(
     workspace: &Workspace,
     request: &GradeRequest,
@@ -67,26 +68,38 @@ pub fn in_place(
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
     let specs = cases::all(request.seed);
-    let times = times && speedup::belongs_to(&tasks);
+    let times = times && speedup::applies_to(&tasks);
     let workers = workers(&BuildRoot::of(workspace), &tasks, &specs, times)?;
-    let mut graded = by(&workers, workspace, &course, &tasks, &specs)?;
-    if times {
-        graded.report.speedups = Some(speedup::measure(&course, &workers.together)?);
-    }
-    Ok(graded)
+    let run = run(&workers, &course, &tasks, &specs)?;
+    let tasks = explain(workspace, run.results, &specs)?;
+    let speedups = if times {
+        Some(speedup::measure(&course, &workers.together)?)
+    } else {
+        None
+    };
+    Ok(Graded {
+        report: Report::new(tasks, speedups),
+        printed: run.printed,
+        compiler: workers.compiler,
+    })
 }
 
-/// Grades `tasks` with the code that stands at `site`.
+/// Grades `tasks` with the code in `build_root`, without times.
 pub fn at(
     workspace: &Workspace,
     course: &Course,
     tasks: &[&Task],
     seed: u64,
-    site: &BuildRoot,
+    build_root: &BuildRoot,
 ) -> Result<Graded, GraderError> {
     let specs = cases::all(seed);
-    let workers = workers(site, tasks, &specs, false)?;
-    by(&workers, workspace, course, tasks, &specs)
+    let workers = workers(build_root, tasks, &specs, false)?;
+    let run = run(&workers, course, tasks, &specs)?;
+    Ok(Graded {
+        report: Report::new(explain(workspace, run.results, &specs)?, None),
+        printed: run.printed,
+        compiler: workers.compiler,
+    })
 }
 
 /// The workers for `tasks`; for whole scenes, too, if a case needs it or `together` says so.
@@ -110,41 +123,54 @@ pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
     stages
 }
 
-/// Grades `tasks` by what `workers` answers.
-fn by(
+/// The scores of some tasks, and what their code printed.
+struct ScoredRun {
+    results: Vec<TaskResult>,
+    printed: String,
+}
+
+/// Runs the cases of `tasks` in `workers` and scores them, stage by stage. The results are ordered by key.
+fn run(
     workers: &WorkerSet,
-    workspace: &Workspace,
     course: &Course,
     tasks: &[&Task],
     specs: &[Spec],
-) -> Result<Graded, GraderError> {
-    let mut results = Vec::new();
-    let mut printed = String::new();
+) -> Result<ScoredRun, GraderError> {
+    let mut run = ScoredRun {
+        results: Vec::new(),
+        printed: String::new(),
+    };
     for stage in stages(tasks) {
         let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
         let of_stage: Vec<&Task> = of_stage.collect();
-        match workers.workers(stage) {
-            None => results.extend(of_stage.into_iter().map(does_not_compile)),
-            Some(workers) => {
-                let graded = grade_tasks(course, &of_stage, specs, &workers, &mut printed)?;
-                results.extend(graded);
-            }
+        let results = match workers.workers(stage) {
+            None => of_stage.into_iter().map(does_not_compile).collect(),
+            Some(workers) => grade_tasks(course, &of_stage, specs, &workers, &mut run.printed)?,
+        };
+        run.results.extend(results);
+    }
+    run.results.sort_by(|a, b| a.key.cmp(&b.key));
+    Ok(run)
+}
+
+/// Adds to each result the mistake that explains it and a test of its worst answer.
+fn explain(
+    workspace: &Workspace,
+    results: Vec<TaskResult>,
+    specs: &[Spec],
+) -> Result<Vec<TaskReport>, GraderError> {
+    let explained = results.into_iter().map(|result| {
+        if result.status == Status::Passed {
+            return Ok(result.into());
         }
-    }
-    results.sort_by(|a, b| a.key.cmp(&b.key));
-    let imperfect = results
-        .iter_mut()
-        .filter(|result| result.status != Status::Passed);
-    for result in imperfect {
         let known = diagnosis::known(workspace, &result.key)?;
-        result.worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
-        result.diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
-    }
-    Ok(Graded {
-        report: Report::new(results),
-        printed,
-        compiler: workers.compiler.clone(),
-    })
+        Ok(TaskReport {
+            diagnosis: diagnosis::diagnose(&known, &Signature::of(&result.cases)),
+            worst_as_test: repro::worst(failed_cases(&result.cases), specs, &result.key),
+            result,
+        })
+    });
+    explained.collect()
 }
 
 /// The cases that `course.toml` lists for `tasks`, in its order.
@@ -232,4 +258,50 @@ fn does_not_compile(task: &Task) -> TaskResult {
         .iter()
         .map(|entry| CaseResult::new(entry, "", Status::DoesNotCompile, Vec::new()));
     TaskResult::new(task, cases.collect())
+}
+
+/// The status of a case of `task` that ended without an answer; `None` if there is an answer to
+/// judge.
+fn status_without_answer(
+    task: &str,
+    ending: &Ending,
+    course: &Course,
+) -> Result<Option<Status>, GraderError> {
+    Ok(match ending {
+        Ending::TimedOut { call, limit_ms } => Some(Status::Crashed(format!(
+            "did not return within {} s (call {call} of the case): an endless loop?",
+            *limit_ms as f64 / 1e3
+        ))),
+        Ending::Died(how) | Ending::Malformed(how) => Some(Status::Crashed(how.clone())),
+        Ending::Skipped => {
+            return Err(GraderError::new(format!(
+                "a case of {task} was skipped, but only timings may be skipped"
+            )));
+        }
+        Ending::Recorded(record) if record.untouched.iter().any(|key| key == task) => {
+            Some(Status::NotAttempted)
+        }
+        Ending::Recorded(record) => match &record.outcome {
+            Outcome::Answered(_) => None,
+            Outcome::NotAttempted { task: hole } if hole == task => Some(Status::NotAttempted),
+            Outcome::NotAttempted { task: hole } if course.holes().any(|(_, key)| key == hole) => {
+                Some(Status::Needs(hole.clone()))
+            }
+            Outcome::NotAttempted { task: hole } => Some(Status::Crashed(format!(
+                "the worker's record names the hole {hole:?}, which is none of the course"
+            ))),
+            Outcome::Panicked {
+                message,
+                location,
+                call,
+            } => Some(Status::Crashed(format!(
+                "panicked at {location}: {message} (call {call} of the case)"
+            ))),
+            Outcome::Unable { reason } => {
+                return Err(GraderError::new(format!(
+                    "a case of {task} could not run: {reason}"
+                )));
+            }
+        },
+    })
 }

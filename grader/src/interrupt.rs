@@ -1,4 +1,4 @@
-//! Ctrl-C, or another wish that the grader ends: what it started and what was half written goes, and the program says so.
+//! Handles Ctrl-C and similar signals: ends child processes and removes temporary files.
 
 use crate::child_processes;
 use crate::error::{GraderError, without_path};
@@ -7,105 +7,106 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// Folders and files that must not outlive the program.
-static SCRATCH: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+/// Folders and files to remove when the program is interrupted.
+static CLEANUP_PATHS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// How often to try to remove a folder that is being written to.
-const REMOVALS: u32 = 20;
+/// How many times to try to remove a folder that a program may still be writing to.
+const REMOVAL_ATTEMPTS: u32 = 20;
 
-/// A folder that goes when it is dropped, and on Ctrl-C.
+/// A temporary folder. It is removed when this is dropped, and on Ctrl-C.
 #[derive(Debug)]
-pub struct Scratch(tempfile::TempDir);
+pub struct TempFolder(tempfile::TempDir);
 
-impl Scratch {
-    /// Where it is.
+impl TempFolder {
+    /// The path of the folder.
     pub fn path(&self) -> &Path {
         self.0.path()
     }
 }
 
-impl Drop for Scratch {
+impl Drop for TempFolder {
     fn drop(&mut self) {
-        forget(self.0.path());
+        unregister(self.0.path());
     }
 }
 
-/// A new folder among the system's temporary ones.
-pub fn scratch() -> Result<Scratch, GraderError> {
-    scratch_in(&std::env::temp_dir())
+/// Creates a temporary folder in the system's folder for them.
+pub fn temp_folder() -> Result<TempFolder, GraderError> {
+    temp_folder_in(&std::env::temp_dir())
 }
 
-/// A new folder in `parent`: on the same disk as what is to replace it.
-pub fn scratch_in(parent: &Path) -> Result<Scratch, GraderError> {
+/// Creates a temporary folder in `parent`. So it is on the same disk as files of `parent` and can
+/// be renamed to one of them.
+pub fn temp_folder_in(parent: &Path) -> Result<TempFolder, GraderError> {
     let folder = tempfile::Builder::new()
         .prefix(".grader-")
         .tempdir_in(parent)
         .map_err(|e| GraderError::file("write to", parent, without_path(&e)))?;
-    remember(folder.path());
-    Ok(Scratch(folder))
+    register(folder.path());
+    Ok(TempFolder(folder))
 }
 
-/// A file that says that its maker is at work; goes when it is dropped, and on Ctrl-C.
+/// A lock file. It is removed when this is dropped, and on Ctrl-C.
 #[derive(Debug)]
-pub struct Claim(PathBuf);
+pub struct LockFile(PathBuf);
 
-impl Drop for Claim {
+impl Drop for LockFile {
     fn drop(&mut self) {
         let _ = std::fs::remove_file(&self.0);
-        forget(&self.0);
+        unregister(&self.0);
     }
 }
 
-/// Makes the file `path`, unless somebody else has.
-pub fn claim(path: &Path) -> Result<Claim, GraderError> {
-    let made = std::fs::File::create_new(path);
-    made.map_err(|e| match e.kind() {
+/// Creates the lock file `path`. Fails if it exists already.
+pub fn lock(path: &Path) -> Result<LockFile, GraderError> {
+    let created = std::fs::File::create_new(path);
+    created.map_err(|e| match e.kind() {
         std::io::ErrorKind::AlreadyExists => GraderError::new(format!(
-            "another grader is at work here. Wait for it; if there is none (one may have been killed), remove {}",
+            "another grader is running here. Wait until it ends. If none is running (one may have been killed), remove {}",
             path.display()
         )),
-        _ => GraderError::file("make", path, e),
+        _ => GraderError::file("create", path, e),
     })?;
-    remember(path);
-    Ok(Claim(path.to_path_buf()))
+    register(path);
+    Ok(LockFile(path.to_path_buf()))
 }
 
-fn remember(path: &Path) {
-    if let Ok(mut scratch) = SCRATCH.lock() {
-        scratch.push(path.to_path_buf());
+fn register(path: &Path) {
+    if let Ok(mut paths) = CLEANUP_PATHS.lock() {
+        paths.push(path.to_path_buf());
     }
 }
 
-fn forget(path: &Path) {
-    if let Ok(mut scratch) = SCRATCH.lock() {
-        scratch.retain(|kept| kept != path);
+fn unregister(path: &Path) {
+    if let Ok(mut paths) = CLEANUP_PATHS.lock() {
+        paths.retain(|other| other != path);
     }
 }
 
 /// Whether Ctrl-C was pressed.
-static PRESSED: AtomicBool = AtomicBool::new(false);
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// How long the handler may take to notice Ctrl-C, which programs that the grader started notice, too.
-const MOMENT: Duration = Duration::from_millis(100);
+/// How long the handler may take to start after Ctrl-C.
+const HANDLER_DELAY: Duration = Duration::from_millis(100);
 
-/// Whether an error that came up is only the echo of Ctrl-C, such as a compiler that it ended. Then the handler is
-/// about to end the program, and there is nothing to report.
-pub fn is_the_cause() -> bool {
-    std::thread::sleep(MOMENT);
-    PRESSED.load(Ordering::SeqCst)
+/// Whether the program was interrupted. If so, an error that came up is only a consequence, such as
+/// a compiler that was ended, and need not be reported: the handler ends the program.
+pub fn was_interrupted() -> bool {
+    std::thread::sleep(HANDLER_DELAY);
+    INTERRUPTED.load(Ordering::SeqCst)
 }
 
-/// From now on Ctrl-C ends what was started, removes scratch folders and ends the program with exit code 2. So do the
-/// signals TERM and HUP.
-pub fn watch() {
-    // Without a handler Ctrl-C still ends the program; only scratch folders stay.
+/// Installs the handler for Ctrl-C and the signals TERM and HUP. It ends child processes, removes
+/// temporary folders and lock files, and ends the program with exit code 2.
+pub fn install_handler() {
+    // If this fails, Ctrl-C still ends the program, but temporary folders stay.
     let _ = ctrlc::set_handler(|| {
-        PRESSED.store(true, Ordering::SeqCst);
-        child_processes::end_all();
-        if let Ok(scratch) = SCRATCH.lock() {
-            for path in scratch.iter() {
-                // The program may be writing there still.
-                for _ in 0..REMOVALS {
+        INTERRUPTED.store(true, Ordering::SeqCst);
+        child_processes::terminate_all();
+        if let Ok(paths) = CLEANUP_PATHS.lock() {
+            for path in paths.iter() {
+                // A program that is ending may still be writing to the folder.
+                for _ in 0..REMOVAL_ATTEMPTS {
                     let removed =
                         std::fs::remove_file(path).or_else(|_| std::fs::remove_dir_all(path));
                     if removed.is_ok() {
@@ -114,7 +115,7 @@ pub fn watch() {
                 }
             }
         }
-        eprintln!("\ninterrupted: nothing half written is left");
+        eprintln!("\ninterrupted: temporary files were removed");
         std::process::exit(2);
     });
 }

@@ -1,29 +1,36 @@
-//! Scores each stage of the course against exact truth, golden images and hit-record snapshots.
+//! Scores each stage of the course against exact results, golden images and hit-record snapshots.
 //!
-//! The trusted side. It never links a stage: it builds a worker with the student's stages, has it run the
-//! [`cases`], and judges what comes back. Follow one run in [`grade`]: [`workspace`] and [`course`] (what
-//! there is to grade), [`workers`] with [`compile`], [`workers`] with [`runner`] (building and running the workers),
-//! [`judge`] with [`truth`] (right and wrong), [`score`] (points), [`speedup`] (times, which earn none), [`report`]
-//! (showing them).
+//! This crate never links a stage. It builds a *worker* program that links the student's stages,
+//! runs the test cases in it, and judges the answers that the worker returns.
 //!
-//! For instructors: [`handout`] carves what a student is given, [`submission`] grades what comes back, [`check`]
-//! asks whether the course keeps its word, [`bless`] takes new goldens, [`review`] shows what changed, [`mutants`]
-//! grades typical mistakes.
+//! To follow one run, start at [`grade`] and read on in this order:
+//!
+//! - [`workspace`] and [`course`]: the tasks, the cases and their points
+//! - [`compile`], [`worker_set`], [`stage_workers`], [`runner`]: building and running the workers
+//! - the crate [`judge`]: which answers are right
+//! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake; [`speedup`]: times
+//! - [`report`]: the output
+//!
+//! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
+//! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
+//! goldens), `cost` (time against accuracy).
 
 pub mod child_processes;
 pub mod cli;
 pub mod compile;
+pub mod consistency;
 pub mod course;
 pub mod diagnosis;
 pub mod error;
 pub mod grade;
 pub mod interrupt;
-pub mod lists;
+pub mod records;
 pub mod report;
 pub mod runner;
 pub mod score;
 pub mod signature;
 pub mod speedup;
 pub mod stage_workers;
+mod target_folder;
 pub mod worker_set;
 pub mod workspace;

@@ -3,11 +3,14 @@
 use crate::child_processes;
 use crate::error::GraderError;
 use crate::interrupt;
+use crate::records::{self, Records};
 use std::collections::HashMap;
+use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
-use wire::{Case, Frame, Outcome, Record, Work, file};
+use wire::file::{self, FrameReader};
+use wire::{Case, Outcome, Record, Work};
 
 /// What became of one case, seen from outside the worker.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +26,8 @@ pub enum Ending {
     },
     /// The worker died: how, in words for the student.
     Died(String),
+    /// The worker's record is none of this case: why, in a sentence.
+    Malformed(String),
     /// Not run, because what is smaller has timed out.
     Skipped,
 }
@@ -44,6 +49,9 @@ const HURRIED_MS: u64 = 500;
 
 /// Memory that a worker may take beyond its cases.
 const MEMORY_MB: u32 = 4096;
+
+/// The file of records in a worker's folder.
+const RECORDS: &str = "records";
 
 /// How much of what a student prints is kept.
 const PRINTED_BYTES: usize = 4096;
@@ -71,8 +79,7 @@ impl From<PathBuf> for Worker {
 
 /// Runs `cases` in the program `worker`. A case that ends the worker costs only itself.
 pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
-    let folder = interrupt::scratch()?;
-    let records = folder.path().join("records");
+    let folder = interrupt::temp_folder()?;
     let mut cases_to_run = cases.to_vec();
     for case in &mut cases_to_run {
         case.limit_ms = case.limit_ms.min(worker.longest_ms);
@@ -83,36 +90,28 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let mut first = 0;
     while first < cases.len() {
         let status = one_worker(worker, folder.path(), &cases_to_run, first, &mut printed)?;
-        let mut started = None;
-        for frame in
-            file::read_frames(&records).map_err(|e| GraderError::file("read", &records, e))?
-        {
-            match frame {
-                Frame::Started { case } => started = Some(case as usize),
-                Frame::Done(record) => {
-                    let case = record.case as usize;
-                    endings[case].get_or_insert(Ending::Recorded(record));
-                }
-                Frame::TimedOut { case, call } => {
-                    let case = case as usize;
-                    let limit_ms = cases_to_run[case].limit_ms;
-                    if endings[case]
-                        .replace(Ending::TimedOut { call, limit_ms })
-                        .is_none()
-                    {
-                        *timeouts.entry(&cases[case].task).or_default() += 1;
-                    }
-                }
-            }
-        }
-        let Some(started) = started.filter(|&case| case >= first) else {
+        let mut read = match FrameReader::open(&folder.path().join(RECORDS)) {
+            Ok(frames) => records::read(frames, &cases_to_run, first),
+            Err(e) => Records::unreadable(&e.to_string()),
+        };
+        if read.next_began {
+            let ending = Ending::Died(death(status, &printed));
+            read.endings.push(ending);
+        } else if read.endings.is_empty() {
             return Err(GraderError::new(format!(
                 "the worker did not start ({status}): {}",
                 printed.trim()
             )));
-        };
-        endings[started].get_or_insert_with(|| Ending::Died(death(status, &printed)));
-        first = started + 1;
+        }
+        let slots = cases.iter().zip(&mut endings).skip(first);
+        let next = first + read.endings.len();
+        for ((case, slot), ending) in slots.zip(read.endings) {
+            if let (None, Ending::TimedOut { .. }) = (&slot, &ending) {
+                *timeouts.entry(&case.task).or_default() += 1;
+            }
+            slot.get_or_insert(ending);
+        }
+        first = next;
         for (case, ending) in cases_to_run[first..].iter_mut().zip(&mut endings[first..]) {
             if timeouts
                 .get(case.task.as_str())
@@ -130,12 +129,9 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             first += 1;
         }
         // A worker reads all cases before it starts: later ones need not see the ones that are done.
-        cases_to_run[..first].iter_mut().for_each(|case| {
-            case.work = Work::Boxes {
-                boxes: vec![],
-                probes: vec![],
-            }
-        });
+        cases_to_run[..first]
+            .iter_mut()
+            .for_each(|case| case.work = Work::Stop(Vec::new()));
     }
     Ok(Run {
         endings: endings
@@ -154,9 +150,11 @@ fn one_worker(
     first: usize,
     printed: &mut String,
 ) -> Result<ExitStatus, GraderError> {
-    let (cases_file, records) = (folder.join("cases"), folder.join("records"));
+    let (cases_file, records) = (folder.join("cases"), folder.join(RECORDS));
     file::write_cases(&cases_file, cases)
         .map_err(|e| GraderError::file("write", &cases_file, e))?;
+    // Nothing that an earlier worker wrote is read again.
+    File::create(&records).map_err(|e| GraderError::file("write", &records, e))?;
     let mut command = Command::new(&worker.program);
     command
         .envs(worker.environment.iter().map(|(name, value)| (name, value)))

@@ -1,28 +1,23 @@
-//! From findings to points.
+//! Turns the findings about answers into points.
 
-use crate::course::{CaseEntry, Course, Task};
-use crate::diagnosis::Diagnosis;
-use crate::error::GraderError;
-use crate::runner::Ending;
-use crate::speedup::Speedups;
+use crate::course::{CaseEntry, Task};
 use judge::Tier;
 use judge::tally::{Aspect, Finding, Worst};
 use serde::Serialize;
-use wire::Outcome;
 
-/// How a task or a case stands.
+/// The status of a task or a case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "status", content = "detail")]
 pub enum Status {
-    /// Every point.
+    /// Every point was earned.
     Passed,
     /// Points were lost.
     Failed,
-    /// The code is still a hole or the given start.
+    /// The function is still the one of the handout.
     NotAttempted,
-    /// Another task must be written first: its key.
+    /// Another task must be written first. Contains its key.
     Needs(String),
-    /// The code panicked, hung or died: how.
+    /// The code panicked, timed out or ended the process, or its worker's record is malformed. Contains a description.
     Crashed(String),
     /// The stage does not compile.
     DoesNotCompile,
@@ -31,88 +26,66 @@ pub enum Status {
 /// The result of one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CaseResult {
-    /// As in `course.toml`.
+    /// Its name in `course.toml`.
     pub name: String,
-    /// Whose points it gives.
+    /// Whether its points are core or robust points.
     pub tier: Tier,
     /// Points earned.
     pub score: f64,
-    /// Points there are.
+    /// Points possible.
     pub max_score: f64,
-    /// How it stands.
+    /// Its status.
     #[serde(flatten)]
     pub status: Status,
-    /// What the case checks.
+    /// What the case tests.
     pub about: String,
-    /// What was found, aspect by aspect.
+    /// The findings about its answers, one for each aspect.
     pub findings: Vec<Finding>,
-    /// Whether it is made with other stages, too, whose mistakes may show.
+    /// Whether it also runs other stages. Their mistakes may affect its answers.
     #[serde(skip)]
     pub with_neighbours: bool,
 }
 
-/// The result of one task. Core and robust points are apart.
+/// The result of one task. Core and robust points are counted separately.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TaskResult {
-    /// As in `course.toml`.
+    /// Its key in `course.toml`.
     pub key: String,
-    /// For people.
+    /// Its title.
     pub title: String,
     /// Core points earned.
     pub score: f64,
-    /// Core points there are.
+    /// Core points possible.
     pub max_score: f64,
     /// Robust points earned.
     pub robust_score: f64,
-    /// Robust points there are.
+    /// Robust points possible.
     pub robust_max_score: f64,
-    /// How it stands.
+    /// Its status.
     #[serde(flatten)]
     pub status: Status,
-    /// The crate below `stages/` that it is written in.
+    /// The crate below `stages/` that has its functions.
     pub stage: String,
-    /// What its wrong answers look like, if they look like a known mistake.
-    pub diagnosis: Option<Diagnosis>,
-    /// The worst wrong answer as a Rust test.
-    pub worst_as_test: Option<String>,
     /// Its cases.
     pub cases: Vec<CaseResult>,
 }
 
-/// The result of a run of the grader.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
-    /// Core points earned.
-    pub score: f64,
-    /// Core points there are.
-    pub max_score: f64,
-    /// Robust points earned.
-    pub robust_score: f64,
-    /// Robust points there are.
-    pub robust_max_score: f64,
-    /// The tasks that were graded.
-    pub tasks: Vec<TaskResult>,
-    /// What the tree of Part 2 saves, if it was timed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub speedups: Option<Speedups>,
-}
-
 impl CaseResult {
-    /// Scores a case by the share of its points that `findings` earn.
+    /// Scores a case: `findings` earn a fraction of its points.
     pub fn new(
         entry: &CaseEntry,
         about: &str,
         status: Status,
         findings: Vec<Finding>,
     ) -> CaseResult {
-        let share = share_earned(&findings);
-        let status = if status == Status::Passed && share < 1.0 {
+        let fraction = earned_fraction(&findings);
+        let status = if status == Status::Passed && fraction < 1.0 {
             Status::Failed
         } else {
             status
         };
         let score = if matches!(status, Status::Passed | Status::Failed) {
-            entry.points * share
+            entry.points * fraction
         } else {
             0.0
         };
@@ -128,7 +101,7 @@ impl CaseResult {
         }
     }
 
-    /// The aspect that failed worst, if one did.
+    /// The first finding that has a worst answer, with that answer.
     pub fn worst(&self) -> Option<(&Finding, &Worst)> {
         self.findings
             .iter()
@@ -136,28 +109,31 @@ impl CaseResult {
     }
 }
 
-/// The share of a case's points that was earned. The aspects that the case can show share them evenly, but for two that
-/// weigh as much as all others together: hit or miss, without which they mean little, and work, which a tree is for.
-fn share_earned(findings: &[Finding]) -> f64 {
+/// The fraction of a case's points that was earned: the weighted fraction of its aspects that
+/// passed.
+///
+/// All aspects have the same weight, except two that weigh as much as all others together: hit or
+/// miss, without which the others mean little, and work, which is the purpose of a BVH.
+fn earned_fraction(findings: &[Finding]) -> f64 {
     let weight = |finding: &Finding| match finding.aspect {
         Aspect::Decision | Aspect::Work => (findings.len() - 1).max(1),
         _ => 1,
     };
-    let all: usize = findings.iter().map(weight).sum();
+    let total: usize = findings.iter().map(weight).sum();
     let earned: usize = findings
         .iter()
         .filter(|finding| finding.passed())
         .map(weight)
         .sum();
-    if all == 0 {
+    if total == 0 {
         0.0
     } else {
-        earned as f64 / all as f64
+        earned as f64 / total as f64
     }
 }
 
 impl TaskResult {
-    /// Adds up a task.
+    /// Adds up the points of a task's cases.
     pub fn new(task: &Task, cases: Vec<CaseResult>) -> TaskResult {
         let sum = |tier: Tier| {
             cases
@@ -185,80 +161,7 @@ impl TaskResult {
             robust_max_score: task.points(Tier::Robust),
             status,
             stage: task.stage.clone(),
-            diagnosis: None,
-            worst_as_test: None,
             cases,
         }
     }
-}
-
-impl Report {
-    /// Adds up a run.
-    pub fn new(tasks: Vec<TaskResult>) -> Report {
-        let sum = |points: fn(&TaskResult) -> f64| {
-            tasks
-                .iter()
-                .map(points)
-                .fold(0.0, |sum, points| sum + points)
-        };
-        Report {
-            score: sum(|task| task.score),
-            max_score: sum(|task| task.max_score),
-            robust_score: sum(|task| task.robust_score),
-            robust_max_score: sum(|task| task.robust_max_score),
-            tasks,
-            speedups: None,
-        }
-    }
-
-    /// Whether every core point was earned.
-    pub fn is_full(&self) -> bool {
-        self.tasks.iter().all(|task| task.score >= task.max_score)
-    }
-}
-
-/// What an ending that brought no answer means for a case of `task`; `None` if there is an answer to judge.
-pub fn status_without_answer(
-    task: &str,
-    ending: &Ending,
-    course: &Course,
-) -> Result<Option<Status>, GraderError> {
-    Ok(match ending {
-        Ending::TimedOut { call, limit_ms } => Some(Status::Crashed(format!(
-            "did not come back within {} s (call {call} of the case): an endless loop?",
-            *limit_ms as f64 / 1e3
-        ))),
-        Ending::Died(how) => Some(Status::Crashed(how.clone())),
-        Ending::Skipped => {
-            return Err(GraderError::new(format!(
-                "a case of {task} was skipped, as only timings are"
-            )));
-        }
-        Ending::Recorded(record) if record.untouched.iter().any(|key| key == task) => {
-            Some(Status::NotAttempted)
-        }
-        Ending::Recorded(record) => match &record.outcome {
-            Outcome::Answered(_) => None,
-            Outcome::NotAttempted { task: hole } if hole == task => Some(Status::NotAttempted),
-            Outcome::NotAttempted { task: hole } => {
-                debug_assert!(
-                    course.tasks().any(|task| task.key == *hole),
-                    "holes have keys of the course"
-                );
-                Some(Status::Needs(hole.clone()))
-            }
-            Outcome::Panicked {
-                message,
-                location,
-                call,
-            } => Some(Status::Crashed(format!(
-                "panicked at {location}: {message} (call {call} of the case)"
-            ))),
-            Outcome::Unable { reason } => {
-                return Err(GraderError::new(format!(
-                    "a case of {task} could not run: {reason}"
-                )));
-            }
-        },
-    })
 }

@@ -1,7 +1,8 @@
-//! What a tree saves: the student's brute force against the student's tree, over generated meshes of growing size.
+//! Measures the speedup by a BVH: the student's brute force against the student's BVH, on generated
+//! meshes of increasing size.
 //!
-//! Times say how fast, on this machine and today; tests per ray say why, and are the same everywhere. Neither earns
-//! points: times are no one's fault, and the work is judged where it can be told whose it is.
+//! Times depend on the machine. The number of tests per ray does not, and explains the times.
+//! Neither earns points here: other cases score the number of tests, one task at a time.
 
 use crate::course::{Course, Task};
 use crate::error::GraderError;
@@ -13,89 +14,90 @@ use wire::answer::TimingAnswer;
 use wire::work::{Ray, SceneSource, TimingWork};
 use wire::{Answer, Outcome, Work};
 
-/// The times of Part 2.
+/// The speedups of Part 2.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Speedups {
-    /// One mesh of one size each.
+    /// One row for each mesh and size.
     pub rows: Vec<Speedup>,
-    /// How cost grows with size, mesh by mesh.
+    /// How the cost grows with the size, for each mesh.
     pub growth: Vec<Growth>,
-    /// Why rows are missing, if some are.
+    /// Why rows are missing, if any are.
     pub missing: Option<String>,
 }
 
-/// What the tree saves on one mesh. Times are medians of rounds in which tree and brute force take turns.
+/// The speedup on one mesh. Times are medians of rounds that alternate between BVH and brute force.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Speedup {
     /// Name of the mesh.
     pub mesh: String,
-    /// Triangles in it.
+    /// Number of triangles.
     pub triangles: u64,
-    /// Seconds to build the tree.
+    /// Seconds to build the BVH.
     pub build_s: f64,
-    /// Rays through the tree, each round.
+    /// Rays per round that are traced with the BVH.
     pub tree_rays: u64,
-    /// Seconds a ray through the tree.
+    /// Seconds per ray with the BVH.
     pub tree_s: f64,
-    /// Rays through brute force, each round: a sample, from which the whole is extrapolated.
+    /// Rays per round that are traced by brute force: a sample of all rays.
     pub brute_rays: u64,
-    /// Seconds a ray through brute force.
+    /// Seconds per ray by brute force.
     pub brute_s: f64,
-    /// How many times as long brute force takes for the same rays, the building of the tree left aside.
+    /// `brute_s / tree_s`, without the time to build the BVH.
     pub speedup: f64,
-    /// Box and primitive tests a ray.
+    /// Box and primitive tests per ray.
     pub work: RayWork,
-    /// The same of the reference, recorded.
+    /// The recorded tests per ray of the reference.
     pub reference: RayWork,
-    /// On how many rays of the sample tree and brute force disagree about `t`.
+    /// The number of sampled rays for which BVH and brute force return a different `t`.
     pub differing_hits: u64,
 }
 
-/// How the cost of a ray grows with the number of triangles `n`: as `n` to the power of the slope of log cost over
-/// log `n`, fitted by least squares.
+/// How the cost of a ray grows with the number of triangles n: as n^k. The exponent k is the slope
+/// of log(cost) over log(n), fitted by least squares.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Growth {
     /// Name of the mesh.
     pub mesh: String,
-    /// Of the time by brute force; 1 is proportional.
+    /// Exponent of the time per ray by brute force; 1 means proportional.
     pub brute: f64,
-    /// Of the time through the tree.
+    /// Exponent of the time per ray with the BVH.
     pub tree: f64,
-    /// Of the box and primitive tests through the tree.
+    /// Exponent of the box and primitive tests per ray with the BVH.
     pub tests: f64,
-    /// Of the time to build the tree.
+    /// Exponent of the time to build the BVH.
     pub build: f64,
 }
 
-/// The meshes that are timed: one smooth, one rough.
+/// The timed meshes: one smooth, one rough.
 const MESHES: [&str; 2] = ["smooth", "terrain"];
 
-/// Their sizes in triangles.
+/// The numbers of triangles.
 const SIZES: [u32; 4] = [1_000, 10_000, 100_000, 1_000_000];
 
-/// Triangle tests of a brute-force sample: some 20 ms, long enough for the clock.
+/// Triangle tests in a brute-force sample: about 20 ms, long enough to measure.
 const SAMPLE_TESTS: u32 = 4_000_000;
 
-/// Rays in a brute-force sample at least, so that it is one.
-const SAMPLE_RAYS: u32 = 8;
+/// The minimum number of rays in a brute-force sample.
+const MIN_SAMPLE_RAYS: u32 = 8;
 
-/// How often tree and brute force take turns.
+/// The number of rounds. Each times the BVH, then brute force.
 const ROUNDS: u32 = 3;
 
-/// Milliseconds after which a size has failed: a build that is not quadratic takes one or two seconds.
+/// Time limit of a mesh in milliseconds: a build that is not quadratic takes one or two seconds.
 const LIMIT_MS: u64 = 20_000;
 
-/// Primitives in a leaf at most: the assignment's choice.
+/// The maximum number of primitives in a leaf, as in the assignment.
 const MAX_LEAF_SIZE: u32 = 4;
 
-/// Whether `tasks` are those whose speedup is shown: building the tree and walking it.
-pub fn belongs_to(tasks: &[&Task]) -> bool {
+/// Whether `tasks` include both tasks that the speedup depends on: BVH construction and traversal.
+pub fn applies_to(tasks: &[&Task]) -> bool {
     ["part2.task1", "part2.task3"]
         .iter()
         .all(|key| tasks.iter().any(|task| task.key == *key))
 }
 
-/// Times the code in `worker`; or says which stages there is none for.
+/// Times the code in `worker`. If there is no worker, `missing` names the stages that do not
+/// compile.
 pub fn measure(course: &Course, worker: &Result<Worker, String>) -> Result<Speedups, GraderError> {
     let mut speedups = Speedups::default();
     let worker = match worker {
@@ -105,16 +107,16 @@ pub fn measure(course: &Course, worker: &Result<Worker, String>) -> Result<Speed
             return Ok(speedups);
         }
     };
-    let orders: Vec<(&str, u32)> = MESHES
+    let meshes: Vec<(&str, u32)> = MESHES
         .iter()
         .flat_map(|mesh| SIZES.map(|size| (*mesh, size)))
         .collect();
-    let cases: Vec<wire::Case> = orders
+    let cases: Vec<wire::Case> = meshes
         .iter()
         .map(|&(mesh, size)| case(mesh, size))
         .collect();
     let run = runner::run(worker, &cases)?;
-    for ((mesh, size), ending) in orders.into_iter().zip(&run.endings) {
+    for ((mesh, size), ending) in meshes.into_iter().zip(&run.endings) {
         match ending.outcome() {
             Some(Outcome::Answered(Answer::Timing(times))) => {
                 speedups.rows.push(Speedup::new(mesh, size, times));
@@ -134,7 +136,7 @@ fn case(mesh: &str, size: u32) -> wire::Case {
         scene: SceneSource::Generated(mesh.into(), size),
         max_leaf_size: MAX_LEAF_SIZE,
         rays: rays(),
-        brute_force_rays: (SAMPLE_TESTS / size).max(SAMPLE_RAYS),
+        brute_force_rays: (SAMPLE_TESTS / size).max(MIN_SAMPLE_RAYS),
         rounds: ROUNDS,
     };
     wire::Case {
@@ -145,19 +147,19 @@ fn case(mesh: &str, size: u32) -> wire::Case {
     }
 }
 
-/// From an eye beside the mesh, which fills the cube from -1 to 1, through points spread evenly over a square in its
-/// middle that faces the eye.
+/// The timed rays: from one point outside the mesh, which fills the cube [-1, 1]^3, through a
+/// regular grid of points on a square around the origin that faces that point.
 pub fn rays() -> Vec<Ray> {
     const SIDE: u32 = 128;
     let eye = Vec3::new(1.6, 1.4, 2.4);
     let backward = eye.normalize();
     let right = Vec3::Y.cross(backward).normalize();
     let up = backward.cross(right);
-    let share = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE) - 0.5;
+    let centred = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE) - 0.5;
     let points = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
     points
         .map(|(x, y)| {
-            let target = 2.2 * (share(x) * right + share(y) * up);
+            let target = 2.2 * (centred(x) * right + centred(y) * up);
             Ray {
                 o: eye.into(),
                 d: (target - eye).normalize().into(),
@@ -168,7 +170,7 @@ pub fn rays() -> Vec<Ray> {
         .collect()
 }
 
-/// Why there are no times, in words that end the sentence "timing stops at ...".
+/// The reason why a mesh has no times.
 fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> String {
     let at = format!("the {mesh} mesh of {size} triangles");
     match ending {
@@ -176,7 +178,8 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
             format!("{at} takes more than {} s", limit_ms / 1000)
         }
         Ending::Died(how) => format!("on {at} your code {how}"),
-        Ending::Skipped => format!("{at} is skipped, as smaller ones took too long"),
+        Ending::Malformed(why) => format!("on {at} {why}"),
+        Ending::Skipped => format!("{at} is skipped, because smaller ones took too long"),
         Ending::Recorded(record) => match &record.outcome {
             Outcome::NotAttempted { task } => {
                 let title = course.tasks().find(|known| known.key == *task);
@@ -215,7 +218,7 @@ impl Speedup {
 }
 
 impl Growth {
-    /// The slopes of a mesh that was timed in two sizes at least.
+    /// The exponents of a mesh; `None` unless it was timed in at least two sizes.
     fn of(mesh: &str, rows: &[Speedup]) -> Option<Growth> {
         let rows: Vec<&Speedup> = rows.iter().filter(|row| row.mesh == mesh).collect();
         let of = |cost: fn(&Speedup) -> f64| {
@@ -235,19 +238,19 @@ impl Growth {
     }
 }
 
-/// The slope of the straight line through the logarithms of the points, by least squares; `None` if they have one
-/// size only.
+/// The slope of the line through the points (ln x, ln y), fitted by least squares; `None` if all x
+/// are equal.
 pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
     let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / n;
     let mean_y = logs.iter().map(|(_, y)| y).sum::<f64>() / n;
-    let along: f64 = logs.iter().map(|(x, _)| (x - mean_x).powi(2)).sum();
-    let across: f64 = logs.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
-    (along > 0.0).then_some(across / along)
+    let sum_xx: f64 = logs.iter().map(|(x, _)| (x - mean_x).powi(2)).sum();
+    let sum_xy: f64 = logs.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
+    (sum_xx > 0.0).then_some(sum_xy / sum_xx)
 }
 
-/// The middle one; of an even number the lower of the two in the middle.
+/// The median; of an even number of times, the lower of the two in the middle.
 fn median(times: &[f64]) -> f64 {
     let mut sorted = times.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -260,20 +263,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_power_law_has_its_exponent_for_a_slope() {
+    fn the_slope_of_a_power_law_is_its_exponent() {
         let cube_root: Vec<(f64, f64)> = [1e3, 1e4, 1e6].map(|n: f64| (n, 7.0 * n.cbrt())).into();
         assert!((slope(&cube_root).unwrap() - 1.0 / 3.0).abs() < 1e-12);
         assert_eq!(slope(&[(1e3, 1.0)]), None);
     }
 
     #[test]
-    fn one_slow_round_does_not_move_the_median() {
+    fn one_slow_round_does_not_change_the_median() {
         assert_eq!(median(&[1.0, 99.0, 1.5]), 1.5);
         assert!(median(&[]).is_nan());
     }
 
     #[test]
-    fn what_is_missing_is_said() {
+    fn missing_times_name_the_task_to_write() {
         let course = Course::parse(include_str!("../../stages/course.toml")).unwrap();
         let hole = Ending::Recorded(wire::Record {
             case: 0,

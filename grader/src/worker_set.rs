@@ -1,62 +1,66 @@
-//! The workers of all stages under test: one build where every stage compiles.
+//! Builds the workers of all stages under test: in one build, if every stage compiles.
 //!
-//! Where some do not, they are told by whose errors the compiler shows, and a second build goes without them. Only
-//! where the errors are no stage's own (a changed signature breaks the worker) is each stage tried alone.
+//! If some stages do not compile, the compiler's messages name them, and a second build leaves them
+//! out. If the errors are in another crate (a changed signature breaks the worker), each stage is
+//! built alone.
 
-use crate::compile::{Broken, Build, Built};
+use crate::compile::{BuildOutcome, CompileErrors, WorkerBuild};
 use crate::error::GraderError;
 use crate::grade::BuildRoot;
 use crate::runner::Worker;
 use crate::stage_workers::Workers;
 use std::collections::BTreeMap;
 
-/// The cargo feature of the worker that rays go through whole scenes in.
-const TOGETHER: &str = "meshes";
+/// The worker's cargo feature for tracing rays through whole scenes.
+const SCENES_FEATURE: &str = "meshes";
 
-/// The stages that it has.
-const HITTING_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
+/// The stages that this feature links.
+const INTERSECTION_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
+
+/// What a message names in place of a stage if none is at fault.
+const SCENES_WORKER: &str = "the worker for whole scenes";
 
 /// The workers of some stages.
 #[derive(Clone, Debug)]
 pub struct WorkerSet {
-    /// For each stage that compiles a worker that has it.
-    own: BTreeMap<String, Worker>,
-    /// Has every stage that hits something; or why there is none: the stages that do not compile.
+    /// For each stage that compiles, a worker that links it.
+    by_stage: BTreeMap<String, Worker>,
+    /// A worker that links all intersection stages, or else the names of those that do not compile.
     pub together: Result<Worker, String>,
-    /// What the compiler said of stages that do not compile.
+    /// The compiler's messages about stages that do not compile.
     pub compiler: String,
 }
 
 impl WorkerSet {
-    /// Builds workers for `stages` at `site`; with `together` one for rays through whole scenes, too.
+    /// Builds workers for `stages` in `build_root`. `together` also builds one for whole scenes.
     pub fn build(
-        site: &BuildRoot,
+        build_root: &BuildRoot,
         stages: &[&str],
         together: bool,
     ) -> Result<WorkerSet, GraderError> {
-        let mut workers = WorkerSet::none();
-        let mut sound = stages.to_vec();
+        let mut workers = WorkerSet::empty();
+        let mut remaining = stages.to_vec();
         let mut together = together;
-        while !sound.is_empty() || together {
-            let mut features = sound.clone();
-            features.extend(together.then_some(TOGETHER));
-            let broken = match build(site, &features)? {
-                Built::Worker(program) => {
-                    workers.has(&sound, together, &program.into());
+        while !remaining.is_empty() || together {
+            let mut features = remaining.clone();
+            features.extend(together.then_some(SCENES_FEATURE));
+            let errors = match build(build_root, &features)? {
+                BuildOutcome::Worker(program) => {
+                    workers.add(&remaining, together, &program.into());
                     break;
                 }
-                Built::DoesNotCompile(broken) => broken,
+                BuildOutcome::DoesNotCompile(errors) => errors,
             };
             let is_stage = |name: &String| {
-                let mut known = stages.iter().chain(&HITTING_STAGES);
+                let mut known = stages.iter().chain(&INTERSECTION_STAGES);
                 known.any(|stage| stage == name)
             };
-            if !broken.crates.iter().all(is_stage) {
-                return WorkerSet::one_by_one(site, stages, together);
+            if !errors.failed_crates.iter().all(is_stage) {
+                return WorkerSet::build_one_by_one(build_root, stages, together);
             }
-            workers.compiler.push_str(&broken.messages);
-            sound.retain(|stage| !broken.crates.contains(*stage));
-            if together && let Some(names) = hitting(&broken) {
+            workers.compiler.push_str(&errors.messages);
+            remaining.retain(|stage| !errors.failed_crates.contains(*stage));
+            if together && let Some(names) = failed_intersection_stages(&errors) {
                 (workers.together, together) = (Err(names), false);
             }
         }
@@ -64,76 +68,77 @@ impl WorkerSet {
     }
 
     /// Builds a worker for each of `stages` alone.
-    fn one_by_one(
-        site: &BuildRoot,
+    fn build_one_by_one(
+        build_root: &BuildRoot,
         stages: &[&str],
         together: bool,
     ) -> Result<WorkerSet, GraderError> {
-        let mut workers = WorkerSet::none();
-        let mut all_broken = Broken::default();
-        let others = HITTING_STAGES
+        let mut workers = WorkerSet::empty();
+        let mut all_errors = CompileErrors::default();
+        let others = INTERSECTION_STAGES
             .iter()
             .filter(|stage| together && !stages.contains(stage));
         for &stage in stages.iter().chain(others) {
-            match build(site, &[stage])? {
-                Built::Worker(program) => workers.has(&[stage], false, &program.into()),
-                Built::DoesNotCompile(broken) => {
-                    workers.compiler.push_str(&broken.messages);
-                    all_broken.crates.insert(stage.to_string());
+            match build(build_root, &[stage])? {
+                BuildOutcome::Worker(program) => workers.add(&[stage], false, &program.into()),
+                BuildOutcome::DoesNotCompile(errors) => {
+                    workers.compiler.push_str(&errors.messages);
+                    all_errors.failed_crates.insert(stage.to_string());
                 }
             }
         }
         if together {
-            workers.together = match (hitting(&all_broken), build(site, &[TOGETHER])?) {
-                (None, Built::Worker(program)) => Ok(program.into()),
-                (names, _) => Err(names.unwrap_or_else(|| "the worker for whole scenes".into())),
+            let failed = failed_intersection_stages(&all_errors);
+            workers.together = match (failed, build(build_root, &[SCENES_FEATURE])?) {
+                (None, BuildOutcome::Worker(program)) => Ok(program.into()),
+                (names, _) => Err(names.unwrap_or_else(|| SCENES_WORKER.into())),
             };
         }
         Ok(workers)
     }
 
-    /// No worker yet.
-    fn none() -> WorkerSet {
+    /// A set without workers.
+    fn empty() -> WorkerSet {
         WorkerSet {
-            own: BTreeMap::new(),
-            together: Err("the worker for whole scenes".into()),
+            by_stage: BTreeMap::new(),
+            together: Err(SCENES_WORKER.into()),
             compiler: String::new(),
         }
     }
 
-    /// `worker` has `stages`.
-    fn has(&mut self, stages: &[&str], together: bool, worker: &Worker) {
-        let own = stages.iter().map(|s| (s.to_string(), worker.clone()));
-        self.own.extend(own);
+    /// Adds `worker`, which links `stages` and, with `together`, all intersection stages.
+    fn add(&mut self, stages: &[&str], together: bool, worker: &Worker) {
+        let entries = stages.iter().map(|s| (s.to_string(), worker.clone()));
+        self.by_stage.extend(entries);
         if together {
             self.together = Ok(worker.clone());
         }
     }
 
-    /// The workers of `stage`, or none if it does not compile.
+    /// The workers of `stage`; `None` if it does not compile.
     pub fn workers(&self, stage: &str) -> Option<Workers> {
         Some(Workers {
-            own: self.own.get(stage)?.clone(),
+            own: self.by_stage.get(stage)?.clone(),
             together: self.together.clone(),
         })
     }
 }
 
-/// The names of the stages that keep rays from going through whole scenes, if some do.
-fn hitting(broken: &Broken) -> Option<String> {
-    let names = HITTING_STAGES
+/// The names of the intersection stages that do not compile, if any.
+fn failed_intersection_stages(errors: &CompileErrors) -> Option<String> {
+    let names = INTERSECTION_STAGES
         .iter()
-        .filter(|stage| broken.crates.contains(**stage));
+        .filter(|stage| errors.failed_crates.contains(**stage));
     let names: Vec<String> = names.map(|stage| format!("`{stage}`")).collect();
     (!names.is_empty()).then(|| names.join(" and "))
 }
 
-fn build(site: &BuildRoot, features: &[&str]) -> Result<Built, GraderError> {
-    Build {
-        root: site.root,
+fn build(build_root: &BuildRoot, features: &[&str]) -> Result<BuildOutcome, GraderError> {
+    WorkerBuild {
+        root: build_root.root,
         features,
-        target: site.target,
-        sealed: site.sealed,
+        target: build_root.target,
+        sealed: build_root.sealed,
     }
     .run()
 }

@@ -1,4 +1,4 @@
-//! Where the course is: the workspace above the current folder.
+//! The workspace of the course: its root folder and the paths of its files.
 
 use crate::error::GraderError;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ pub struct Workspace {
     root: PathBuf,
 }
 
-/// What marks the root of a workspace.
+/// The file that marks the root folder of a workspace.
 const COURSE: &str = "stages/course.toml";
 
 impl Workspace {
@@ -23,7 +23,7 @@ impl Workspace {
             .find(|folder| folder.join(COURSE).is_file());
         let root = root.ok_or_else(|| {
             GraderError::new(format!(
-                "no course here: neither {} nor a folder above it holds {COURSE}. Run the grader from inside the course's folder",
+                "no course found: neither {} nor a folder above it contains {COURSE}. Run the grader inside the course's folder",
                 start.display()
             ))
         })?;
@@ -32,14 +32,15 @@ impl Workspace {
         })
     }
 
-    /// Its top folder.
+    /// The root folder.
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// Refuses a handout, for `work` that needs what only the course's full checkout has.
+    /// Returns an error with the reason `work` if this is a handout and not the course's full
+    /// checkout.
     pub fn ensure_full(&self, work: &str) -> Result<(), GraderError> {
-        // The test of the goldens, and with it this manifest, is about the reference: no handout takes it.
+        // The test of the goldens tests the reference. So no handout contains its manifest.
         if self.root.join("golden/Cargo.toml").is_file() {
             return Ok(());
         }
@@ -49,12 +50,12 @@ impl Workspace {
         )))
     }
 
-    /// The course's list of parts and tasks.
+    /// The path of the list of parts and tasks.
     pub fn course_toml(&self) -> PathBuf {
         self.root.join(COURSE)
     }
 
-    /// The snapshot of a case.
+    /// The path of the golden snapshot of a case.
     pub fn snapshot(&self, task: &str, case: &str) -> PathBuf {
         self.root
             .join("golden")
@@ -62,7 +63,7 @@ impl Workspace {
             .join(format!("{case}.snap"))
     }
 
-    /// The golden picture of a case.
+    /// The path of the golden picture of a case.
     pub fn golden_picture(&self, task: &str, case: &str) -> PathBuf {
         self.root
             .join("golden")

@@ -57,7 +57,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("oracle", &["kit"]),
     ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
     ("grader", &["kit", "judge", "wire"]),
-    ("pages", &["grader", "wire"]),
+    ("pages", &["grader", "judge", "wire"]),
     ("submission", &["grader", "judge"]),
     (
         "review",

@@ -1,6 +1,6 @@
-//! Camera files, as `-c` reads them and the key `D` of the original program writes them.
+//! Camera files: the format of the flag `-c` and of the key `D` of the original program.
 //!
-//! Twenty-eight numbers with white space between them:
+//! A file has twenty-eight numbers, separated by white space:
 //!
 //! ```text
 //! hFov vFov aspect nClip fClip                   angles of view in degrees
@@ -10,8 +10,9 @@
 //! screenW screenH screenDist                     in pixels
 //! ```
 //!
-//! Numbers are written with 17 digits, so what is read back is the same to the last bit. `aspect`, `phi`,
-//! `theta`, `r` and `screenDist` follow from the rest: they are written, and passed over when read.
+//! Numbers are written with 17 significant digits, so reading a written file gives identical
+//! values. `aspect`, `phi`, `theta`, `r` and `screenDist` follow from the other numbers: they are
+//! written, but ignored when read.
 
 use crate::collada::limits::MAX_COORDINATE;
 use crate::collada::read_text;
@@ -30,13 +31,13 @@ pub struct CameraFile {
     pub view: View,
     /// The film that the camera was set up for.
     pub film: FilmSize,
-    /// How near to the target an interactive camera may come.
+    /// Smallest distance of an interactive camera from the target.
     pub min_r: f64,
-    /// How far from the target an interactive camera may go.
+    /// Largest distance of an interactive camera from the target.
     pub max_r: f64,
 }
 
-/// What the numbers are called, in their order.
+/// The names of the numbers, in the order of the file.
 const NAMES: [&str; 28] = [
     "hFov",
     "vFov",
@@ -68,29 +69,30 @@ const NAMES: [&str; 28] = [
     "screenDist", // line 5
 ];
 
-/// How far `c2w` may be from a rotation: what rounding leaves, and files with 7 digits.
-const ROTATION_SLACK: f64 = 1e-5;
+/// Tolerance for `c2w` to be a rotation: allows for rounding and for files with 7 digits.
+const ROTATION_TOLERANCE: f64 = 1e-5;
 
-/// An interactive camera comes as near to its target as this share of its distance, and ...
-const MIN_R_SHARE: f64 = 0.05;
-/// ... goes as far as this multiple: the original's numbers.
-const MAX_R_SHARE: f64 = 10.0;
+/// `min_r` of a new file, relative to the distance from the target. The original's number.
+const MIN_R_FACTOR: f64 = 0.05;
+/// `max_r` of a new file, relative to the distance from the target. The original's number.
+const MAX_R_FACTOR: f64 = 10.0;
 
-/// Farthest position or target that is read: a camera that frames the largest scene stands outside of it.
+/// Largest coordinate of a position or target. A camera that frames the largest valid scene is
+/// outside of it.
 const MAX_POSITION: f64 = 100.0 * MAX_COORDINATE;
 
-/// Largest width or height that is read.
+/// Largest valid width or height.
 const MAX_SCREEN: f64 = 1_000_000.0;
 
 impl CameraFile {
-    /// The file for a view on a film.
+    /// The camera file of a view on a film.
     pub fn new(view: View, film: FilmSize) -> CameraFile {
         let r = (view.camera.pos - view.target).length();
         CameraFile {
             view,
             film,
-            min_r: MIN_R_SHARE * r,
-            max_r: MAX_R_SHARE * r,
+            min_r: MIN_R_FACTOR * r,
+            max_r: MAX_R_FACTOR * r,
         }
     }
 
@@ -101,7 +103,7 @@ impl CameraFile {
         CameraFile::parse(&name, &read_text(path, &name)?)
     }
 
-    /// Reads a camera file from its text. `name` stands for the file in errors.
+    /// Parses the text of a camera file. `name` is the file name for error messages.
     pub fn parse(name: &str, text: &str) -> Result<CameraFile, SceneError> {
         let numbers = Numbers::read(name, text)?;
         let n = &numbers.values;
@@ -114,16 +116,19 @@ impl CameraFile {
         numbers.check(&positions, &format!("at most {MAX_POSITION:e}"), |x| {
             x.abs() <= MAX_POSITION
         })?;
-        numbers.check(&[25, 26], "a whole number from 1", |size| {
+        numbers.check(&[25, 26], "an integer >= 1", |size| {
             (1.0..=MAX_SCREEN).contains(&size) && size.fract() == 0.0
         })?;
         let row = |i: usize| Vec3::new(n[i], n[i + 1], n[i + 2]);
         let c2w = Mat3::from_cols(row(16), row(19), row(22)).transpose();
         if !is_rotation(&c2w) {
-            let finding =
-                numbers.finding(16, "c2w is not a rotation", "the nine numbers from here");
-            let help = "its columns must be unit vectors at right angles: right, up, backward";
-            return Err(finding.help(help).into());
+            let diagnostic = numbers.diagnostic(
+                16,
+                "c2w is not a rotation",
+                "expected a rotation matrix from here on",
+            );
+            let help = "its columns must be orthogonal unit vectors: right, up, backward";
+            return Err(diagnostic.help(help).into());
         }
         let camera = Camera {
             pos: row(5),
@@ -151,16 +156,16 @@ impl CameraFile {
 fn is_rotation(m: &Mat3) -> bool {
     let square = m.transpose() * *m;
     let off = (0..3)
-        .any(|i| (square.col(i) - Mat3::IDENTITY.col(i)).abs().max_element() > ROTATION_SLACK);
+        .any(|i| (square.col(i) - Mat3::IDENTITY.col(i)).abs().max_element() > ROTATION_TOLERANCE);
     !off && m.determinant() > 0.0
 }
 
-/// The numbers of a file and where they stand.
+/// The numbers of a file and their byte ranges.
 struct Numbers<'a> {
     name: &'a str,
     text: &'a str,
     values: Vec<f64>,
-    places: Vec<Range<usize>>,
+    ranges: Vec<Range<usize>>,
 }
 
 impl<'a> Numbers<'a> {
@@ -169,28 +174,28 @@ impl<'a> Numbers<'a> {
             name,
             text,
             values: Vec::new(),
-            places: Vec::new(),
+            ranges: Vec::new(),
         };
-        for word in text.split_ascii_whitespace() {
-            let start = word.as_ptr() as usize - text.as_ptr() as usize;
-            let place = start..start + word.len();
+        for token in text.split_ascii_whitespace() {
+            let start = token.as_ptr() as usize - text.as_ptr() as usize;
+            let range = start..start + token.len();
             let index = numbers.values.len();
-            numbers.places.push(place);
+            numbers.ranges.push(range);
             let Some(what) = NAMES.get(index) else {
                 let title = format!("the file has more than {} numbers", NAMES.len());
-                let help = "is it a camera file? The key D in the viewer writes one";
+                let help = "check that it is a camera file; the key D in the viewer writes one";
                 return Err(numbers
-                    .finding(index, title, "expected the end of the file")
+                    .diagnostic(index, title, "expected the end of the file")
                     .help(help)
                     .into());
             };
-            match word.parse::<f64>() {
+            match token.parse::<f64>() {
                 Ok(value) if value.is_finite() => numbers.values.push(value),
                 _ => {
                     let title = format!("{what} is not a finite number");
                     let help = "write numbers like -1.5 or 2e-3, with spaces between them";
                     return Err(numbers
-                        .finding(index, title, "expected a number")
+                        .diagnostic(index, title, "expected a number")
                         .help(help)
                         .into());
                 }
@@ -201,12 +206,12 @@ impl<'a> Numbers<'a> {
                 "the file has {} numbers, {next} is missing",
                 numbers.values.len()
             );
-            let finding = Diagnostic::about_file(name, title);
+            let diagnostic = Diagnostic::about_file(name, title);
             let help = format!(
                 "a camera file has {}: angles, position, c2w and screen",
                 NAMES.len()
             );
-            return Err(finding
+            return Err(diagnostic
                 .at(text, text.len()..text.len(), format!("expected {next}"))
                 .help(help)
                 .into());
@@ -214,8 +219,8 @@ impl<'a> Numbers<'a> {
         Ok(numbers)
     }
 
-    fn finding(&self, index: usize, title: impl Into<String>, expected: &str) -> Diagnostic {
-        Diagnostic::about_file(self.name, title).at(self.text, self.places[index].clone(), expected)
+    fn diagnostic(&self, index: usize, title: impl Into<String>, expected: &str) -> Diagnostic {
+        Diagnostic::about_file(self.name, title).at(self.text, self.ranges[index].clone(), expected)
     }
 
     fn check(
@@ -227,10 +232,10 @@ impl<'a> Numbers<'a> {
         match indices.iter().find(|i| !valid(self.values[**i])) {
             None => Ok(()),
             Some(i) => {
-                let title = format!("{} is {}", NAMES[*i], &self.text[self.places[*i].clone()]);
+                let title = format!("{} is {}", NAMES[*i], &self.text[self.ranges[*i].clone()]);
                 let help = format!("correct {}", NAMES[*i]);
                 Err(self
-                    .finding(*i, title, &format!("expected {expected}"))
+                    .diagnostic(*i, title, &format!("expected {expected}"))
                     .help(help)
                     .into())
             }
@@ -238,7 +243,7 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// The text of the file.
+/// Formats the text of the file.
 impl fmt::Display for CameraFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Camera {
@@ -281,7 +286,8 @@ impl fmt::Display for CameraFile {
     }
 }
 
-/// A number with 17 significant digits, as C's `%.17g` writes it: enough to read back the same float.
+/// A number with 17 significant digits, in the format of C's `%.17g`: enough to read back the same
+/// float.
 fn digits(number: f64) -> String {
     let scientific = format!("{number:.16e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
@@ -306,12 +312,12 @@ mod tests {
     const EXAMPLE: &str = "50 38.5 1.3333333333333333 0.1 100\n1 2 3 1 2 -1\n1.57 0 4 0.2 40\n\
                            1 0 0 0 1 0 0 0 1\n480 360 515.3\n";
 
-    fn refused(text: &str) -> SceneError {
-        CameraFile::parse("a.cam", text).expect_err("the file is wrong")
+    fn parse_error(text: &str) -> SceneError {
+        CameraFile::parse("a.cam", text).expect_err("the file is invalid")
     }
 
     #[test]
-    fn reads_what_the_lines_say() {
+    fn numbers_are_assigned_in_order() {
         let file = CameraFile::parse("a.cam", EXAMPLE).unwrap();
         assert_eq!(file.view.camera.pos, Vec3::new(1.0, 2.0, 3.0));
         assert_eq!(file.view.target, Vec3::new(1.0, 2.0, -1.0));
@@ -329,55 +335,61 @@ mod tests {
 
     #[test]
     fn c2w_is_read_row_by_row() {
-        let turned = EXAMPLE.replace("1 0 0 0 1 0 0 0 1", "0 0 1 0 1 0 -1 0 0");
-        let camera = CameraFile::parse("a.cam", &turned).unwrap().view.camera;
+        let rotated = EXAMPLE.replace("1 0 0 0 1 0 0 0 1", "0 0 1 0 1 0 -1 0 0");
+        let camera = CameraFile::parse("a.cam", &rotated).unwrap().view.camera;
         assert_eq!(camera.c2w * Vec3::X, Vec3::NEG_Z);
     }
 
     #[test]
     fn errors_name_the_number_and_its_line() {
-        let cut = refused("50 38.5 1.33");
+        let cut = parse_error("50 38.5 1.33");
         assert_eq!(cut.0.title(), "the file has 3 numbers, nClip is missing");
-        let wide = refused(&EXAMPLE.replace("38.5", "180"));
+        let wide = parse_error(&EXAMPLE.replace("38.5", "180"));
         assert_eq!(wide.0.title(), "vFov is 180");
         assert_eq!(wide.0.line_and_column(), Some((1, 4)));
-        let text = refused(&EXAMPLE.replace("2 3 1", "2 three 1"));
+        let text = parse_error(&EXAMPLE.replace("2 3 1", "2 three 1"));
         assert_eq!(text.0.title(), "pos.z is not a finite number");
         assert_eq!(text.0.line_and_column(), Some((2, 5)));
         assert_eq!(
-            refused(&EXAMPLE.replace("0.1 100", "nan 100")).0.title(),
+            parse_error(&EXAMPLE.replace("0.1 100", "nan 100"))
+                .0
+                .title(),
             "nClip is not a finite number"
         );
         assert_eq!(
-            refused(&EXAMPLE.replace("0.1 100", "0.1 0.1")).0.title(),
+            parse_error(&EXAMPLE.replace("0.1 100", "0.1 0.1"))
+                .0
+                .title(),
             "fClip is 0.1"
         );
         assert_eq!(
-            refused(&EXAMPLE.replace("1 2 3", "1 2 1e200")).0.title(),
+            parse_error(&EXAMPLE.replace("1 2 3", "1 2 1e200"))
+                .0
+                .title(),
             "pos.z is 1e200"
         );
         assert_eq!(
-            refused(&EXAMPLE.replace("480", "480.5")).0.title(),
+            parse_error(&EXAMPLE.replace("480", "480.5")).0.title(),
             "screenW is 480.5"
         );
         assert_eq!(
-            refused(&EXAMPLE.replace("1 0 0 0 1", "1 0 0 0 2"))
+            parse_error(&EXAMPLE.replace("1 0 0 0 1", "1 0 0 0 2"))
                 .0
                 .title(),
             "c2w is not a rotation"
         );
         assert_eq!(
-            refused(&EXAMPLE.replace("1 0 0 0 1", "-1 0 0 0 1"))
+            parse_error(&EXAMPLE.replace("1 0 0 0 1", "-1 0 0 0 1"))
                 .0
                 .title(),
             "c2w is not a rotation"
         );
         assert_eq!(
-            refused(&format!("{EXAMPLE} 7")).0.title(),
+            parse_error(&format!("{EXAMPLE} 7")).0.title(),
             "the file has more than 28 numbers"
         );
         assert_eq!(
-            refused("").0.title(),
+            parse_error("").0.title(),
             "the file has 0 numbers, hFov is missing"
         );
     }
@@ -394,7 +406,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_written_is_read_back_to_the_last_bit(
+        fn written_files_are_read_back_exactly(
             fov in (1e-3..179.9_f64, 1e-3..179.9_f64),
             pos in prop::array::uniform3(-1e6..1e6_f64),
             turn in (-3.1..3.1_f64, -1.5..1.5_f64),

@@ -1,26 +1,26 @@
-//! What is wrong with a file, said to the person who holds it.
+//! Errors and warnings about a file.
 //!
-//! A [`Diagnostic`] names the file, the line, the element, what stands there, what was expected and
-//! what to do. It keeps its own copy of the line, so it outlives the text of the file.
+//! A [`Diagnostic`] contains the file, the line, what was found, what was expected, and what to do.
+//! It keeps a copy of the line, so it can outlive the text of the file.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::ops::Range;
 
-/// Longest piece of a line that is shown: lines of a mesh can be a megabyte long.
+/// Longest part of a line that is shown. The lines of a mesh can have a megabyte.
 const EXCERPT_BYTES: usize = 160;
 
-/// A finding about a file. [`SceneError`] and [`Warning`] wrap one.
+/// A message about a file. [`SceneError`] and [`Warning`] contain one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     file: String,
     title: String,
-    place: Option<Place>,
+    location: Option<Location>,
     help: Option<String>,
 }
 
-/// Where in the file, and what was expected there.
+/// A position in the file, and what was expected there.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Place {
+struct Location {
     line: usize,
     column: usize,
     excerpt: String,
@@ -29,89 +29,95 @@ struct Place {
     label: String,
 }
 
-/// Why a file could not be read. Its [`Display`](std::fmt::Display) is the whole report without colours.
+/// Why a file could not be read. Its [`Display`](std::fmt::Display) is the whole report without
+/// colours.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError(pub Box<Diagnostic>);
 
-/// Something in a file that was mended, and how.
+/// Something in a file that was repaired or ignored.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning(pub Diagnostic);
 
 impl Diagnostic {
-    /// A finding about the file as a whole.
+    /// A message about the file as a whole.
     pub(crate) fn about_file(file: &str, title: impl Into<String>) -> Diagnostic {
         Diagnostic {
             file: file.to_owned(),
             title: title.into(),
-            place: None,
+            location: None,
             help: None,
         }
     }
 
-    /// Points at bytes `mark` of `source`; `label` says what was expected there.
+    /// Sets the location to the bytes `mark` of `source`. `label` describes what was expected
+    /// there.
     pub(crate) fn at(mut self, source: &str, mark: Range<usize>, label: impl Into<String>) -> Self {
-        self.place = Some(Place::new(source, mark, label.into()));
+        self.location = Some(Location::new(source, mark, label.into()));
         self
     }
 
-    /// Says something else at the place than what was expected.
+    /// Replaces the label of the location.
     pub(crate) fn relabel(mut self, label: impl Into<String>) -> Self {
-        if let Some(place) = &mut self.place {
-            place.label = label.into();
+        if let Some(location) = &mut self.location {
+            location.label = label.into();
         }
         self
     }
 
-    /// Says what to do.
+    /// Sets the advice on what to do.
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// The file's name as it was given.
+    /// The name of the file, as it was given.
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// The sentence at the head of the report.
+    /// The main message, in one line.
     pub fn title(&self) -> &str {
         &self.title
     }
 
-    /// Line and column in the file, both from 1, the column in characters. `None` if the finding is
-    /// about the file as a whole.
+    /// Line and column in the file, both from 1; the column counts characters. `None` if the
+    /// message is about the file as a whole.
     pub fn line_and_column(&self) -> Option<(usize, usize)> {
-        self.place.as_ref().map(|place| (place.line, place.column))
+        self.location
+            .as_ref()
+            .map(|location| (location.line, location.column))
     }
 
-    /// What was expected at that place.
+    /// What was expected at the location.
     pub fn expected(&self) -> Option<&str> {
-        self.place.as_ref().map(|place| place.label.as_str())
+        self.location
+            .as_ref()
+            .map(|location| location.label.as_str())
     }
 
-    /// What to do about it.
+    /// Advice on what to do.
     pub fn what_to_do(&self) -> Option<&str> {
         self.help.as_deref()
     }
 
     fn render(&self, level: Level<'static>, renderer: &Renderer) -> String {
         let mut group = Group::with_title(level.primary_title(&self.title));
-        match &self.place {
-            Some(place) => {
+        match &self.location {
+            Some(location) => {
                 let mark = AnnotationKind::Primary
-                    .span(place.mark.clone())
-                    .label(&place.label);
-                let snippet = Snippet::source(&place.excerpt)
-                    .line_start(place.line)
+                    .span(location.mark.clone())
+                    .label(&location.label);
+                let snippet = Snippet::source(&location.excerpt)
+                    .line_start(location.line)
                     .annotation(mark);
-                group = if place.is_whole_line {
+                group = if location.is_whole_line {
                     group.element(snippet.path(&self.file))
                 } else {
-                    // The snippet would count its columns from the start of the excerpt.
-                    let at = format!("{}:{}:{}", self.file, place.line, place.column);
+                    // The columns of the snippet would count from the start of the excerpt.
+                    let position = format!("{}:{}:{}", self.file, location.line, location.column);
                     group
                         .element(snippet)
-                        .element(Level::NOTE.message(format!("this is at {at}")))
+                        .element(Level::NOTE.message(format!("this is at {position}")))
                 };
             }
             None => group = group.element(Origin::path(&self.file)),
@@ -123,7 +129,7 @@ impl Diagnostic {
     }
 }
 
-/// The start of the character that byte `at` belongs to; the end of `source` if it is too short.
+/// The start of the character that contains byte `at`, or the end of `source` if that comes first.
 fn char_start(source: &str, at: usize) -> usize {
     let mut at = at.min(source.len());
     while !source.is_char_boundary(at) {
@@ -132,15 +138,16 @@ fn char_start(source: &str, at: usize) -> usize {
     at
 }
 
-impl Place {
-    fn new(source: &str, mark: Range<usize>, label: String) -> Place {
+impl Location {
+    fn new(source: &str, mark: Range<usize>, label: String) -> Location {
         let start = char_start(source, mark.start);
         let line_start = source[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = source[start..]
             .find(['\n', '\r'])
             .map_or(source.len(), |length| start + length);
         let end = char_start(source, mark.end).clamp(start, line_end.max(start));
-        // The window: half of it before the mark, and at least the start of the mark.
+        // The excerpt contains up to half of its length before the start of the mark, and as much
+        // from there on.
         let from = char_start(
             source,
             line_start.max(start.saturating_sub(EXCERPT_BYTES / 2)),
@@ -150,7 +157,7 @@ impl Place {
         let after = if to < line_end { " …" } else { "" };
         let excerpt = format!("{before}{}{after}", &source[from..to]);
         let shift = |byte: usize| byte.min(to) - from + before.len();
-        Place {
+        Location {
             line: source[..start].matches('\n').count() + 1,
             column: source[line_start..start].chars().count() + 1,
             mark: shift(start)..shift(end),
@@ -162,14 +169,14 @@ impl Place {
 }
 
 impl SceneError {
-    /// The report with colours, for a terminal.
+    /// The report with colours for a terminal.
     pub fn styled(&self) -> String {
         self.0.render(Level::ERROR, &Renderer::styled())
     }
 }
 
 impl Warning {
-    /// The report with colours, for a terminal.
+    /// The report with colours for a terminal.
     pub fn styled(&self) -> String {
         self.0.render(Level::WARNING, &Renderer::styled())
     }

@@ -1,9 +1,12 @@
 //! Scene files and camera files.
 //!
-//! - [`load`] reads a COLLADA file into a [`kit::Scene`] in world space, with warnings about what it mended;
-//!   [`parse`] does the same with a text. [`collada`] says what is read, mended and refused. The scenes of the course itself are in this crate's folder `dae`.
-//! - [`placement`] says where to look from; [`camera_file`] reads and writes that.
-//! - [`diagnostic`] is how errors and warnings are told.
+//! - [`load`] reads a COLLADA file into a [`kit::Scene`] in world space, and returns warnings about
+//!   everything that it repaired or ignored. [`parse`] reads the same from a string. [`collada`]
+//!   documents the supported elements. The course's own scenes are in the folder `dae` of this
+//!   crate.
+//! - [`placement`] computes the default view of a scene; [`camera_file`] reads and writes camera
+//!   files.
+//! - [`diagnostic`] formats errors and warnings.
 
 pub mod camera_file;
 pub mod collada;

@@ -1,4 +1,5 @@
-//! The scenes of the original course, where they are at hand: set `FIRSTLIGHT_SCENES` to their folder.
+//! The scenes of the original course, if they are available: set `FIRSTLIGHT_SCENES` to their
+//! folder.
 
 use kit::FilmSize;
 use scenes::{CameraFile, placement};
@@ -12,7 +13,7 @@ fn folder() -> Option<PathBuf> {
     folder
 }
 
-/// File, triangles, spheres, lights, materials, objects, warnings.
+/// File name and the numbers of triangles, spheres, lights, materials, objects, warnings.
 const EXPECTED: [(&str, [usize; 6]); 11] = [
     ("CBbunny", [28588, 0, 1, 7, 7, 0]),
     ("CBempty", [12, 0, 1, 6, 6, 0]),
@@ -49,17 +50,17 @@ fn every_course_file_loads() {
     }
 }
 
-/// The direction in which the original program frames a scene: the point one unit ahead of the file's
-/// camera, taken as a direction from the origin.
+/// The direction from which the original program frames a scene: the point one unit in front of the
+/// file's camera, used as a direction from the origin.
 fn original_direction(camera: &kit::Camera, matrix_scale: f64) -> kit::Vec3 {
     camera.pos - matrix_scale * camera.c2w.z_axis
 }
 
-/// The original reads numbers as `float` and sums boxes in them: its cameras agree with ours to about 7 digits.
-const FLOAT_SLACK: f64 = 3e-7;
+/// Tolerance for the original's cameras. It stores numbers as `float`, which have about 7 digits.
+const FLOAT_TOLERANCE: f64 = 3e-7;
 
 #[test]
-fn framing_gives_the_cameras_that_the_original_wrote() {
+fn framing_gives_the_cameras_of_the_original() {
     let Some(folder) = folder() else { return };
     let Some(reference) = folder.parent().map(|parent| parent.join("reference")) else {
         return;
@@ -75,14 +76,15 @@ fn framing_gives_the_cameras_that_the_original_wrote() {
             .unwrap()
             .scene;
         let camera = scene.camera.unwrap();
-        // The camera's matrix in these files is scaled by 0.38.
+        // The camera's matrix in these files has a scale of 0.38.
         let scale = if ["cow", "maxplanck", "teapot"].contains(&name) {
             0.3801742
         } else {
             1.0
         };
 
-        // The frame is fitted to the original's first window, then cut to -r at the same focal length.
+        // The original fits the frame to its first window, then resizes it to -r with the same
+        // focal length.
         let direction = original_direction(&camera, scale);
         let view = placement::frame(&scene, direction, FilmSize { w: 800, h: 600 });
         let cut = |fov: f64, share: f64| {
@@ -91,7 +93,7 @@ fn framing_gives_the_cameras_that_the_original_wrote() {
         let expected = &file.view.camera;
         let near = |a: f64, b: f64, what: &str| {
             assert!(
-                (a - b).abs() <= FLOAT_SLACK * b.abs().max(1.0),
+                (a - b).abs() <= FLOAT_TOLERANCE * b.abs().max(1.0),
                 "{name}: {what} {a} {b}"
             )
         };
@@ -122,7 +124,7 @@ fn framing_gives_the_cameras_that_the_original_wrote() {
 }
 
 #[test]
-fn camera_files_of_the_original_are_written_as_they_were_read() {
+fn camera_files_of_the_original_are_written_unchanged() {
     let Some(folder) = folder() else { return };
     let Some(reference) = folder.parent().map(|parent| parent.join("reference")) else {
         return;
@@ -142,7 +144,7 @@ fn camera_files_of_the_original_are_written_as_they_were_read() {
                 .collect()
         };
         for (was, is) in numbers(&text).into_iter().zip(numbers(&written)) {
-            // Numbers that follow from others are computed anew: they differ in the last digits.
+            // Numbers that follow from others are computed again, so their last digits differ.
             assert!(
                 (was - is).abs() <= 1e-12 * was.abs().max(1.0),
                 "{}: {was} {is}",

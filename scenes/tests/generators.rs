@@ -1,28 +1,29 @@
-//! What the generators promise: counts, closed surfaces, sound normals, the same bits everywhere.
+//! Properties of the generated meshes: triangle counts, closed surfaces, valid normals, identical
+//! bits on all platforms.
 
 use kit::{Aabb, Triangle, Vec3};
 use meshes::{MeshKind, cornell_with, generate};
 use std::collections::HashMap;
 
 fn bits(p: Vec3) -> [u64; 3] {
-    // Adding 0 makes -0 equal to 0.
+    // Adding 0 turns -0 into 0.
     p.to_array().map(|x| (x + 0.0).to_bits())
 }
 
 #[test]
-fn as_many_triangles_as_promised() {
+fn number_of_triangles_is_exact() {
     for kind in MeshKind::ALL {
-        for wanted in [100, 1_000, 1_500, 9_999, 123_456, 300_000] {
-            assert_eq!(generate(kind, wanted).len(), wanted / 2 * 2, "{kind}");
+        for target in [100, 1_000, 1_500, 9_999, 123_456, 300_000] {
+            assert_eq!(generate(kind, target).len(), target / 2 * 2, "{kind}");
         }
     }
 }
 
 #[test]
-fn tiny_sizes_still_give_a_mesh() {
+fn very_small_sizes_give_a_mesh() {
     for kind in MeshKind::ALL {
-        for wanted in [0, 1, 2, 7, 50] {
-            assert!(!generate(kind, wanted).is_empty(), "{kind} {wanted}");
+        for target in [0, 1, 2, 7, 50] {
+            assert!(!generate(kind, target).is_empty(), "{kind} {target}");
         }
     }
 }
@@ -30,10 +31,11 @@ fn tiny_sizes_still_give_a_mesh() {
 #[test]
 fn closed_meshes_have_two_triangles_at_every_edge() {
     for kind in MeshKind::ALL.into_iter().filter(|kind| kind.is_closed()) {
-        for wanted in [1, 1_000, 23_456] {
-            // Each directed edge once, and its opposite once: closed, and wound consistently.
+        for target in [1, 1_000, 23_456] {
+            // Each directed edge occurs once, and its reverse once: the mesh is closed with
+            // consistent winding.
             let mut edges: HashMap<[[u64; 3]; 2], i32> = HashMap::new();
-            for t in generate(kind, wanted) {
+            for t in generate(kind, target) {
                 for [a, b] in [[t.p0, t.p1], [t.p1, t.p2], [t.p2, t.p0]] {
                     *edges.entry([bits(a), bits(b)]).or_default() += 1;
                 }
@@ -42,7 +44,7 @@ fn closed_meshes_have_two_triangles_at_every_edge() {
                 assert_eq!(
                     (*count, edges.get(&[*b, *a])),
                     (1, Some(&1)),
-                    "{kind} {wanted}"
+                    "{kind} {target}"
                 );
             }
         }
@@ -50,9 +52,9 @@ fn closed_meshes_have_two_triangles_at_every_edge() {
 }
 
 #[test]
-fn closed_meshes_wind_outwards() {
+fn normals_of_closed_meshes_point_outwards() {
     for kind in MeshKind::ALL.into_iter().filter(|kind| kind.is_closed()) {
-        // The divergence theorem: the volume is positive when faces wind outwards.
+        // By the divergence theorem the volume is positive if the normals point outwards.
         let volume: f64 = generate(kind, 5_000)
             .iter()
             .map(|t| t.p0.dot(t.p1.cross(t.p2)) / 6.0)
@@ -62,7 +64,7 @@ fn closed_meshes_wind_outwards() {
 }
 
 #[test]
-fn every_triangle_is_sound_and_inside_the_cube() {
+fn triangles_are_valid_and_inside_the_cube() {
     for kind in MeshKind::ALL {
         let mesh = generate(kind, 20_000);
         let bounds = mesh
@@ -74,14 +76,15 @@ fn every_triangle_is_sound_and_inside_the_cube() {
         );
         for t in &mesh {
             let ng = (t.p1 - t.p0).cross(t.p2 - t.p0);
-            assert!(ng.length() > 0.0, "{kind}: no area");
+            assert!(ng.length() > 0.0, "{kind}: a triangle has no area");
             for n in [t.n0, t.n1, t.n2] {
                 assert!(
                     (n.length() - 1.0).abs() < 1e-12,
                     "{kind}: normal of length {}",
                     n.length()
                 );
-                // Rough terrain turns by more than a right angle here and there; but it never overhangs.
+                // In rough terrain the normals of adjacent triangles can differ by more than 90
+                // degrees, but there are no overhangs.
                 let outwards = if kind == MeshKind::Terrain {
                     n.y.min(ng.y)
                 } else {
@@ -96,7 +99,7 @@ fn every_triangle_is_sound_and_inside_the_cube() {
     }
 }
 
-/// Ratio of the longest edge to the height over it.
+/// Ratio of the longest edge to the height over that edge.
 fn slenderness(t: &Triangle) -> f64 {
     let longest = [t.p1 - t.p0, t.p2 - t.p1, t.p0 - t.p2]
         .map(|e| e.length())
@@ -111,7 +114,7 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 #[test]
-fn knots_and_needles_are_thin_and_the_others_are_not() {
+fn only_knots_and_needles_have_thin_triangles() {
     let typical = |kind| median(generate(kind, 100_000).iter().map(slenderness).collect());
     assert!(typical(MeshKind::Smooth) < 4.0);
     assert!(typical(MeshKind::Terrain) < 4.0);
@@ -119,7 +122,7 @@ fn knots_and_needles_are_thin_and_the_others_are_not() {
     assert!(typical(MeshKind::Needles) > 20.0);
 }
 
-/// FNV-1a over the bits of all coordinates.
+/// FNV-1a hash of the bits of all coordinates.
 fn fingerprint(mesh: &[Triangle]) -> u64 {
     let vectors = mesh
         .iter()
@@ -131,7 +134,7 @@ fn fingerprint(mesh: &[Triangle]) -> u64 {
 }
 
 #[test]
-fn every_platform_gives_the_same_bits() {
+fn meshes_are_identical_on_all_platforms() {
     let found = MeshKind::ALL.map(|kind| (kind, fingerprint(&generate(kind, 10_000))));
     let expected = [
         (MeshKind::Smooth, 498_503_827_058_403_025),
@@ -141,12 +144,12 @@ fn every_platform_gives_the_same_bits() {
     ];
     assert_eq!(
         found, expected,
-        "goldens and work counts depend on these meshes: a change must be meant"
+        "golden files and operation counts depend on these meshes: change them only on purpose"
     );
 }
 
 #[test]
-fn names_are_read_back() {
+fn names_are_parsed() {
     for kind in MeshKind::ALL {
         assert_eq!(kind.to_string().parse(), Ok(kind));
     }
@@ -159,7 +162,7 @@ fn names_are_read_back() {
 }
 
 #[test]
-fn a_mesh_stands_inside_its_cornell_box() {
+fn mesh_is_inside_its_cornell_box() {
     for kind in MeshKind::ALL {
         let mesh = generate(kind, 2_000);
         let count = mesh.len();

@@ -1,10 +1,10 @@
-//! Damaged files: whatever is broken in a real file, the reader gives a sound scene or an error with its
-//! place. It never panics, hangs or takes memory without end.
+//! Fuzzing: for a file with random damage, the reader returns a valid scene or an error with its
+//! position. It never panics, hangs or uses unlimited memory.
 //!
-//! `cargo test` runs a few thousand damages. For more:
+//! `cargo test` tries a few thousand files. For more:
 //! `FIRSTLIGHT_FUZZ_SECONDS=600 cargo test -p scenes --test mutations -- --ignored --nocapture`.
-//! `FIRSTLIGHT_FUZZ_SEED` starts elsewhere than at 0: at the seed of a failure, to see it again.
-//! The course's own files are damaged too where `FIRSTLIGHT_SCENES` names their folder.
+//! `FIRSTLIGHT_FUZZ_SEED` sets the first seed (default 0), to repeat a failure. If
+//! `FIRSTLIGHT_SCENES` is set to the folder of the original course's files, they are used, too.
 
 use kit::{FilmSize, PixelSampler, Scene};
 use scenes::{CameraFile, placement};
@@ -12,7 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// What words are replaced by: numbers at the ends of their range, and what is no number.
+/// Replacements for tokens: extreme numbers, malformed numbers, and names.
 #[rustfmt::skip]
 const WORDS: &[&str] = &[
     "", "0", "-0", "1", "-1", "2", "3", "17", "0.5", "-0.5", "nan", "inf", "-inf", "1e308", "-1e308", "1e-308", "5e-324",
@@ -21,7 +21,7 @@ const WORDS: &[&str] = &[
     "matrix", "rotate", "scale", "X_UP", "Z_UP", "polygons", "tristrips", "trifans", "triangles", "CMU462", "NORMAL", "VERTEX",
 ];
 
-/// What is put in anywhere: pieces of XML, whole and broken.
+/// Text to insert anywhere: pieces of XML, valid and invalid.
 #[rustfmt::skip]
 const PIECES: &[&str] = &[
     "<", ">", "/>", "</", "\"", "&", "#", "&#0;", "&#x110000;", "<!--", "-->", "<![CDATA[", "]]>", "<?x", "?>", "<!DOCTYPE a>",
@@ -31,12 +31,12 @@ const PIECES: &[&str] = &[
     "<extra><technique profile=\"CGL\"><sphere><radius>1</radius></sphere></technique></extra>",
 ];
 
-/// Files that get damaged: name and text.
+/// The original files: name and text.
 fn corpus() -> Vec<(String, String)> {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("dae");
     let course = std::env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from);
     if course.is_none() {
-        println!("only our own scenes are damaged: set FIRSTLIGHT_SCENES for the course's files");
+        println!("using only our own scenes: set FIRSTLIGHT_SCENES to use the course's files");
     }
     let mut paths: Vec<PathBuf> = [Some(own), course]
         .into_iter()
@@ -55,15 +55,15 @@ fn corpus() -> Vec<(String, String)> {
     paths.into_iter().map(read).collect()
 }
 
-/// Random choices that follow from a seed.
-struct Dice(PixelSampler);
+/// Random choices from a seed.
+struct RandomChoices(PixelSampler);
 
-impl Dice {
-    fn new(seed: u64) -> Dice {
-        Dice(PixelSampler::new(0, 0, seed))
+impl RandomChoices {
+    fn new(seed: u64) -> RandomChoices {
+        RandomChoices(PixelSampler::new(0, 0, seed))
     }
 
-    /// A number below `end`, which is not 0.
+    /// A random number below `end`, which is not 0.
     fn below(&mut self, end: usize) -> usize {
         (self.0.next_1d() * end as f64) as usize
     }
@@ -73,7 +73,7 @@ impl Dice {
     }
 }
 
-/// The words, numbers, names and signs of a text, as byte ranges.
+/// The byte ranges of the tokens of a text: words, numbers, names and signs.
 fn tokens(text: &str) -> Vec<(usize, usize)> {
     let mut tokens = Vec::new();
     let mut start = 0;
@@ -88,38 +88,38 @@ fn tokens(text: &str) -> Vec<(usize, usize)> {
     tokens
 }
 
-/// One damage, sometimes more.
-fn damaged(text: &str, dice: &mut Dice) -> String {
-    let mut text = damage(text, dice);
-    while dice.below(3) == 0 {
-        text = damage(&text, dice);
+/// The text with one mutation, sometimes more.
+fn damaged(text: &str, random: &mut RandomChoices) -> String {
+    let mut text = damage(text, random);
+    while random.below(3) == 0 {
+        text = damage(&text, random);
     }
     text
 }
 
-fn damage(text: &str, dice: &mut Dice) -> String {
+fn damage(text: &str, random: &mut RandomChoices) -> String {
     if text.is_empty() {
-        return dice.pick(PIECES).to_owned();
+        return random.pick(PIECES).to_owned();
     }
     let tokens = tokens(text);
     let mut bytes = text.as_bytes().to_vec();
-    let at = dice.below(bytes.len());
-    match dice.below(16) {
-        0 => bytes[at] ^= 1 << dice.below(8),
+    let at = random.below(bytes.len());
+    match random.below(16) {
+        0 => bytes[at] ^= 1 << random.below(8),
         1 => bytes.truncate(at),
         2 => {
-            bytes.splice(at..at, dice.pick(PIECES).bytes());
+            bytes.splice(at..at, random.pick(PIECES).bytes());
         }
-        3 | 4 => return with_lines_doubled(text, dice),
-        5 => return with_lines_lost(text, dice),
+        3 | 4 => return with_lines_duplicated(text, random),
+        5 => return with_lines_removed(text, random),
         6..=10 if !tokens.is_empty() => {
-            let (start, end) = tokens[dice.below(tokens.len())];
-            bytes.splice(start..end, dice.pick(WORDS).bytes());
+            let (start, end) = tokens[random.below(tokens.len())];
+            bytes.splice(start..end, random.pick(WORDS).bytes());
         }
-        // One word for another: ids and references get crossed, tags change.
+        // Replaces a token by another token of the file: changes ids, references and tags.
         _ if !tokens.is_empty() => {
-            let (from, to) = tokens[dice.below(tokens.len())];
-            let (start, end) = tokens[dice.below(tokens.len())];
+            let (from, to) = tokens[random.below(tokens.len())];
+            let (start, end) = tokens[random.below(tokens.len())];
             bytes.splice(start..end, text.as_bytes()[from..to].iter().copied());
         }
         _ => {}
@@ -127,26 +127,26 @@ fn damage(text: &str, dice: &mut Dice) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Up to twelve lines of the text: whole elements, as a rule.
-fn some_lines(lines: &[&str], dice: &mut Dice) -> std::ops::Range<usize> {
-    let first = dice.below(lines.len());
-    first..(first + 1 + dice.below(12)).min(lines.len())
+/// Up to twelve lines of the text, usually whole elements.
+fn some_lines(lines: &[&str], random: &mut RandomChoices) -> std::ops::Range<usize> {
+    let first = random.below(lines.len());
+    first..(first + 1 + random.below(12)).min(lines.len())
 }
 
-fn with_lines_doubled(text: &str, dice: &mut Dice) -> String {
+fn with_lines_duplicated(text: &str, random: &mut RandomChoices) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let some = some_lines(&lines, dice);
-    let (before, after) = lines.split_at(dice.below(lines.len()));
+    let some = some_lines(&lines, random);
+    let (before, after) = lines.split_at(random.below(lines.len()));
     [before, &lines[some], after].concat().concat()
 }
 
-fn with_lines_lost(text: &str, dice: &mut Dice) -> String {
+fn with_lines_removed(text: &str, random: &mut RandomChoices) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
-    let some = some_lines(&lines, dice);
+    let some = some_lines(&lines, random);
     [&lines[..some.start], &lines[some.end..]].concat().concat()
 }
 
-/// Reads the file and checks what comes out; says whether it is a scene.
+/// Reads the file and checks the result. Returns whether it is a scene.
 fn check(text: &str) -> bool {
     let outcome = scenes::parse("damaged.dae", text);
     let is_scene = outcome.is_ok();
@@ -160,15 +160,15 @@ fn check(text: &str) -> bool {
         Err(error) => {
             assert!(!error.0.title().is_empty());
             assert!(error.to_string().contains("damaged.dae"), "{error}");
-            assert!(error.styled().len() < 20_000, "a report that nobody reads");
+            assert!(error.styled().len() < 20_000, "the report is too long");
             assert!(error.0.what_to_do().is_some(), "{error}");
         }
     }
     is_scene
 }
 
-/// How far a unit normal may be from unit length.
-const UNIT: f64 = 1e-9;
+/// Tolerance for the length of unit normals.
+const UNIT_TOLERANCE: f64 = 1e-9;
 
 fn check_scene(scene: &Scene) {
     assert!(!scene.is_empty());
@@ -191,9 +191,9 @@ fn check_scene(scene: &Scene) {
             "{t:?}"
         );
         for n in [t.n0, t.n1, t.n2] {
-            // A triangle that its transform makes flat may be left without any normal.
+            // A triangle that has no area after its transform may have no normal.
             assert!(
-                (n.length() - 1.0).abs() < UNIT || n.length() == 0.0,
+                (n.length() - 1.0).abs() < UNIT_TOLERANCE || n.length() == 0.0,
                 "{t:?}"
             );
         }
@@ -221,13 +221,13 @@ fn check_scene(scene: &Scene) {
     assert_eq!(read, file);
 }
 
-/// The number that an environment variable holds.
+/// The value of an environment variable as a number.
 fn number_in(variable: &str) -> Option<u64> {
     std::env::var(variable).ok()?.parse().ok()
 }
 
-/// Damages files until `enough` says so for the number of files done. Prints what was slow; fails with
-/// the seed of what broke.
+/// Tests mutated files until `enough` returns true for the number of files so far. Prints the
+/// slowest file. On a failure prints the seed.
 fn run(enough: impl Fn(u64) -> bool) {
     let corpus = corpus();
     let mut slowest = (Duration::ZERO, 0);
@@ -235,14 +235,14 @@ fn run(enough: impl Fn(u64) -> bool) {
     let first_seed = number_in("FIRSTLIGHT_FUZZ_SEED").unwrap_or(0);
     let mut seed = first_seed;
     while !enough(seed - first_seed) {
-        let mut dice = Dice::new(seed);
-        // Small files more often: one damaged number of a large mesh is like another.
-        let mut pick = dice.below(corpus.len());
-        while corpus[pick].1.len() > 50_000 && dice.below(20) > 0 {
-            pick = dice.below(corpus.len());
+        let mut random = RandomChoices::new(seed);
+        // Small files more often, because single numbers of a large mesh are all alike.
+        let mut pick = random.below(corpus.len());
+        while corpus[pick].1.len() > 50_000 && random.below(20) > 0 {
+            pick = random.below(corpus.len());
         }
         let (name, text) = &corpus[pick];
-        let text = damaged(text, &mut dice);
+        let text = damaged(text, &mut random);
         let start = Instant::now();
         let outcome = catch_unwind(AssertUnwindSafe(|| check(&text)));
         if start.elapsed() > slowest.0 {
@@ -259,7 +259,7 @@ fn run(enough: impl Fn(u64) -> bool) {
         seed += 1;
     }
     println!(
-        "{} damaged files: {scenes_read} read as scenes, the others refused; the slowest took {:?} (seed {})",
+        "{} damaged files: {scenes_read} gave a scene, the others an error; the slowest took {:?} (seed {})",
         seed - first_seed,
         slowest.0,
         slowest.1
@@ -267,19 +267,19 @@ fn run(enough: impl Fn(u64) -> bool) {
 }
 
 #[test]
-fn damaged_files_give_a_sound_scene_or_an_error() {
+fn damaged_files_give_a_valid_scene_or_an_error() {
     run(|done| done == 3_000);
 }
 
 #[test]
-#[ignore = "takes as long as FIRSTLIGHT_FUZZ_SECONDS says"]
-fn damaged_files_for_as_long_as_you_like() {
+#[ignore = "runs for FIRSTLIGHT_FUZZ_SECONDS seconds"]
+fn damaged_files_for_a_given_time() {
     let seconds = number_in("FIRSTLIGHT_FUZZ_SECONDS").unwrap_or(60);
     let end = Instant::now() + Duration::from_secs(seconds);
     run(|_| Instant::now() >= end);
 }
 
-/// Camera files, damaged in the same ways.
+/// Camera files with the same kinds of damage.
 #[test]
 fn damaged_camera_files_give_a_camera_or_an_error() {
     let scene = scenes::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("dae/cornell_spheres.dae"))
@@ -288,7 +288,7 @@ fn damaged_camera_files_give_a_camera_or_an_error() {
     let film = FilmSize { w: 48, h: 36 };
     let text = CameraFile::new(placement::place(&scene, film), film).to_string();
     for seed in 0..20_000 {
-        let damaged = damaged(&text, &mut Dice::new(seed));
+        let damaged = damaged(&text, &mut RandomChoices::new(seed));
         match CameraFile::parse("damaged.cam", &damaged) {
             Ok(file) => {
                 let camera = file.view.camera;

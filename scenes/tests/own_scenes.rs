@@ -1,4 +1,4 @@
-//! The scenes of the course itself, in `scenes/dae`.
+//! The scenes of this course, in `scenes/dae`.
 
 use kit::{Light, Material, Scene, Triangle, Vec3};
 use std::collections::BTreeSet;
@@ -16,7 +16,7 @@ fn load(name: &str) -> Scene {
     loaded.scene
 }
 
-/// File, triangles, spheres, lights, materials.
+/// File name and the numbers of triangles, spheres, lights, materials.
 const EXPECTED: [(&str, [usize; 4]); 9] = [
     ("cornell_mirror_glass", [12, 2, 1, 6]),
     ("cornell_spheres", [12, 2, 1, 6]),
@@ -45,7 +45,7 @@ fn every_scene_loads_without_a_warning() {
 }
 
 #[test]
-fn no_scene_is_missing_here() {
+fn all_scenes_are_listed() {
     let files = std::fs::read_dir(folder()).unwrap();
     let found: BTreeSet<String> = files
         .map(|file| file.unwrap().path())
@@ -60,21 +60,21 @@ fn no_scene_is_missing_here() {
     );
 }
 
-/// Whether the vertex normals of a triangle lie on the side of its winding.
+/// Whether the vertex normals of a triangle are on the side of its geometric normal.
 fn normals_agree(t: &Triangle) -> bool {
     let ng = (t.p1 - t.p0).cross(t.p2 - t.p0);
     [t.n0, t.n1, t.n2].iter().all(|n| n.dot(ng) > 0.0)
 }
 
 #[test]
-fn normals_agree_with_the_winding_also_where_a_node_mirrors() {
+fn normals_agree_with_the_winding_also_in_mirrored_nodes() {
     for (name, _) in EXPECTED {
         assert!(load(name).triangles.iter().all(normals_agree), "{name}");
     }
 }
 
 #[test]
-fn the_pictures_of_the_gallery_hang_there() {
+fn textures_of_the_gallery_exist() {
     let textures = load("gallery").textures;
     assert_eq!(textures.files.len(), 4);
     for file in &textures.files {
@@ -83,7 +83,7 @@ fn the_pictures_of_the_gallery_hang_there() {
 }
 
 #[test]
-fn the_whale_is_the_same_on_both_sides() {
+fn whale_is_symmetric() {
     let scene = load("cornell_whale");
     let half = |name: &str| -> Vec<&Triangle> {
         let is_half = |i: &usize| scene.objects[scene.object_of[*i] as usize].name == name;
@@ -103,7 +103,7 @@ fn the_whale_is_the_same_on_both_sides() {
 }
 
 #[test]
-fn gems_are_closed_and_wind_outwards() {
+fn gems_are_closed_with_outward_normals() {
     let scene = load("gems");
     for (index, object) in scene.objects.iter().enumerate() {
         if !matches!(
@@ -116,7 +116,8 @@ fn gems_are_closed_and_wind_outwards() {
             .filter(|i| scene.object_of[*i] as usize == index)
             .map(|i| &scene.triangles[i])
             .collect();
-        // The vector areas of a closed surface cancel, and its volume is positive if it winds outwards.
+        // For a closed surface the area vectors cancel, and its volume is positive if the normals
+        // point outwards.
         let open: Vec3 = facets
             .iter()
             .map(|t| (t.p1 - t.p0).cross(t.p2 - t.p0))
@@ -126,13 +127,13 @@ fn gems_are_closed_and_wind_outwards() {
             .iter()
             .map(|t| (t.p0 - middle).dot((t.p1 - middle).cross(t.p2 - middle)))
             .sum();
-        assert!(open.length() < 1e-12, "{} is open", object.name);
-        assert!(volume > 0.0, "{} is inside out", object.name);
+        assert!(open.length() < 1e-12, "{} is not closed", object.name);
+        assert!(volume > 0.0, "{} has inward normals", object.name);
     }
 }
 
 #[test]
-fn the_light_of_the_cornell_boxes_shines_down_from_its_panel() {
+fn lights_of_the_cornell_boxes_face_down_from_their_panel() {
     for name in ["cornell_spheres", "cornell_mirror_glass", "cornell_whale"] {
         let scene = load(name);
         let Light::Area {
@@ -156,9 +157,9 @@ fn the_light_of_the_cornell_boxes_shines_down_from_its_panel() {
 }
 
 #[test]
-fn the_sun_shines_from_above_and_the_sky_is_a_hemisphere() {
+fn sun_is_above_and_sky_is_a_hemisphere() {
     let Light::Directional { direction, .. } = load("stones_sun").lights[0].light else {
-        panic!("the stones are lit by a sun");
+        panic!("expected a directional light");
     };
     assert!(direction.y < 0.0);
     assert!(matches!(
@@ -168,7 +169,7 @@ fn the_sun_shines_from_above_and_the_sky_is_a_hemisphere() {
 }
 
 #[test]
-fn each_step_of_the_stairs_turns_as_much_as_the_one_before() {
+fn steps_of_the_stairs_have_equal_angles() {
     let scene = load("stairs_sky");
     let steps: Vec<Vec3> = (0..scene.objects.len())
         .filter(|i| scene.objects[*i].name.starts_with("step-"))

@@ -1,5 +1,5 @@
-//! For authors of the course: [`handout`] carves what a student is given, [`check`] tests the course itself, [`mutants`]
-//! grades typical mistakes and correct variants.
+//! Tools for the authors of the course: [`handout`] creates the projects for students, [`check`]
+//! tests the course itself, [`mutants`] grades typical mistakes and correct variants.
 
 pub mod check;
 pub mod handout;

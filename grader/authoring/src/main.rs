@@ -4,20 +4,20 @@ mod cli;
 
 use clap::Command;
 use cli::{course, handout, mutants};
-use grader::cli::{end, sister};
+use grader::cli::{run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn command() -> Command {
-    sister([handout::command(), course::command(), mutants::command()])
+    subprogram_command([handout::command(), course::command(), mutants::command()])
 }
 
 fn main() -> ExitCode {
     let matches = command().get_matches();
-    end(|| match matches.subcommand() {
+    run_to_exit_code(|| match matches.subcommand() {
         Some(("handout", matches)) => handout::run(matches),
         Some(("course", matches)) => course::run(matches),
         Some((_, matches)) => mutants::run(matches),
-        None => unreachable!("clap asks for a command"),
+        None => unreachable!("clap requires a command"),
     })
 }
 
@@ -26,9 +26,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_that_cannot_be_used_are_refused_with_those_that_can() {
-        for (line, allowed) in [
-            ("grader mutants --seeds 0", "give a whole number from 1 to"),
+    fn errors_about_numbers_name_the_accepted_values() {
+        for (line, expected) in [
+            (
+                "grader mutants --seeds 0",
+                "expected a whole number from 1 to",
+            ),
             (
                 "grader handout --part x --out a",
                 "a part's number, such as 1",
@@ -42,9 +45,9 @@ mod tests {
                 "a part's number",
             ),
         ] {
-            let refused = command().try_get_matches_from(line.split(' ')).err();
-            let message = refused.expect("this line is refused").to_string();
-            assert!(message.contains(allowed), "`{line}`:\n{message}");
+            let error = command().try_get_matches_from(line.split(' ')).err();
+            let message = error.expect("this line is an error").to_string();
+            assert!(message.contains(expected), "`{line}`:\n{message}");
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
     }

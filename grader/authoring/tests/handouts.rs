@@ -1,7 +1,8 @@
-//! Handouts of this very course: their texts. `grader course check` also builds, tests and grades them.
+//! Tests of the text of this course's handouts. `grader course check` also builds, tests and grades
+//! them.
 
 use authoring::handout::Handout;
-use authoring::handout::carve::Knife;
+use authoring::handout::carve::Carver;
 use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -30,15 +31,15 @@ fn has(handout: &Handout, path: &str) -> bool {
 }
 
 #[test]
-fn the_handout_of_part_1_has_every_hole_and_no_solution() {
+fn the_handout_of_part_1_contains_no_solution() {
     let handout = handout(1);
-    let solved: BTreeSet<&str> = handout
-        .taken
+    let removed: BTreeSet<&str> = handout
+        .removed
         .iter()
-        .map(|taken| taken.key.as_str())
+        .map(|removed| removed.key.as_str())
         .collect();
     for key in ["part1.task1", "part1.task4", "part2.task1", "part2.task3"] {
-        assert!(solved.contains(key), "{key} was not carved");
+        assert!(removed.contains(key), "{key} was not removed");
     }
     let triangle = text(handout, "stages/intersect/src/triangle.rs");
     assert!(
@@ -52,22 +53,22 @@ fn the_handout_of_part_1_has_every_hole_and_no_solution() {
     );
     assert!(
         !has(handout, "stages/intersect/src/exact.rs"),
-        "a file that was all solution"
+        "a file that contains only a solution"
     );
     assert!(
         !has(handout, "stages/intersect/tests"),
-        "tests of what is carved"
+        "tests of removed solutions"
     );
 }
 
 #[test]
-fn the_handout_of_part_2_keeps_part_1_as_the_reference_has_it() {
+fn the_handout_of_part_2_contains_the_reference_of_part_1() {
     let handout = handout(2);
     assert!(
         handout
-            .taken
+            .removed
             .iter()
-            .all(|taken| !taken.key.starts_with("part1."))
+            .all(|removed| !removed.key.starts_with("part1."))
     );
     assert!(has(handout, "stages/intersect/src/exact.rs"));
     assert!(has(handout, "stages/intersect/tests"));
@@ -76,7 +77,7 @@ fn the_handout_of_part_2_keeps_part_1_as_the_reference_has_it() {
 }
 
 #[test]
-fn a_handout_is_a_project_and_no_more() {
+fn a_handout_contains_the_students_files_and_no_others() {
     let handout = handout(1);
     for path in [
         "README.md",
@@ -101,7 +102,7 @@ fn a_handout_is_a_project_and_no_more() {
         "grader/mutants",
         "grader/tests",
     ] {
-        assert!(!has(handout, path), "{path} is the instructor's");
+        assert!(!has(handout, path), "{path} is for instructors only");
     }
     let manifest = text(handout, "Cargo.toml");
     assert!(!manifest.contains("\"golden\""), "{manifest}");
@@ -109,7 +110,7 @@ fn a_handout_is_a_project_and_no_more() {
 }
 
 #[test]
-fn the_readme_says_what_is_handed_in() {
+fn the_readme_lists_the_folders_to_hand_in() {
     for (part, stages) in [
         (
             1,
@@ -123,17 +124,17 @@ fn the_readme_says_what_is_handed_in() {
 }
 
 #[test]
-fn nobody_sees_a_marker_and_carving_a_handout_again_changes_nothing() {
+fn a_handout_has_no_markers_and_carving_it_again_changes_nothing() {
     for part in [1, 2] {
         let handout = handout(part);
         let keys: BTreeSet<String> = handout
-            .taken
+            .removed
             .iter()
-            .map(|taken| taken.key.clone())
+            .map(|removed| removed.key.clone())
             .collect();
-        let knife = Knife {
-            known: keys.clone(),
-            carved: keys,
+        let carver = Carver {
+            all_keys: keys.clone(),
+            carved_keys: keys,
         };
         let code = handout
             .files
@@ -143,11 +144,11 @@ fn nobody_sees_a_marker_and_carving_a_handout_again_changes_nothing() {
         {
             let text = String::from_utf8_lossy(contents);
             assert!(!text.contains("SOLUTION("), "{}", path.display());
-            let again = knife
+            let again = carver
                 .carve(&path.to_string_lossy(), &text)
-                .expect("it is sound");
+                .expect("it has no broken marker");
             assert!(
-                again.taken.is_empty() && again.text == text,
+                again.removed.is_empty() && again.text == text,
                 "{}",
                 path.display()
             );
@@ -156,10 +157,10 @@ fn nobody_sees_a_marker_and_carving_a_handout_again_changes_nothing() {
 }
 
 #[test]
-fn no_handout_holds_a_copy_of_its_solutions() {
+fn no_handout_contains_a_copy_of_its_solutions() {
     for part in [1, 2] {
         assert_eq!(
-            authoring::check::leak::find(handout(part)),
+            authoring::check::solution_copies::find(handout(part)),
             [""; 0],
             "part {part}"
         );
@@ -167,18 +168,18 @@ fn no_handout_holds_a_copy_of_its_solutions() {
 }
 
 #[test]
-fn the_readme_names_every_task_with_its_file() {
+fn the_readme_lists_every_task_with_its_file() {
     let handout = handout(2);
     let readme = text(handout, "README.md");
-    for words in [
+    for text in [
         "cargo grader part2",
         "| part2.task2 |",
         "`intersect_bbox`",
         "`stages/bbox/src/lib.rs`",
         "min_t <= t <= max_t",
-        "Part 1 is there already",
+        "Part 1 is already complete",
     ] {
-        assert!(readme.contains(words), "no {words:?} in\n{readme}");
+        assert!(readme.contains(text), "no {text:?} in\n{readme}");
     }
     assert!(
         !readme.contains('{') || readme.contains("stages/{"),
@@ -188,7 +189,7 @@ fn the_readme_names_every_task_with_its_file() {
 }
 
 #[test]
-fn an_unknown_part_is_refused_with_those_there_are() {
+fn the_error_for_an_unknown_part_lists_the_parts() {
     let error = Handout::carve(&workspace(), 9).unwrap_err().to_string();
     assert!(error.contains("no part 9"), "{error}");
     assert!(error.contains("1, 2"), "{error}");

@@ -1,5 +1,6 @@
-//! The stored tables of mutants: no mistake gets away, no correct code is accused, and they are
-//! about the corpus as it stands. `grader mutants` makes them; that takes minutes, this takes none.
+//! Tests of the stored tables of mutants: every mistake loses points, no correct code loses core
+//! points, and the tables match the corpus. `grader mutants` creates the tables, which takes
+//! minutes.
 
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::run::{Kind, versions};
@@ -10,8 +11,8 @@ use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// The mistakes that students of such courses were seen to make, task by task.
-const SEEN: [(&str, &[u32]); 7] = [
+/// The numbers of the mistakes that students of such courses were observed to make, for each task.
+const OBSERVED: [(&str, &[u32]); 7] = [
     ("P1T1", &[1, 2, 4, 5, 7, 8, 10, 11, 14, 16, 17, 19]),
     ("P1T2", &[1, 3, 4, 6, 7, 9, 10, 12, 13, 15, 16, 18, 19, 22]),
     (
@@ -31,21 +32,18 @@ const SEEN: [(&str, &[u32]); 7] = [
     ("P2T3", &[2, 3, 5, 6, 8, 9, 11, 14, 15, 17, 18, 20]),
 ];
 
-/// Those of them that no code can make here, and why.
-const CANNOT_BE_MADE: [(&str, &str); 3] = [
+/// The observed mistakes that are not possible in this course, and the reason.
+const NOT_POSSIBLE: [(&str, &str); 3] = [
     ("P1T2-22", "the camera's axes are given, at right angles"),
-    (
-        "P1T4-23",
-        "test_sphere gives one crossing, not two in order",
-    ),
+    ("P1T4-23", "test_sphere returns one root, not two in order"),
     (
         "P2T1-17",
         "slow by a constant factor: times are shown, never scored",
     ),
 ];
 
-/// Of the mistakes in other clothes, at least this share is recognised.
-const RECOGNISED: f64 = 0.9;
+/// The minimum fraction of held-out mutants whose mistake the diagnosis recognises.
+const MIN_RECOGNISED: f64 = 0.9;
 
 fn workspace() -> Workspace {
     Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the grader is in a workspace")
@@ -53,7 +51,7 @@ fn workspace() -> Workspace {
 
 /// The tasks that have a corpus.
 fn tasks(workspace: &Workspace) -> Vec<Task> {
-    let course = Course::read(workspace).expect("the course is sound");
+    let course = Course::read(workspace).expect("the course is valid");
     let tasks = course.tasks().cloned();
     tasks
         .filter(|task| Corpus::file(workspace, task).is_file())
@@ -61,8 +59,8 @@ fn tasks(workspace: &Workspace) -> Vec<Task> {
 }
 
 #[test]
-fn every_task_has_mutants_some_of_them_in_other_words() {
-    let course = Course::read(&workspace()).expect("the course is sound");
+fn every_task_has_mutants_and_held_out_mutants() {
+    let course = Course::read(&workspace()).expect("the course is valid");
     let with_mutants: BTreeSet<String> = tasks(&workspace())
         .into_iter()
         .map(|task| task.key)
@@ -90,19 +88,19 @@ fn every_mutant_loses_points_and_no_variant_a_core_point() {
     assert!(correct.len() >= 40, "{}", correct.len());
 }
 
-/// Also says that every edit still fits the code that it is for.
+/// Also tests that every edit finds its text in the code.
 #[test]
-fn the_tables_are_about_the_corpus_as_it_stands() {
+fn the_tables_match_the_corpus() {
     for task in tasks(&workspace()) {
         let corpus = Corpus::read(&workspace(), &task).expect("the corpus can be read");
         let (kinds, _) = versions(&workspace(), &task, corpus.mutants).expect("every edit fits");
         let table = Table::read(&workspace(), &task.key).expect("the table is stored");
         let stored: BTreeSet<&String> = table.mutants.keys().chain(table.correct.keys()).collect();
-        let there: BTreeSet<&String> = kinds.iter().map(|(name, _)| name).collect();
-        let missing: Vec<_> = there.symmetric_difference(&stored).collect();
+        let expected: BTreeSet<&String> = kinds.iter().map(|(name, _)| name).collect();
+        let missing: Vec<_> = expected.symmetric_difference(&stored).collect();
         assert!(
             missing.is_empty(),
-            "{}: {missing:?}. Run `cargo grader mutants {0} --bless`",
+            "{}: the stored table does not match: {missing:?}. Run `cargo grader mutants {0} --bless`",
             task.key
         );
         assert!(
@@ -114,7 +112,7 @@ fn the_tables_are_about_the_corpus_as_it_stands() {
 }
 
 #[test]
-fn what_is_diagnosed_is_listed() {
+fn every_diagnosed_mistake_is_listed_with_its_description() {
     for task in tasks(&workspace()) {
         let corpus = Corpus::read(&workspace(), &task).expect("the corpus can be read");
         let known = diagnosis::known(&workspace(), &task.key).expect("the signatures are stored");
@@ -123,15 +121,15 @@ fn what_is_diagnosed_is_listed() {
             let made = |mistakes: &[String]| mistakes == [mistake.id.clone()];
             assert!(
                 known.iter().any(|known| made(&known.mistakes)),
-                "{}: nothing is known of `{}`",
+                "{}: no signature is stored for `{}`",
                 task.key,
                 mistake.id
             );
         }
         for known in &known {
-            for (id, description) in known.mistakes.iter().zip(&known.descriptions) {
-                let listed = corpus.mistake(id).map(|mistake| &mistake.says);
-                assert_eq!(listed, Some(description), "{} {id}", task.key);
+            for (id, stored) in known.mistakes.iter().zip(&known.descriptions) {
+                let listed = corpus.mistake(id).map(|mistake| &mistake.description);
+                assert_eq!(listed, Some(stored), "{} {id}", task.key);
             }
         }
         let named = table.diagnosed.values().flatten();
@@ -142,7 +140,7 @@ fn what_is_diagnosed_is_listed() {
 }
 
 #[test]
-fn what_students_were_seen_to_do_is_covered() {
+fn every_observed_mistake_has_a_mutant() {
     let mut covered = BTreeSet::new();
     for task in tasks(&workspace()) {
         let corpus = Corpus::read(&workspace(), &task).expect("the corpus can be read");
@@ -151,27 +149,27 @@ fn what_students_were_seen_to_do_is_covered() {
                 .mutants
                 .iter()
                 .any(|mutant| mutant.mistakes == [mistake.id.clone()]);
-            assert!(is_made, "{}: nothing makes `{}`", task.key, mistake.id);
-            covered.extend(mistake.seen.iter().cloned());
+            assert!(is_made, "{}: no mutant makes `{}`", task.key, mistake.id);
+            covered.extend(mistake.references.iter().cloned());
         }
     }
-    let seen: BTreeSet<String> = SEEN
+    let observed: BTreeSet<String> = OBSERVED
         .iter()
         .flat_map(|(task, numbers)| numbers.iter().map(move |n| format!("{task}-{n:02}")))
         .collect();
-    assert_eq!(seen.len(), 106);
-    let not_made = CANNOT_BE_MADE.map(|(id, _)| id.to_string());
-    let open: Vec<&String> = seen
+    assert_eq!(observed.len(), 106);
+    let not_possible = NOT_POSSIBLE.map(|(id, _)| id.to_string());
+    let uncovered: Vec<&String> = observed
         .difference(&covered)
-        .filter(|id| !not_made.contains(id))
+        .filter(|id| !not_possible.contains(id))
         .collect();
-    assert!(open.is_empty(), "{open:?}");
-    assert!(covered.is_subset(&seen), "{covered:?}");
-    assert!(not_made.iter().all(|id| !covered.contains(id)));
+    assert!(uncovered.is_empty(), "{uncovered:?}");
+    assert!(covered.is_subset(&observed), "{covered:?}");
+    assert!(not_possible.iter().all(|id| !covered.contains(id)));
 }
 
 #[test]
-fn mistakes_are_recognised_in_other_clothes() {
+fn the_diagnosis_recognises_held_out_mutants() {
     let (mut recognised, mut of) = (0, 0);
     for task in tasks(&workspace()) {
         let corpus = Corpus::read(&workspace(), &task).expect("the corpus can be read");
@@ -186,7 +184,7 @@ fn mistakes_are_recognised_in_other_clothes() {
         of += table.recognised.1;
     }
     assert!(
-        f64::from(recognised as u32) >= RECOGNISED * f64::from(of as u32),
+        f64::from(recognised as u32) >= MIN_RECOGNISED * f64::from(of as u32),
         "{recognised} of {of}"
     );
 }

@@ -1,4 +1,5 @@
-//! The test that a report gives to paste: it fails on code that makes the mistake, and passes on the reference.
+//! Tests the Rust test in a report: it must fail on code with the mistake and pass on the
+//! reference.
 
 use authoring::mutants::corpus::{Edit, Mutant, Sources, reference_sources};
 use grader::workspace::Workspace;
@@ -8,8 +9,8 @@ use judge::repro;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// A mistake in the reference, and a call that shows it.
-struct Pasted {
+/// A mistake in the reference, and a call whose answer it makes wrong.
+struct Reproduction {
     name: &'static str,
     stage: &'static str,
     task: &'static str,
@@ -18,8 +19,8 @@ struct Pasted {
     edits: &'static [[&'static str; 2]],
 }
 
-const PASTED: [Pasted; 16] = [
-    Pasted {
+const REPRODUCTIONS: [Reproduction; 16] = [
+    Reproduction {
         name: "clamped",
         stage: "raygen",
         task: "part1.task1",
@@ -30,7 +31,7 @@ const PASTED: [Pasted; 16] = [
             "let l = trace_ray(&ray, sampler);\nsum += Spectrum::new(l.r.min(1.0), l.g.min(1.0), l.b);",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "too_narrow",
         stage: "raygen",
         task: "part1.task1",
@@ -38,7 +39,7 @@ const PASTED: [Pasted; 16] = [
         call: 0,
         edits: &[["sampler.get_sample()", "0.25 + 0.5 * sampler.get_sample()"]],
     },
-    Pasted {
+    Reproduction {
         name: "culled",
         stage: "intersect",
         task: "part1.task3",
@@ -49,7 +50,7 @@ const PASTED: [Pasted; 16] = [
             "let det = weights.sum();\n    if geometric_normal(tri).dot(ray.d) > 0.0 {\n        return None;\n    }\n    let scale_is_ordinary",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "not_shortened",
         stage: "intersect",
         task: "part1.task4",
@@ -60,7 +61,7 @@ const PASTED: [Pasted; 16] = [
             "let t = test_sphere(s, ray)?;",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "z_forgotten",
         stage: "bbox",
         task: "part2.task2",
@@ -71,7 +72,7 @@ const PASTED: [Pasted; 16] = [
             ["let exit = earlier(later(t_min.z, t_max.z), exit);", ""],
         ],
     },
-    Pasted {
+    Reproduction {
         name: "large_leaf",
         stage: "bvh",
         task: "part2.task1",
@@ -82,7 +83,7 @@ const PASTED: [Pasted; 16] = [
             "items.len() <= self.max_leaf_size + 1",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "first_of_leaf",
         stage: "bvh",
         task: "part2.task3",
@@ -93,7 +94,7 @@ const PASTED: [Pasted; 16] = [
             "closest.is_none()",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "never_blocked",
         stage: "bvh",
         task: "part2.task3",
@@ -104,7 +105,7 @@ const PASTED: [Pasted; 16] = [
             "    blocked & false\n    // STUB",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "no_pi",
         stage: "direct",
         task: "part3.task1",
@@ -115,7 +116,7 @@ const PASTED: [Pasted; 16] = [
             "        reflectance\n    } else",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "half_density",
         stage: "direct",
         task: "part3.task1",
@@ -123,7 +124,7 @@ const PASTED: [Pasted; 16] = [
         call: 5,
         edits: &[["pdf: z * FRAC_1_PI,", "pdf: 0.5 * z * FRAC_1_PI,"]],
     },
-    Pasted {
+    Reproduction {
         name: "summed",
         stage: "global",
         task: "part4.task1",
@@ -134,7 +135,7 @@ const PASTED: [Pasted; 16] = [
             "    parallel * parallel + perpendicular * perpendicular",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "not_squeezed",
         stage: "global",
         task: "part4.task1",
@@ -145,7 +146,7 @@ const PASTED: [Pasted; 16] = [
             "transmittance / wi.z.abs()",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "not_scaled",
         stage: "global",
         task: "part4.task3",
@@ -156,7 +157,7 @@ const PASTED: [Pasted; 16] = [
             "(u < q).then_some(throughput)",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "upside_down",
         stage: "adaptive",
         task: "part5.task1",
@@ -167,7 +168,7 @@ const PASTED: [Pasted; 16] = [
             "Z95 * samples.standard_error() > tolerance",
         ]],
     },
-    Pasted {
+    Reproduction {
         name: "in_no_batches",
         stage: "adaptive",
         task: "part5.task1",
@@ -175,7 +176,7 @@ const PASTED: [Pasted; 16] = [
         call: 1,
         edits: &[["samples % budget.batch.max(1) == 0 && stop(", "stop("]],
     },
-    Pasted {
+    Reproduction {
         name: "half_tolerance",
         stage: "adaptive",
         task: "part5.task2",
@@ -188,8 +189,8 @@ const PASTED: [Pasted; 16] = [
     },
 ];
 
-impl Pasted {
-    /// The test for the call; for `usize::MAX` for the first call of which there is one that expects a hit.
+impl Reproduction {
+    /// The test for the call. `usize::MAX` means the first call whose test expects a hit.
     fn test(&self) -> String {
         let specs = cases::all(0);
         let spec = specs.iter().find(|spec| spec.is(self.task, self.case));
@@ -199,11 +200,11 @@ impl Pasted {
             usize::MAX => (0..100).filter_map(test).find(|test| {
                 [" hits\")", " hit\")", ", true)", " goes on\")"]
                     .iter()
-                    .any(|sign| test.contains(sign))
+                    .any(|text| test.contains(text))
             }),
             call => test(call),
         };
-        found.unwrap_or_else(|| panic!("{} {} cannot be pasted", self.task, self.case))
+        found.unwrap_or_else(|| panic!("there is no test for {} {}", self.task, self.case))
     }
 
     /// The reference with the mistake in it.
@@ -219,53 +220,53 @@ impl Pasted {
             edits: edits.collect(),
             held_out: false,
         };
-        mutant.apply(reference).expect("the edit fits")
+        mutant.apply(reference).expect("the edit finds its text")
     }
 }
 
-/// Writes a package of that name whose library is called like the stage, with the test in its `tests` folder.
-fn write_package(folder: &Path, pasted: &Pasted, sources: &Sources, kit: &Path) {
+/// Writes a package whose library has the stage's name, with the test in its `tests` folder.
+fn write_package(folder: &Path, reproduction: &Reproduction, sources: &Sources, kit: &Path) {
     let manifest = format!(
         "[package]\nname = \"{}\"\nedition = \"2024\"\n\n[lib]\nname = \"{}\"\n\n[dependencies]\nkit = {{ path = {kit:?} }}\n\n[lints]\nworkspace = true\n",
         folder.file_name().unwrap().display(),
-        pasted.stage
+        reproduction.stage
     );
     let write = |path: &Path, text: &str| {
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, text).unwrap();
     };
     write(&folder.join("Cargo.toml"), &manifest);
-    let test = repro::as_file(pasted.task, &pasted.test());
-    write(&folder.join("tests/pasted.rs"), &test);
+    let test = repro::as_file(reproduction.task, &reproduction.test());
+    write(&folder.join("tests/worst.rs"), &test);
     for (path, text) in sources {
         write(&folder.join("src").join(path), text);
     }
 }
 
-/// Runs the pasted tests of the packages whose names begin so.
+/// Runs the tests of the packages whose names begin with `prefix`.
 fn run(job: &Path, target: &Path, prefix: &str) -> Output {
     let mut cargo = Command::new(env!("CARGO"));
     cargo
         .current_dir(job)
-        .args(["test", "--offline", "--no-fail-fast", "--test", "pasted"])
+        .args(["test", "--offline", "--no-fail-fast", "--test", "worst"])
         .arg("--target-dir")
         .arg(target);
-    for pasted in &PASTED {
-        cargo.args(["-p", &format!("{prefix}_{}", pasted.name)]);
+    for reproduction in &REPRODUCTIONS {
+        cargo.args(["-p", &format!("{prefix}_{}", reproduction.name)]);
     }
     cargo.output().expect("cargo runs")
 }
 
 #[test]
-fn pasted_tests_fail_on_the_mistake_and_pass_on_the_reference() {
+fn reported_tests_fail_on_the_mistake_and_pass_on_the_reference() {
     let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
     let root = workspace.root();
-    let job = root.join("target/pasted/job");
+    let job = root.join("target/repro/job");
     let _ = std::fs::remove_dir_all(&job);
     std::fs::create_dir_all(&job).unwrap();
-    let members = PASTED
-        .iter()
-        .flat_map(|pasted| ["right", "wrong"].map(|kind| format!("\"{kind}_{}\"", pasted.name)));
+    let members = REPRODUCTIONS.iter().flat_map(|reproduction| {
+        ["right", "wrong"].map(|kind| format!("\"{kind}_{}\"", reproduction.name))
+    });
     let members: Vec<String> = members.collect();
     let manifest = format!(
         "[workspace]\nresolver = \"3\"\nmembers = [{}]\n\n[workspace.lints.rust]\nmissing_docs = \"warn\"\n",
@@ -273,31 +274,32 @@ fn pasted_tests_fail_on_the_mistake_and_pass_on_the_reference() {
     );
     std::fs::write(job.join("Cargo.toml"), manifest).unwrap();
     std::fs::copy(root.join("Cargo.lock"), job.join("Cargo.lock")).unwrap();
-    for pasted in &PASTED {
-        let reference = reference_sources(&workspace, pasted.stage).unwrap();
-        let wrong = pasted.wrong(&reference);
+    for reproduction in &REPRODUCTIONS {
+        let reference = reference_sources(&workspace, reproduction.stage).unwrap();
+        let wrong = reproduction.wrong(&reference);
         for (kind, sources) in [("right", &reference), ("wrong", &wrong)] {
-            let folder = job.join(format!("{kind}_{}", pasted.name));
-            write_package(&folder, pasted, sources, &root.join("stages/kit"));
+            let folder = job.join(format!("{kind}_{}", reproduction.name));
+            write_package(&folder, reproduction, sources, &root.join("stages/kit"));
         }
     }
-    let target = root.join("target/pasted/target");
+    let target = root.join("target/repro/target");
     let right = run(&job, &target, "right");
-    let said = String::from_utf8_lossy(&right.stdout);
-    let told = String::from_utf8_lossy(&right.stderr);
-    assert!(right.status.success(), "{told}\n{said}");
+    let stdout = String::from_utf8_lossy(&right.stdout);
+    let stderr = String::from_utf8_lossy(&right.stderr);
+    assert!(right.status.success(), "{stderr}\n{stdout}");
     assert_eq!(
-        said.matches("test result: ok. 1 passed").count(),
-        PASTED.len()
+        stdout.matches("test result: ok. 1 passed").count(),
+        REPRODUCTIONS.len()
     );
-    assert!(!told.contains("tests/pasted.rs:"), "a warning:\n{told}");
+    assert!(!stderr.contains("tests/worst.rs:"), "a warning:\n{stderr}");
     let wrong = run(&job, &target, "wrong");
-    let said = String::from_utf8_lossy(&wrong.stdout);
-    let told = String::from_utf8_lossy(&wrong.stderr);
+    let stdout = String::from_utf8_lossy(&wrong.stdout);
+    let stderr = String::from_utf8_lossy(&wrong.stderr);
     assert_eq!(
-        said.matches("test result: FAILED. 0 passed; 1 failed")
+        stdout
+            .matches("test result: FAILED. 0 passed; 1 failed")
             .count(),
-        PASTED.len(),
-        "{told}\n{said}"
+        REPRODUCTIONS.len(),
+        "{stderr}\n{stdout}"
     );
 }

@@ -1,69 +1,70 @@
-//! How right a kernel's answers are.
+//! Compares a kernel's results with the oracle's.
 
 use super::report::{Accuracy, Errors, Quantiles, RayFamily};
-use super::truth::{Answer, Judged, Truth};
+use super::truth::{Answer, OracleShape, Truth};
 use kernels::Precision;
 use kit::Ray;
 use oracle::bbox::SLACK;
 
-/// Shapes and rays of one family as a precision stores them, with the truth about them.
-pub(crate) struct Judge<S> {
+/// Pairs of a shape and a ray of one family, rounded to a precision, with the oracle's truth.
+pub(crate) struct TestSet<S> {
     family: RayFamily,
-    /// What a kernel is asked.
+    /// The pairs that a kernel is run on.
     pub(crate) pairs: Vec<(S, Ray)>,
     truths: Vec<Truth>,
 }
 
-/// Points of a distribution that are kept, at even shares and one at its end.
-const CURVE: usize = 48;
+/// Number of quantiles stored of a distribution, at equal steps; three more are near its end.
+const CDF_POINTS: usize = 48;
 
-impl<S: Judged> Judge<S> {
-    /// Asks the oracle.
-    pub(crate) fn new(family: RayFamily, pairs: Vec<(S, Ray)>) -> Judge<S> {
+impl<S: OracleShape> TestSet<S> {
+    /// Computes the truth of each pair with the oracle.
+    pub(crate) fn new(family: RayFamily, pairs: Vec<(S, Ray)>) -> TestSet<S> {
         let truths = pairs.iter().map(|(shape, ray)| shape.truth(ray)).collect();
-        Judge {
+        TestSet {
             family,
             pairs,
             truths,
         }
     }
 
-    /// Holds answers against the truth: one a pair, in order, given in `precision`. `culls` says that triangles seen from
-    /// behind are missed on purpose: such pairs are passed over.
+    /// Compares answers with the truth. There is one answer per pair, in order, computed in
+    /// `precision`. `culls`: the kernel misses back faces on purpose, so pairs with a back face are
+    /// skipped.
     pub(crate) fn accuracy(
         &self,
         precision: Precision,
         culls: bool,
         answers: impl Iterator<Item = Option<Answer>>,
     ) -> Accuracy {
-        let mut tally = Tally::default();
+        let mut counts = AccuracyCounts::default();
         let each = self.pairs.iter().zip(&self.truths).zip(answers);
         for (((shape, _), truth), answer) in each {
-            if truth.faces || !culls {
-                tally.add(shape, truth, answer, precision);
+            if truth.front_facing || !culls {
+                counts.add(shape, truth, answer, precision);
             }
         }
-        tally.accuracy(self.family)
+        counts.accuracy(self.family)
     }
 }
 
-/// Counts and errors so far.
+/// Accumulates counts and errors.
 #[derive(Default)]
-struct Tally {
+struct AccuracyCounts {
     rays: usize,
     false_hits: usize,
     false_misses: usize,
     undecidable: usize,
-    lost_in_doubt: usize,
+    undecidable_differing: usize,
     beyond_bound: usize,
-    t: Spread,
-    position: Spread,
-    off_surface: Spread,
+    t: ErrorSamples,
+    position: ErrorSamples,
+    off_surface: ErrorSamples,
     bounds: Vec<f64>,
 }
 
-impl Tally {
-    fn add<S: Judged>(
+impl AccuracyCounts {
+    fn add<S: OracleShape>(
         &mut self,
         shape: &S,
         truth: &Truth,
@@ -71,12 +72,12 @@ impl Tally {
         precision: Precision,
     ) {
         self.rays += 1;
-        // Bounds are derived for double; they are proportional to its unit.
+        // Bounds are derived for `f64`; they are proportional to the unit roundoff.
         let unit = precision.epsilon() / f64::EPSILON;
         let is_wrong = answer.is_some() != truth.hits;
         if truth.undecidable || (!truth.hits && truth.gap <= SLACK * unit) {
             self.undecidable += 1;
-            self.lost_in_doubt += usize::from(is_wrong);
+            self.undecidable_differing += usize::from(is_wrong);
         } else if is_wrong {
             *(if truth.hits {
                 &mut self.false_misses
@@ -92,7 +93,7 @@ impl Tally {
             let Some(end) = end else { continue };
             let size = end.t.to_f64().abs();
             let off = end.t.ulps(t);
-            // A truth of 0 has no digits: they are all right, or none is.
+            // If the truth is 0, the relative error is 0 or infinite.
             let relative = if off == 0.0 {
                 0.0
             } else {
@@ -106,9 +107,9 @@ impl Tally {
         self.beyond_bound += usize::from(is_beyond);
         if let Some((p, truth)) = answer.p.zip(truth.p) {
             let reach = shape.reach();
-            let add = |spread: &mut Spread, off: f64| {
+            let add = |samples: &mut ErrorSamples, off: f64| {
                 let relative = off / reach;
-                spread.add(off / ulp_of(reach, precision), relative, precision);
+                samples.add(off / ulp_of(reach, precision), relative, precision);
             };
             add(&mut self.position, (p - truth).abs().max_element());
             add(&mut self.off_surface, shape.off_surface(p));
@@ -124,35 +125,36 @@ impl Tally {
             false_hits_per_million: per_million(self.false_hits),
             false_misses_per_million: per_million(self.false_misses),
             undecidable_per_million: per_million(self.undecidable),
-            lost_in_doubt_per_million: per_million(self.lost_in_doubt),
+            undecidable_differing_per_million: per_million(self.undecidable_differing),
             beyond_bound_per_million: per_million(self.beyond_bound),
-            cdf: curve(&self.t.relative),
+            cdf: distribution(&self.t.relative),
             t,
             position: self.position.errors(),
             off_surface: self.off_surface.errors(),
             forward_bound: {
                 self.bounds.sort_unstable_by(f64::total_cmp);
-                curve(&self.bounds)
+                distribution(&self.bounds)
             },
         }
     }
 }
 
-/// One unit in the last place of a number as large as `size`.
+/// Returns one unit in the last place of a number of this size.
 fn ulp_of(size: f64, precision: Precision) -> f64 {
     let power_of_two = f64::from_bits(size.to_bits() & 0x7ff0_0000_0000_0000);
     power_of_two * precision.epsilon()
 }
 
-/// Errors in both units.
+/// A list of errors, in both units.
 #[derive(Default)]
-struct Spread {
+struct ErrorSamples {
     ulp: Vec<f64>,
     relative: Vec<f64>,
 }
 
-impl Spread {
-    /// Errors past the number itself, NaN among them, count as its size: no digit is right.
+impl ErrorSamples {
+    /// Adds an error. Errors larger than the true value, and NaN, count as 100 %: no digit is
+    /// correct.
     fn add(&mut self, ulp: f64, relative: f64, precision: Precision) {
         let is_finite = relative < 1.0;
         self.relative.push(if is_finite { relative } else { 1.0 });
@@ -161,7 +163,7 @@ impl Spread {
             .push(if is_finite { ulp.min(whole) } else { whole });
     }
 
-    /// Sorts the errors; `None` without any.
+    /// Sorts the errors and returns their quantiles; `None` if there are none.
     fn errors(&mut self) -> Option<Errors> {
         let sorted = |errors: &mut Vec<f64>| {
             errors.sort_unstable_by(f64::total_cmp);
@@ -178,15 +180,16 @@ impl Spread {
     }
 }
 
-/// The smallest that at least this share of the sorted numbers does not exceed (nearest rank).
+/// Returns a quantile of sorted numbers (nearest rank).
 fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     let rank = (share * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.max(1) - 1).copied()
 }
 
-/// The distribution of sorted numbers: (number, share of numbers with at most this).
-fn curve(sorted: &[f64]) -> Vec<(f64, f64)> {
-    let shares = (1..CURVE).map(|i| i as f64 / CURVE as f64);
+/// Returns the distribution of sorted numbers: pairs (number, fraction of numbers that are at most
+/// this).
+fn distribution(sorted: &[f64]) -> Vec<(f64, f64)> {
+    let shares = (1..CDF_POINTS).map(|i| i as f64 / CDF_POINTS as f64);
     let shares = shares.chain([0.99, 0.999, 1.0]);
     shares
         .filter_map(|share| Some((quantile(sorted, share)?, share)))
@@ -198,11 +201,11 @@ mod tests {
     use super::*;
     use kit::{Triangle, Vec3};
 
-    fn judge() -> Judge<Triangle> {
+    fn test_set() -> TestSet<Triangle> {
         let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
         let down = |x: f64| Ray::new(Vec3::new(x, 0.25, 2.0), Vec3::NEG_Z);
         let pairs = [0.25, 0.5, 0.75, 0.9].map(|x| (tri, down(x)));
-        Judge::new(RayFamily::Ordinary, pairs.into())
+        TestSet::new(RayFamily::Ordinary, pairs.into())
     }
 
     fn at(t: f64, x: f64) -> Option<Answer> {
@@ -213,11 +216,11 @@ mod tests {
     }
 
     #[test]
-    fn each_kind_of_wrong_is_counted() {
+    fn each_kind_of_error_is_counted() {
         let off = 2.0 + 4.0 * f64::EPSILON;
-        // A hit 2 ulp off, a false miss, the boundary, a false hit.
+        // A hit with an error of 2 ulp, a false miss, a hit on the boundary, a false hit.
         let answers = [at(off, 0.25), None, at(2.0, 0.75), at(2.0, 0.9)];
-        let accuracy = judge().accuracy(Precision::F64, false, answers.into_iter());
+        let accuracy = test_set().accuracy(Precision::F64, false, answers.into_iter());
         assert_eq!(accuracy.rays, 4);
         assert_eq!(accuracy.false_misses_per_million, 250_000.0);
         assert_eq!(accuracy.false_hits_per_million, 250_000.0);
@@ -234,24 +237,24 @@ mod tests {
     }
 
     #[test]
-    fn what_culling_is_meant_to_miss_is_passed_over() {
-        let mut judge = judge();
-        // Seen from below, the triangle shows its back.
-        for (_, ray) in &mut judge.pairs[2..] {
+    fn back_faces_are_skipped_for_culling_kernels() {
+        let mut test_set = test_set();
+        // From below, the ray sees the back face.
+        for (_, ray) in &mut test_set.pairs[2..] {
             *ray = Ray::new(ray.o - 4.0 * Vec3::Z, Vec3::Z);
         }
-        let judge = Judge::new(RayFamily::Ordinary, judge.pairs);
+        let test_set = TestSet::new(RayFamily::Ordinary, test_set.pairs);
         let answers = [at(2.0, 0.25), at(2.0, 0.5), None, None];
-        let culling = judge.accuracy(Precision::F64, true, answers.into_iter());
+        let culling = test_set.accuracy(Precision::F64, true, answers.into_iter());
         assert_eq!((culling.rays, culling.false_misses_per_million), (2, 0.0));
-        let plain = judge.accuracy(Precision::F64, false, answers.into_iter());
+        let plain = test_set.accuracy(Precision::F64, false, answers.into_iter());
         assert_eq!((plain.rays, plain.false_misses_per_million), (4, 250_000.0));
     }
 
     #[test]
-    fn no_number_is_infinite() {
+    fn nan_and_infinite_answers_give_finite_errors() {
         let answers = [at(f64::NAN, 0.25), at(f64::INFINITY, 0.5), None, None];
-        let accuracy = judge().accuracy(Precision::F32, false, answers.into_iter());
+        let accuracy = test_set().accuracy(Precision::F32, false, answers.into_iter());
         let t = accuracy.t.unwrap();
         assert_eq!(t.relative.max, 1.0);
         assert_eq!(t.ulp.max, 1.0 / f64::from(f32::EPSILON));

@@ -1,40 +1,42 @@
-//! Leaks: rays from inside a closed mesh, aimed where its triangles meet, that get out without a hit.
+//! Leaks: rays from inside a closed mesh, aimed at its edges and vertices, that leave without a
+//! hit.
 //!
-//! A ray from inside must hit; so this needs no oracle. It is a matter of triangles together: each may decide a ray
-//! through a common edge one way or the other, if only they never both let it pass.
+//! A ray from inside must hit, so the oracle is not needed. A leak is a property of adjacent
+//! triangles: each may return a hit or a miss for a ray through a common edge, but at least one of
+//! them must return a hit.
 
 use super::rays::{Target, stored_ray};
 use judge::cases::probes::{Dice, at, through};
-use kernels::{Found, Kernel, Precision};
+use kernels::{HitF64, Kernel, Precision};
 use kit::{Primitive, Ray, Triangle};
 use meshes::{MeshKind, generate};
 use oracle::may_touch;
 
-/// The closed meshes: one of ordinary triangles, one of needles.
+/// The closed meshes: one with ordinary triangles, one with needles.
 const MESHES: [MeshKind; 2] = [MeshKind::Smooth, MeshKind::Needles];
 
-/// Triangles in each.
+/// Triangles in each mesh.
 const TRIANGLES: usize = 600;
 
-/// Rays start this close to the middle at most: inside of both meshes.
+/// Largest coordinate of a ray's origin: inside both meshes.
 const INNER: f64 = 0.1;
 
-/// Meshes and rays, as a precision stores them.
-pub(crate) struct Closed {
+/// Meshes and rays, rounded to a precision.
+pub(crate) struct ClosedMeshes {
     precision: Precision,
-    meshes: Vec<Mesh>,
+    meshes: Vec<ClosedMesh>,
 }
 
-/// One mesh with its rays, each with the triangles that it may touch.
-pub(crate) struct Mesh {
+/// One mesh with its rays, each with the triangles that it may hit.
+pub(crate) struct ClosedMesh {
     pub(crate) triangles: Vec<Triangle>,
     pub(crate) rays: Vec<(Ray, Vec<u32>)>,
 }
 
-impl Closed {
-    /// Both meshes, with `rays` rays in all. Rounded vertices stay common to their triangles: a mesh that is stored
-    /// in single is closed, too.
-    pub(crate) fn new(seed: u64, rays: usize, precision: Precision) -> Closed {
+impl ClosedMeshes {
+    /// Generates both meshes, with `rays` rays in all. Triangles share their vertices after
+    /// rounding, too: a mesh that is stored in `f32` is still closed.
+    pub(crate) fn new(seed: u64, rays: usize, precision: Precision) -> ClosedMeshes {
         let mut dice = Dice::new("cost leaks", seed);
         let meshes = MESHES
             .map(|kind| {
@@ -43,33 +45,33 @@ impl Closed {
                     .map(|_| stored_ray(&outward(&exact, &mut dice), precision))
                     .collect();
                 let triangles = exact.iter().map(|tri| tri.stored(precision)).collect();
-                Mesh::new(triangles, rays)
+                ClosedMesh::new(triangles, rays)
             })
             .into();
-        Closed { precision, meshes }
+        ClosedMeshes { precision, meshes }
     }
 
-    /// The meshes.
-    pub(crate) fn meshes(&self) -> &[Mesh] {
+    /// Returns the meshes.
+    pub(crate) fn meshes(&self) -> &[ClosedMesh] {
         &self.meshes
     }
 
-    /// Whether this is what a kernel of that precision is asked.
+    /// Whether these meshes are rounded for kernels of `precision`.
     pub(crate) fn is_for(&self, precision: Precision) -> bool {
-        // What is stored decides, not what is computed in.
+        // The precision of storage matters, not that of the computation.
         self.precision.stored(0.1) == precision.stored(0.1)
     }
 
-    /// Rays a million that find no way to hit anything.
-    pub(crate) fn leaks(&self, kernel: &Kernel<Triangle, Found>) -> f64 {
+    /// Returns the number of rays per million that leave without a hit.
+    pub(crate) fn leaks(&self, kernel: &Kernel<Triangle, HitF64>) -> f64 {
         let leaks = self.meshes.iter().map(|mesh| {
             let triangles: Vec<Triangle> = mesh
                 .triangles
                 .iter()
-                // Seen from inside every triangle shows its back, which a culling kernel means to miss.
+                // From inside every ray sees a back face, which a culling kernel misses on purpose.
                 .map(|tri| {
-                    if kernel.about.culls {
-                        turned(tri)
+                    if kernel.info.culls {
+                        flipped(tri)
                     } else {
                         *tri
                     }
@@ -85,15 +87,15 @@ impl Closed {
         self.per_million(leaks.sum())
     }
 
-    /// `leaks` of all rays, scaled to a million.
+    /// Scales `leaks` to a million rays.
     pub(crate) fn per_million(&self, leaks: usize) -> f64 {
         let rays: usize = self.meshes.iter().map(|mesh| mesh.rays.len()).sum();
         1e6 * leaks as f64 / rays.max(1) as f64
     }
 }
 
-impl Mesh {
-    fn new(triangles: Vec<Triangle>, rays: Vec<Ray>) -> Mesh {
+impl ClosedMesh {
+    fn new(triangles: Vec<Triangle>, rays: Vec<Ray>) -> ClosedMesh {
         let near = |ray: &Ray| {
             let numbered = (0..).zip(&triangles);
             numbered
@@ -101,14 +103,14 @@ impl Mesh {
                 .map(|(i, _)| i)
                 .collect()
         };
-        Mesh {
+        ClosedMesh {
             rays: rays.into_iter().map(|ray| (ray, near(&ray))).collect(),
             triangles,
         }
     }
 }
 
-/// A ray from near the middle to an edge, or in one of eight cases to a vertex.
+/// Returns a ray from near the middle to an edge, or in one of eight cases to a vertex.
 fn outward(mesh: &[Triangle], dice: &mut Dice) -> Ray {
     let tri = mesh[dice.below(mesh.len())];
     let along = match dice.below(8) {
@@ -119,8 +121,8 @@ fn outward(mesh: &[Triangle], dice: &mut Dice) -> Ray {
     through(INNER * dice.in_cube(), at(&tri, b))
 }
 
-/// The same triangle, its other face in front.
-fn turned(tri: &Triangle) -> Triangle {
+/// Returns the triangle with its front and back face exchanged.
+fn flipped(tri: &Triangle) -> Triangle {
     Triangle {
         p1: tri.p2,
         p2: tri.p1,

@@ -1,18 +1,17 @@
-//! `grader cost`: what accuracy costs in time.
+//! `grader cost`: measures the time that accuracy costs.
 //!
-//! Well-known kernels and the student's own, side by side: how long each takes, and how right it is on ordinary and
-//! on hard rays. Read [`report`] first: it is all that is said. Then [`measure()`] (one run), `rays` (what kernels are
-//! asked), `truth` and `accuracy` (how right the answers are), `leaks`, `clock` (times), `student` (the same through the
-//! worker), `measure_trees` and `overlaps` (trees), [`picture`] (what better pictures cost), [`table`] and [`page`]
-//! (showing it).
+//! Compares well-known kernels with the student's own: the time of each, and its accuracy on
+//! ordinary and on hard rays. Read [`report`] first: it defines all results. Then [`measure()`]
+//! (one run), `rays` (the test rays), `truth` and `accuracy` (comparison with the oracle), `leaks`,
+//! `timing`, `student` (measures the student's kernel through the worker), `measure_trees` and
+//! `coplanar` (trees), [`picture`] (the cost of better pictures), [`table`] and [`page`] (output).
 
 mod accuracy;
-mod clock;
+mod coplanar;
 mod leaks;
 mod machine;
 mod measure;
 mod measure_trees;
-mod overlaps;
 pub mod page;
 pub mod picture;
 pub mod quartiles;
@@ -20,8 +19,9 @@ mod rays;
 pub mod report;
 mod student;
 pub mod table;
+mod timing;
 pub mod trees;
 mod trees_table;
 mod truth;
 
-pub use measure::{Order, Size, measure};
+pub use measure::{CostRequest, SampleCounts, measure};

@@ -1,17 +1,17 @@
-//! What the times are times of.
+//! Describes the machine that the times are measured on.
 
 use super::report::Machine;
 use std::process::Command;
 
-/// Features of x86-64 beyond the ones that it always has, and of others, which change how fast kernels are.
+/// Target features beyond the baseline of the architecture that affect the speed of kernels.
 macro_rules! assumed {
     ($($feature:literal),+) => {
         [$(($feature, cfg!(target_feature = $feature))),+]
     };
 }
 
-/// This one.
-pub(crate) fn this() -> Machine {
+/// Describes this machine.
+pub(crate) fn describe() -> Machine {
     let assumed = assumed!("sse2", "sse4.2", "avx", "avx2", "fma", "avx512f", "neon");
     Machine {
         cpu: cpu().unwrap_or_else(|| format!("an unnamed {}", std::env::consts::ARCH)),
@@ -26,7 +26,7 @@ pub(crate) fn this() -> Machine {
     }
 }
 
-/// The name that the system gives the processor.
+/// Returns the system's name of the processor.
 fn cpu() -> Option<String> {
     let text = std::fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = text.lines().find(|line| line.starts_with("model name"))?;

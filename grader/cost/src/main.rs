@@ -1,10 +1,10 @@
-//! `grader cost`: what accuracy costs in time.
+//! `grader cost`: measures the time that accuracy costs.
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use cost::page::page;
 use cost::report::Shape;
-use cost::{Order, Size, table};
-use grader::cli::{Format, Verdict, end, seed_argument, seed_of, sister};
+use cost::{CostRequest, SampleCounts, table};
+use grader::cli::{Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command};
 use grader::error::GraderError;
 use grader::report;
 use grader::workspace::Workspace;
@@ -13,12 +13,12 @@ use std::process::ExitCode;
 
 fn command() -> Command {
     Command::new("cost")
-        .about("Measures what accuracy costs in time: well-known kernels and yours, side by side")
+        .about("Compares time and accuracy of well-known kernels and of your own")
         .arg(
             Arg::new("what")
                 .num_args(..)
                 .value_parser(EXPERIMENTS)
-                .help("What to compare; everything if nothing is named"),
+                .help("What to compare; everything by default"),
         )
         .arg(Format::argument())
         .arg(
@@ -26,25 +26,25 @@ fn command() -> Command {
                 .long("html")
                 .value_name("FILE")
                 .value_parser(value_parser!(PathBuf))
-                .help("Also write a self-contained page of plots"),
+                .help("Also write a self-contained HTML page of plots"),
         )
         .arg(
             Arg::new("quick")
                 .long("quick")
                 .action(ArgAction::SetTrue)
-                .help("Take few rays: rough, and done in seconds"),
+                .help("Use few rays: less precise, finishes in seconds"),
         )
         .arg(seed_argument())
 }
 
-/// What can be compared: tests of rays against shapes, trees, and pictures by the program of the workspace.
+/// What can be compared: ray/shape tests, trees, and pictures rendered by the workspace's program.
 const EXPERIMENTS: [&str; 5] = ["triangle", "sphere", "box", "bvh", "picture"];
 
 fn main() -> ExitCode {
-    let matches = sister([command()]).get_matches();
-    end(|| match matches.subcommand() {
+    let matches = subprogram_command([command()]).get_matches();
+    run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
-        None => unreachable!("clap asks for a command"),
+        None => unreachable!("clap requires a subcommand"),
     })
 }
 
@@ -59,18 +59,18 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             Shape::Box => "box",
         })
     });
-    let order = Order {
+    let request = CostRequest {
         shapes: shapes.collect(),
         trees: wants("bvh"),
         pictures: wants("picture"),
         size: if matches.get_flag("quick") {
-            Size::QUICK
+            SampleCounts::QUICK
         } else {
-            Size::FULL
+            SampleCounts::FULL
         },
         seed: seed_of(matches),
     };
-    let cost = cost::measure(Some(&workspace), &order)?;
+    let cost = cost::measure(Some(&workspace), &request)?;
     if let Some(path) = matches.get_one::<PathBuf>("html") {
         report::write_whole(path, page(&cost)?.as_bytes())?;
     }
@@ -78,5 +78,5 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         Format::Json => println!("{}", report::json(&cost)?),
         Format::Table => print!("{}", table::show(&cost)),
     }
-    Ok(Verdict::Full)
+    Ok(Verdict::Passed)
 }

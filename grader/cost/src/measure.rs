@@ -1,53 +1,55 @@
-//! One run.
+//! One run of `grader cost`.
 
-use super::accuracy::Judge;
-use super::clock::Rounds;
-use super::leaks::Closed;
-use super::report::{self, Accuracy, Column, Family, Operations, RayFamily, Report, Row, Shape};
-use super::student::{Asked, Missing, Student};
+use super::accuracy::TestSet;
+use super::leaks::ClosedMeshes;
+use super::report::{
+    self, Accuracy, CostReport, KernelFamily, KernelRow, Operations, RayColumn, RayFamily, Shape,
+};
+use super::student::{MissingReason, Student, StudentShape};
+use super::timing::Rounds;
 use super::truth::Answer;
 use super::{machine, measure_trees, picture, rays};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
-use kernels::{Bundle, Count, Found, Kernel, Pass, Precision};
+use kernels::{HitF64, Kernel, OperationCounts, Pass, Precision, RayAndShapes};
 use kit::{Aabb, Sphere, Triangle};
 use rayon::prelude::*;
 
-/// What to measure.
+/// The arguments of [`measure()`]: what to measure.
 #[derive(Clone, Debug)]
-pub struct Order {
-    /// The shapes whose kernels to compare.
+pub struct CostRequest {
+    /// The shapes whose kernels are compared.
     pub shapes: Vec<Shape>,
-    /// Whether to compare trees.
+    /// Whether trees are compared.
     pub trees: bool,
-    /// Whether to render pictures with the program of the workspace.
+    /// Whether pictures are rendered with the program of the workspace.
     pub pictures: bool,
-    /// How much of it.
-    pub size: Size,
-    /// What the rays are drawn from.
+    /// The numbers of rays and rounds.
+    pub size: SampleCounts,
+    /// Seed of the random rays.
     pub seed: u64,
 }
 
-/// How much is measured.
+/// The numbers of rays, rounds and triangles that are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Rays of each family.
+pub struct SampleCounts {
+    /// Rays in each family.
     pub rays: usize,
     /// Rays through closed meshes.
     pub leak_rays: usize,
-    /// How often the kernels and the student's worker take turns.
+    /// Number of times that the kernels and the student's worker are timed in turn.
     pub turns: usize,
     /// Rounds in each turn.
     pub rounds: usize,
-    /// Triangles of the mesh that trees are built over.
+    /// Triangles in the mesh that trees are built over.
     pub mesh: usize,
-    /// How often each tree is built.
+    /// Number of times that each tree is built.
     pub builds: usize,
 }
 
-impl Size {
-    /// A minute or two.
-    pub const FULL: Size = Size {
+impl SampleCounts {
+    /// Takes one or two minutes.
+    pub const FULL: SampleCounts = SampleCounts {
         rays: 60_000,
         leak_rays: 60_000,
         turns: 6,
@@ -56,8 +58,8 @@ impl Size {
         builds: 5,
     };
 
-    /// Some seconds.
-    pub const QUICK: Size = Size {
+    /// Takes some seconds.
+    pub const QUICK: SampleCounts = SampleCounts {
         rays: 4_000,
         leak_rays: 6_000,
         turns: 2,
@@ -67,74 +69,80 @@ impl Size {
     };
 }
 
-/// Tests in a pass that is timed: too many for a branch predictor to learn by heart, few enough for the second cache.
-const TESTS: usize = 4096;
+/// Tests in a timed pass: too many for the branch predictor to remember, few enough for the L2
+/// cache.
+const TESTS_PER_PASS: usize = 4096;
 
-/// Passes that the student's worker makes between two looks at the clock.
+/// Passes of the student's worker per measurement.
 const STUDENT_PASSES: u32 = 8;
 
-/// Measures what `order` asks for: the kernels, and the code in `workspace` beside them, if there is one.
-pub fn measure(workspace: Option<&Workspace>, order: &Order) -> Result<Report, GraderError> {
-    let size = order.size;
-    let is_quick = size != Size::FULL;
+/// Measures what `request` selects: the kernels, and the code in `workspace`, if there is one.
+pub fn measure(
+    workspace: Option<&Workspace>,
+    request: &CostRequest,
+) -> Result<CostReport, GraderError> {
+    let size = request.size;
+    let is_quick = size != SampleCounts::FULL;
     let mut families = Vec::new();
-    for shape in &order.shapes {
+    for shape in &request.shapes {
         families.push(match shape {
             Shape::Triangle => {
                 let closed = [Precision::F64, Precision::F32]
-                    .map(|precision| Closed::new(order.seed, size.leak_rays, precision));
-                let mut family = family(workspace, kernels::triangles(), order.seed, size)?;
+                    .map(|precision| ClosedMeshes::new(request.seed, size.leak_rays, precision));
+                let mut family = family(workspace, kernels::triangles(), request.seed, size)?;
                 add_leaks(&mut family, workspace, &closed)?;
                 family
             }
-            Shape::Sphere => family::<Sphere, _>(workspace, kernels::spheres(), order.seed, size)?,
-            Shape::Box => family::<Aabb, _>(workspace, kernels::boxes(), order.seed, size)?,
+            Shape::Sphere => {
+                family::<Sphere, _>(workspace, kernels::spheres(), request.seed, size)?
+            }
+            Shape::Box => family::<Aabb, _>(workspace, kernels::boxes(), request.seed, size)?,
         });
     }
-    Ok(Report {
-        machine: machine::this(),
-        seed: order.seed,
+    Ok(CostReport {
+        machine: machine::describe(),
+        seed: request.seed,
         quick: is_quick,
         families,
-        bvh: if order.trees {
-            measure_trees::measure(workspace, order.seed, size)?
+        bvh: if request.trees {
+            measure_trees::measure(workspace, request.seed, size)?
         } else {
             None
         },
-        pictures: match workspace.filter(|_| order.pictures) {
-            Some(workspace) => Some(picture::measure(workspace, order.seed, is_quick)?),
+        pictures: match workspace.filter(|_| request.pictures) {
+            Some(workspace) => Some(picture::measure(workspace, request.seed, is_quick)?),
             None => None,
         },
     })
 }
 
-/// All kernels for shapes `S`.
-fn family<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
+/// Measures all kernels for shapes `S`.
+fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
     workspace: Option<&Workspace>,
     kernels: Vec<Kernel<S, W>>,
     seed: u64,
-    size: Size,
-) -> Result<Family, GraderError> {
-    let student = Student::of::<S>(workspace)?;
+    size: SampleCounts,
+) -> Result<KernelFamily, GraderError> {
+    let student = Student::build::<S>(workspace)?;
     let accuracies = accuracies(&kernels, &student, seed, size.rays)?;
-    let bundles = rays::bundles::<S>(seed, TESTS);
-    let (rounds, missing) = times(&kernels, student, &bundles, size)?;
+    let batches = rays::timed_batches::<S>(seed, TESTS_PER_PASS);
+    let (rounds, missing) = times(&kernels, student, &batches, size)?;
     let student_missing = missing.or(accuracies.student.clone().err());
 
     let mut timings = rounds.timings().into_iter();
-    let mut rows: Vec<Row> = kernels
+    let mut rows: Vec<KernelRow> = kernels
         .iter()
         .zip(accuracies.kernels)
         .zip(timings.by_ref())
         .enumerate()
-        .map(|(i, ((kernel, by_ray_family), time))| Row {
-            name: kernel.about.name.into(),
+        .map(|(i, ((kernel, by_ray_family), time))| KernelRow {
+            name: kernel.info.name.into(),
             precision: precision(kernel.precision),
-            paper: kernel.about.paper.into(),
+            paper: kernel.info.paper.into(),
             student: false,
             textbook: i == 0,
             time,
-            operations: Some(operations(kernel, &bundles)),
+            operations: Some(operations(kernel, &batches)),
             leaks_per_million: None,
             by_ray_family,
         })
@@ -142,7 +150,7 @@ fn family<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
     if let (None, Some(time), Ok(by_ray_family)) =
         (&student_missing, timings.next(), accuracies.student)
     {
-        rows.push(Row {
+        rows.push(KernelRow {
             name: "yours".into(),
             precision: report::Precision::F64,
             paper: format!("stages/{}", S::STAGE),
@@ -154,7 +162,7 @@ fn family<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
             by_ray_family,
         });
     }
-    Ok(Family {
+    Ok(KernelFamily {
         shape: S::SHAPE,
         columns: columns::<S>(),
         rows,
@@ -162,31 +170,31 @@ fn family<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
     })
 }
 
-fn columns<S: Asked>() -> Vec<Column> {
-    let columns = S::COLUMNS.iter();
+fn columns<S: StudentShape>() -> Vec<RayColumn> {
+    let columns = S::RAY_FAMILIES.iter();
     columns
-        .map(|(family, about)| Column {
+        .map(|(family, about)| RayColumn {
             family: *family,
             about: about.to_string(),
         })
         .collect()
 }
 
-/// How right everyone is, by family of rays.
+/// Accuracy of the kernels and of the student's kernel, by family of rays.
 struct Accuracies {
-    /// Kernel by kernel.
+    /// By kernel, then by family.
     kernels: Vec<Vec<Accuracy>>,
-    student: Result<Vec<Accuracy>, Missing>,
+    student: Result<Vec<Accuracy>, MissingReason>,
 }
 
-fn accuracies<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
+fn accuracies<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
     kernels: &[Kernel<S, W>],
-    student: &Result<Student, Missing>,
+    student: &Result<Student, MissingReason>,
     seed: u64,
     rays: usize,
 ) -> Result<Accuracies, GraderError> {
-    let families: Vec<RayFamily> = S::COLUMNS.iter().map(|(family, _)| *family).collect();
-    let by_family: Vec<(Vec<Accuracy>, Judge<S>)> = families
+    let families: Vec<RayFamily> = S::RAY_FAMILIES.iter().map(|(family, _)| *family).collect();
+    let by_family: Vec<(Vec<Accuracy>, TestSet<S>)> = families
         .par_iter()
         .map(|family| {
             let [double, single] = [Precision::F64, Precision::F32].map(|precision| {
@@ -194,60 +202,60 @@ fn accuracies<S: Asked, W: Into<Answer> + Send + Sync + 'static>(
                 let stored = pairs.map(|(shape, ray)| {
                     (shape.stored(precision), rays::stored_ray(&ray, precision))
                 });
-                Judge::new(*family, stored.collect())
+                TestSet::new(*family, stored.collect())
             });
-            let of_each = kernels.iter().map(|kernel| {
-                let judge = match kernel.precision {
+            let kernel_accuracies = kernels.iter().map(|kernel| {
+                let test_set = match kernel.precision {
                     Precision::F64 => &double,
                     Precision::F32 | Precision::F32InF64 => &single,
                 };
-                let pairs = judge.pairs.iter();
+                let pairs = test_set.pairs.iter();
                 let answers = pairs.map(|(shape, ray)| kernel.answer(shape, ray).map(Into::into));
-                judge.accuracy(kernel.precision, kernel.about.culls, answers)
+                test_set.accuracy(kernel.precision, kernel.info.culls, answers)
             });
-            (of_each.collect(), double)
+            (kernel_accuracies.collect(), double)
         })
         .collect();
-    let of_student = match student {
+    let student_result = match student {
         Err(missing) => Err(missing.clone()),
         Ok(student) => {
             let each = by_family.iter();
-            let each = each.map(|(_, judge)| student.accuracy(judge));
-            each.collect::<Result<Result<Vec<Accuracy>, Missing>, GraderError>>()?
+            let each = each.map(|(_, test_set)| student.accuracy(test_set));
+            each.collect::<Result<Result<Vec<Accuracy>, MissingReason>, GraderError>>()?
         }
     };
-    let mut of_kernels = vec![Vec::new(); kernels.len()];
-    for (of_each, _) in by_family {
-        for (all, one) in of_kernels.iter_mut().zip(of_each) {
+    let mut by_kernel = vec![Vec::new(); kernels.len()];
+    for (kernel_accuracies, _) in by_family {
+        for (all, one) in by_kernel.iter_mut().zip(kernel_accuracies) {
             all.push(one);
         }
     }
     Ok(Accuracies {
-        kernels: of_kernels,
-        student: of_student,
+        kernels: by_kernel,
+        student: student_result,
     })
 }
 
-/// The rounds of every kernel, the student's last; and why that one is missing, if it is.
-fn times<S: Asked, W: Send + Sync + 'static>(
+/// Times every kernel, the student's last; also returns why the student's is missing, if it is.
+fn times<S: StudentShape, W: Send + Sync + 'static>(
     kernels: &[Kernel<S, W>],
-    student: Result<Student, Missing>,
-    bundles: &[Bundle<S>],
-    size: Size,
-) -> Result<(Rounds, Option<Missing>), GraderError> {
-    let mut passes: Vec<Pass> = kernels.iter().map(|kernel| kernel.pass(bundles)).collect();
+    student: Result<Student, MissingReason>,
+    batches: &[RayAndShapes<S>],
+    size: SampleCounts,
+) -> Result<(Rounds, Option<MissingReason>), GraderError> {
+    let mut passes: Vec<Pass> = kernels.iter().map(|kernel| kernel.pass(batches)).collect();
     let mut rounds = Rounds::default();
-    let mut of_student = student.map(|student| (student, Vec::new()));
+    let mut student_result = student.map(|student| (student, Vec::new()));
     for _ in 0..size.turns {
-        rounds.extend(Rounds::take(&mut passes, TESTS, size.rounds));
-        if let Ok((student, ns)) = &mut of_student {
-            match student.times(bundles, STUDENT_PASSES, size.rounds)? {
+        rounds.extend(Rounds::measure(&mut passes, TESTS_PER_PASS, size.rounds));
+        if let Ok((student, ns)) = &mut student_result {
+            match student.times(batches, STUDENT_PASSES, size.rounds)? {
                 Ok(turn) => ns.extend(turn),
-                Err(missing) => of_student = Err(missing),
+                Err(missing) => student_result = Err(missing),
             }
         }
     }
-    Ok(match of_student {
+    Ok(match student_result {
         Ok((_, ns)) => {
             rounds.push(ns);
             (rounds, None)
@@ -256,13 +264,16 @@ fn times<S: Asked, W: Send + Sync + 'static>(
     })
 }
 
-/// What the kernel computes for one test of the timed ones.
-fn operations<S: Asked, W: 'static>(kernel: &Kernel<S, W>, bundles: &[Bundle<S>]) -> Operations {
-    let mut all = Count::default();
+/// Returns the mean number of operations in one of the timed tests.
+fn operations<S: StudentShape, W: 'static>(
+    kernel: &Kernel<S, W>,
+    batches: &[RayAndShapes<S>],
+) -> Operations {
+    let mut all = OperationCounts::default();
     let mut tests = 0;
-    for bundle in bundles {
-        for shape in &bundle.shapes {
-            all += kernel.count(shape, &bundle.ray);
+    for batch in batches {
+        for shape in &batch.shapes {
+            all += kernel.count(shape, &batch.ray);
             tests += 1;
         }
     }
@@ -277,13 +288,13 @@ fn operations<S: Asked, W: 'static>(kernel: &Kernel<S, W>, bundles: &[Bundle<S>]
     }
 }
 
-/// Fills in the leaks of triangle tests.
+/// Adds the leaks of the triangle tests.
 fn add_leaks(
-    family: &mut Family,
+    family: &mut KernelFamily,
     workspace: Option<&Workspace>,
-    closed: &[Closed; 2],
+    closed: &[ClosedMeshes; 2],
 ) -> Result<(), GraderError> {
-    let kernels: Vec<Kernel<Triangle, Found>> = kernels::triangles();
+    let kernels: Vec<Kernel<Triangle, HitF64>> = kernels::triangles();
     let leaks: Vec<Option<f64>> = kernels
         .par_iter()
         .map(|kernel| {
@@ -296,7 +307,7 @@ fn add_leaks(
         row.leaks_per_million = leaks;
     }
     if let Some(row) = family.rows.iter_mut().find(|row| row.student)
-        && let Ok(student) = Student::of::<Triangle>(workspace)?
+        && let Ok(student) = Student::build::<Triangle>(workspace)?
         && let Ok(leaks) = student.leaks(&closed[0])?
     {
         row.leaks_per_million = Some(leaks);

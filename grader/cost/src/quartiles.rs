@@ -1,18 +1,19 @@
-//! The middle of a few times, and how far they scatter.
+//! Median and quartiles of measured times.
 
-/// Quartiles of numbers, by nearest rank. Times have a long tail on one side: a mean would follow it.
+/// Quartiles by nearest rank. The distribution of times has a long tail, which affects a mean more
+/// than a median.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quartiles {
-    /// A quarter is at most this.
+    /// Lower quartile.
     pub lower: f64,
-    /// Half are at most this.
+    /// Median.
     pub median: f64,
-    /// Three quarters are at most this.
+    /// Upper quartile.
     pub upper: f64,
 }
 
 impl Quartiles {
-    /// Of `numbers`; zeros of none.
+    /// Returns the quartiles of `numbers`; zeros if there are none.
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> Quartiles {
         let mut sorted: Vec<f64> = numbers.into_iter().collect();
         sorted.sort_by(f64::total_cmp);
@@ -27,7 +28,7 @@ impl Quartiles {
         }
     }
 
-    /// Distance between the outer two.
+    /// Returns the interquartile range.
     pub fn spread(&self) -> f64 {
         self.upper - self.lower
     }
@@ -38,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_slow_round_moves_nothing() {
+    fn one_slow_round_does_not_change_the_quartiles() {
         let of = |numbers: &[f64]| Quartiles::of(numbers.iter().copied());
         let quartiles = of(&[3.0, 1.0, 2.0, 4.0, 90.0]);
         assert_eq!((quartiles.median, quartiles.spread()), (3.0, 2.0));

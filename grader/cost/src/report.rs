@@ -1,41 +1,42 @@
-//! What `grader cost` says: the data behind the table, the JSON and the page.
+//! The results of `grader cost`: the data of the table, the JSON and the page.
 //!
-//! Every number is finite. Counts "a million" are scaled to a million rays. Times are the machine's and differ from
-//! run to run; everything else depends on the seed alone.
+//! Every number is finite. Counts named `per_million` are scaled to a million rays. Times depend on
+//! the machine and vary from run to run; all other numbers depend only on the seed.
 
-use super::picture::Pictures;
-use super::trees::Trees;
+use super::picture::PictureReport;
+use super::trees::TreeReport;
 use serde::{Deserialize, Serialize};
 
-/// A whole run.
+/// The results of one run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Report {
-    /// Where it ran.
+pub struct CostReport {
+    /// The machine that the times were measured on.
     pub machine: Machine,
-    /// What the rays were drawn from.
+    /// Seed of the random rays.
     pub seed: u64,
-    /// Whether fewer rays and rounds were taken.
+    /// Whether fewer rays and rounds were used (`--quick`).
     pub quick: bool,
-    /// A family of kernels a shape.
-    pub families: Vec<Family>,
-    /// Trees, if they were asked for.
-    pub bvh: Option<Trees>,
-    /// Pictures, if they were asked for.
-    pub pictures: Option<Pictures>,
+    /// The kernels of each shape.
+    pub families: Vec<KernelFamily>,
+    /// Trees, if requested.
+    pub bvh: Option<TreeReport>,
+    /// Pictures, if requested.
+    pub pictures: Option<PictureReport>,
 }
 
-/// What the times are times of.
+/// The machine that the times were measured on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
-    /// The processor's name.
+    /// Name of the processor.
     pub cpu: String,
-    /// Threads it runs at once. Kernels are timed on one.
+    /// Number of hardware threads. Kernels are timed on one.
     pub cores: usize,
-    /// The compiler's version.
+    /// Version of the compiler.
     pub rustc: String,
-    /// What the compiler was allowed to use of the processor, such as `sse2`.
+    /// The target features that the compiler used, such as `sse2`.
     pub target_features: Vec<String>,
-    /// Whether the processor has a fused multiply-add, used where a kernel asks for it at run time.
+    /// Whether the processor has a fused multiply-add instruction, which kernels may use at run
+    /// time.
     pub has_fma: bool,
 }
 
@@ -52,10 +53,10 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// In the order of the course.
+    /// All shapes, in the order of the course.
     pub const ALL: [Shape; 3] = [Shape::Triangle, Shape::Sphere, Shape::Box];
 
-    /// In lower case, as on the command line.
+    /// The name in lower case, as on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Shape::Triangle => "triangle",
@@ -65,32 +66,32 @@ impl Shape {
     }
 }
 
-/// All kernels for one shape.
+/// The kernels of one shape.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Family {
+pub struct KernelFamily {
     /// The shape.
     pub shape: Shape,
-    /// What the rays of each column are, in the order of [`Row::by_ray_family`].
-    pub columns: Vec<Column>,
+    /// The families of rays, in the order of [`KernelRow::by_ray_family`].
+    pub columns: Vec<RayColumn>,
     /// The kernels: the textbook's in `f64` first, the student's last.
-    pub rows: Vec<Row>,
-    /// Why there is no row of the student's, if there is none.
+    pub rows: Vec<KernelRow>,
+    /// Why there is no row for the student's kernel, if there is none.
     pub student_missing: Option<String>,
 }
 
-/// A family of rays, in words.
+/// A family of rays with its description.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Column {
-    /// Which.
+pub struct RayColumn {
+    /// The family.
     pub family: RayFamily,
-    /// What is hard about it for this shape.
+    /// What makes these rays hard for this shape.
     pub about: String,
 }
 
-/// How rays lie to the shapes that they are tested against: what can be hard about it.
+/// The families of test rays, by what makes them hard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum RayFamily {
-    /// Nothing: hits and misses in equal parts. Times are measured on these.
+    /// Hits and misses in equal parts. Times are measured on ordinary rays.
     #[serde(rename = "ordinary")]
     Ordinary,
     /// Aimed at an edge; of a sphere, at the rim.
@@ -99,16 +100,16 @@ pub enum RayFamily {
     /// Aimed at a vertex; of a box, at a corner.
     #[serde(rename = "vertex")]
     Vertex,
-    /// A triangle whose vertices are nearly on one line; a box that is flat.
+    /// A triangle whose vertices are almost collinear; a flat box.
     #[serde(rename = "sliver")]
     Sliver,
-    /// A triangle with one very short edge; a box like a rod.
+    /// A triangle with one very short edge; a box that is flat on two axes.
     #[serde(rename = "needle")]
     Needle,
-    /// Nearly in the plane of the triangle or a face of the box; nearly beside the sphere.
+    /// Almost parallel to the triangle or a face of the box; almost tangent to the sphere.
     #[serde(rename = "grazing")]
     Grazing,
-    /// All far from the world's origin; a sphere far from the ray's.
+    /// Everything is far from the world's origin; a sphere is far from the ray's origin.
     #[serde(rename = "far offset")]
     FarOffset,
     /// Everything is very small.
@@ -126,7 +127,7 @@ pub enum RayFamily {
 }
 
 impl RayFamily {
-    /// All, in the order of the columns.
+    /// All families, in the order of the columns.
     pub const ALL: [RayFamily; 11] = [
         RayFamily::Ordinary,
         RayFamily::Edge,
@@ -141,7 +142,7 @@ impl RayFamily {
         RayFamily::OnTheSurface,
     ];
 
-    /// In words, as in the JSON.
+    /// The name, as in the JSON.
     pub fn name(self) -> &'static str {
         match self {
             RayFamily::Ordinary => "ordinary",
@@ -159,22 +160,24 @@ impl RayFamily {
     }
 }
 
-/// In what numbers a kernel works.
+/// The precision of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Precision {
-    /// Single: 24 bits. The oracle judges the rounded inputs, so that only the kernel's own roundings count.
+    /// Single precision: 24 bits. The oracle uses the rounded inputs, so that only the kernel's own
+    /// roundings count.
     #[serde(rename = "f32")]
     F32,
-    /// Double: 53 bits.
+    /// Double precision: 53 bits.
     #[serde(rename = "f64")]
     F64,
-    /// Shapes and rays are stored in single, and computed with in double. Judged like `f32`.
+    /// Shapes and rays are stored in single precision and computed with in double precision. Judged
+    /// like `f32`.
     #[serde(rename = "f32 in f64")]
     F32InF64,
 }
 
 impl Precision {
-    /// As in the JSON.
+    /// The name, as in the JSON.
     pub fn name(self) -> &'static str {
         match self {
             Precision::F32 => "f32",
@@ -184,134 +187,140 @@ impl Precision {
     }
 }
 
-/// One kernel.
+/// The results of one kernel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Row {
-    /// Its name; rows of one name differ in precision.
+pub struct KernelRow {
+    /// The name; rows with the same name differ in precision.
     pub name: String,
-    /// In what numbers it works.
+    /// The precision.
     pub precision: Precision,
-    /// Where it is from.
+    /// The publication.
     pub paper: String,
-    /// Whether it is the student's own.
+    /// Whether this is the student's kernel.
     pub student: bool,
-    /// Whether it is the one that times are compared to.
+    /// Whether this is the kernel that times are compared with.
     pub textbook: bool,
-    /// Of decision, `t` and hit point of one ordinary ray.
+    /// Time of hit or miss, `t` and hit point for one ordinary ray.
     pub time: Timing,
-    /// What it computes for one ordinary ray, on average; not known of a student's.
+    /// Mean number of operations for one ordinary ray; unknown for the student's kernel.
     pub operations: Option<Operations>,
-    /// Rays from inside closed meshes, aimed at edges and vertices, that get out without a hit. Triangles only.
+    /// Rays from inside closed meshes, aimed at edges and vertices, that leave without a hit.
+    /// Triangles only.
     pub leaks_per_million: Option<f64>,
-    /// How right it is, a family of rays each.
+    /// Accuracy on each family of rays.
     pub by_ray_family: Vec<Accuracy>,
 }
 
-/// Nanoseconds, and how they compare. All kernels take turns, round by round; a spread is the distance between the
-/// quartiles of the rounds.
+/// Time in nanoseconds, and its ratio to the textbook's. The measurements are interleaved: each
+/// round times every kernel once. A spread is the interquartile range of the rounds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
     /// Median of the rounds.
     pub ns_median: f64,
     /// Spread of the rounds.
     pub ns_spread: f64,
-    /// Median of the rounds' ratios to the textbook's kernel of the same round; 1 where there is none to compare to.
+    /// Median over the rounds of the ratio to the time of the textbook's kernel in the same round;
+    /// 1 if there is nothing to compare with.
     pub ratio_to_textbook: f64,
     /// Spread of these ratios.
     pub ratio_spread: f64,
-    /// Whether the ratio is no farther from 1 than the rounds scatter: no difference can be told.
+    /// Whether the difference of the ratio from 1 is at most the spread: no significant difference.
     pub inside_noise: bool,
 }
 
-/// Operations of one test on average. Differences count as sums, `abs` and changes of sign as nothing.
+/// Mean number of operations of one test. Subtractions count as additions; negation and `abs` are
+/// not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Operations {
-    /// Sums and differences.
+    /// Additions and subtractions.
     pub add: f64,
-    /// Products.
+    /// Multiplications.
     pub mul: f64,
-    /// Quotients.
+    /// Divisions.
     pub div: f64,
     /// Square roots.
     pub sqrt: f64,
     /// Fused multiply-adds.
     pub fma: f64,
-    /// Comparisons, minima and maxima among them.
+    /// Comparisons, including minima and maxima.
     pub compare: f64,
 }
 
 impl Operations {
-    /// All together.
+    /// Returns the total.
     pub fn total(&self) -> f64 {
         self.add + self.mul + self.div + self.sqrt + self.fma + self.compare
     }
 }
 
-/// How right a kernel is on one family of rays. A decision is wrong if the exact oracle says so and a robust kernel
-/// in `f64` would be sure; what even that may round to either side is counted apart.
+/// The accuracy of a kernel on one family of rays. A decision (hit or miss) is wrong if it differs
+/// from the exact oracle's and the ray is decidable for a robust kernel in `f64`; undecidable rays
+/// are counted separately.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Accuracy {
-    /// Which rays.
+    /// The family.
     pub family: RayFamily,
-    /// How many.
+    /// Number of rays.
     pub rays: usize,
-    /// A hit was answered where there is none.
+    /// Rays that miss, but the kernel returned a hit.
     pub false_hits_per_million: f64,
-    /// A hit was missed.
+    /// Rays that hit, but the kernel returned a miss.
     pub false_misses_per_million: f64,
-    /// Rays that are undecidable in `f64`: neither answer is wrong.
+    /// Rays that are undecidable in `f64`: neither result is wrong.
     pub undecidable_per_million: f64,
-    /// Of these, answers that differ from the exact one.
-    pub lost_in_doubt_per_million: f64,
-    /// Hits whose `t` is farther off than [`Accuracy::forward_bound`] allows.
+    /// Undecidable rays for which the kernel differs from the exact result.
+    pub undecidable_differing_per_million: f64,
+    /// Hits whose `t` has an error larger than [`Accuracy::forward_bound`] allows.
     pub beyond_bound_per_million: f64,
-    /// How far off `t` is, over rays that truly hit and are answered as hits; of a box, over both ends of the
-    /// interval. `None` without such rays.
+    /// Error of `t`, over rays that hit and for which the kernel returns a hit; for a box, over
+    /// both ends of the interval. `None` without such rays.
     pub t: Option<Errors>,
-    /// How far the hit point is from the true one, by its worst coordinate; relative to the largest coordinate of the
-    /// shape. `None` for boxes.
+    /// Distance of the hit point from the true one, in its worst coordinate, relative to the
+    /// largest coordinate of the shape. `None` for boxes.
     pub position: Option<Errors>,
-    /// How far the hit point is off the surface, relative to the largest coordinate of the shape: what makes shadow
-    /// rays hit the surface that they start on. `None` for boxes.
+    /// Distance of the hit point from the surface, relative to the largest coordinate of the shape:
+    /// it makes shadow rays hit the surface that they start on. `None` for boxes.
     pub off_surface: Option<Errors>,
-    /// The distribution of the relative error of `t`: (error, share of hits with at most this), by rising share. The
-    /// first errors may be 0.
+    /// The distribution of the relative error of `t`: pairs (error, fraction of hits with at most
+    /// this error), in increasing order. The first errors may be 0.
     pub cdf: Vec<(f64, f64)>,
-    /// The same of what a robust kernel of this precision may be off, ray by ray: its forward error bound.
+    /// The distribution of the forward error bounds of a robust kernel of this precision, for the
+    /// same rays.
     pub forward_bound: Vec<(f64, f64)>,
 }
 
 impl Accuracy {
-    /// Decisions that are wrong, either way.
+    /// Returns the wrong decisions, false hits and false misses.
     pub fn wrong_per_million(&self) -> f64 {
         self.false_hits_per_million + self.false_misses_per_million
     }
 }
 
-/// An error in two units.
+/// The distribution of an error, in two units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
-    /// In units in the last place of the kernel's own answers (`f32` or `f64`), at the true value.
+    /// In units in the last place, in the precision of the kernel's results (`f32` or `f64`), at
+    /// the true value.
     pub ulp: Quantiles,
-    /// As a share of the true value, 1 at most: then no digit is right.
+    /// Relative to the true value, 1 at most, which means that no digit is correct.
     pub relative: Quantiles,
 }
 
 impl Errors {
-    /// Leading bits that are right on half of the rays at least: `-log2` of the median relative error, and at most
-    /// the 53 that there are.
+    /// Returns the number of leading bits that are correct for at least half of the rays: `-log2`
+    /// of the median relative error, 53 at most.
     pub fn correct_bits(&self) -> f64 {
         (-self.relative.p50.log2()).clamp(0.0, 53.0) + 0.0
     }
 }
 
-/// A distribution in three numbers (nearest rank).
+/// Three quantiles of a distribution (nearest rank).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {
-    /// Half are at most this.
+    /// Median.
     pub p50: f64,
-    /// 999 of 1000 are at most this.
+    /// 99.9 % quantile.
     pub p999: f64,
-    /// All are at most this.
+    /// Maximum.
     pub max: f64,
 }

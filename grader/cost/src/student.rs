@@ -1,83 +1,88 @@
-//! The student's own kernel, through the worker: the same rays, the same judge, times in the same turns.
+//! Measures the student's kernel through the worker: on the same rays, with the same oracle, timed
+//! in the same turns.
 
-use super::accuracy::Judge;
-use super::leaks::Closed;
+use super::accuracy::TestSet;
+use super::leaks::ClosedMeshes;
 use super::report::Accuracy;
-use super::truth::{Answer, Judged};
-use grader::compile::{Build, Built};
+use super::truth::{Answer, OracleShape};
+use grader::compile::{BuildOutcome, WorkerBuild};
 use grader::error::GraderError;
 use grader::runner::{self, Ending, Worker};
 use grader::workspace::Workspace;
 use judge::cases::probes::{brute_force, wire_ray, wire_triangle};
-use kernels::{Bundle, Precision};
+use kernels::{Precision, RayAndShapes};
 use kit::{Aabb, Ray, Sphere, Triangle};
-use wire::work::{Probe, Shapes, TestTiming, Xyz};
+use wire::work::{BoxWork, Probe, Shapes, SphereWork, TestTiming, TriangleWork, Xyz};
 use wire::{Outcome, Work};
 
-/// A shape that the student has a test for.
-pub(crate) trait Asked: Judged {
-    /// The task that the test solves.
+/// A shape with a test in the student's code.
+pub(crate) trait StudentShape: OracleShape {
+    /// The task of the test.
     const TASK: &'static str;
 
-    /// The stage that the test is in.
+    /// The stage that contains the test.
     const STAGE: &'static str;
 
-    /// The work of answering pairs.
-    fn ask(pairs: &[(Self, Ray)]) -> Work;
+    /// Returns the work that tests all pairs.
+    fn work(pairs: &[(Self, Ray)]) -> Work;
 
-    /// The answers to that work; `None` if they are to something else.
+    /// Returns the answers to that work; `None` if `answer` is for another kind of work.
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>>;
 
-    /// For the worker.
+    /// Converts the shapes for the worker.
     fn shapes(shapes: &[Self]) -> Shapes;
 }
 
-/// A worker with the student's stage.
+/// A worker that contains the student's stage.
 pub(crate) struct Student {
     worker: Worker,
     task: &'static str,
 }
 
-/// Why the student has no row: in words that end the sentence "no row of your own: ...".
-pub(crate) type Missing = String;
+/// Why the student's code is not measured, as the end of the sentence "Your code is not measured:
+/// ...".
+pub(crate) type MissingReason = String;
 
-/// A case of the worker's may take this long: a million tests of a slow kernel.
+/// Time limit of one case: a million tests of a slow kernel.
 const LIMIT_MS: u64 = 60_000;
 
 impl Student {
-    /// Builds the worker with the stage that tests shapes `S`.
-    pub(crate) fn of<S: Asked>(
+    /// Builds the worker with the stage that contains the test for shapes `S`.
+    pub(crate) fn build<S: StudentShape>(
         workspace: Option<&Workspace>,
-    ) -> Result<Result<Student, Missing>, GraderError> {
-        Student::with(S::STAGE, S::TASK, workspace)
+    ) -> Result<Result<Student, MissingReason>, GraderError> {
+        Student::build_with(S::STAGE, S::TASK, workspace)
     }
 
-    /// Builds the worker with a cargo feature of its own.
-    pub(crate) fn with(
+    /// Builds the worker with this cargo feature.
+    pub(crate) fn build_with(
         feature: &str,
         task: &'static str,
         workspace: Option<&Workspace>,
-    ) -> Result<Result<Student, Missing>, GraderError> {
+    ) -> Result<Result<Student, MissingReason>, GraderError> {
         let Some(workspace) = workspace else {
-            return Ok(Err("nobody asked for it".into()));
+            return Ok(Err("there is no workspace".into()));
         };
-        let build = Build {
+        let build = WorkerBuild {
             root: workspace.root(),
             features: &[feature],
             target: None,
             sealed: false,
         };
         Ok(match build.run()? {
-            Built::Worker(program) => Ok(Student {
+            BuildOutcome::Worker(program) => Ok(Student {
                 worker: program.into(),
                 task,
             }),
-            Built::DoesNotCompile(_) => Err("your code does not compile".into()),
+            BuildOutcome::DoesNotCompile(_) => Err("your code does not compile".into()),
         })
     }
 
-    /// What the student's code answers to one piece of work.
-    pub(crate) fn ask(&self, work: Work) -> Result<Result<wire::Answer, Missing>, GraderError> {
+    /// Runs one piece of work and returns its answer.
+    pub(crate) fn run(
+        &self,
+        work: Work,
+    ) -> Result<Result<wire::Answer, MissingReason>, GraderError> {
         let case = wire::Case {
             task: self.task.into(),
             name: "cost".into(),
@@ -93,80 +98,85 @@ impl Student {
                 Outcome::Panicked { message, .. } => Err(format!("your code panics: {message}")),
                 Outcome::Unable { reason } => Err(reason),
             },
-            Some(Ending::TimedOut { limit_ms, .. }) => Err(format!(
-                "your code takes more than {} s for them",
-                limit_ms / 1000
-            )),
+            Some(Ending::TimedOut { limit_ms, .. }) => {
+                Err(format!("your code takes more than {} s", limit_ms / 1000))
+            }
             Some(Ending::Died(how)) => Err(format!("your code {how}")),
-            Some(Ending::Skipped) | None => return Err(GraderError::new("the worker lost a case")),
+            Some(Ending::Malformed(why)) => Err(why),
+            Some(Ending::Skipped) | None => {
+                return Err(GraderError::new("the worker returned no record for a case"));
+            }
         })
     }
 
-    /// How right it is on one family of rays.
-    pub(crate) fn accuracy<S: Asked>(
+    /// Measures the accuracy on one family of rays.
+    pub(crate) fn accuracy<S: StudentShape>(
         &self,
-        judge: &Judge<S>,
-    ) -> Result<Result<Accuracy, Missing>, GraderError> {
-        let answer = match self.ask(S::ask(&judge.pairs))? {
+        test_set: &TestSet<S>,
+    ) -> Result<Result<Accuracy, MissingReason>, GraderError> {
+        let answer = match self.run(S::work(&test_set.pairs))? {
             Ok(answer) => answer,
             Err(missing) => return Ok(Err(missing)),
         };
-        let answers = S::answers(&answer).ok_or_else(mixed_up)?;
-        Ok(Ok(judge.accuracy(
+        let answers = S::answers(&answer).ok_or_else(unexpected_answer)?;
+        Ok(Ok(test_set.accuracy(
             Precision::F64,
             false,
             answers.into_iter(),
         )))
     }
 
-    /// Rays a million that get out of closed meshes.
-    pub(crate) fn leaks(&self, closed: &Closed) -> Result<Result<f64, Missing>, GraderError> {
+    /// Returns the number of rays per million that leave closed meshes.
+    pub(crate) fn leaks(
+        &self,
+        closed: &ClosedMeshes,
+    ) -> Result<Result<f64, MissingReason>, GraderError> {
         let mut leaks = 0;
         for mesh in closed.meshes() {
             let rays: Vec<Ray> = mesh.rays.iter().map(|(ray, _)| *ray).collect();
-            match self.ask(brute_force(&mesh.triangles, &[], &rays))? {
-                Ok(wire::Answer::Hits(hits)) => {
+            match self.run(brute_force(&mesh.triangles, &[], &rays))? {
+                Ok(wire::Answer::BruteForce(hits)) => {
                     leaks += hits.hits.iter().filter(|hit| hit.is_none()).count();
                 }
-                Ok(_) => return Err(mixed_up()),
+                Ok(_) => return Err(unexpected_answer()),
                 Err(missing) => return Ok(Err(missing)),
             }
         }
         Ok(Ok(closed.per_million(leaks)))
     }
 
-    /// Nanoseconds of one test, round after round, each over `passes` passes.
-    pub(crate) fn times<S: Asked>(
+    /// Times the student's test: nanoseconds per test for each round of `passes` passes.
+    pub(crate) fn times<S: StudentShape>(
         &self,
-        bundles: &[Bundle<S>],
+        batches: &[RayAndShapes<S>],
         passes: u32,
         rounds: usize,
-    ) -> Result<Result<Vec<f64>, Missing>, GraderError> {
-        let each = bundles.iter().flat_map(|bundle| &bundle.shapes);
+    ) -> Result<Result<Vec<f64>, MissingReason>, GraderError> {
+        let each = batches.iter().flat_map(|batch| &batch.shapes);
         let shapes: Vec<S> = each.copied().collect();
         let timing = TestTiming {
             shapes: S::shapes(&shapes),
-            rays: bundles.iter().map(|bundle| wire_ray(&bundle.ray)).collect(),
-            per_ray: S::PER_RAY as u32,
+            rays: batches.iter().map(|batch| wire_ray(&batch.ray)).collect(),
+            per_ray: S::SHAPES_PER_RAY as u32,
             passes,
             rounds: rounds as u32,
         };
         let tests = f64::from(passes) * shapes.len() as f64;
-        Ok(match self.ask(Work::TimeTest(timing))? {
-            Ok(wire::Answer::TestTimes(seconds)) => {
+        Ok(match self.run(Work::TimeTest(timing))? {
+            Ok(wire::Answer::TimeTest(seconds)) => {
                 Ok(seconds.iter().map(|s| 1e9 * s / tests).collect())
             }
-            Ok(_) => return Err(mixed_up()),
+            Ok(_) => return Err(unexpected_answer()),
             Err(missing) => Err(missing),
         })
     }
 }
 
-fn mixed_up() -> GraderError {
-    GraderError::new("the worker answered to other work than it was given")
+fn unexpected_answer() -> GraderError {
+    GraderError::new("the worker's answer is for another kind of work")
 }
 
-/// The rays, each at a shape of its own.
+/// Pairs each ray with the index of its shape.
 fn probes<S>(pairs: &[(S, Ray)]) -> Vec<Probe> {
     let numbered = (0..).zip(pairs);
     numbered
@@ -177,15 +187,15 @@ fn probes<S>(pairs: &[(S, Ray)]) -> Vec<Probe> {
         .collect()
 }
 
-impl Asked for Triangle {
+impl StudentShape for Triangle {
     const TASK: &'static str = "part1.task3";
     const STAGE: &'static str = "intersect";
 
-    fn ask(pairs: &[(Triangle, Ray)]) -> Work {
-        Work::Triangles {
+    fn work(pairs: &[(Triangle, Ray)]) -> Work {
+        Work::Triangles(TriangleWork {
             triangles: pairs.iter().map(|(tri, _)| wire_triangle(tri)).collect(),
             probes: probes(pairs),
-        }
+        })
     }
 
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>> {
@@ -204,15 +214,15 @@ impl Asked for Triangle {
     }
 }
 
-impl Asked for Sphere {
+impl StudentShape for Sphere {
     const TASK: &'static str = "part1.task4";
     const STAGE: &'static str = "intersect";
 
-    fn ask(pairs: &[(Sphere, Ray)]) -> Work {
-        Work::Spheres {
+    fn work(pairs: &[(Sphere, Ray)]) -> Work {
+        Work::Spheres(SphereWork {
             spheres: pairs.iter().map(|(s, _)| wire_sphere(s)).collect(),
             probes: probes(pairs),
-        }
+        })
     }
 
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>> {
@@ -227,15 +237,15 @@ impl Asked for Sphere {
     }
 }
 
-impl Asked for Aabb {
+impl StudentShape for Aabb {
     const TASK: &'static str = "part2.task2";
     const STAGE: &'static str = "bbox";
 
-    fn ask(pairs: &[(Aabb, Ray)]) -> Work {
-        Work::Boxes {
+    fn work(pairs: &[(Aabb, Ray)]) -> Work {
+        Work::Boxes(BoxWork {
             boxes: pairs.iter().map(|(b, _)| wire_box(b)).collect(),
             probes: probes(pairs),
-        }
+        })
     }
 
     fn answers(answer: &wire::Answer) -> Option<Vec<Option<Answer>>> {
@@ -251,7 +261,7 @@ impl Asked for Aabb {
     }
 }
 
-/// The decision and `t` are those of the test; the hit point is that of the record that follows.
+/// Hit or miss and `t` are from the test; the hit point is from the hit record.
 fn surface(t: Option<f64>, hit: Option<wire::answer::Hit>) -> Option<Answer> {
     t.map(|t| Answer {
         ends: [t; 2],

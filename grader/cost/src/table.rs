@@ -1,13 +1,13 @@
-//! The report for people.
+//! The results as text tables.
 
 use super::picture;
-use super::report::{Accuracy, Family, RayFamily, Report, Row, Timing};
+use super::report::{Accuracy, CostReport, KernelFamily, KernelRow, RayFamily, Timing};
 use super::trees_table;
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
-/// The whole report as text.
-pub fn show(report: &Report) -> String {
+/// Formats all results as text.
+pub fn show(report: &CostReport) -> String {
     let machine = &report.machine;
     let mut text = String::new();
     let _ = writeln!(
@@ -25,12 +25,13 @@ pub fn show(report: &Report) -> String {
         },
     );
     for family in &report.families {
-        // A handout before this task has no kernels to compare with: they would give it away.
+        // A handout before this task has no kernels to compare with, because they would be a
+        // solution.
         if family.rows.is_empty() {
             let missing = family
                 .student_missing
                 .as_deref()
-                .unwrap_or("nothing to measure");
+                .unwrap_or("there is nothing to measure");
             let _ = writeln!(text, "\n{}: no rows: {missing}.", family.shape.name());
             continue;
         }
@@ -38,7 +39,7 @@ pub fn show(report: &Report) -> String {
         let _ = writeln!(text, "{}", decisions(family));
         let _ = writeln!(text, "{}", bits(family));
         if let Some(missing) = &family.student_missing {
-            let _ = writeln!(text, "No row of your own: {missing}.");
+            let _ = writeln!(text, "Your code is not measured: {missing}.");
         }
         for column in &family.columns {
             let _ = writeln!(text, "  {}: {}", column.family.name(), column.about);
@@ -56,27 +57,27 @@ pub fn show(report: &Report) -> String {
     text
 }
 
-/// What the numbers are.
+/// Explains the columns.
 const LEGEND: &str = "\n\
-Time is that of decision, t and hit point, by turns; ± is the distance between the quartiles; ~ is within the noise.\n\
-Wrong: false hits + false misses in a million rays, where a robust kernel in f64 would be sure. Kernels in f32 are\n\
-judged on rounded inputs. Leaks: of a million rays from inside closed meshes at their edges, those that get out.\n\
-Bits: leading bits of t that are right on half of the rays, and on all but one in a thousand. * is your own code.\n";
+Time: ns for hit or miss, t and hit point, in interleaved rounds; ± is the interquartile range; ~ marks differences within the noise.\n\
+Wrong: false hits + false misses per million rays that are decidable for a robust f64 kernel. Kernels in f32 are\n\
+judged on rounded inputs. Leaks: rays per million that leave a closed mesh without a hit, aimed at its edges from inside.\n\
+Bits: leading bits of t that are correct for 50 % and for 99.9 % of the rays. * marks your own code.\n";
 
-/// Names, times, operations, leaks and what is off on ordinary rays.
-fn times(family: &Family) -> Table {
+/// The table of names, times, operations, leaks, and errors on ordinary rays.
+fn times(family: &KernelFamily) -> Table {
     let has_leaks = family
         .rows
         .iter()
         .any(|row| row.leaks_per_million.is_some());
     let has_surface = family.rows.iter().any(|row| ordinary_off(row).is_some());
-    let mut header = vec![family.shape.name(), "ns", "of textbook's", "operations"];
+    let mut header = vec![family.shape.name(), "ns", "vs. textbook", "operations"];
     if has_leaks {
         header.push("leaks");
     }
-    header.push("t off by ulp:\n50 %, 99.9 %, max");
+    header.push("error of t, ulp:\n50 %, 99.9 %, max");
     if has_surface {
-        header.push("off surface:\nulp, 99.9 %");
+        header.push("off surface,\nulp, 99.9 %");
     }
     let mut table = narrow(header);
     for row in &family.rows {
@@ -102,13 +103,13 @@ fn times(family: &Family) -> Table {
     table
 }
 
-/// How far hit points of ordinary rays are off the surface.
-fn ordinary_off(row: &Row) -> Option<f64> {
+/// Returns the distance of hit points of ordinary rays from the surface, in ulp.
+fn ordinary_off(row: &KernelRow) -> Option<f64> {
     let ordinary = row.by_ray_family.first()?;
     Some(ordinary.off_surface?.ulp.p999)
 }
 
-/// A table with little room between its columns.
+/// Returns a table with narrow columns.
 pub(super) fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Table {
     let mut table = Table::new();
     table
@@ -123,16 +124,16 @@ pub(super) fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Tabl
     table
 }
 
-/// Wrong decisions, a family of rays a column.
-fn decisions(family: &Family) -> Table {
-    by_family(family, "wrong in a million", |accuracy| {
+/// The table of wrong decisions, one column per family of rays.
+fn decisions(family: &KernelFamily) -> Table {
+    by_family(family, "wrong per million", |accuracy| {
         count(accuracy.false_hits_per_million + accuracy.false_misses_per_million)
     })
 }
 
-/// Right digits, a family of rays a column.
-fn bits(family: &Family) -> Table {
-    by_family(family, "right bits of t", |accuracy| {
+/// The table of correct bits, one column per family of rays.
+fn bits(family: &KernelFamily) -> Table {
+    by_family(family, "correct bits of t", |accuracy| {
         // Whole bits; the cast also makes -0 a 0.
         let bits = |relative: f64| (-relative.log2()).clamp(0.0, 53.0) as u32;
         accuracy.t.map_or(String::new(), |t| {
@@ -141,9 +142,9 @@ fn bits(family: &Family) -> Table {
     })
 }
 
-fn by_family(family: &Family, what: &str, cell: impl Fn(&Accuracy) -> String) -> Table {
+fn by_family(family: &KernelFamily, what: &str, cell: impl Fn(&Accuracy) -> String) -> Table {
     let columns = family.columns.iter();
-    let columns = columns.map(|column| short(column.family).to_string());
+    let columns = columns.map(|column| heading(column.family).to_string());
     let corner = format!("{}: {what}", family.shape.name());
     let mut table = narrow(std::iter::once(corner).chain(columns));
     for row in &family.rows {
@@ -156,8 +157,8 @@ fn by_family(family: &Family, what: &str, cell: impl Fn(&Accuracy) -> String) ->
     table
 }
 
-/// A column's head, on two lines where there are two words.
-fn short(family: RayFamily) -> &'static str {
+/// Returns the heading of a column, on two lines if it has two words.
+fn heading(family: RayFamily) -> &'static str {
     match family {
         RayFamily::Ordinary => "ordi-\nnary",
         RayFamily::FarOffset => "far\noffset",
@@ -169,7 +170,7 @@ fn short(family: RayFamily) -> &'static str {
     }
 }
 
-fn name(row: &Row) -> Cell {
+fn name(row: &KernelRow) -> Cell {
     let star = if row.student { "* " } else { "" };
     Cell::new(format!("{star}{} {}", row.name, row.precision.name()))
 }
@@ -190,7 +191,7 @@ pub(super) fn ratio(time: &Timing) -> String {
     )
 }
 
-/// A count in a million.
+/// Formats a count per million.
 pub(super) fn count(per_million: f64) -> String {
     if per_million == 0.0 {
         "0".into()
@@ -199,7 +200,7 @@ pub(super) fn count(per_million: f64) -> String {
     }
 }
 
-/// Three figures at most; large numbers in powers of ten.
+/// Formats with at most three significant digits; large numbers as powers of ten.
 pub(super) fn figures(x: f64) -> String {
     if x >= 1e6 {
         format!("{x:.0e}")

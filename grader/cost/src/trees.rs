@@ -1,65 +1,68 @@
-//! What `grader cost bvh` says.
+//! The results of `grader cost bvh`.
 
 use super::report::Timing;
 use serde::{Deserialize, Serialize};
 
-/// Trees over one mesh.
+/// Results for trees over one mesh.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Trees {
-    /// The mesh.
+pub struct TreeReport {
+    /// Name of the mesh.
     pub mesh: String,
-    /// Triangles in it.
+    /// Number of triangles.
     pub triangles: usize,
-    /// The same tree, walked with more or less slack where nodes behind the closest hit are skipped.
-    pub by_slack: Vec<Walk>,
-    /// The same walk of trees that were built in different ways.
-    pub by_build: Vec<Tree>,
-    /// Why there is no tree of the student's, if there is none.
+    /// The same tree, traversed with different values of pruning slack.
+    pub by_slack: Vec<SlackRow>,
+    /// The same traversal of trees from different builders.
+    pub by_build: Vec<TreeRow>,
+    /// Why there is no row for the student's tree, if there is none.
     pub student_missing: Option<String>,
 }
 
-/// One way to walk a tree.
+/// One value of pruning slack.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Walk {
-    /// Units in the last place by which the closest hit so far is taken to be farther away, when boxes are skipped.
+pub struct SlackRow {
+    /// Slack of the pruning: boxes are skipped if they start behind the closest hit so far by more
+    /// than this number of units in the last place.
     pub slack_ulp: u32,
-    /// What it costs and gives.
-    pub trace: Trace,
+    /// Time, tests and wrong hits of the traversal.
+    pub trace: TraversalCost,
 }
 
-/// One way to build a tree.
+/// One tree builder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Tree {
-    /// Where a node is split.
+pub struct TreeRow {
+    /// How a node is split.
     pub name: String,
-    /// Where it is from.
+    /// The publication.
     pub paper: String,
-    /// Whether it is the student's own.
+    /// Whether this is the student's builder.
     pub student: bool,
-    /// Seconds to build it, the median of the rounds.
+    /// Build time in seconds, median of the rounds.
     pub build_s: f64,
-    /// Distance between the quartiles of the rounds.
+    /// Interquartile range of the rounds.
     pub build_spread_s: f64,
-    /// Nodes, leaves among them; not known of a student's.
+    /// Number of nodes including leaves; unknown for the student's tree.
     pub nodes: Option<usize>,
-    /// What it costs and gives.
-    pub trace: Trace,
-    /// Rays after which building it has paid for itself against the midpoint tree; 0 if it is built faster, `None` if
-    /// it never does.
-    pub pays_after_rays: Option<f64>,
+    /// Time, tests and wrong hits of the traversal.
+    pub trace: TraversalCost,
+    /// Number of rays after which the time saved in tracing equals the additional build time,
+    /// compared with the midpoint tree; 0 if it is built faster, `None` if it never happens.
+    pub break_even_rays: Option<f64>,
 }
 
-/// Closest hits of many rays through a tree.
+/// Cost of closest-hit traversal of a tree, over many rays.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Trace {
-    /// Of one ray; "the textbook" is the first row.
+pub struct TraversalCost {
+    /// Time of one ray; "textbook" is the first row.
     pub time: Timing,
-    /// Box tests a ray.
+    /// Box tests per ray.
     pub box_tests: f64,
-    /// Triangle tests a ray.
+    /// Triangle tests per ray.
     pub prim_tests: f64,
-    /// Rays that were held against brute force: ordinary ones, and ones aimed where triangles overlap in one plane.
+    /// Number of rays that were compared with brute force: ordinary ones, and ones aimed at
+    /// coplanar overlapping triangles.
     pub checked_rays: usize,
-    /// Rays whose closest hit differs from that of brute force with the same triangle test, in `t` or primitive.
+    /// Rays whose closest hit differs in `t` or primitive from that of brute force with the same
+    /// triangle test.
     pub wrong_per_million: f64,
 }

@@ -1,50 +1,50 @@
-//! What the oracle says of a ray and a shape, put the same way for every shape; and answers, put the same way for every
-//! kernel.
+//! The oracle's truth and the kernels' answers, in the same form for every shape.
 
 use super::rays::Target;
-use kernels::Found;
+use kernels::HitF64;
 use kit::{Aabb, Interval, Ray, Sphere, Triangle, Vec3};
 use oracle::bbox::{END_ERROR, End};
-use oracle::{self, Kernel, Real, surface};
+use oracle::{self, BigFloat, Kernel, surface};
 
-/// What is true of one pair.
+/// The oracle's truth for one pair.
 #[derive(Clone, Debug)]
 pub(crate) struct Truth {
-    /// Whether the ray hits; the conventions of the course count.
+    /// Whether the ray hits, by the conventions of the course.
     pub(crate) hits: bool,
-    /// Whether even a robust kernel in `f64` may answer either way.
+    /// Whether a robust kernel in `f64` may return either result.
     pub(crate) undecidable: bool,
-    /// By how much a box is missed, relative to `t`: a test for a tree may hit by a hair too much. Infinite for
-    /// surfaces.
+    /// How far the ray misses the box, relative to `t`: a conservative box test may hit if it is a
+    /// few ulp. Infinite for other shapes.
     pub(crate) gap: f64,
-    /// Where: `t`, or those ends of a box's interval that are not the ray's own. Empty for a miss.
+    /// The true `t`, or those ends of a box's interval that are not the ray's own. Empty for a
+    /// miss.
     pub(crate) ends: [Option<TrueEnd>; 2],
-    /// The hit point, on surfaces.
+    /// The hit point; `None` for boxes.
     pub(crate) p: Option<Vec3>,
-    /// See [`Target::faces`].
-    pub(crate) faces: bool,
+    /// See [`Target::is_front_facing`].
+    pub(crate) front_facing: bool,
 }
 
 /// A true `t`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TrueEnd {
-    /// Its value.
-    pub(crate) t: Real,
-    /// How far a robust kernel in `f64` may be off.
+    /// The exact value.
+    pub(crate) t: BigFloat,
+    /// Error bound of a robust kernel in `f64`.
     pub(crate) bound: f64,
 }
 
-/// What a kernel says.
+/// A kernel's answer for a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Answer {
-    /// `t`, or both ends of the interval.
+    /// `t` twice, or both ends of the interval.
     pub(crate) ends: [f64; 2],
-    /// The hit point, on surfaces.
+    /// The hit point; `None` for boxes.
     pub(crate) p: Option<Vec3>,
 }
 
-impl From<Found> for Answer {
-    fn from(found: Found) -> Answer {
+impl From<HitF64> for Answer {
+    fn from(found: HitF64) -> Answer {
         Answer {
             ends: [found.t; 2],
             p: Some(found.p),
@@ -61,19 +61,20 @@ impl From<Interval> for Answer {
     }
 }
 
-/// A shape that the oracle knows about.
-pub(crate) trait Judged: Target {
-    /// The oracle's verdict.
+/// A shape that the oracle can judge.
+pub(crate) trait OracleShape: Target {
+    /// Returns the truth for this shape and `ray`.
     fn truth(&self, ray: &Ray) -> Truth;
 
-    /// How far a point is off the surface.
+    /// Returns the distance of a point from the surface.
     fn off_surface(&self, p: Vec3) -> f64;
 
-    /// The largest coordinate of the shape, whatever its sign: what positions are measured by.
+    /// Returns the largest absolute coordinate of the shape; errors of positions are relative to
+    /// it.
     fn reach(&self) -> f64;
 }
 
-impl Judged for Triangle {
+impl OracleShape for Triangle {
     fn truth(&self, ray: &Ray) -> Truth {
         let verdict = oracle::triangle(self, ray);
         let crossing = verdict.crossing.filter(|_| verdict.hits());
@@ -87,7 +88,7 @@ impl Judged for Triangle {
             gap: f64::INFINITY,
             ends: [end, None],
             p: crossing.map(|at| surface::triangle_point(self, &at).p),
-            faces: self.faces(ray),
+            front_facing: self.is_front_facing(ray),
         }
     }
 
@@ -101,7 +102,7 @@ impl Judged for Triangle {
     }
 }
 
-impl Judged for Sphere {
+impl OracleShape for Sphere {
     fn truth(&self, ray: &Ray) -> Truth {
         let verdict = oracle::sphere(self, ray);
         let root = verdict.t.and_then(|t| {
@@ -119,7 +120,7 @@ impl Judged for Sphere {
             gap: f64::INFINITY,
             ends: [end, None],
             p: point.map(|point| point.p),
-            faces: true,
+            front_facing: true,
         }
     }
 
@@ -132,21 +133,21 @@ impl Judged for Sphere {
     }
 }
 
-impl Judged for Aabb {
+impl OracleShape for Aabb {
     fn truth(&self, ray: &Ray) -> Truth {
         let verdict = oracle::bbox(self, ray);
-        let true_end = |end: End, own: f64| match end {
-            End::At(t) if t != Real::new(own) => Some(TrueEnd {
+        let true_end = |end: End, range_end: f64| match end {
+            End::At(t) if t != BigFloat::new(range_end) => Some(TrueEnd {
                 t,
                 bound: END_ERROR * t.to_f64().abs(),
             }),
             _ => None,
         };
-        let own = |end: f64| if end.is_finite() { end } else { 0.0 };
+        let range_end = |end: f64| if end.is_finite() { end } else { 0.0 };
         let ends = verdict.inside.map_or([None; 2], |inside| {
             [
-                true_end(inside.min, own(ray.min_t)),
-                true_end(inside.max, own(ray.max_t)),
+                true_end(inside.min, range_end(ray.min_t)),
+                true_end(inside.max, range_end(ray.max_t)),
             ]
         });
         Truth {
@@ -155,7 +156,7 @@ impl Judged for Aabb {
             gap: verdict.gap,
             ends,
             p: None,
-            faces: true,
+            front_facing: true,
         }
     }
 

@@ -1,10 +1,11 @@
-//! What `grader cost` says of well-known kernels must be what is known of them. Times are not looked at.
+//! Tests that `grader cost` reports the known properties of well-known kernels. Times are not
+//! tested.
 
-use cost::report::{Accuracy, Family, Precision, RayFamily, Report, Row, Shape};
-use cost::{Order, Size, measure};
+use cost::report::{Accuracy, CostReport, KernelFamily, KernelRow, Precision, RayFamily, Shape};
+use cost::{CostRequest, SampleCounts, measure};
 
-/// Few rays, hardly any time.
-const SMALL: Size = Size {
+/// Few rays, for a short test.
+const SMALL: SampleCounts = SampleCounts {
     rays: 3_000,
     leak_rays: 2_000,
     turns: 1,
@@ -13,28 +14,28 @@ const SMALL: Size = Size {
     builds: 1,
 };
 
-fn small(shape: Shape, seed: u64) -> Report {
-    let order = Order {
+fn small(shape: Shape, seed: u64) -> CostReport {
+    let request = CostRequest {
         shapes: vec![shape],
         trees: false,
         pictures: false,
         size: SMALL,
         seed,
     };
-    measure(None, &order).expect("kernels need nothing from outside")
+    measure(None, &request).expect("kernels need no workspace")
 }
 
-fn family(shape: Shape) -> Family {
+fn family(shape: Shape) -> KernelFamily {
     small(shape, 0).families.remove(0)
 }
 
-fn row<'a>(family: &'a Family, name: &str, precision: Precision) -> &'a Row {
+fn row<'a>(family: &'a KernelFamily, name: &str, precision: Precision) -> &'a KernelRow {
     let mut rows = family.rows.iter();
     rows.find(|row| row.name == name && row.precision == precision)
         .unwrap_or_else(|| panic!("there is no row {name}"))
 }
 
-fn on(row: &Row, rays: RayFamily) -> &Accuracy {
+fn on(row: &KernelRow, rays: RayFamily) -> &Accuracy {
     let mut columns = row.by_ray_family.iter();
     columns.find(|a| a.family == rays).expect("such rays")
 }
@@ -43,8 +44,8 @@ fn wrong(accuracy: &Accuracy) -> f64 {
     accuracy.false_hits_per_million + accuracy.false_misses_per_million
 }
 
-/// The report without what differs from run to run.
-fn timeless(mut report: Report) -> Report {
+/// Returns the report without the times, which differ from run to run.
+fn timeless(mut report: CostReport) -> CostReport {
     for row in report.families.iter_mut().flat_map(|f| &mut f.rows) {
         row.time = Default::default();
     }
@@ -52,24 +53,24 @@ fn timeless(mut report: Report) -> Report {
 }
 
 #[test]
-fn all_but_times_depends_on_the_seed_alone() {
+fn all_numbers_but_times_depend_only_on_the_seed() {
     let [first, again, other] = [0, 0, 1].map(|seed| timeless(small(Shape::Triangle, seed)));
     assert_eq!(first, again);
     assert_ne!(first.families, other.families);
 }
 
 #[test]
-fn json_says_it_all() {
+fn json_contains_the_whole_report() {
     for shape in Shape::ALL {
         let report = small(shape, 3);
         let json = grader::report::json(&report).unwrap();
-        let read: Report = serde_json::from_str(&json).unwrap();
+        let read: CostReport = serde_json::from_str(&json).unwrap();
         assert_eq!(read, report);
     }
 }
 
 #[test]
-fn watertight_triangle_tests_leak_nothing_and_others_do() {
+fn watertight_triangle_tests_have_no_leaks_and_others_do() {
     let family = family(Shape::Triangle);
     let leaks = |name, precision| row(&family, name, precision).leaks_per_million.unwrap();
     for precision in [Precision::F32, Precision::F64] {
@@ -83,7 +84,7 @@ fn watertight_triangle_tests_leak_nothing_and_others_do() {
 }
 
 #[test]
-fn triangle_tests_are_right_and_wrong_where_they_are_known_to_be() {
+fn triangle_tests_are_wrong_where_they_are_known_to_be() {
     let family = family(Shape::Triangle);
     let of = |name| row(&family, name, Precision::F64);
     for kernel in &family.rows {
@@ -95,12 +96,13 @@ fn triangle_tests_are_right_and_wrong_where_they_are_known_to_be() {
     let exact = of("filter, exact fallback");
     for column in &exact.by_ray_family {
         assert_eq!(wrong(column), 0.0, "{column:?}");
-        // On the surface the sign of t is in doubt, which is rounded; elsewhere every decision is exact.
+        // On the surface t is almost 0 and its sign depends on rounding; elsewhere every decision
+        // is exact.
         if column.family != RayFamily::OnTheSurface {
-            assert_eq!(column.lost_in_doubt_per_million, 0.0, "{column:?}");
+            assert_eq!(column.undecidable_differing_per_million, 0.0, "{column:?}");
         }
     }
-    assert!(on(of("Woop"), RayFamily::Edge).lost_in_doubt_per_million > 0.0);
+    assert!(on(of("Woop"), RayFamily::Edge).undecidable_differing_per_million > 0.0);
     let epsilon = on(of("Möller-Trumbore ε"), RayFamily::TinyScale);
     assert!(epsilon.false_misses_per_million > 400_000.0);
     assert_eq!(wrong(on(of("Möller-Trumbore"), RayFamily::TinyScale)), 0.0);
@@ -113,13 +115,13 @@ fn triangle_tests_are_right_and_wrong_where_they_are_known_to_be() {
     for column in &in_double.by_ray_family {
         assert_eq!(wrong(column), 0.0, "{column:?}");
     }
-    // Culling is judged on the faces in front.
+    // A culling kernel is judged only on front faces.
     let culling = on(of("Möller-Trumbore cull"), RayFamily::Ordinary);
     assert!((1_000..2_000).contains(&culling.rays));
 }
 
 #[test]
-fn digits_of_a_sliver_are_kept_by_fused_edges() {
+fn fused_edges_are_accurate_on_slivers() {
     let family = family(Shape::Triangle);
     let off = |name| {
         let sliver = on(row(&family, name, Precision::F64), RayFamily::Sliver);
@@ -131,27 +133,27 @@ fn digits_of_a_sliver_are_kept_by_fused_edges() {
 }
 
 #[test]
-fn each_remedy_of_the_sphere_test_mends_its_own_fault() {
+fn each_improvement_of_the_sphere_test_removes_its_own_error() {
     let family = family(Shape::Sphere);
     let of = |name, rays| on(row(&family, name, Precision::F64), rays);
     let ulp = |name, rays| of(name, rays).t.expect("hits").ulp.p50;
-    // Far spheres drown in the discriminant, until it is Haines's.
+    // For far spheres the discriminant cancels, except for Haines's.
     assert!(
         ulp("q form", RayFamily::FarOffset)
             > 10.0 * ulp("Haines's discriminant", RayFamily::FarOffset)
     );
     let wrong_in_f32 = |name| wrong(on(row(&family, name, Precision::F32), RayFamily::FarOffset));
     assert!(wrong_in_f32("q form") > 100.0 * wrong_in_f32("Haines's discriminant"));
-    // Reprojection mends the point, not t.
+    // Reprojection improves the point, not t.
     let far = |name| of(name, RayFamily::FarOffset);
-    let (walked, pulled) = (far("Haines's discriminant"), far("Haines's, reprojected"));
-    assert_eq!(walked.t, pulled.t);
-    assert!(pulled.off_surface.unwrap().ulp.p999 < 3.0);
-    assert!(walked.off_surface.unwrap().ulp.p999 > 100.0);
+    let (on_ray, reprojected) = (far("Haines's discriminant"), far("Haines's, reprojected"));
+    assert_eq!(on_ray.t, reprojected.t);
+    assert!(reprojected.off_surface.unwrap().ulp.p999 < 3.0);
+    assert!(on_ray.off_surface.unwrap().ulp.p999 > 100.0);
 }
 
 #[test]
-fn box_tests_are_right_and_wrong_where_they_are_known_to_be() {
+fn box_tests_are_wrong_where_they_are_known_to_be() {
     let family = family(Shape::Box);
     let misses =
         |name, precision, rays| on(row(&family, name, precision), rays).false_misses_per_million;
@@ -167,11 +169,11 @@ fn box_tests_are_right_and_wrong_where_they_are_known_to_be() {
 }
 
 #[test]
-fn operations_are_those_of_the_formulas() {
+fn operation_counts_match_the_formulas() {
     let family = family(Shape::Sphere);
     let operations = |name| row(&family, name, Precision::F64).operations.unwrap();
     let (naive, q) = (operations("quadratic formula"), operations("q form"));
-    // Two divisions and a root where the discriminant is not negative, and none elsewhere.
+    // Two divisions and a square root if the discriminant is not negative, else none.
     assert_eq!(naive.div, 2.0 * naive.sqrt);
     assert!((0.3..0.9).contains(&naive.sqrt));
     assert_eq!((q.sqrt, q.fma), (naive.sqrt, 0.0));
@@ -180,22 +182,22 @@ fn operations_are_those_of_the_formulas() {
 }
 
 #[test]
-fn a_walk_needs_slack_to_find_what_brute_force_finds() {
-    let order = Order {
+fn traversal_needs_slack_to_equal_brute_force() {
+    let request = CostRequest {
         shapes: Vec::new(),
         trees: true,
         pictures: false,
-        size: Size {
+        size: SampleCounts {
             rays: 24_000,
             ..SMALL
         },
         seed: 0,
     };
-    let trees = measure(None, &order).unwrap().bvh.expect("trees");
+    let trees = measure(None, &request).unwrap().bvh.expect("trees");
     let wrong: Vec<f64> = trees
         .by_slack
         .iter()
-        .map(|walk| walk.trace.wrong_per_million)
+        .map(|row| row.trace.wrong_per_million)
         .collect();
     assert!(wrong[0] > 1_000.0 && wrong[0] > 3.0 * wrong[1], "{wrong:?}");
     assert_eq!(wrong[2], 0.0);

@@ -1,12 +1,13 @@
-//! The page of `grader cost`: whole, legible, and its sentences follow the numbers.
+//! Tests the page of `grader cost`: it is self-contained and legible, and its captions follow the
+//! numbers.
 
 use cost::page::page;
-use cost::picture::{Curve, Experiment, Interval, Pictures, Point};
+use cost::picture::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
 use cost::report::{
-    Accuracy, Column, Errors, Family, Machine, Precision, Quantiles, RayFamily, Report, Row, Shape,
-    Timing,
+    Accuracy, CostReport, Errors, KernelFamily, KernelRow, Machine, Precision, Quantiles,
+    RayColumn, RayFamily, Shape, Timing,
 };
-use cost::trees::{Trace, Tree, Trees, Walk};
+use cost::trees::{SlackRow, TraversalCost, TreeReport, TreeRow};
 
 fn accuracy(family: RayFamily, relative: f64, wrong: f64) -> Accuracy {
     let quantiles = |p50: f64| Quantiles {
@@ -20,7 +21,7 @@ fn accuracy(family: RayFamily, relative: f64, wrong: f64) -> Accuracy {
         false_hits_per_million: wrong / 2.0,
         false_misses_per_million: wrong / 2.0,
         undecidable_per_million: 0.0,
-        lost_in_doubt_per_million: 0.0,
+        undecidable_differing_per_million: 0.0,
         beyond_bound_per_million: 0.0,
         t: Some(Errors {
             ulp: quantiles(relative / 1e-16),
@@ -33,14 +34,15 @@ fn accuracy(family: RayFamily, relative: f64, wrong: f64) -> Accuracy {
     }
 }
 
-/// A kernel that takes `ratio` of the textbook's time, leaks, and decides wrongly at edges.
-fn row(name: &str, precision: Precision, ratio: f64, leaks: f64, wrong: f64) -> Row {
+/// A kernel that takes `ratio` times the textbook's time, with leaks and with wrong decisions at
+/// edges.
+fn row(name: &str, precision: Precision, ratio: f64, leaks: f64, wrong: f64) -> KernelRow {
     let relative = if precision == Precision::F32 {
         1e-7
     } else {
         1e-16
     };
-    Row {
+    KernelRow {
         name: name.into(),
         precision,
         paper: "a paper".into(),
@@ -62,12 +64,12 @@ fn row(name: &str, precision: Precision, ratio: f64, leaks: f64, wrong: f64) -> 
     }
 }
 
-fn family(rows: Vec<Row>) -> Family {
-    let column = |family| Column {
+fn family(rows: Vec<KernelRow>) -> KernelFamily {
+    let column = |family| RayColumn {
         family,
-        about: "what is hard & why".into(),
+        about: "description & more".into(),
     };
-    Family {
+    KernelFamily {
         shape: Shape::Triangle,
         columns: vec![column(RayFamily::Ordinary), column(RayFamily::Edge)],
         rows,
@@ -75,7 +77,7 @@ fn family(rows: Vec<Row>) -> Family {
     }
 }
 
-fn rows(leaks_of_tight: f64, wrong: f64) -> Vec<Row> {
+fn rows(leaks_of_tight: f64, wrong: f64) -> Vec<KernelRow> {
     vec![
         row("Möller-Trumbore", Precision::F64, 1.0, 69_000.0, 0.0),
         row("Möller-Trumbore", Precision::F32, 0.7, 70_000.0, 300_000.0),
@@ -85,12 +87,12 @@ fn rows(leaks_of_tight: f64, wrong: f64) -> Vec<Row> {
 }
 
 fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
-    let exact = |value: f64| Interval {
+    let exact = |value: f64| ConfidenceInterval {
         value,
         low: 0.9 * value,
         high: 1.1 * value,
     };
-    let point = |samples: f64| Point {
+    let point = |samples: f64| CurvePoint {
         flags: format!("-s {samples}"),
         samples,
         seconds: 1e-3 * samples,
@@ -109,9 +111,9 @@ fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
     }
 }
 
-/// The better tree takes 10 ms more and saves 100 ns a ray.
-fn trees() -> Trees {
-    let trace = |ns: f64, wrong: f64| Trace {
+/// The better tree takes 10 ms more to build and saves 100 ns per ray.
+fn trees() -> TreeReport {
+    let trace = |ns: f64, wrong: f64| TraversalCost {
         time: Timing {
             ns_median: ns,
             ns_spread: 1.0,
@@ -124,7 +126,7 @@ fn trees() -> Trees {
         checked_rays: 1000,
         wrong_per_million: wrong,
     };
-    let tree = |name: &str, build_s: f64, ns: f64, pays_after_rays| Tree {
+    let tree = |name: &str, build_s: f64, ns: f64, break_even_rays| TreeRow {
         name: name.into(),
         paper: String::new(),
         student: false,
@@ -132,12 +134,12 @@ fn trees() -> Trees {
         build_spread_s: 1e-4,
         nodes: Some(100),
         trace: trace(ns, 0.0),
-        pays_after_rays,
+        break_even_rays,
     };
-    Trees {
+    TreeReport {
         mesh: "smooth".into(),
         triangles: 10_000,
-        by_slack: vec![Walk {
+        by_slack: vec![SlackRow {
             slack_ulp: 2,
             trace: trace(440.0, 7.0),
         }],
@@ -149,8 +151,8 @@ fn trees() -> Trees {
     }
 }
 
-fn report(rows: Vec<Row>, bias: Option<f64>) -> Report {
-    Report {
+fn report(rows: Vec<KernelRow>, bias: Option<f64>) -> CostReport {
+    CostReport {
         machine: Machine {
             cpu: "a <fast> processor".into(),
             cores: 2,
@@ -162,7 +164,7 @@ fn report(rows: Vec<Row>, bias: Option<f64>) -> Report {
         quick: false,
         families: vec![family(rows)],
         bvh: Some(trees()),
-        pictures: Some(Pictures {
+        pictures: Some(PictureReport {
             experiments: vec![Experiment {
                 title: "samples".into(),
                 scene: "a.dae".into(),
@@ -183,11 +185,11 @@ fn report(rows: Vec<Row>, bias: Option<f64>) -> Report {
     }
 }
 
-fn html(report: &Report) -> String {
+fn html(report: &CostReport) -> String {
     page(report).expect("a page")
 }
 
-/// The SVG elements of a page.
+/// Returns the SVG elements of a page.
 fn plots(page: &str) -> Vec<&str> {
     let ends = page.match_indices("</svg>").map(|(i, end)| i + end.len());
     let starts = page.match_indices("<svg").map(|(i, _)| i);
@@ -198,12 +200,12 @@ fn plots(page: &str) -> Vec<&str> {
 }
 
 #[test]
-fn the_page_needs_nothing_beside_itself() {
+fn the_page_is_self_contained() {
     let page = html(&report(rows(0.0, 0.0), None));
     assert_eq!(
         plots(&page).len(),
         5,
-        "front, map, distributions, trees, pictures"
+        "pareto, heat map, distributions, trees, pictures"
     );
     for place in ["src=\"", "href=\""] {
         for (i, _) in page.match_indices(place) {
@@ -216,7 +218,8 @@ fn the_page_needs_nothing_beside_itself() {
     assert!(!page.contains("NaN") && !page.contains("inf "));
 }
 
-/// What is drawn lies on its canvas: nothing is clipped. Letters are taken to be 0.56 of their size wide.
+/// Everything lies on its canvas: nothing is clipped. A letter is assumed to be 0.56 of its font
+/// size wide.
 #[test]
 fn no_text_is_clipped() {
     let page = html(&report(rows(0.0, 1000.0), Some(0.02)));
@@ -246,7 +249,7 @@ fn no_text_is_clipped() {
                 Some("end") => long,
                 _ => 0.0,
             };
-            // Upright text runs along the other axis.
+            // Upright text extends along the other axis.
             let (along, end) = match text.attribute("transform") {
                 Some(_) => (ends[3] - number("y"), ends[3]),
                 None => (number("x"), ends[2]),
@@ -259,60 +262,62 @@ fn no_text_is_clipped() {
                 (0.0..=ends[3]).contains(&number("y")),
                 "“{said}” is above or below"
             );
-            // Four units are a point.
+            // Four units are one point.
             assert!(size / 4.0 >= 8.5, "“{said}” is too small to read");
         }
     }
 }
 
 #[test]
-fn sentences_follow_the_numbers() {
+fn captions_follow_the_numbers() {
     let tight = html(&report(rows(0.0, 0.0), None));
-    assert!(
-        tight.contains("The fastest that never leaks is Woop f64: it takes 1.5 of the textbook")
-    );
-    assert!(tight.contains("let nothing out of a closed mesh: Woop f64."));
-    assert!(tight.contains("“edge” (1 of them)"));
-    assert!(tight.contains("Yours (star) takes 0.90 of the textbook"));
+    assert!(tight.contains(
+        "The fastest known kernel without leaks is Woop f64: it takes 1.5 times the textbook"
+    ));
+    assert!(tight.contains("and no leaks: Woop f64."));
+    assert!(tight.contains("“edge” (1 of 3 kernels)"));
+    assert!(tight.contains("Your code (star) takes 0.90 times the textbook"));
 
     let leaking = html(&report(rows(5.0, 2000.0), None));
-    assert!(leaking.contains("No known kernel never leaks"));
-    assert!(leaking.contains("let nothing out of a closed mesh: none."));
-    assert!(leaking.contains("“edge” (2 of them)"));
+    assert!(leaking.contains("There is no known kernel without leaks"));
+    assert!(leaking.contains("and no leaks: none."));
+    assert!(leaking.contains("“edge” (2 of 3 kernels)"));
 
     assert!(tight.contains("-0.50 (independent) and -0.75 (stratified)"));
-    // 64 samples of the first have the error 1/8, which the second has with 16.
+    // With 64 samples the first has the error 1/8, which the second reaches with 16.
     assert!(
-        tight.contains("stratified comes to an error of 12 % 4.0 times as fast"),
+        tight.contains("stratified reaches an error of 12 % 4.0 times as fast"),
         "{tight}"
     );
-    assert!(tight.contains("SAH has paid for itself after 100000 rays."));
-    assert!(tight.contains("With 2 ulp of slack 7.0 closest hits in a million are wrong (1.1 of"));
-    assert!(tight.contains("no way is off on average"));
+    assert!(tight.contains("SAH breaks even after 100000 rays."));
+    assert!(
+        tight.contains("With 2 ulp of slack 7.0 closest hits per million are wrong (1.1 times")
+    );
+    assert!(tight.contains("No curve has a significant bias"));
     let biased = html(&report(rows(0.0, 0.0), Some(0.02)));
-    assert!(biased.contains("at the right end of each curve: 2.0 % (stratified)"));
+    assert!(biased.contains("at the largest number of samples of each curve: 2.0 % (stratified)"));
 }
 
 #[test]
-fn what_is_missing_is_said() {
+fn missing_parts_are_reported() {
     let mut report = report(rows(0.0, 0.0), None);
     report.families[0].rows.pop();
     report.families[0].student_missing = Some("part1.task3 is not written yet".into());
-    report.pictures = Some(Pictures {
+    report.pictures = Some(PictureReport {
         experiments: Vec::new(),
         missing: Some("the program pathtracer does not compile".into()),
     });
     let page = html(&report);
-    assert!(page.contains("your own kernel: part1.task3 is not written yet"));
+    assert!(page.contains("your code: part1.task3 is not written yet"));
     assert!(page.contains("the program pathtracer does not compile"));
-    assert!(!page.contains("Yours (star)"));
+    assert!(!page.contains("Your code (star)"));
 }
 
-/// The leaks in the picture are those of the kernels themselves, not of the report.
+/// The leaks in the picture are computed with the kernels, not taken from the report.
 #[test]
-fn leaks_are_seen_where_there_are_some() {
+fn leaks_are_drawn_and_counted() {
     let page = html(&report(rows(0.0, 0.0), None));
-    assert!(page.contains("With Möller-Trumbore f64 that is so for"));
-    assert!(page.contains("With Woop f64 there is none."));
+    assert!(page.contains("Möller-Trumbore f64 has"));
+    assert!(page.contains("Woop f64 has no leaks."));
     assert!(page.contains("alt=\"a closed mesh, 0 leaks in magenta\""));
 }

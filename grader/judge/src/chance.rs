@@ -7,16 +7,16 @@
 use super::tally::{Aspect, Class, Tally};
 use kit::{Tally as Numbers, Vec3};
 use statistics::chi_square;
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 
 /// Chance that a whole run accuses right code because of its luck.
 const FAMILY: f64 = 1e-6;
 
 /// A run makes no more tests by chance than this.
-pub(super) const TESTS: usize = 100;
+pub(crate) const TESTS: usize = 100;
 
 /// Estimates below this number are not tested: a mean of few is not normally distributed.
-pub(super) const MANY: usize = 500;
+pub(crate) const MANY: usize = 500;
 
 /// Chance of a false alarm of each test.
 fn alarm() -> f64 {
@@ -24,11 +24,11 @@ fn alarm() -> f64 {
 }
 
 /// Whether the mean of `numbers` is `truth`, as far as their spread lets one tell.
-pub(super) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64) {
+pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64) {
     let z = numbers.z_against(truth);
     let wrong = two_sided(z).is_nan() || two_sided(z) < alarm();
     let class = wrong.then(|| Class::of_number(numbers.mean(), truth));
-    let sure = smallest_sure_bias(numbers.standard_error(), alarm()) / truth.abs();
+    let sure = detectable_bias(numbers.standard_error(), alarm()) / truth.abs();
     tally.expect(Aspect::Mean);
     tally.sure(Aspect::Mean, sure);
     tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
@@ -38,14 +38,14 @@ pub(super) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64)
             numbers.mean(),
             numbers.standard_error(),
             z.abs(),
-            statistics::z_of_alarm(alarm()),
+            statistics::critical_z(alarm()),
             100.0 * sure
         )
     });
 }
 
 /// Whether `directions` fall where the density `pdf` says.
-pub(super) fn spread(
+pub(crate) fn spread(
     tally: &mut Tally,
     directions: &[Option<Vec3>],
     pdf: impl Fn(Vec3) -> f64,
@@ -60,7 +60,7 @@ pub(super) fn spread(
         return;
     }
     let fit = chi_square::fit(directions.iter().copied(), pdf);
-    let sure = fit.smallest_sure_deviation(alarm());
+    let sure = fit.detectable_deviation(alarm());
     tally.sure(Aspect::Spread, sure);
     let badness = -fit.p.max(1e-300).log10();
     let class = (fit.p < alarm()).then(|| middle(directions));
@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn a_bias_that_is_sure_to_be_seen_is_seen() {
         let numbers: Numbers = (0..10_000).map(|i| f64::from(i % 2)).collect();
-        let sure = smallest_sure_bias(numbers.standard_error(), alarm());
+        let sure = detectable_bias(numbers.standard_error(), alarm());
         let wrong = |truth: f64| {
             let mut tally = Tally::default();
             mean(&mut tally, "numbers", &numbers, truth);

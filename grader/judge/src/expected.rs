@@ -1,7 +1,7 @@
 //! What is known to be right, in the form in which answers are judged.
 
 use kit::{Vec2, Vec3};
-use oracle::Real;
+use oracle::BigFloat;
 
 /// What a ray and what it is traced through have to do with each other: the answers that score.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub struct ExpectedHit {
     /// Distance along the ray, rounded to the nearest float.
     pub t: f64,
     /// The same with more digits than a float has.
-    pub exact_t: Real,
+    pub exact_t: BigFloat,
     /// How far `t` may be off.
     pub t_bound: f64,
     /// Hit point.

@@ -12,18 +12,18 @@ use wire::work::Ray;
 const UNIT_BOUND: f64 = 1e-9;
 
 /// One call of one of the student's functions, and where to write down what is found about it.
-pub(super) struct Call<'a> {
-    pub(super) tally: &'a mut Tally,
+pub(crate) struct Call<'a> {
+    pub(crate) tally: &'a mut Tally,
     /// Number of the call in its case, from 0.
-    pub(super) number: usize,
+    pub(crate) number: usize,
     /// The function that answered.
-    pub(super) function: &'static str,
+    pub(crate) function: &'static str,
     /// What it was asked.
-    pub(super) ray: &'a Ray,
+    pub(crate) ray: &'a Ray,
 }
 
 /// Notes the aspects that a right answer shows.
-pub(super) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
+pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
     tally.expect(Aspect::Decision);
     tally.expect(Aspect::RayAfter);
     if expected.decision() != Decision::Hit {
@@ -75,7 +75,7 @@ impl Call<'_> {
     }
 
     /// Hit or miss.
-    pub(super) fn decision(&mut self, expected: &Expected, answered: Option<f64>) {
+    pub(crate) fn decision(&mut self, expected: &Expected, answered: Option<f64>) {
         let right = match expected.decision() {
             Decision::Either => true,
             Decision::Hit => answered.is_some(),
@@ -95,7 +95,7 @@ impl Call<'_> {
     }
 
     /// Distance along the ray.
-    pub(super) fn t(&mut self, expected: &ExpectedHit, answered: f64) {
+    pub(crate) fn t(&mut self, expected: &ExpectedHit, answered: f64) {
         let off = (answered - expected.t).abs();
         let (right, bound) = (expected.t, expected.t_bound);
         let error = NumberError {
@@ -112,7 +112,7 @@ impl Call<'_> {
     }
 
     /// Barycentric weights of `p1` and `p2`.
-    pub(super) fn barycentrics(&mut self, expected: &ExpectedHit, [b1, b2]: [f64; 2]) {
+    pub(crate) fn barycentrics(&mut self, expected: &ExpectedHit, [b1, b2]: [f64; 2]) {
         let Some((right, bound)) = expected.uv else {
             return;
         };
@@ -133,7 +133,7 @@ impl Call<'_> {
     }
 
     /// Which primitive.
-    pub(super) fn primitive(&mut self, expected: &Expected, prim: u32) {
+    pub(crate) fn primitive(&mut self, expected: &Expected, prim: u32) {
         let right = expected.hits.iter().any(|hit| hit.prim == prim);
         self.judge(Aspect::Primitive, right, 1.0, |function| {
             let right = expected.hits.first().map_or(0, |hit| hit.prim);
@@ -142,7 +142,7 @@ impl Call<'_> {
     }
 
     /// Hit point and normals.
-    pub(super) fn geometry(&mut self, expected: &ExpectedHit, hit: &Hit) {
+    pub(crate) fn geometry(&mut self, expected: &ExpectedHit, hit: &Hit) {
         self.position(expected, hit.p.into());
         let (n, ng) = (Vec3::from(hit.n), Vec3::from(hit.ng));
         self.normal(Aspect::Normal, "n", expected.n, expected.n_bound, n);
@@ -215,7 +215,7 @@ impl Call<'_> {
     }
 
     /// The ray after the call: shortened to a hit, untouched by a miss.
-    pub(super) fn ray_after(&mut self, hit_t: Option<f64>, after: &Ray) {
+    pub(crate) fn ray_after(&mut self, hit_t: Option<f64>, after: &Ray) {
         let before = *self.ray;
         let rest = Ray {
             max_t: before.max_t,
@@ -230,7 +230,7 @@ impl Call<'_> {
     }
 
     /// `max_t` after the call.
-    pub(super) fn max_t_after(&mut self, hit_t: Option<f64>, after: f64) {
+    pub(crate) fn max_t_after(&mut self, hit_t: Option<f64>, after: f64) {
         let right = hit_t.unwrap_or(self.ray.max_t);
         let class = wrong_unless(after.to_bits() == right.to_bits(), || {
             if after.to_bits() == self.ray.max_t.to_bits() {
@@ -254,7 +254,7 @@ impl Call<'_> {
     }
 
     /// Where either answer scores, the two functions must still give the same one.
-    pub(super) fn agrees_with(&mut self, test: &str, test_hits: bool, hits: bool) {
+    pub(crate) fn agrees_with(&mut self, test: &str, test_hits: bool, hits: bool) {
         let says = |hit: bool| if hit { "hit" } else { "miss" };
         self.judge(Aspect::Decision, test_hits == hits, 0.5, |function| {
             format!(
@@ -266,8 +266,20 @@ impl Call<'_> {
     }
 }
 
+/// Judges a hit record but for its barycentric weights.
+pub(crate) fn record(call: &mut Call<'_>, expected: &Expected, hit: Option<&Hit>) {
+    call.decision(expected, hit.map(|hit| hit.t));
+    if let Some(hit) = hit
+        && let Some(right) = expected.closest_to(hit.prim, hit.t)
+    {
+        call.primitive(expected, hit.prim);
+        call.t(right, hit.t);
+        call.geometry(right, hit);
+    }
+}
+
 /// The class of the answer "hit" or "miss", if it is wrong.
-pub(super) fn decision_class(right: bool, hit: bool) -> Option<Class> {
+pub(crate) fn decision_class(right: bool, hit: bool) -> Option<Class> {
     wrong_unless(right, || {
         if hit {
             Class::FalseHit
@@ -296,7 +308,7 @@ fn bits(r: &Ray) -> [[u64; 3]; 3] {
     [r.o, r.d, [r.min_t, r.max_t, 0.0]].map(|v| v.map(f64::to_bits))
 }
 
-pub(super) fn show(v: Vec3) -> String {
+pub(crate) fn show(v: Vec3) -> String {
     // Debug form: a number that is very small or large is written with an exponent.
     format!("({:?}, {:?}, {:?})", v.x, v.y, v.z)
 }

@@ -6,7 +6,7 @@ use kit::Vec3;
 use wire::work::Xyz;
 
 /// Whether every channel is within `bound`, a share of the largest right one.
-pub(super) fn same_colour(answered: Xyz, right: Xyz, bound: f64) -> bool {
+pub(crate) fn same_colour(answered: Xyz, right: Xyz, bound: f64) -> bool {
     let scale = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let pairs = answered.iter().zip(right);
     pairs
@@ -27,7 +27,7 @@ fn class_of(answered: Xyz, right: Xyz) -> Class {
 }
 
 /// Judges a colour.
-pub(super) fn colour(
+pub(crate) fn colour(
     tally: &mut Tally,
     aspect: Aspect,
     call: usize,
@@ -44,7 +44,7 @@ pub(super) fn colour(
 }
 
 /// Judges a number.
-pub(super) fn number(
+pub(crate) fn number(
     tally: &mut Tally,
     aspect: Aspect,
     call: usize,
@@ -62,7 +62,7 @@ pub(super) fn number(
 }
 
 /// Judges a unit vector.
-pub(super) fn direction(
+pub(crate) fn direction(
     tally: &mut Tally,
     aspect: Aspect,
     call: usize,

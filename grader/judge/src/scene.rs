@@ -1,18 +1,13 @@
-//! Judging rays through a whole scene by the exact oracle, which asks every primitive.
+//! Whole scenes, and what rays through them truly hit by the exact oracle, which tests every primitive.
 
-use super::hits;
-use super::tally::{Aspect, Tally};
-use crate::Tier;
 use crate::convert;
-use kit::{PrimId, Scene};
+use kit::Scene;
 use meshes::{MeshKind, cornell_with, generate};
-use oracle::closest::{Closest, ClosestJudgement, closest};
-use oracle::verdict::{Judgement, Kernel};
-use wire::answer::{Hit, HitsAnswer};
+use oracle::closest::{Closest, closest};
 use wire::work::{Ray, SceneSource};
 
 /// What each of `rays` truly hits.
-pub(super) fn truths(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
+pub(crate) fn truths(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
     let scene = load(source);
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let share = rays.len().div_ceil(threads).max(1);
@@ -30,38 +25,6 @@ pub(super) fn truths(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
         };
         shares.into_iter().flat_map(join).collect()
     })
-}
-
-/// Judges closest hits, or where `any_hit` whether there is one.
-pub(super) fn hits(
-    tally: &mut Tally,
-    tier: Tier,
-    truths: &[Closest],
-    rays: &[Ray],
-    any_hit: bool,
-    answer: &HitsAnswer,
-) {
-    let kernel = match tier {
-        Tier::Core => Kernel::Textbook,
-        Tier::Robust => Kernel::Robust,
-    };
-    let answers = answer.hits.iter().zip(&answer.max_t);
-    for (call, ((ray, truth), (hit, &max_t))) in rays.iter().zip(truths).zip(answers).enumerate() {
-        if any_hit {
-            blocked(tally, call, kernel, truth, hit.is_some(), ray);
-        } else {
-            one(tally, call, kernel, truth, hit.as_ref(), ray);
-            let after = Ray { max_t, ..*ray };
-            let hit_t = hit.map(|hit| hit.t);
-            let mut call = hits::Call {
-                tally,
-                number: call,
-                function: "intersect_bvh",
-                ray,
-            };
-            call.ray_after(hit_t, &after);
-        }
-    }
 }
 
 /// The scene that the worker makes, too.
@@ -88,150 +51,4 @@ pub fn load(source: &SceneSource) -> Scene {
 
 fn truth(scene: &Scene, ray: &Ray) -> Closest {
     closest(scene.primitives(), &convert::ray(ray))
-}
-
-fn one(
-    tally: &mut Tally,
-    call: usize,
-    kernel: Kernel,
-    truth: &Closest,
-    hit: Option<&Hit>,
-    ray: &Ray,
-) {
-    let answers = truth.answers.get(kernel);
-    tally.expect(Aspect::Decision);
-    tally.expect(Aspect::RayAfter);
-    if !answers.miss {
-        tally.expect(Aspect::Primitive);
-        tally.expect(Aspect::T);
-    }
-    let given = hit.map(|hit| (PrimId(hit.prim), hit.t));
-    let judgement = truth.judge(kernel, given);
-    let decided = !matches!(
-        judgement,
-        ClosestJudgement::FalseHit | ClosestJudgement::FalseMiss
-    );
-    let right = || match truth.nearest {
-        Some((id, t)) => format!("primitive {} is hit at t = {}", id.0, t.to_f64()),
-        None => "nothing is hit".to_string(),
-    };
-    let class = hits::decision_class(decided, given.is_some());
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let says = match given {
-            Some((id, t)) => format!("primitive {} at t = {t}", id.0),
-            None => "miss".into(),
-        };
-        format!(
-            "intersect_bvh says {says}; {}. {}",
-            right(),
-            hits::show_ray(ray)
-        )
-    });
-    let (true, Some((id, t))) = (decided, given) else {
-        return;
-    };
-    let is_first = judgement != ClosestJudgement::WrongPrimitive;
-    tally.judge(Aspect::Primitive, call, is_first, 1.0, || {
-        format!(
-            "intersect_bvh gives primitive {} at t = {t}; {}. {}",
-            id.0,
-            right(),
-            hits::show_ray(ray)
-        )
-    });
-    if let ClosestJudgement::Primitive(judgement) = judgement {
-        let off = match judgement {
-            Judgement::WrongT { ulps, .. } => ulps,
-            _ => 0.0,
-        };
-        tally.judge(Aspect::T, call, judgement.scores(), off, || {
-            format!(
-                "intersect_bvh gives t = {t}; {}. {}",
-                right(),
-                hits::show_ray(ray)
-            )
-        });
-    }
-}
-
-fn blocked(
-    tally: &mut Tally,
-    call: usize,
-    kernel: Kernel,
-    truth: &Closest,
-    answer: bool,
-    ray: &Ray,
-) {
-    tally.expect(Aspect::Decision);
-    let right = truth.judge_any(kernel, answer);
-    let class = hits::decision_class(right, answer);
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let (says, is) = match truth.nearest {
-            Some((id, t)) => (
-                "no",
-                format!("primitive {} is in the way at t = {}", id.0, t.to_f64()),
-            ),
-            None => ("yes", "nothing is in the way".to_string()),
-        };
-        format!("occludes_bvh says {says}; {is}. {}", hits::show_ray(ray))
-    });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tally::Finding;
-
-    /// Two walls across x, at 1 and at 2.
-    fn walls() -> SceneSource {
-        let wall = |x: f64| {
-            let [a, b, c] = [[x, -4.0, -4.0], [x, 4.0, -4.0], [x, 0.0, 4.0]];
-            [a, b, c, [1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
-        };
-        SceneSource::Triangles(vec![wall(2.0), wall(1.0)])
-    }
-
-    const RAY: Ray = Ray {
-        o: [0.0, 0.1, 0.1],
-        d: [1.0, 0.0, 0.0],
-        min_t: 0.0,
-        max_t: f64::INFINITY,
-    };
-
-    fn failed(hit: Option<(u32, f64)>, any_hit: bool) -> Vec<Aspect> {
-        let hit = hit.map(|(prim, t)| Hit {
-            t,
-            p: [t, 0.1, 0.1],
-            n: [1.0, 0.0, 0.0],
-            ng: [1.0, 0.0, 0.0],
-            uv: [0.0; 2],
-            prim,
-        });
-        let answer = HitsAnswer {
-            hits: vec![hit],
-            max_t: vec![hit.map_or(RAY.max_t, |hit| hit.t)],
-            box_tests: 1,
-            prim_tests: 1,
-        };
-        let mut tally = Tally::default();
-        let truths = truths(&walls(), &[RAY]);
-        hits(&mut tally, Tier::Core, &truths, &[RAY], any_hit, &answer);
-        let findings = tally.into_findings();
-        let failed = findings.iter().filter(|finding| !finding.passed());
-        failed.map(|finding: &Finding| finding.aspect).collect()
-    }
-
-    #[test]
-    fn only_the_closest_wall_passes() {
-        assert_eq!(failed(Some((1, 1.0)), false), []);
-        assert_eq!(failed(Some((1, 1.0 + 1e-9)), false), [Aspect::T]);
-        assert!(failed(Some((0, 2.0)), false).contains(&Aspect::Primitive));
-        assert!(failed(None, false).contains(&Aspect::Decision));
-    }
-
-    #[test]
-    fn something_is_in_the_way() {
-        assert_eq!(failed(Some((0, 0.0)), true), []);
-        assert_eq!(failed(None, true), [Aspect::Decision]);
-    }
 }

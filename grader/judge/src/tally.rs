@@ -233,7 +233,7 @@ impl Class {
 }
 
 /// Wrong answers this close to the right one, but for sign or length or place, are of that class.
-pub(super) const SAME: f64 = 1e-6;
+pub(crate) const SAME: f64 = 1e-6;
 
 /// Origins that are off by so much are meant to be,
 const EPSILONS_FROM: f64 = 1e-9;
@@ -253,7 +253,7 @@ pub struct Fault {
 }
 
 /// How many classes of ratios of colours there are between a number and its double.
-pub(super) const PER_OCTAVE: f64 = 4.0;
+pub(crate) const PER_OCTAVE: f64 = 4.0;
 
 /// Stands for the ratio of black to black.
 pub const BLACK_CHANNEL: i8 = i8::MAX;

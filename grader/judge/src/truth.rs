@@ -177,11 +177,11 @@ fn why_miss(why: Miss) -> &'static str {
     match why {
         Miss::NotANumber => "there is a NaN in it",
         Miss::NotFinite => "there is an infinite number in it",
-        Miss::NoDirection => "its direction is 0",
+        Miss::ZeroDirection => "its direction is 0",
         Miss::EmptyRange => "its range is empty, min_t > max_t",
         Miss::Degenerate => "the shape has no area",
         Miss::Coplanar => "it runs inside the triangle's plane, which is a miss by convention",
-        Miss::Beside => "its line passes beside the shape",
+        Miss::LineMisses => "its line passes beside the shape",
         Miss::OutOfRange => "where it meets the shape, t is not in min_t..=max_t",
     }
 }
@@ -190,6 +190,7 @@ fn why_miss(why: Miss) -> &'static str {
 mod tests {
     use super::*;
     use crate::expected::Decision;
+    use oracle::may_touch;
 
     /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the plane z = 0.
     fn square() -> [Triangle; 2] {

@@ -5,11 +5,9 @@ use super::expected::Expected;
 use super::scene;
 use crate::Tier;
 use crate::cases::Spec;
-use crate::{convert, truth};
-use kit::{Sphere, Triangle, scene::Primitive};
+use crate::tasks;
 use oracle::closest::Closest;
 use std::sync::OnceLock;
-use wire::Work;
 use wire::work::{Ray, SceneSource};
 
 /// What the oracle has said about a case.
@@ -37,37 +35,7 @@ impl Truths {
     }
 }
 
-/// What scores on each probe or ray of a case about single shapes or a list of them.
+/// What scores on each probe or ray of a case about single shapes or a list of them; nothing for other cases.
 pub fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
-    match &spec.work {
-        Work::Triangles { triangles, probes } => {
-            let triangles: Vec<Triangle> = triangles.iter().map(convert::triangle).collect();
-            let of = probes.iter().map(|probe| {
-                let triangle = &triangles[probe.shape as usize];
-                truth::triangle(tier, probe.shape, triangle, &convert::ray(&probe.ray))
-            });
-            of.collect()
-        }
-        Work::Spheres { spheres, probes } => {
-            let spheres: Vec<Sphere> = spheres.iter().map(convert::sphere).collect();
-            let of = probes.iter().map(|probe| {
-                let sphere = &spheres[probe.shape as usize];
-                truth::sphere(tier, probe.shape, sphere, &convert::ray(&probe.ray))
-            });
-            of.collect()
-        }
-        Work::BruteForce {
-            triangles,
-            spheres,
-            rays,
-        } => {
-            let scene = convert::scene(triangles, spheres);
-            let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
-            let of = rays
-                .iter()
-                .map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), spec.enclosed));
-            of.collect()
-        }
-        _ => Vec::new(),
-    }
+    tasks::asked(&spec.work).expected(tier, spec.enclosed)
 }

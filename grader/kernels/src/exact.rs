@@ -1,49 +1,51 @@
 // BEGIN SOLUTION(part1.task3)
 //! Exact sums and products: numbers as unevaluated sums of floats.
 //!
-//! J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete &
-//! Computational Geometry 18, 1997. Exact as long as nothing overflows or underflows.
+//! J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+//! Predicates", Discrete & Computational Geometry 18, 1997. Exact if nothing overflows or
+//! underflows.
 
-use crate::real::Real;
+use crate::scalar::Scalar;
 
-/// `a + b = sum + error`, exactly (Knuth's TwoSum).
+/// Returns `(sum, error)` with `a + b = sum + error`, exactly (Knuth's TwoSum).
 #[inline(always)]
-pub fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
+pub fn two_sum<R: Scalar>(a: R, b: R) -> (R, R) {
     let sum = a + b;
     let b_in_sum = sum - a;
     let a_in_sum = sum - b_in_sum;
     (sum, (a - a_in_sum) + (b - b_in_sum))
 }
 
-/// `a · b = product + error`, exactly.
+/// Returns `(product, error)` with `a · b = product + error`, exactly.
 #[inline(always)]
-pub fn two_product<R: Real>(a: R, b: R) -> (R, R) {
+pub fn two_product<R: Scalar>(a: R, b: R) -> (R, R) {
     let product = a * b;
     (product, a.mul_add(b, -product))
 }
 
-/// `a·b - c·d`, off by at most 1.5 ulp: so its sign is right.
+/// Returns `a·b - c·d` with an error of at most 1.5 ulp, so the sign is correct.
 ///
-/// Kahan's algorithm; the bound is in Jeannerod, Louvet, Muller, "Further analysis of Kahan's algorithm for the
-/// accurate computation of 2x2 determinants", Math. Comp. 82, 2013.
+/// Kahan's algorithm; the bound is in Jeannerod, Louvet, Muller, "Further analysis of Kahan's
+/// algorithm for the accurate computation of 2x2 determinants", Math. Comp. 82, 2013.
 #[inline(always)]
-pub fn difference_of_products<R: Real>(a: R, b: R, c: R, d: R) -> R {
+pub fn difference_of_products<R: Scalar>(a: R, b: R, c: R, d: R) -> R {
     let (cd, error) = two_product(c, d);
     a.mul_add(b, -cd) - error
 }
 
-/// An exact number: the sum of its parts, which do not overlap, the smallest first.
+/// An exact number: the sum of its parts, which do not overlap and are ordered from the smallest to
+/// the largest.
 #[derive(Clone, Debug)]
 pub struct Expansion<R>(Vec<R>);
 
-impl<R: Real> Expansion<R> {
-    /// `a - b`.
+impl<R: Scalar> Expansion<R> {
+    /// Returns `a - b`.
     pub fn difference(a: R, b: R) -> Expansion<R> {
         let (sum, error) = two_sum(a, -b);
         Expansion(vec![error, sum])
     }
 
-    /// This and another number, added up part by part (Shewchuk's Grow-Expansion).
+    /// Returns the sum of two numbers, adding one part at a time (Shewchuk's Grow-Expansion).
     #[must_use]
     pub fn plus(mut self, other: &Expansion<R>) -> Expansion<R> {
         for part in &other.0 {
@@ -56,7 +58,7 @@ impl<R: Real> Expansion<R> {
         self.without_zeros()
     }
 
-    /// This number times `factor` (Shewchuk's Scale-Expansion, by way of sums).
+    /// Returns this number times `factor` (Shewchuk's Scale-Expansion, with sums).
     #[must_use]
     pub fn scaled(&self, factor: R) -> Expansion<R> {
         let mut scaled = Expansion(Vec::new());
@@ -67,21 +69,21 @@ impl<R: Real> Expansion<R> {
         scaled
     }
 
-    /// This number times another.
+    /// Returns the product of two numbers.
     #[must_use]
     pub fn times(&self, other: &Expansion<R>) -> Expansion<R> {
         let scaled = other.0.iter().map(|part| self.scaled(*part));
         scaled.fold(Expansion(Vec::new()), |sum, scaled| sum.plus(&scaled))
     }
 
-    /// The nearest float, or its neighbour; the sign is right.
+    /// Returns the nearest float or an adjacent one; the sign is correct.
     pub fn value(&self) -> R {
         let parts = self.0.iter();
-        parts.fold(R::of(0.0), |sum, part| sum + *part)
+        parts.fold(R::from_f64(0.0), |sum, part| sum + *part)
     }
 
     fn without_zeros(mut self) -> Expansion<R> {
-        self.0.retain(|part| part.wide() != 0.0);
+        self.0.retain(|part| part.to_f64() != 0.0);
         self
     }
 }
@@ -91,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_rounding_loses_is_kept() {
+    fn sums_and_products_keep_the_rounding_error() {
         let big = 2.0_f64.powi(60);
         let one = Expansion::difference(big + 512.0, big);
         // (2^60 + 512)(1 + 2^-30) - 2^60 = 2^30 + 512 + 2^-21.
@@ -103,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_determinant_that_cancels_has_its_sign() {
+    fn a_determinant_that_cancels_has_the_correct_sign() {
         let a = 1.0 + f64::EPSILON;
         // a² - (1 + 2ε) · 1 = ε².
         assert_eq!(a * a - (1.0 + 2.0 * f64::EPSILON), 0.0);

@@ -1,118 +1,121 @@
-//! A kernel, ready to be asked, timed and counted.
+//! The kernel interface: run it on a pair, time it, count its operations.
 
-use crate::counted::{Count, Counted};
-use crate::real::{Precision, Real};
-use crate::shapes::{Ray, Shape, V3};
+use crate::counting::{CountingF64, OperationCounts};
+use crate::scalar::{Precision, Scalar};
+use crate::shapes::{Ray, Shape, Vector3};
 use std::hint::black_box;
 
-/// What a reader wants to know of a kernel.
+/// Name and source of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct About {
-    /// Its name.
+pub struct KernelInfo {
+    /// The name.
     pub name: &'static str,
-    /// Where it is from.
+    /// The publication.
     pub paper: &'static str,
-    /// Whether it misses triangles that are seen from behind.
+    /// Whether it culls triangles seen from behind.
     pub culls: bool,
 }
 
-/// A ray test, written once for numbers of any kind.
+/// A ray intersection test, generic over the number type.
 pub trait Test: 'static {
-    /// What rays are tested against.
+    /// The shape that rays are tested against.
     type Shape: Shape;
-    /// What the shape is turned into beforehand: mostly itself. The time that this takes is not counted.
-    type Prepared<R: Real>: Copy + Send + Sync + 'static;
-    /// What a hit is.
-    type Answer<R: Real>: Widen<Wide = Self::Wide>;
-    /// What a hit is, in double.
-    type Wide;
+    /// The precomputed form of the shape; for most tests the shape itself. The time of the
+    /// precomputation is not measured.
+    type Prepared<R: Scalar>: Copy + Send + Sync + 'static;
+    /// The result of a hit.
+    type Answer<R: Scalar>: ToF64<Output = Self::AnswerF64>;
+    /// The result of a hit in `f64`.
+    type AnswerF64;
 
-    /// In words.
-    const ABOUT: About;
+    /// Name and source.
+    const INFO: KernelInfo;
 
-    /// Work done once a shape.
-    fn prepare<R: Real>(shape: &<Self::Shape as Shape>::In<R>) -> Self::Prepared<R>;
+    /// Precomputes what depends only on the shape.
+    fn prepare<R: Scalar>(shape: &<Self::Shape as Shape>::In<R>) -> Self::Prepared<R>;
 
-    /// Whether and where `ray` hits, in the ray's range; the ends count.
-    fn test<R: Real>(shape: &Self::Prepared<R>, ray: &Ray<R>) -> Option<Self::Answer<R>>;
+    /// Returns the hit in the ray's range, if there is one; both ends of the range count.
+    fn test<R: Scalar>(shape: &Self::Prepared<R>, ray: &Ray<R>) -> Option<Self::Answer<R>>;
 }
 
-/// An answer whose value fits into double.
-pub trait Widen: Copy {
-    /// The same in double.
-    type Wide;
+/// A result that can be converted to `f64`.
+pub trait ToF64: Copy {
+    /// The converted result.
+    type Output;
 
-    /// The same in double.
-    fn wide(self) -> Self::Wide;
+    /// Converts to `f64`.
+    fn to_f64(self) -> Self::Output;
 }
 
-/// A hit on a surface.
+/// A hit on a surface, in the kernel's number type.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit<R> {
     /// Distance along the ray in lengths of its direction.
     pub t: R,
-    /// Where.
-    pub p: V3<R>,
+    /// The hit point, in world space.
+    pub p: Vector3<R>,
 }
 
-/// A hit on a surface, in double.
+/// A hit on a surface, in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct HitF64 {
     /// Distance along the ray in lengths of its direction.
     pub t: f64,
-    /// Where.
+    /// The hit point, in world space.
     pub p: kit::Vec3,
 }
 
-impl<R: Real> Widen for Hit<R> {
-    type Wide = Found;
+impl<R: Scalar> ToF64 for Hit<R> {
+    type Output = HitF64;
 
-    fn wide(self) -> Found {
-        Found {
-            t: self.t.wide(),
-            p: self.p.wide(),
+    fn to_f64(self) -> HitF64 {
+        HitF64 {
+            t: self.t.to_f64(),
+            p: self.p.to_f64(),
         }
     }
 }
 
-/// A ray and the shapes that it is tested against, one after the other: as many as in every other bundle.
+/// A ray and the shapes that it is tested against, one after the other. All values in one list have
+/// the same number of shapes.
 #[derive(Clone, Debug)]
-pub struct Bundle<S> {
+pub struct RayAndShapes<S> {
     /// The ray.
     pub ray: kit::Ray,
     /// The shapes.
     pub shapes: Vec<S>,
 }
 
-/// Runs a kernel over its bundles once, and returns how many hits there were.
+/// Runs a kernel on all its pairs once, and returns the number of hits.
 pub type Pass = Box<dyn FnMut() -> usize>;
 
-/// A [`Test`] in numbers of one kind. Takes and gives double, whatever it works in.
+/// A [`Test`] for one number type. Arguments and results are `f64`, whatever the kernel computes
+/// with.
 #[derive(Clone, Copy)]
 pub struct Kernel<S, W> {
-    /// In words.
-    pub about: About,
-    /// In what numbers it works.
+    /// Name and source.
+    pub info: KernelInfo,
+    /// The number type.
     pub precision: Precision,
     answer: fn(&S, &kit::Ray) -> Option<W>,
-    pass: fn(&[Bundle<S>]) -> Pass,
-    count: fn(&S, &kit::Ray) -> Count,
+    pass: fn(&[RayAndShapes<S>]) -> Pass,
+    count: fn(&S, &kit::Ray) -> OperationCounts,
 }
 
 impl<S: Shape, W: 'static> Kernel<S, W> {
-    /// `K` in numbers of the kind `R`.
-    pub fn of<K: Test<Shape = S, Wide = W>, R: Real>() -> Kernel<S, W> {
+    /// Returns `K` for the number type `R`.
+    pub fn new<K: Test<Shape = S, AnswerF64 = W>, R: Scalar>() -> Kernel<S, W> {
         Kernel {
-            about: K::ABOUT,
+            info: K::INFO,
             precision: R::PRECISION,
             answer: |shape, ray| {
-                K::test(&K::prepare::<R>(&shape.rounded()), &Ray::of(ray)).map(Widen::wide)
+                K::test(&K::prepare::<R>(&shape.rounded()), &Ray::from_kit(ray)).map(ToF64::to_f64)
             },
-            pass: |bundles| {
+            pass: |batches| {
                 pass(
-                    bundles,
+                    batches,
                     |shape| K::prepare::<R>(&shape.rounded()),
-                    Ray::of,
+                    Ray::from_kit,
                     K::test::<R>,
                 )
             },
@@ -120,8 +123,8 @@ impl<S: Shape, W: 'static> Kernel<S, W> {
         }
     }
 
-    /// `K` in double, on shapes and rays that are stored in single.
-    pub fn of_f32_in_f64<K: Test<Shape = S, Wide = W>>() -> Kernel<S, W> {
+    /// Returns `K` in `f64`, for shapes and rays that are stored in `f32`.
+    pub fn new_f32_in_f64<K: Test<Shape = S, AnswerF64 = W>>() -> Kernel<S, W> {
         fn test<K: Test>(
             shape: &<K::Shape as Shape>::In<f32>,
             ray: &Ray<f32>,
@@ -129,50 +132,53 @@ impl<S: Shape, W: 'static> Kernel<S, W> {
             K::test(&K::prepare(&K::Shape::widened(shape)), &ray.widened())
         }
         Kernel {
-            about: K::ABOUT,
+            info: K::INFO,
             precision: Precision::F32InF64,
-            answer: |shape, ray| test::<K>(&shape.rounded(), &Ray::of(ray)).map(Widen::wide),
-            pass: |bundles| pass(bundles, |shape| shape.rounded(), Ray::of, test::<K>),
+            answer: |shape, ray| {
+                test::<K>(&shape.rounded(), &Ray::from_kit(ray)).map(ToF64::to_f64)
+            },
+            pass: |batches| pass(batches, |shape| shape.rounded(), Ray::from_kit, test::<K>),
             count: count::<K>,
         }
     }
 
-    /// What the kernel answers.
+    /// Runs the kernel on one pair.
     pub fn answer(&self, shape: &S, ray: &kit::Ray) -> Option<W> {
         (self.answer)(shape, ray)
     }
 
-    /// Makes the kernel ready to run over `bundles`, again and again, with nothing else left to do.
-    pub fn pass(&self, bundles: &[Bundle<S>]) -> Pass {
-        (self.pass)(bundles)
+    /// Prepares a pass over `batches` that can be timed repeatedly: conversion and precomputation
+    /// are done here.
+    pub fn pass(&self, batches: &[RayAndShapes<S>]) -> Pass {
+        (self.pass)(batches)
     }
 
-    /// What it computes for one test.
-    pub fn count(&self, shape: &S, ray: &kit::Ray) -> Count {
+    /// Counts the operations of one test.
+    pub fn count(&self, shape: &S, ray: &kit::Ray) -> OperationCounts {
         (self.count)(shape, ray)
     }
 }
 
-fn count<K: Test>(shape: &K::Shape, ray: &kit::Ray) -> Count {
-    let shape = K::prepare::<Counted>(&shape.rounded());
-    let ray = Ray::of(ray);
-    Counted::count(|| {
+fn count<K: Test>(shape: &K::Shape, ray: &kit::Ray) -> OperationCounts {
+    let shape = K::prepare::<CountingF64>(&shape.rounded());
+    let ray = Ray::from_kit(ray);
+    CountingF64::count(|| {
         black_box(K::test(&shape, &ray));
     })
 }
 
-/// The loop that is timed. One ray meets several shapes, as it does in the leaf of a tree: a compiler may keep what
-/// depends on the ray alone.
+/// Returns the loop that is timed. One ray is tested against several shapes, as in the leaf of a
+/// tree, so the compiler may hoist what depends only on the ray.
 fn pass<S, P: 'static, R: 'static, A>(
-    bundles: &[Bundle<S>],
+    batches: &[RayAndShapes<S>],
     prepare: impl Fn(&S) -> P,
     ray: impl Fn(&kit::Ray) -> R,
     test: impl Fn(&P, &R) -> Option<A> + 'static,
 ) -> Pass {
-    let rays: Vec<R> = bundles.iter().map(|bundle| ray(&bundle.ray)).collect();
-    let each = bundles.iter().flat_map(|bundle| &bundle.shapes);
+    let rays: Vec<R> = batches.iter().map(|batch| ray(&batch.ray)).collect();
+    let each = batches.iter().flat_map(|batch| &batch.shapes);
     let shapes: Vec<P> = each.map(prepare).collect();
-    let per_ray = bundles.first().map_or(1, |bundle| bundle.shapes.len());
+    let per_ray = batches.first().map_or(1, |batch| batch.shapes.len());
     Box::new(move || {
         let mut hits = 0;
         for (ray, shapes) in rays.iter().zip(shapes.chunks_exact(per_ray)) {

@@ -1,21 +1,23 @@
-//! Well-known ray tests and trees, small and plain, a file each, side by side. `grader cost` compares them.
+//! Well-known intersection tests and tree builders, one per file. `grader cost` compares them.
 //!
-//! Every kernel is written once, for numbers of any kind: run on `f32` and on `f64` it shows what they cost and give,
-//! run on [`Counted`] how much it computes. Read [`real`] (what a number is), [`kernel`] (what a kernel is), then
-//! the kernels:
+//! Every kernel is generic over its number type. Run on `f32` and `f64` it shows the cost and the
+//! accuracy of each precision; run on [`CountingF64`] it counts its operations. Read [`scalar`]
+//! (the number types), [`kernel`] (the kernel interface), then the kernels:
 //!
-//! - `triangle`: Möller-Trumbore (plain, with the usual epsilon, culling), plane then sides, Baldwin-Weber, Plücker,
-//!   Woop, Woop with fused edges (everywhere, at zero), a filter with an exact fallback
-//! - `sphere`: the quadratic formula, its q form, Haines's discriminant; each with and without reprojection
+//! - `triangle`: Möller-Trumbore (plain, with the usual epsilon, culling), plane then sides,
+//!   Baldwin-Weber, Plücker, Woop, Woop with fused edges (everywhere, at zero), a filter with an
+//!   exact fallback
+//! - `sphere`: the quadratic formula, its q form, Haines's discriminant; each with and without
+//!   reprojection
 //! - `bbox`: naive slabs, NaN-safe slabs, Williams, Ize
 //! - `build`: trees split at the midpoint, at the median, and by the surface area heuristic
-//! - `walk`: closest hits through a tree, with a choice of slack
+//! - `traversal`: closest hits through a tree, with a choice of pruning slack
 //!
-//! In a handout those are missing that solve a task of its own.
+//! A handout does not contain the kernels that solve one of its tasks.
 
-mod counted;
+mod counting;
 pub mod kernel;
-pub mod real;
+pub mod scalar;
 pub mod shapes;
 pub mod tree;
 
@@ -37,31 +39,34 @@ mod build;
 // END SOLUTION(part2.task1)
 
 // BEGIN SOLUTION(part2.task3)
-mod walk;
+mod traversal;
 // END SOLUTION(part2.task3)
 
-pub use counted::{Count, Counted};
-pub use kernel::{Bundle, Found, Kernel, Pass};
-pub use real::{Precision, Real};
-pub use tree::{Builder, Closest, Walker, brute_force};
+pub use counting::{CountingF64, OperationCounts};
+pub use kernel::{HitF64, Kernel, Pass, RayAndShapes};
+pub use scalar::{Precision, Scalar};
+pub use tree::{Builder, ClosestHit, Traversal, brute_force};
 
-/// The triangle tests, the textbook's in double first; none where they would give a task away.
-pub fn triangles() -> Vec<Kernel<kit::Triangle, Found>> {
+/// Returns the triangle tests, the textbook's in `f64` first; empty in a handout in which they
+/// would be a solution.
+pub fn triangles() -> Vec<Kernel<kit::Triangle, HitF64>> {
     // BEGIN SOLUTION(part1.task3)
     triangle::kernels()
     // STUB: Vec::new()
     // END SOLUTION(part1.task3)
 }
 
-/// The sphere tests, the textbook's in double first; none where they would give a task away.
-pub fn spheres() -> Vec<Kernel<kit::Sphere, Found>> {
+/// Returns the sphere tests, the textbook's in `f64` first; empty in a handout in which they would
+/// be a solution.
+pub fn spheres() -> Vec<Kernel<kit::Sphere, HitF64>> {
     // BEGIN SOLUTION(part1.task4)
     sphere::kernels()
     // STUB: Vec::new()
     // END SOLUTION(part1.task4)
 }
 
-/// The box tests, the textbook's in double first; none where they would give a task away.
+/// Returns the box tests, the textbook's in `f64` first; empty in a handout in which they would be
+/// a solution.
 pub fn boxes() -> Vec<Kernel<kit::Aabb, kit::Interval>> {
     // BEGIN SOLUTION(part2.task2)
     bbox::kernels()
@@ -69,7 +74,8 @@ pub fn boxes() -> Vec<Kernel<kit::Aabb, kit::Interval>> {
     // END SOLUTION(part2.task2)
 }
 
-/// The ways to build a tree, the simplest first; none where they would give a task away.
+/// Returns the tree builders, the simplest first; empty in a handout in which they would be a
+/// solution.
 pub fn builders() -> Vec<Builder> {
     // BEGIN SOLUTION(part2.task1)
     build::builders()

@@ -1,68 +1,68 @@
-//! Vectors, rays and shapes in numbers of any kind.
+//! Vectors, rays and shapes, generic over the number type.
 
-use crate::real::Real;
+use crate::scalar::Scalar;
 use std::ops::{Add, Mul, Sub};
 
-/// Three coordinates, world space.
+/// A vector in world space.
 #[derive(Clone, Copy, Debug)]
-pub struct V3<R> {
-    /// First.
+pub struct Vector3<R> {
+    /// First coordinate.
     pub x: R,
-    /// Second.
+    /// Second coordinate.
     pub y: R,
-    /// Third.
+    /// Third coordinate.
     pub z: R,
 }
 
-impl<R: Real> V3<R> {
-    /// The nearest such vector.
-    pub fn of(v: kit::Vec3) -> V3<R> {
-        V3 {
-            x: R::of(v.x),
-            y: R::of(v.y),
-            z: R::of(v.z),
+impl<R: Scalar> Vector3<R> {
+    /// Rounds each component.
+    pub fn from_kit(v: kit::Vec3) -> Vector3<R> {
+        Vector3 {
+            x: R::from_f64(v.x),
+            y: R::from_f64(v.y),
+            z: R::from_f64(v.z),
         }
     }
 
-    /// Its value.
-    pub fn wide(self) -> kit::Vec3 {
-        kit::Vec3::new(self.x.wide(), self.y.wide(), self.z.wide())
+    /// Returns the value in `f64`.
+    pub fn to_f64(self) -> kit::Vec3 {
+        kit::Vec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
     }
 
-    /// The scalar product.
+    /// Returns the dot product.
     #[inline(always)]
-    pub fn dot(self, other: V3<R>) -> R {
+    pub fn dot(self, other: Vector3<R>) -> R {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The cross product.
+    /// Returns the cross product.
     #[inline(always)]
-    pub fn cross(self, other: V3<R>) -> V3<R> {
-        V3 {
+    pub fn cross(self, other: Vector3<R>) -> Vector3<R> {
+        Vector3 {
             x: self.y * other.z - self.z * other.y,
             y: self.z * other.x - self.x * other.z,
             z: self.x * other.y - self.y * other.x,
         }
     }
 
-    /// The coordinate on an axis: 0, 1 or 2.
+    /// Returns the component on an axis: 0, 1 or 2.
     #[inline(always)]
-    pub fn on(self, axis: usize) -> R {
+    pub fn component(self, axis: usize) -> R {
         [self.x, self.y, self.z][axis]
     }
 
-    /// With its axes renamed in a circle, so that `axis` becomes z.
+    /// Permutes the axes cyclically so that `axis` becomes z.
     #[inline(always)]
-    pub fn turned(self, axis: usize) -> V3<R> {
-        let V3 { x, y, z } = self;
+    pub fn permuted(self, axis: usize) -> Vector3<R> {
+        let Vector3 { x, y, z } = self;
         match axis {
-            0 => V3 { x: y, y: z, z: x },
-            1 => V3 { x: z, y: x, z: y },
+            0 => Vector3 { x: y, y: z, z: x },
+            1 => Vector3 { x: z, y: x, z: y },
             _ => self,
         }
     }
 
-    /// The axis along which it is longest.
+    /// Returns the axis of the component that is largest in size; the last one of equal ones.
     #[inline(always)]
     pub fn longest_axis(self) -> usize {
         let (x, y, z) = (self.x.abs(), self.y.abs(), self.z.abs());
@@ -71,11 +71,11 @@ impl<R: Real> V3<R> {
     }
 }
 
-impl<R: Real> Add for V3<R> {
-    type Output = V3<R>;
+impl<R: Scalar> Add for Vector3<R> {
+    type Output = Vector3<R>;
     #[inline(always)]
-    fn add(self, other: V3<R>) -> V3<R> {
-        V3 {
+    fn add(self, other: Vector3<R>) -> Vector3<R> {
+        Vector3 {
             x: self.x + other.x,
             y: self.y + other.y,
             z: self.z + other.z,
@@ -83,11 +83,11 @@ impl<R: Real> Add for V3<R> {
     }
 }
 
-impl<R: Real> Sub for V3<R> {
-    type Output = V3<R>;
+impl<R: Scalar> Sub for Vector3<R> {
+    type Output = Vector3<R>;
     #[inline(always)]
-    fn sub(self, other: V3<R>) -> V3<R> {
-        V3 {
+    fn sub(self, other: Vector3<R>) -> Vector3<R> {
+        Vector3 {
             x: self.x - other.x,
             y: self.y - other.y,
             z: self.z - other.z,
@@ -95,11 +95,11 @@ impl<R: Real> Sub for V3<R> {
     }
 }
 
-impl<R: Real> Mul<R> for V3<R> {
-    type Output = V3<R>;
+impl<R: Scalar> Mul<R> for Vector3<R> {
+    type Output = Vector3<R>;
     #[inline(always)]
-    fn mul(self, s: R) -> V3<R> {
-        V3 {
+    fn mul(self, s: R) -> Vector3<R> {
+        Vector3 {
             x: self.x * s,
             y: self.y * s,
             z: self.z * s,
@@ -111,55 +111,55 @@ impl<R: Real> Mul<R> for V3<R> {
 #[derive(Clone, Copy, Debug)]
 pub struct Ray<R> {
     /// Origin.
-    pub o: V3<R>,
-    /// Direction, of any length.
-    pub d: V3<R>,
-    /// Nearest `t` that counts.
+    pub o: Vector3<R>,
+    /// Direction; its length is arbitrary.
+    pub d: Vector3<R>,
+    /// Smallest `t` in the range.
     pub min_t: R,
-    /// Farthest `t` that counts.
+    /// Largest `t` in the range.
     pub max_t: R,
 }
 
-impl<R: Real> Ray<R> {
-    /// The nearest such ray.
-    pub fn of(ray: &kit::Ray) -> Ray<R> {
+impl<R: Scalar> Ray<R> {
+    /// Rounds each component.
+    pub fn from_kit(ray: &kit::Ray) -> Ray<R> {
         Ray {
-            o: V3::of(ray.o),
-            d: V3::of(ray.d),
-            min_t: R::of(ray.min_t),
-            max_t: R::of(ray.max_t),
+            o: Vector3::from_kit(ray.o),
+            d: Vector3::from_kit(ray.d),
+            min_t: R::from_f64(ray.min_t),
+            max_t: R::from_f64(ray.max_t),
         }
     }
 
-    /// The point `o + t·d`.
+    /// Returns the point `o + t·d`.
     #[inline(always)]
-    pub fn at(&self, t: R) -> V3<R> {
+    pub fn at(&self, t: R) -> Vector3<R> {
         self.o + self.d * t
     }
 
-    /// Whether `t` counts. False for NaN.
+    /// Whether `t` is in the range, ends included. False for NaN.
     #[inline(always)]
     pub fn in_range(&self, t: R) -> bool {
         self.min_t <= t && t <= self.max_t
     }
 }
 
-/// A triangle by its vertices.
+/// A triangle, given by its vertices.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<R> {
     /// First vertex.
-    pub p0: V3<R>,
+    pub p0: Vector3<R>,
     /// Second vertex, of barycentric weight `b1`.
-    pub p1: V3<R>,
+    pub p1: Vector3<R>,
     /// Third vertex, of barycentric weight `b2`.
-    pub p2: V3<R>,
+    pub p2: Vector3<R>,
 }
 
 /// A sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Sphere<R> {
     /// Centre.
-    pub center: V3<R>,
+    pub center: Vector3<R>,
     /// Radius.
     pub radius: R,
 }
@@ -168,56 +168,56 @@ pub struct Sphere<R> {
 #[derive(Clone, Copy, Debug)]
 pub struct Aabb<R> {
     /// Corner with the smallest coordinates.
-    pub min: V3<R>,
+    pub min: Vector3<R>,
     /// Corner with the largest coordinates.
-    pub max: V3<R>,
+    pub max: Vector3<R>,
 }
 
-/// A shape of the kit, which can be had in numbers of any kind.
+/// A shape of `kit` that can be converted to other number types.
 pub trait Shape: Copy + Send + Sync + 'static {
-    /// The same in numbers of this kind.
-    type In<R: Real>: Copy + Send + Sync + 'static;
+    /// The shape with this number type.
+    type In<R: Scalar>: Copy + Send + Sync + 'static;
 
-    /// Its nearest likeness.
-    fn rounded<R: Real>(&self) -> Self::In<R>;
+    /// Rounds each number.
+    fn rounded<R: Scalar>(&self) -> Self::In<R>;
 
-    /// From single to double, without rounding.
+    /// Converts from `f32` to `f64`, without rounding.
     fn widened(single: &Self::In<f32>) -> Self::In<f64>;
 }
 
-impl<R: Real> V3<R> {
-    /// The same vector in double.
+impl<R: Scalar> Vector3<R> {
+    /// Converts to `f64`.
     #[inline(always)]
-    fn widened(self) -> V3<f64> {
-        V3 {
-            x: self.x.wide(),
-            y: self.y.wide(),
-            z: self.z.wide(),
+    fn widened(self) -> Vector3<f64> {
+        Vector3 {
+            x: self.x.to_f64(),
+            y: self.y.to_f64(),
+            z: self.z.to_f64(),
         }
     }
 }
 
 impl Ray<f32> {
-    /// The same ray in double.
+    /// Converts to `f64`.
     #[inline(always)]
     pub fn widened(&self) -> Ray<f64> {
         Ray {
             o: self.o.widened(),
             d: self.d.widened(),
-            min_t: self.min_t.wide(),
-            max_t: self.max_t.wide(),
+            min_t: self.min_t.to_f64(),
+            max_t: self.max_t.to_f64(),
         }
     }
 }
 
 impl Shape for kit::Triangle {
-    type In<R: Real> = Triangle<R>;
+    type In<R: Scalar> = Triangle<R>;
 
-    fn rounded<R: Real>(&self) -> Triangle<R> {
+    fn rounded<R: Scalar>(&self) -> Triangle<R> {
         Triangle {
-            p0: V3::of(self.p0),
-            p1: V3::of(self.p1),
-            p2: V3::of(self.p2),
+            p0: Vector3::from_kit(self.p0),
+            p1: Vector3::from_kit(self.p1),
+            p2: Vector3::from_kit(self.p2),
         }
     }
 
@@ -232,12 +232,12 @@ impl Shape for kit::Triangle {
 }
 
 impl Shape for kit::Sphere {
-    type In<R: Real> = Sphere<R>;
+    type In<R: Scalar> = Sphere<R>;
 
-    fn rounded<R: Real>(&self) -> Sphere<R> {
+    fn rounded<R: Scalar>(&self) -> Sphere<R> {
         Sphere {
-            center: V3::of(self.center),
-            radius: R::of(self.radius),
+            center: Vector3::from_kit(self.center),
+            radius: R::from_f64(self.radius),
         }
     }
 
@@ -245,18 +245,18 @@ impl Shape for kit::Sphere {
     fn widened(single: &Sphere<f32>) -> Sphere<f64> {
         Sphere {
             center: single.center.widened(),
-            radius: single.radius.wide(),
+            radius: single.radius.to_f64(),
         }
     }
 }
 
 impl Shape for kit::Aabb {
-    type In<R: Real> = Aabb<R>;
+    type In<R: Scalar> = Aabb<R>;
 
-    fn rounded<R: Real>(&self) -> Aabb<R> {
+    fn rounded<R: Scalar>(&self) -> Aabb<R> {
         Aabb {
-            min: V3::of(self.min),
-            max: V3::of(self.max),
+            min: Vector3::from_kit(self.min),
+            max: Vector3::from_kit(self.max),
         }
     }
 

@@ -1,57 +1,60 @@
-//! Trees and walks, as they are seen from outside.
+//! Tree builders and traversal: the public interface.
 
 use kit::{Aabb, Bvh, PrimId, Ray, Triangle};
 
-/// A way to build a tree.
+/// A tree builder.
 #[derive(Clone, Copy)]
 pub struct Builder {
-    /// Where a node is split.
+    /// How a node is split.
     pub name: &'static str,
-    /// Where it is from.
+    /// The publication.
     pub paper: &'static str,
-    /// The tree over the boxes of primitives `0..n`, with leaves of at most so many.
+    /// Builds the tree over the bounds of the primitives `0..n`. The second argument is the largest
+    /// number of primitives in a leaf.
     pub build: fn(&[Aabb], usize) -> Bvh,
 }
 
-/// The closest hit: `t` and primitive. Of hits at equal `t` the one with the lowest number.
-pub type Closest = Option<(f64, PrimId)>;
+/// The closest hit: `t` and primitive. Of hits with equal `t`, the one with the lowest id.
+pub type ClosestHit = Option<(f64, PrimId)>;
 
-/// Walks trees with Ize's boxes and Woop's triangles, in double.
+/// Tree traversal with Ize's box test and Woop's triangle test, in `f64`.
 #[derive(Clone, Debug, Default)]
-pub struct Walker {
-    /// Units in the last place by which the closest hit so far is taken to be farther away, when boxes are skipped.
+pub struct Traversal {
+    /// Slack of the pruning: boxes are skipped if they start behind the closest hit so far by more
+    /// than this number of units in the last place.
     pub slack_ulp: u32,
     /// Box tests so far.
     pub box_tests: u64,
     /// Triangle tests so far.
     pub prim_tests: u64,
-    /// Nodes to visit later, and where the ray enters them; empty between rays.
-    pub later: Vec<(u32, f64)>,
+    /// The stack: nodes to visit, and the `t` at which the ray enters them; empty between rays.
+    pub stack: Vec<(u32, f64)>,
 }
 
-impl Walker {
-    /// One that has done nothing yet.
-    pub fn new(slack_ulp: u32) -> Walker {
-        Walker {
+impl Traversal {
+    /// Creates a traversal with its counters at 0.
+    pub fn new(slack_ulp: u32) -> Traversal {
+        Traversal {
             slack_ulp,
-            ..Walker::default()
+            ..Traversal::default()
         }
     }
 
-    /// The closest hit through the tree; none at all where it would give a task away.
-    pub fn closest(&mut self, bvh: &Bvh, triangles: &[Triangle], ray: &Ray) -> Closest {
+    /// Returns the closest hit through the tree; `None` in a handout in which this would be a
+    /// solution.
+    pub fn closest(&mut self, bvh: &Bvh, triangles: &[Triangle], ray: &Ray) -> ClosestHit {
         // BEGIN SOLUTION(part2.task3)
-        crate::walk::closest(self, bvh, triangles, ray)
+        crate::traversal::closest(self, bvh, triangles, ray)
         // STUB: let _ = (bvh, triangles, ray);
         // STUB: None
         // END SOLUTION(part2.task3)
     }
 }
 
-/// The closest hit by asking every triangle, which is what a walk should find.
-pub fn brute_force(triangles: &[Triangle], ray: &Ray) -> Closest {
+/// Returns the closest hit by testing every triangle: the reference for the traversal.
+pub fn brute_force(triangles: &[Triangle], ray: &Ray) -> ClosestHit {
     // BEGIN SOLUTION(part2.task3)
-    crate::walk::brute_force(triangles, ray)
+    crate::traversal::brute_force(triangles, ray)
     // STUB: let _ = (triangles, ray);
     // STUB: None
     // END SOLUTION(part2.task3)

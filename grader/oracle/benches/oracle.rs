@@ -1,4 +1,4 @@
-//! How fast the oracle decides ordinary rays, by shape and by how many of them hit.
+//! Measures the oracle's throughput on ordinary rays, by shape and by the share of rays that hit.
 
 use std::hint::black_box;
 
@@ -6,14 +6,15 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use kit::{Aabb, PixelSampler, Ray, Sphere, Triangle, Vec3};
 use oracle::{bbox, sphere, triangle};
 
-/// Rays a batch.
+/// Rays per batch.
 const COUNT: u32 = 1000;
 
-/// How far rays are aimed beside the middle of the shape, in edges of the cube that all is in.
+/// How far the target of a ray may be from the middle of the shape, in edges of the unit cube that
+/// contains everything.
 const AIMS: [(&str, f64); 3] = [("at", 0.0), ("near", 0.5), ("around", 2.0)];
 
-/// A place in the unit cube.
-fn place(sampler: &mut PixelSampler) -> Vec3 {
+/// Returns a random point in the unit cube.
+fn point(sampler: &mut PixelSampler) -> Vec3 {
     let (a, b) = (sampler.get_sample(), sampler.get_sample());
     Vec3::new(a.x, a.y, b.x)
 }
@@ -21,8 +22,8 @@ fn place(sampler: &mut PixelSampler) -> Vec3 {
 fn pairs<S>(shape: impl Fn([Vec3; 3]) -> S, aim: f64) -> Vec<(S, Ray)> {
     let pair = |i| {
         let mut sampler = PixelSampler::new(i, 0, 0);
-        let [a, b, c, o] = [0; 4].map(|_| place(&mut sampler));
-        let at = (a + b + c) / 3.0 + aim * (place(&mut sampler) - 0.5);
+        let [a, b, c, o] = [0; 4].map(|_| point(&mut sampler));
+        let at = (a + b + c) / 3.0 + aim * (point(&mut sampler) - 0.5);
         (shape([a, b, c]), Ray::new(o, at - o))
     };
     (0..COUNT).map(pair).collect()

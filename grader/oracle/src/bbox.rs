@@ -1,74 +1,76 @@
-//! Rays and boxes.
+//! The exact ray/box test.
 
 use std::cmp::Ordering;
 
 use kit::{Aabb, Interval, Ray};
 
+use super::big_float::BigFloat;
 use super::dyadic::Dyadic;
-use super::real::Real;
 use super::roundoff::U;
-use super::triangle::range_misses;
+use super::triangle::invalid_ray;
 use super::verdict::{Kernel, Miss, PerKernel};
 
-/// How far, relative to `t`, a box test may err on the side of a hit, and how close to a corner the
-/// plain slab test may err on the other side.
+/// Relative error of `t` by which a box test may hit although the ray misses, and by which the
+/// plain slab test may miss a corner.
 ///
-/// A slab's `t = (plane - o) · (1/d)` has three roundings, on either end of the interval; a
-/// conservative test (Ize, *Robust BVH Ray Traversal*, JCGT 2013) widens the far end by 2 ulp, which is 4
-/// more at most: 10 in all, rounded up.
+/// A slab's `t = (plane - o) · (1/d)` has three roundings at either end of the interval. A
+/// conservative test (Ize, *Robust BVH Ray Traversal*, JCGT 2013) widens the far end by 2 ulp,
+/// which is 4 roundings more at most: 10 in all, rounded up.
 pub const SLACK: f64 = 16.0 * U;
 
-/// How far an end of the interval may be off, relative to it: 7 roundings and widenings, doubled.
+/// Largest relative error of an end of the interval: 7 roundings and widenings, doubled.
 pub const END_ERROR: f64 = 16.0 * U;
 
-/// Positions up to here can be subtracted, and numbers up to here have a reciprocal that is not denormal: 2^1000.
+/// The largest number, 2^1000, for which differences of positions do not overflow and the
+/// reciprocal is not denormal.
 const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
-/// All there is to say about one ray and one box.
+/// The oracle's result for one ray and one box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxVerdict {
-    /// Where the ray is inside the box, exactly; or why nowhere.
-    pub inside: Result<RealInterval, Miss>,
-    /// Whether the interval is a single point: the ray touches an edge, a corner, a flat box,
-    /// or the box from outside with an end of its range.
+    /// The exact interval in which the ray is inside the box, or the reason for a miss.
+    pub inside: Result<ExactInterval, Miss>,
+    /// Whether the interval is a single point: the ray touches an edge, a corner or a flat box, or
+    /// an end of its range touches the box from outside.
     pub touches: bool,
-    /// By how much the ray misses: the far end is this much less than the near end, relative to the larger of
-    /// the two. Negative where it hits; 0 where it touches; infinite where it runs beside.
+    /// How far the ray misses: the near end minus the far end of the interval, relative to the
+    /// larger of the two in size. Negative for a hit, 0 for a touch, infinite if the ray is
+    /// parallel to a slab and outside it.
     pub gap: f64,
     /// Whether "no hit" scores.
     pub miss_scores: PerKernel<bool>,
-    /// Whether "hit" scores: a test for a tree may see a hit where there is none, by a few ulp, but never the
-    /// other way round.
+    /// Whether "hit" scores. A box test for tree traversal may hit although the ray misses by a few
+    /// ulp, but never miss although the ray hits.
     pub hit_scores: bool,
-    /// Whether every answer scores, for the numbers leave the range in which `f64` works.
-    pub free: PerKernel<bool>,
-    /// Ends of the interval as the slabs give them, near and far, also where the far one is less; `None`
-    /// where the ray misses by a mile.
+    /// Whether every answer scores, because the numbers are out of the range of `f64` arithmetic.
+    pub any_scores: PerKernel<bool>,
+    /// Near and far end of the interval by the slabs, also if the far end is smaller; `None` if the
+    /// ray clearly misses.
     pub ends: Option<(End, End)>,
 }
 
-/// A closed interval of exact ends.
+/// A closed interval with exact ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RealInterval {
-    /// Where it starts.
+pub struct ExactInterval {
+    /// Near end.
     pub min: End,
-    /// Where it ends.
+    /// Far end.
     pub max: End,
 }
 
 /// An end of an interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum End {
-    /// The far end of a ray to the left, or of a box that has none there.
+    /// Minus infinity: the range of the ray or a slab of the box is unbounded.
     MinusInfinity,
-    /// A `t`.
-    At(Real),
-    /// The far end of a ray, or of a box that has none there.
+    /// A finite `t`.
+    At(BigFloat),
+    /// Plus infinity: the range of the ray or a slab of the box is unbounded.
     PlusInfinity,
 }
 
 impl End {
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     pub fn to_f64(&self) -> f64 {
         match self {
             End::MinusInfinity => f64::NEG_INFINITY,
@@ -78,20 +80,20 @@ impl End {
     }
 }
 
-/// What a box test's answer is worth.
+/// The result of judging a box test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BoxJudgement {
-    /// Hit or miss is right, and so are the ends.
+    /// Hit or miss is correct, and so are the ends of the interval.
     Right,
-    /// Hit and miss both score here.
+    /// Hit and miss both score for this ray.
     Either,
-    /// There is no hit, not even nearly.
+    /// The answer is a hit; the ray misses by more than the tolerance.
     FalseHit,
-    /// There is a hit; a tree would lose what is in the box.
+    /// The answer is a miss; the ray hits. A tree traversal would lose the contents of the box.
     FalseMiss,
-    /// There is a hit, but it starts elsewhere. The true `t`.
+    /// The ray hits, but the near end is wrong. Holds the true `t`.
     WrongStart(f64),
-    /// There is a hit, but it ends elsewhere. The true `t`.
+    /// The ray hits, but the far end is wrong. Holds the true `t`.
     WrongEnd(f64),
 }
 
@@ -104,32 +106,32 @@ impl BoxJudgement {
 
 impl BoxVerdict {
     fn miss(why: Miss) -> BoxVerdict {
-        // A ray that goes nowhere may as well be inside a box.
-        let free = matches!(why, Miss::NotFinite | Miss::NoDirection);
+        // The result for a direction of 0 is not specified.
+        let any_scores = matches!(why, Miss::NotFinite | Miss::ZeroDirection);
         BoxVerdict {
             inside: Err(why),
             touches: false,
             gap: f64::INFINITY,
             miss_scores: PerKernel::each(|_| true),
-            hit_scores: free,
-            free: PerKernel::each(|_| free),
+            hit_scores: any_scores,
+            any_scores: PerKernel::each(|_| any_scores),
             ends: None,
         }
     }
 
-    /// Whether the ray truly meets the box, faces and both ends of the range included.
+    /// Whether the ray meets the box, by exact arithmetic; faces and both ends of the range count.
     pub fn hits(&self) -> bool {
         self.inside.is_ok()
     }
 
-    /// Whether correct code of this kind may answer either way.
+    /// Whether correct code of this class may return a hit or a miss.
     pub fn undecidable(&self, kernel: Kernel) -> bool {
-        *self.free.get(kernel) || (self.hit_scores && *self.miss_scores.get(kernel))
+        *self.any_scores.get(kernel) || (self.hit_scores && *self.miss_scores.get(kernel))
     }
 
     /// Judges an answer: the interval, or `None` for a miss.
     pub fn judge(&self, kernel: Kernel, answer: Option<Interval>) -> BoxJudgement {
-        if *self.free.get(kernel) {
+        if *self.any_scores.get(kernel) {
             return BoxJudgement::Either;
         }
         let right = match self.undecidable(kernel) {
@@ -158,75 +160,75 @@ impl BoxVerdict {
     }
 }
 
-/// Whether an answer's end is where it should be, up to [`END_ERROR`].
+/// Whether an end of the answered interval is correct, up to [`END_ERROR`].
 fn is_end(answer: f64, truth: End) -> bool {
     let truth = truth.to_f64();
     answer == truth || (answer - truth).abs() <= (END_ERROR * truth.abs()).max(f64::MIN_POSITIVE)
 }
 
-/// Decides where `ray` is inside `b`, exactly, and which answers in `f64` score.
+/// Decides exactly where `ray` is inside `b`, and which answers in `f64` score.
 ///
-/// Faces, edges, corners and both ends of the range count. Where a component of `d` is 0, of
-/// either sign, the ray stays between that pair of planes if its origin is between them or on
-/// one. An empty box and NaN anywhere are misses; about `d = 0` nothing is said.
+/// Faces, edges, corners and both ends of the range count. If a component of `d` is 0, of either
+/// sign, the ray is inside that slab if its origin is between the two planes or on one of them. An
+/// empty box and NaN anywhere are misses. The result for `d = 0` is not specified.
 pub fn bbox(b: &Aabb, ray: &Ray) -> BoxVerdict {
-    if let Some(why) = by_convention(b, ray) {
+    if let Some(why) = conventional_miss(b, ray) {
         return BoxVerdict::miss(why);
     }
     BoxVerdict {
-        free: PerKernel::each(|kernel| !in_reach(kernel, b, ray)),
+        any_scores: PerKernel::each(|kernel| !fits_f64(kernel, b, ray)),
         ..decide(b, ray)
     }
 }
 
-/// The verdict on finite numbers, whether or not `f64` can work with them.
+/// Returns the verdict for finite numbers, whether or not they fit `f64` arithmetic.
 fn decide(b: &Aabb, ray: &Ray) -> BoxVerdict {
-    let (mut near, mut far) = (vec![Cut::range(ray.min_t)], vec![Cut::range(ray.max_t)]);
-    let mut runs_beside = false;
+    let (mut near, mut far) = (vec![Limit::range(ray.min_t)], vec![Limit::range(ray.max_t)]);
+    let mut misses_a_slab = false;
     for axis in 0..3 {
         let (o, d) = (ray.o[axis], ray.d[axis]);
         let (min, max) = (b.min[axis], b.max[axis]);
         if d == 0.0 {
-            runs_beside |= !(min <= o && o <= max);
+            misses_a_slab |= !(min <= o && o <= max);
             continue;
         }
         let (enter, leave) = if d > 0.0 { (min, max) } else { (max, min) };
-        near.push(Cut::slab(axis, enter, o, d));
-        far.push(Cut::slab(axis, leave, o, d));
+        near.push(Limit::slab(axis, enter, o, d));
+        far.push(Limit::slab(axis, leave, o, d));
     }
-    if runs_beside {
-        // A quotient by 0 puts the ray into the slab at infinity: where nothing else ends the interval
-        // before, plain code sees it hit there.
-        let never_leaves = far.iter().all(|cut| cut.t == f64::INFINITY);
-        let never_enters = near.iter().all(|cut| cut.t == f64::NEG_INFINITY);
+    if misses_a_slab {
+        // Division by 0 puts the ends of this slab at infinity. If no other limit makes the
+        // interval empty, plain code finds a hit there.
+        let never_leaves = far.iter().all(|limit| limit.t == f64::INFINITY);
+        let never_enters = near.iter().all(|limit| limit.t == f64::NEG_INFINITY);
         return BoxVerdict {
             hit_scores: never_leaves || never_enters,
-            ..BoxVerdict::miss(Miss::Beside)
+            ..BoxVerdict::miss(Miss::LineMisses)
         };
     }
     match filter(&mut near, &mut far) {
         Some(miss) => miss,
-        None => Bounds::new(&near, &far).verdict(),
+        None => ExactLimits::new(&near, &far).verdict(),
     }
 }
 
-/// Whether `f64` can work with these numbers: no difference of positions overflows, and `1/d` is a normal number.
-/// A robust test must know its way about the slowest directions (a denormal's reciprocal overflows).
-fn in_reach(kernel: Kernel, b: &Aabb, ray: &Ray) -> bool {
+/// Whether no difference of positions overflows and `1/d` is a normal number. A robust test must
+/// handle the smallest directions, too (the reciprocal of a denormal overflows).
+fn fits_f64(kernel: Kernel, b: &Aabb, ray: &Ray) -> bool {
     let is_finite = |x: &f64| x.is_finite();
-    let places = [b.min, b.max, ray.o].map(|v| v.to_array());
-    let moves = ray.d.to_array();
+    let points = [b.min, b.max, ray.o].map(|v| v.to_array());
+    let direction = ray.d.to_array();
     let slowest = match kernel {
         Kernel::Textbook => LARGEST.recip(),
         Kernel::Robust => 0.0,
     };
     let fits = |d: &f64| *d == 0.0 || (slowest..=LARGEST).contains(&d.abs());
-    let mut places = places.iter().flatten().filter(|x| is_finite(x));
-    places.all(|x| x.abs() <= LARGEST) && moves.iter().all(fits)
+    let mut points = points.iter().flatten().filter(|x| is_finite(x));
+    points.all(|x| x.abs() <= LARGEST) && direction.iter().all(fits)
 }
 
-/// The misses that need no arithmetic.
-fn by_convention(b: &Aabb, ray: &Ray) -> Option<Miss> {
+/// Returns the misses that need no arithmetic.
+fn conventional_miss(b: &Aabb, ray: &Ray) -> Option<Miss> {
     if b.min.is_nan() || b.max.is_nan() || ray.o.is_nan() || ray.d.is_nan() {
         return Some(Miss::NotANumber);
     }
@@ -236,24 +238,25 @@ fn by_convention(b: &Aabb, ray: &Ray) -> Option<Miss> {
     if !ray.o.is_finite() || !ray.d.is_finite() {
         return Some(Miss::NotFinite);
     }
-    range_misses(ray)
+    invalid_ray(ray)
 }
 
-/// Something that cuts the interval: an end of the ray's range, or a plane of the box.
-struct Cut {
-    /// `None` for the range.
+/// A limit of the interval: an end of the ray's range, or a plane of the box.
+struct Limit {
+    /// The axis of the plane; `None` for the range.
     axis: Option<usize>,
-    /// Where the plane is, on its axis, and the ray's origin and direction there; a range end is its own plane.
+    /// The plane's coordinate on its axis, and the ray's origin and direction there. An end of the
+    /// range is its own plane, with origin 0 and direction 1.
     plane: f64,
     o: f64,
     d: f64,
-    /// Where the cut is along the ray, `(plane - o) / d`, rounded.
+    /// The ray's `t` at the limit, `(plane - o) / d`, rounded.
     t: f64,
 }
 
-impl Cut {
-    fn range(end: f64) -> Cut {
-        Cut {
+impl Limit {
+    fn range(end: f64) -> Limit {
+        Limit {
             axis: None,
             plane: end,
             o: 0.0,
@@ -262,8 +265,8 @@ impl Cut {
         }
     }
 
-    fn slab(axis: usize, plane: f64, o: f64, d: f64) -> Cut {
-        Cut {
+    fn slab(axis: usize, plane: f64, o: f64, d: f64) -> Limit {
+        Limit {
             axis: Some(axis),
             plane,
             o,
@@ -273,16 +276,20 @@ impl Cut {
     }
 }
 
-/// Drops the cuts that are far from deciding anything, and finds the misses by a mile; in `f64`.
+/// Removes the limits that cannot decide anything, and returns the verdict if the ray clearly
+/// misses; in `f64`.
 ///
-/// A rounded `t` is right to 2 U, unless it is so small or so large that it may have lost bits:
-/// then nothing is dropped. Ten times the slack leaves out no cut that could matter.
-fn filter(near: &mut Vec<Cut>, far: &mut Vec<Cut>) -> Option<BoxVerdict> {
+/// A rounded `t` has a relative error of 2 U, unless it is so small or so large that it may have
+/// lost bits; then nothing is removed. Ten times the slack keeps every limit that can matter.
+fn filter(near: &mut Vec<Limit>, far: &mut Vec<Limit>) -> Option<BoxVerdict> {
     let last = near
         .iter()
-        .map(|cut| cut.t)
+        .map(|limit| limit.t)
         .fold(f64::NEG_INFINITY, f64::max);
-    let first = far.iter().map(|cut| cut.t).fold(f64::INFINITY, f64::min);
+    let first = far
+        .iter()
+        .map(|limit| limit.t)
+        .fold(f64::INFINITY, f64::min);
     let is_before = |a: f64, b: f64| {
         let size = a.abs().max(b.abs());
         (1e-290..1e290).contains(&size) && b - a > 10.0 * SLACK * size
@@ -290,32 +297,32 @@ fn filter(near: &mut Vec<Cut>, far: &mut Vec<Cut>) -> Option<BoxVerdict> {
     if is_before(first, last) {
         return Some(BoxVerdict {
             gap: (last - first) / last.abs().max(first.abs()),
-            ..BoxVerdict::miss(Miss::Beside)
+            ..BoxVerdict::miss(Miss::LineMisses)
         });
     }
-    near.retain(|cut| !is_before(cut.t, last));
-    far.retain(|cut| !is_before(first, cut.t));
+    near.retain(|limit| !is_before(limit.t, last));
+    far.retain(|limit| !is_before(first, limit.t));
     None
 }
 
-/// One end that the interval is cut at, exactly.
-struct Bound {
+/// A limit of the interval, computed exactly.
+struct ExactLimit {
     axis: Option<usize>,
     end: End,
-    /// Where the end is finite, the quotient that it is, with a positive divisor: two ends that
-    /// agree in 126 bits are still told apart.
+    /// The exact quotient of a finite end, with a positive divisor: it distinguishes two ends that
+    /// agree in 126 bits.
     quotient: Option<(Dyadic, Dyadic)>,
-    /// Whether a plain slab test finds this end without a rounding.
+    /// Whether a plain slab test computes this end without rounding.
     is_exact: bool,
 }
 
-impl Bound {
-    fn new(cut: &Cut) -> Bound {
-        let axis = cut.axis;
-        if cut.plane.is_infinite() {
-            return Bound {
+impl ExactLimit {
+    fn new(limit: &Limit) -> ExactLimit {
+        let axis = limit.axis;
+        if limit.plane.is_infinite() {
+            return ExactLimit {
                 axis,
-                end: match (cut.plane > 0.0) == (cut.d > 0.0) {
+                end: match (limit.plane > 0.0) == (limit.d > 0.0) {
                     true => End::PlusInfinity,
                     false => End::MinusInfinity,
                 },
@@ -323,16 +330,16 @@ impl Bound {
                 is_exact: true,
             };
         }
-        let distance = &Dyadic::new(cut.plane) - &Dyadic::new(cut.o);
-        let d = Dyadic::new(cut.d);
-        let t = Real::ratio(&distance, &d);
-        let subtracts_exactly = Real::from(&distance).ulps(cut.plane - cut.o) == 0.0;
+        let distance = &Dyadic::new(limit.plane) - &Dyadic::new(limit.o);
+        let d = Dyadic::new(limit.d);
+        let t = BigFloat::ratio(&distance, &d);
+        let subtracts_exactly = BigFloat::from(&distance).ulps(limit.plane - limit.o) == 0.0;
         let is_exact = d.is_power_of_two() && subtracts_exactly && t.ulps(t.to_f64()) == 0.0;
         let quotient = match d.sign() < 0 {
             true => (-&distance, -&d),
             false => (distance, d),
         };
-        Bound {
+        ExactLimit {
             axis,
             end: End::At(t),
             quotient: Some(quotient),
@@ -340,7 +347,7 @@ impl Bound {
         }
     }
 
-    fn compare(&self, other: &Bound) -> Ordering {
+    fn compare(&self, other: &ExactLimit) -> Ordering {
         let exactly = || match (&self.quotient, &other.quotient) {
             (Some((a, b)), Some((c, d))) => (a * d).compare(&(c * b)),
             _ => Ordering::Equal,
@@ -349,17 +356,17 @@ impl Bound {
     }
 }
 
-/// The ends that the interval is cut at: it starts at the largest near one and stops at the smallest far one.
-struct Bounds {
-    near: Vec<Bound>,
-    far: Vec<Bound>,
+/// The limits of the interval: it starts at the largest near one and ends at the smallest far one.
+struct ExactLimits {
+    near: Vec<ExactLimit>,
+    far: Vec<ExactLimit>,
 }
 
-impl Bounds {
-    fn new(near: &[Cut], far: &[Cut]) -> Bounds {
-        Bounds {
-            near: near.iter().map(Bound::new).collect(),
-            far: far.iter().map(Bound::new).collect(),
+impl ExactLimits {
+    fn new(near: &[Limit], far: &[Limit]) -> ExactLimits {
+        ExactLimits {
+            near: near.iter().map(ExactLimit::new).collect(),
+            far: far.iter().map(ExactLimit::new).collect(),
         }
     }
 
@@ -367,23 +374,23 @@ impl Bounds {
         let near = self.near.iter().max_by(|a, b| a.compare(b));
         let far = self.far.iter().min_by(|a, b| a.compare(b));
         let (Some(near), Some(far)) = (near, far) else {
-            unreachable!("the cut that is last, or first, was kept")
+            unreachable!("the filter keeps at least one near and one far limit")
         };
         let order = near.compare(far);
         let gap = relative_gap(near, far);
         let (near, far) = (near.end, far.end);
         let hits = order.is_le();
         let beyond_f64 = |end: End| matches!(end, End::At(t) if t.to_f64().is_infinite());
-        // Past the largest float there is no telling one t from another.
+        // Beyond the largest f64 no two values of t can be distinguished.
         let lost = beyond_f64(near) || beyond_f64(far);
         BoxVerdict {
             inside: if hits {
-                Ok(RealInterval {
+                Ok(ExactInterval {
                     min: near,
                     max: far,
                 })
             } else {
-                Err(Miss::Beside)
+                Err(Miss::LineMisses)
             },
             touches: order.is_eq(),
             gap,
@@ -392,13 +399,13 @@ impl Bounds {
                 robust: !hits || lost,
             },
             hit_scores: hits || lost || gap <= SLACK,
-            free: PerKernel::default(),
+            any_scores: PerKernel::default(),
             ends: Some((near, far)),
         }
     }
 
     /// Whether a plain slab test may round a near end past a far end of another axis. Ends of the
-    /// same axis round alike, so a flat box is never in doubt.
+    /// same axis round in the same way, so a flat box is always decided.
     fn corner_may_round(&self) -> bool {
         self.near.iter().any(|near| {
             self.far.iter().any(|far| {
@@ -409,8 +416,9 @@ impl Bounds {
     }
 }
 
-/// `near - far`, relative to the larger of the two in size; positive where the interval is empty.
-fn relative_gap(near: &Bound, far: &Bound) -> f64 {
+/// Returns `near - far`, relative to the larger of the two in size; positive if the interval is
+/// empty.
+fn relative_gap(near: &ExactLimit, far: &ExactLimit) -> f64 {
     let order = near.compare(far);
     let (a, b) = (near.end.to_f64(), far.end.to_f64());
     if a.is_infinite() || b.is_infinite() {
@@ -420,7 +428,7 @@ fn relative_gap(near: &Bound, far: &Bound) -> f64 {
             Ordering::Greater => f64::INFINITY,
         };
     }
-    // Halved, so that no difference overflows; rounded, but never across 0.
+    // Halved, so that no difference overflows; rounded, but the sign is exact.
     let (half_a, half_b) = (a / 2.0, b / 2.0);
     let gap = (half_a - half_b) / half_a.abs().max(half_b.abs());
     match order {

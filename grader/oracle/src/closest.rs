@@ -1,45 +1,46 @@
-//! Many primitives: the closest hit, ties, and any hit.
+//! Closest hit, ties and any hit among many primitives.
 
 use kit::scene::Primitive;
 use kit::{PrimId, Ray};
 
-use super::real::Real;
+use super::big_float::BigFloat;
 use super::sphere::sphere;
 use super::triangle::triangle;
 use super::verdict::{Answers, Candidate, Judgement, Kernel, PerKernel};
 
-/// What a ray truly hits first, and which answers score.
+/// The exact closest hit of a ray, and which answers score.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Closest {
-    /// The exact closest hit; of exactly equal ones the lowest number.
-    pub nearest: Option<(PrimId, Real)>,
-    /// All primitives at that `t`, to 126 bits.
+    /// The exact closest hit; of equal ones the one with the lowest id.
+    pub nearest: Option<(PrimId, BigFloat)>,
+    /// All primitives whose `t` equals the closest one in 126 bits.
     pub ties: Vec<PrimId>,
     /// The answers that score.
     pub answers: PerKernel<ClosestAnswers>,
 }
 
-/// The primitives that may be answered.
+/// The set of answers for the closest hit that score.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ClosestAnswers {
-    /// Which primitive where, by number. More than one where `f64` cannot tell which is first.
+    /// Primitives that score with their `t`, by id. More than one if `f64` cannot decide which is
+    /// first.
     pub hits: Vec<(PrimId, Candidate)>,
     /// Whether "no hit" scores.
     pub miss: bool,
 }
 
-/// What an answer for the closest hit is worth.
+/// The result of judging an answer for the closest hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ClosestJudgement {
-    /// The primitive scores; its `t` is judged apart.
+    /// The primitive is one that scores; its `t` is judged separately.
     Primitive(Judgement),
-    /// There is a hit, but not of this primitive.
+    /// The ray hits, but the primitive is not one that scores.
     WrongPrimitive,
-    /// A miss was answered where it scores.
+    /// The answer is a miss, and a miss scores.
     Miss,
-    /// There is no hit.
+    /// The answer is a hit; the ray misses.
     FalseHit,
-    /// There is a hit.
+    /// The answer is a miss; the ray hits.
     FalseMiss,
 }
 
@@ -70,7 +71,7 @@ impl ClosestAnswers {
         if self.hits.is_empty() {
             return ClosestJudgement::FalseHit;
         }
-        // A sphere may be there twice, once by root.
+        // A sphere may appear twice, once per root.
         let own = self.hits.iter().filter(|(known, _)| *known == id);
         own.map(|(_, candidate)| judge_t(candidate, t, self.undecidable()))
             .reduce(|a, b| if a.scores() { a } else { b })
@@ -95,7 +96,7 @@ impl Closest {
         self.answers.get(kernel).judge(answer)
     }
 
-    /// Whether "something is in the way" scores, and whether "nothing" does.
+    /// Whether the answer of an any-hit query scores.
     pub fn judge_any(&self, kernel: Kernel, blocked: bool) -> bool {
         let answers = self.answers.get(kernel);
         match blocked {
@@ -105,8 +106,8 @@ impl Closest {
     }
 }
 
-/// The exact answer and the answers that score, for one primitive.
-fn one(primitive: Primitive<'_>, ray: &Ray) -> (Option<Real>, PerKernel<Answers>) {
+/// Returns the exact `t` of the hit with one primitive, and the answers that score.
+fn test_primitive(primitive: Primitive<'_>, ray: &Ray) -> (Option<BigFloat>, PerKernel<Answers>) {
     match primitive {
         Primitive::Triangle(tri) => {
             let verdict = triangle(tri, ray);
@@ -120,13 +121,14 @@ fn one(primitive: Primitive<'_>, ray: &Ray) -> (Option<Real>, PerKernel<Answers>
     }
 }
 
-/// The closest hit of `ray` among `primitives`, which are numbered from 0, by testing each.
+/// Returns the closest hit of `ray` among `primitives`, whose ids count from 0, by testing every
+/// one.
 pub fn closest<'a>(primitives: impl IntoIterator<Item = Primitive<'a>>, ray: &Ray) -> Closest {
-    let mut nearest: Option<(PrimId, Real)> = None;
+    let mut nearest: Option<(PrimId, BigFloat)> = None;
     let mut ties = Vec::new();
-    let mut seen: PerKernel<Vec<(PrimId, Answers)>> = PerKernel::default();
+    let mut answered: PerKernel<Vec<(PrimId, Answers)>> = PerKernel::default();
     for (id, primitive) in (0..).map(PrimId).zip(primitives) {
-        let (t, answers) = one(primitive, ray);
+        let (t, answers) = test_primitive(primitive, ray);
         if let Some(t) = t {
             match nearest {
                 Some((_, best)) if t > best => {}
@@ -140,34 +142,35 @@ pub fn closest<'a>(primitives: impl IntoIterator<Item = Primitive<'a>>, ray: &Ra
         for kernel in [Kernel::Textbook, Kernel::Robust] {
             let answers = *answers.get(kernel);
             if answers != Answers::MISS {
-                let seen = match kernel {
-                    Kernel::Textbook => &mut seen.textbook,
-                    Kernel::Robust => &mut seen.robust,
+                let list = match kernel {
+                    Kernel::Textbook => &mut answered.textbook,
+                    Kernel::Robust => &mut answered.robust,
                 };
-                seen.push((id, answers));
+                list.push((id, answers));
             }
         }
     }
     Closest {
         nearest,
         ties,
-        answers: PerKernel::each(|kernel| scoring(seen.get(kernel))),
+        answers: PerKernel::each(|kernel| scoring_answers(answered.get(kernel))),
     }
 }
 
-/// The hits that may come first: those that can start before every sure hit must have been found.
-fn scoring(seen: &[(PrimId, Answers)]) -> ClosestAnswers {
+/// Returns the hits that may be the closest: those whose smallest possible `t` is not larger than
+/// the largest possible `t` of any certain hit.
+fn scoring_answers(answered: &[(PrimId, Answers)]) -> ClosestAnswers {
     let latest = |answers: &Answers| {
         let hits = answers.hits.iter().flatten();
         hits.map(|c| c.t.to_f64() + c.tolerance)
             .fold(f64::NEG_INFINITY, f64::max)
     };
-    let sure = seen.iter().filter(|(_, answers)| !answers.miss);
+    let sure = answered.iter().filter(|(_, answers)| !answers.miss);
     let limit = sure
         .clone()
         .map(|(_, answers)| latest(answers))
         .fold(f64::INFINITY, f64::min);
-    let hits = seen.iter().flat_map(|(id, answers)| {
+    let hits = answered.iter().flat_map(|(id, answers)| {
         let hits = answers.hits.into_iter().flatten();
         hits.map(|candidate| (*id, candidate))
     });
@@ -182,7 +185,9 @@ fn scoring(seen: &[(PrimId, Answers)]) -> ClosestAnswers {
     }
 }
 
-/// Whether anything is truly in the way of `ray`.
+/// Whether `ray` hits any primitive, exactly.
 pub fn any<'a>(primitives: impl IntoIterator<Item = Primitive<'a>>, ray: &Ray) -> bool {
-    primitives.into_iter().any(|p| one(p, ray).0.is_some())
+    primitives
+        .into_iter()
+        .any(|p| test_primitive(p, ray).0.is_some())
 }

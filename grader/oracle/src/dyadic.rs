@@ -7,9 +7,9 @@ use dashu_int::ops::BitTest;
 use dashu_int::{IBig, Sign, UBig, Word};
 use kit::Vec3;
 
-use super::real::scale;
+use super::big_float::scale;
 
-/// The number `m · 2^e`. Sums, differences and products of these are exact.
+/// The number `m · 2^e`. Sums, differences and products are exact.
 #[derive(Clone, Debug)]
 pub(super) struct Dyadic {
     pub(super) m: IBig,
@@ -17,32 +17,33 @@ pub(super) struct Dyadic {
 }
 
 impl Dyadic {
-    /// The value of `x`, which must be finite.
+    /// Returns the value of `x`, which must be finite.
     pub(super) fn new(x: f64) -> Dyadic {
         let (m, e) = decode(x);
         Dyadic { m: m.into(), e }
     }
 
-    /// -1, 0 or 1.
+    /// Returns the sign: -1, 0 or 1.
     pub(super) fn sign(&self) -> i32 {
         sign_of(&self.m)
     }
 
-    /// `|m|`.
+    /// Returns `|m|`.
     pub(super) fn magnitude(&self) -> UBig {
         self.m.clone().into_parts().1
     }
 
-    /// Whether the absolute value is a power of two, so that dividing by it does not round.
+    /// Whether the absolute value is a power of two, so that division by it does not round.
     pub(super) fn is_power_of_two(&self) -> bool {
         let magnitude = self.magnitude();
         !magnitude.is_zero()
             && magnitude.trailing_zeros().map(|zeros| zeros + 1) == Some(magnitude.bit_len())
     }
 
-    /// The value to a few parts in 2^53; 0 or infinite where it leaves the range of `f64`.
+    /// Returns the value with a relative error of a few 2^-53; 0 or infinite if it is out of the
+    /// range of `f64`.
     pub(super) fn to_f64(&self) -> f64 {
-        // Without an allocation: only the leading words matter.
+        // Only the leading words matter; this needs no allocation.
         let (sign, words) = self.m.as_sign_words();
         let kept = words.len().min(128 / Word::BITS as usize);
         let (low, leading) = words.split_at(words.len() - kept);
@@ -63,7 +64,7 @@ impl Dyadic {
         self * self
     }
 
-    /// Both integers on the smaller of the two exponents.
+    /// Returns both integers, shifted to the smaller of the two exponents, and that exponent.
     fn aligned(&self, other: &Dyadic) -> (IBig, IBig, i64) {
         match self.e.cmp(&other.e) {
             Ordering::Equal => (self.m.clone(), other.m.clone(), self.e),
@@ -127,7 +128,7 @@ impl Neg for &Dyadic {
     }
 }
 
-/// An exact vector: three integers on one exponent.
+/// An exact vector: three integers with a common exponent.
 #[derive(Clone, Debug)]
 pub(super) struct Dyadic3 {
     pub(super) m: [IBig; 3],
@@ -135,7 +136,7 @@ pub(super) struct Dyadic3 {
 }
 
 impl Dyadic3 {
-    /// The values of finite vectors, all on one exponent, so that adding them never shifts.
+    /// Converts finite vectors to one common exponent, so that adding them never shifts.
     pub(super) fn aligned<const N: usize>(vectors: [Vec3; N]) -> [Dyadic3; N] {
         let decoded = vectors.map(|v| v.to_array().map(decode));
         let lowest = decoded
@@ -165,14 +166,14 @@ impl Dyadic3 {
         self.m.iter().filter(|m| !m.is_zero()).count() <= 1
     }
 
-    /// Bits of the longest component.
+    /// Returns the number of bits of the longest component.
     pub(super) fn bits(&self) -> usize {
         self.m.iter().map(BitTest::bit_len).max().unwrap_or(0)
     }
 
-    /// Difference of two vectors on the same exponent.
+    /// Returns the difference of two vectors that have the same exponent.
     pub(super) fn minus(&self, other: &Dyadic3) -> Dyadic3 {
-        assert_eq!(self.e, other.e, "vectors that were aligned together");
+        assert_eq!(self.e, other.e, "the vectors must have the same exponent");
         Dyadic3 {
             m: [0, 1, 2].map(|i| &self.m[i] - &other.m[i]),
             e: self.e,
@@ -195,12 +196,12 @@ impl Dyadic3 {
         }
     }
 
-    /// The components to a few parts in 2^53.
+    /// Returns the components with a relative error of a few 2^-53.
     pub(super) fn to_f64(&self) -> Vec3 {
         Vec3::from_array([0, 1, 2].map(|i| self.get(i).to_f64()))
     }
 
-    /// One component.
+    /// Returns one component.
     pub(super) fn get(&self, i: usize) -> Dyadic {
         Dyadic {
             m: self.m[i].clone(),
@@ -209,7 +210,7 @@ impl Dyadic3 {
     }
 }
 
-/// -1, 0 or 1.
+/// Returns the sign: -1, 0 or 1.
 fn sign_of(m: &IBig) -> i32 {
     match m.sign() {
         _ if m.is_zero() => 0,
@@ -218,7 +219,7 @@ fn sign_of(m: &IBig) -> i32 {
     }
 }
 
-/// `x = m · 2^e` with `m` odd or zero. `x` must be finite.
+/// Returns `(m, e)` of `x = m · 2^e` with `m` odd or zero. `x` must be finite.
 fn decode(x: f64) -> (i64, i64) {
     assert!(x.is_finite(), "only finite numbers have an exact value");
     let bits = x.to_bits();
@@ -249,14 +250,14 @@ mod tests {
     }
 
     #[test]
-    fn sums_across_the_whole_exponent_range_lose_nothing() {
+    fn sums_across_the_whole_exponent_range_are_exact() {
         let (huge, tiny) = (Dyadic::new(f64::MAX), Dyadic::new(f64::from_bits(1)));
         let back = &(&huge + &tiny) - &huge;
         assert_eq!(back.compare(&tiny), Ordering::Equal);
     }
 
     #[test]
-    fn powers_of_two_are_told_from_their_neighbours() {
+    fn only_powers_of_two_are_powers_of_two() {
         assert!(Dyadic::new(-0.25).is_power_of_two());
         assert!(!Dyadic::new(0.75).is_power_of_two());
         assert!(!Dyadic::new(0.0).is_power_of_two());

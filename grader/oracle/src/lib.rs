@@ -1,30 +1,34 @@
-//! The exact oracle: what a ray truly hits.
+//! The exact oracle: decides what a ray hits.
 //!
-//! A kernel in floating point answers nearly right; to grade it takes something that answers
-//! right. Every finite `f64` is an integer times a power of two, and deciding a hit takes only
-//! sums and products of such numbers, so integers of any length decide it without an error at
-//! all: tiny, huge, denormal, grazing. A cheap test in `f64` with an error bound comes first
-//! and settles the rays that miss by a mile (a *filter*; Shewchuk, *Adaptive Precision
-//! Floating-Point Arithmetic and Fast Robust Geometric Predicates*, 1997).
+//! A floating-point kernel is only approximately right; to grade it, the exact answer is needed.
+//! Every finite `f64` is an integer times a power of two, and deciding a hit takes only sums and
+//! products of such numbers. Integers of arbitrary length therefore decide every ray exactly: tiny,
+//! huge, denormal, grazing. A cheap test in `f64` with an error bound comes first and rejects the
+//! rays that clearly miss (a *filter*; Shewchuk, *Adaptive Precision Floating-Point Arithmetic and
+//! Fast Robust Geometric Predicates*, 1997).
 //!
 //! # Four verdicts
 //!
-//! *Hit* and *miss*; *exact boundary*, a ray through an edge, a vertex, a tangent point or an
-//! end of its own range, where the course's convention decides (they count); and *undecidable
-//! in `f64`*, where the exact answer is known but hangs on a number so close to zero that
-//! correct code may round it to either side. There, either answer scores. How close is derived
-//! from what the code rounds, twice: for the formulas of a textbook and for a robust kernel
-//! ([`Kernel`]). Rays whose arithmetic rounds nowhere, such as small integers along an axis,
-//! are never undecidable: on them the boundary itself can be graded.
+//! 1. *Hit*.
+//! 2. *Miss*.
+//! 3. *Exact boundary*: the ray passes through an edge, a vertex or a tangent point, or `t` is an
+//!    end of its range. The course's convention decides: these count as hits.
+//! 4. *Undecidable in `f64`*: the exact answer is known, but it depends on a number so close to
+//!    zero that correct code may round it to either side. Either answer scores.
+//!
+//! How close is derived from the roundings of the code, for two classes of code: textbook formulas
+//! and a robust kernel ([`Kernel`]). A ray whose arithmetic has no rounding at all, such as small
+//! integers along an axis, is never undecidable: on such rays the boundary itself can be graded.
 //!
 //! # Reading order
 //!
-//! 1. `dyadic`, [`real`]: exact numbers, and numbers good to 126 bits.
-//! 2. `roundoff`: what one rounding costs, and where `f64` runs out of exponents.
-//! 3. [`verdict`]: what the oracle says, and how an answer is judged by it.
+//! 1. `dyadic`, [`big_float`]: exact numbers, and numbers with 126 bits.
+//! 2. `roundoff`: the error of one rounding, and the exponents that `f64` can represent.
+//! 3. [`verdict`]: the oracle's result, and how an answer is judged by it.
 //! 4. [`triangle`](mod@triangle), `triangle_error`; [`sphere`](mod@sphere), `sphere_error`;
-//!    [`bbox`](mod@bbox): the decision, and how far off correct code may be.
-//! 5. [`near`](mod@near): a filter; [`closest`](mod@closest): many primitives, and ties.
+//!    [`bbox`](mod@bbox): the exact decision, and the error bounds of correct code.
+//! 5. [`near`](mod@near): a filter for many shapes; [`closest`](mod@closest): many primitives, and
+//!    ties.
 //! 6. [`surface`]: the hit point and its normals.
 
 mod dyadic;
@@ -33,18 +37,18 @@ mod sphere_error;
 mod triangle_error;
 
 pub mod bbox;
+pub mod big_float;
 pub mod closest;
 pub mod near;
-pub mod real;
 pub mod sphere;
 pub mod surface;
 pub mod triangle;
 pub mod verdict;
 
 pub use bbox::{BoxJudgement, BoxVerdict, bbox};
+pub use big_float::{BigFloat, ulps};
 pub use closest::{Closest, any, closest};
 pub use near::{may_touch, near};
-pub use real::{Real, ulps};
 pub use sphere::{SphereClass, SphereVerdict, sphere};
 pub use surface::{NormalTruth, PointTruth};
 pub use triangle::{TriangleClass, TriangleVerdict, triangle};

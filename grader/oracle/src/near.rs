@@ -1,13 +1,14 @@
-//! A fast filter: which shapes are near enough to a ray to be worth an exact test.
+//! A fast filter: selects the shapes that are close enough to a ray to need an exact test.
 
 use kit::Ray;
 use kit::scene::Primitive;
 
-/// Bounding spheres are enlarged by this part of their radius and distance, which is far more than rounding moves
-/// them.
+/// Bounding spheres are enlarged by this fraction of their radius and distance, which is much more
+/// than the rounding error of the test.
 const LOOSE: f64 = 1e-6;
 
-/// The shapes that `ray` may hit, with their indices in `shapes`. All others are missed by more than every error bound.
+/// Returns the shapes that `ray` may hit, with their indices in `shapes`. It misses all others by
+/// more than every error bound.
 pub fn near<'a>(shapes: &[Primitive<'a>], ray: &Ray) -> Vec<(u32, Primitive<'a>)> {
     (0..)
         .zip(shapes.iter().copied())
@@ -15,7 +16,7 @@ pub fn near<'a>(shapes: &[Primitive<'a>], ray: &Ray) -> Vec<(u32, Primitive<'a>)
         .collect()
 }
 
-/// Whether the line of `ray` meets an enlarged bounding sphere of the shape.
+/// Whether the line of `ray` intersects the enlarged bounding sphere of the shape.
 pub fn may_touch(shape: &Primitive<'_>, ray: &Ray) -> bool {
     let bounds = match shape {
         Primitive::Triangle(t) => t.bounds(),
@@ -27,6 +28,6 @@ pub fn may_touch(shape: &Primitive<'_>, ray: &Ray) -> bool {
     let slack = LOOSE * (radius + to_center.length());
     let nearest = to_center.dot(ray.d) / ray.d.length_squared();
     let off = (to_center - nearest * ray.d).length();
-    // Where the sum overflows, the oracle decides.
+    // If the sum overflows, the oracle decides.
     off.is_nan() || off <= radius + slack
 }

@@ -1,4 +1,4 @@
-//! What `f64` loses: one rounding, many roundings, and the ends of its exponents.
+//! Rounding errors of `f64`: one rounding, many roundings, and the limits of its exponents.
 
 use kit::Vec3;
 
@@ -11,32 +11,34 @@ pub(super) fn gamma(n: f64) -> f64 {
     n * U / (1.0 - n * U)
 }
 
-/// Positions and directions whose components are 0 or between 2^-200 and 2^200 (about 1e60) in size keep every
-/// intermediate product of a kernel inside the exponents of `f64`. Outside, correct code may
-/// overflow or lose its product to 0, and the oracle accuses nobody.
+/// The largest number for which no intermediate product of a kernel leaves the exponents of `f64`:
+/// 2^200, about 1e60. Components of positions and directions must be 0 or between 2^-200 and 2^200
+/// in size. Outside, correct code may overflow or underflow, and every answer scores.
 ///
-/// The longest products have five factors: an edge function (two lengths) times a depth (a length over
-/// the direction), or a normal (two lengths) times a cross product (two more). 5 · 200 is less than the 1022 there are.
-const REACH: f64 = f64::from_bits((1023 + 200) << 52);
+/// The longest products have five factors: an edge function (two lengths) times a depth (a length
+/// over the direction), or a normal (two lengths) times a cross product (two more). 5 · 200 is less
+/// than 1022, the largest exponent.
+const LARGEST_SAFE: f64 = f64::from_bits((1023 + 200) << 52);
 
-/// Whether `f64` can work with all of these numbers: see [`REACH`].
-pub(super) fn in_reach(vectors: &[Vec3]) -> bool {
-    let fits = |x: &f64| *x == 0.0 || (1.0 / REACH..=REACH).contains(&x.abs());
+/// Whether no product of these numbers overflows or underflows: see [`LARGEST_SAFE`].
+pub(super) fn fits_f64(vectors: &[Vec3]) -> bool {
+    let fits = |x: &f64| *x == 0.0 || (1.0 / LARGEST_SAFE..=LARGEST_SAFE).contains(&x.abs());
     vectors.iter().all(|v| v.to_array().iter().all(fits))
 }
 
-/// Largest absolute component.
-pub(super) fn largest(v: Vec3) -> f64 {
+/// Returns the largest absolute component.
+pub(super) fn max_abs(v: Vec3) -> f64 {
     v.abs().max_element()
 }
 
-/// Sum of absolute components.
-pub(super) fn sum(v: Vec3) -> f64 {
+/// Returns the sum of the absolute components.
+pub(super) fn sum_abs(v: Vec3) -> f64 {
     v.abs().element_sum()
 }
 
-/// `|a| × |b|` with every minus a plus: the sum of the absolute products that a cross product rounds.
-pub(super) fn cross_of_sizes(a: Vec3, b: Vec3) -> Vec3 {
+/// Returns `|a| × |b|` with every minus replaced by a plus: the sums of absolute products whose
+/// rounding a cross product has.
+pub(super) fn abs_cross(a: Vec3, b: Vec3) -> Vec3 {
     let (a, b) = (a.abs(), b.abs());
     Vec3::new(
         a.y * b.z + a.z * b.y,

@@ -1,42 +1,42 @@
-//! Rays and spheres.
+//! The exact ray/sphere test.
 
 use std::cmp::Ordering;
 
 use kit::{Ray, Sphere};
 
+use super::big_float::BigFloat;
 use super::dyadic::{Dyadic, Dyadic3};
-use super::real::Real;
-use super::sphere_error::Frame;
-use super::triangle::range_misses;
-use super::verdict::{Answers, Candidate, Judgement, Kernel, Miss, PerKernel, Sure};
+use super::sphere_error::SphereErrorBounds;
+use super::triangle::invalid_ray;
+use super::verdict::{Answers, Candidate, Certainty, Judgement, Kernel, Miss, PerKernel};
 
 /// How a ray meets a sphere, exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereClass {
-    /// At the smaller root: going in, unless the range cuts.
+    /// A hit at the smaller root, where the line enters the sphere.
     Near,
-    /// At the larger root: the smaller one is before `min_t`.
+    /// A hit at the larger root; the smaller one is outside the range.
     Far,
-    /// At the only root: the line touches the sphere in one point. Counts as a hit.
+    /// A hit at the double root: the line touches the sphere in one point. Counts as a hit.
     Tangent,
-    /// Not at all.
+    /// No hit.
     Miss(Miss),
 }
 
-/// All there is to say about one ray and one sphere.
+/// The oracle's result for one ray and one sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereVerdict {
     /// The exact answer.
     pub class: SphereClass,
     /// Whether the answer's `t` is exactly `min_t` or `max_t`. Both ends count.
     pub at_range_end: bool,
-    /// The true answer.
-    pub t: Option<Real>,
-    /// Both roots, in order, whether or not the range holds them.
-    pub roots: Option<[Real; 2]>,
-    /// How far off each root may be. Infinite where rounding decides everything.
+    /// The exact `t` of the hit; `None` for a miss.
+    pub t: Option<BigFloat>,
+    /// Both roots in increasing order, whether or not they are in the range.
+    pub roots: Option<[BigFloat; 2]>,
+    /// Largest error of each root that scores. Infinite if rounding can change any digit.
     pub t_tolerance: [PerKernel<f64>; 2],
-    /// How far off each coordinate of the hit point may be, by root.
+    /// Largest error that scores of each coordinate of the hit point, by root.
     pub p_tolerance: [PerKernel<f64>; 2],
     /// The answers that score.
     pub answers: PerKernel<Answers>,
@@ -58,91 +58,91 @@ impl SphereVerdict {
         }
     }
 
-    /// Whether the ray truly hits; the course's conventions count.
+    /// Whether the ray hits, by exact arithmetic and the course's conventions.
     pub fn hits(&self) -> bool {
         !matches!(self.class, SphereClass::Miss(_))
     }
 
-    /// Whether the exact answer hangs on a convention: a tangent or an end of the range.
+    /// Whether the exact answer depends on a convention: a tangent or an end of the range.
     pub fn on_boundary(&self) -> bool {
         self.at_range_end || self.class == SphereClass::Tangent
     }
 
-    /// Whether correct code of this kind may answer either way.
+    /// Whether correct code of this class may return different answers.
     pub fn undecidable(&self, kernel: Kernel) -> bool {
         self.answers.get(kernel).undecidable()
     }
 
-    /// Judges the `t` of an answer.
+    /// Judges an answer: the `t` of a hit, or `None` for a miss.
     pub fn judge(&self, kernel: Kernel, answer: Option<f64>) -> Judgement {
         self.answers.get(kernel).judge(answer)
     }
 }
 
-/// Decides where `ray` hits `s`, exactly, and which answers in `f64` score.
+/// Decides exactly where `ray` hits `s`, and which answers in `f64` score.
 ///
-/// The answer is the smaller root of the quadratic that lies in the ray's closed range. A miss
+/// The hit is the smallest root of the quadratic equation that is in the ray's closed range. Misses
 /// by convention: NaN anywhere, `d = 0`, a negative radius.
 pub fn sphere(s: &Sphere, ray: &Ray) -> SphereVerdict {
-    if let Some(why) = by_convention(s, ray) {
+    if let Some(why) = conventional_miss(s, ray) {
         return SphereVerdict::miss(why);
     }
-    let frame = Frame::new(s, ray);
-    if frame.surely_misses() {
-        return SphereVerdict::miss(Miss::Beside);
+    let error_bounds = SphereErrorBounds::new(s, ray);
+    if error_bounds.surely_misses() {
+        return SphereVerdict::miss(Miss::LineMisses);
     }
-    Exact::new(s, ray).verdict(ray, &frame)
+    ExactSphere::new(s, ray).verdict(ray, &error_bounds)
 }
 
-/// The misses that need no arithmetic.
-fn by_convention(s: &Sphere, ray: &Ray) -> Option<Miss> {
-    let places = [s.center, ray.o, ray.d];
-    if s.radius.is_nan() || places.iter().any(|v| v.is_nan()) {
+/// Returns the misses that need no arithmetic.
+fn conventional_miss(s: &Sphere, ray: &Ray) -> Option<Miss> {
+    let points = [s.center, ray.o, ray.d];
+    if s.radius.is_nan() || points.iter().any(|v| v.is_nan()) {
         return Some(Miss::NotANumber);
     }
-    if let Some(why) = range_misses(ray) {
+    if let Some(why) = invalid_ray(ray) {
         return Some(why);
     }
     if s.radius < 0.0 {
         return Some(Miss::Degenerate);
     }
-    let finite = s.radius.is_finite() && places.iter().all(|v| v.is_finite());
+    let finite = s.radius.is_finite() && points.iter().all(|v| v.is_finite());
     (!finite).then_some(Miss::NotFinite)
 }
 
-/// The exact numbers behind a verdict; see `sphere_error`.
-struct Exact {
+/// The exact numbers that a verdict is computed from; see `sphere_error`.
+struct ExactSphere {
     a: Dyadic,
     b: Dyadic,
     c: Dyadic,
     /// The discriminant, `b² - a c`.
     d: Dyadic,
-    /// Bits of the longest coordinate (the radius too), on the exponent common to all.
-    place_bits: usize,
-    goes_along_an_axis: bool,
+    /// Bits of the longest coordinate, radius included, with one common exponent.
+    position_bits: usize,
+    is_along_an_axis: bool,
 }
 
-impl Exact {
-    fn new(s: &Sphere, ray: &Ray) -> Exact {
+impl ExactSphere {
+    fn new(s: &Sphere, ray: &Ray) -> ExactSphere {
         let radius = kit::Vec3::splat(s.radius);
-        let places = Dyadic3::aligned([ray.o, s.center, radius]);
+        let points = Dyadic3::aligned([ray.o, s.center, radius]);
         let [direction] = Dyadic3::aligned([ray.d]);
-        let f = places[0].minus(&places[1]);
+        let f = points[0].minus(&points[1]);
         let a = direction.dot(&direction);
         let b = f.dot(&direction);
-        let c = &f.dot(&f) - &places[2].get(0).square();
-        Exact {
+        let c = &f.dot(&f) - &points[2].get(0).square();
+        ExactSphere {
             d: &b.square() - &(&a * &c),
             a,
             b,
             c,
-            place_bits: places.iter().map(Dyadic3::bits).max().unwrap_or(0),
-            goes_along_an_axis: direction.is_along_an_axis(),
+            position_bits: points.iter().map(Dyadic3::bits).max().unwrap_or(0),
+            is_along_an_axis: direction.is_along_an_axis(),
         }
     }
 
-    /// How a root compares with a range end. The root is `(-b ∓ √D) / a`, so the sign of
-    /// `x ∓ √D` decides, `x = -b - a·end`: by squaring, without the root.
+    /// Compares a root with an end of the range. The root is `(-b ∓ √D) / a`, so the sign of
+    /// `x ∓ √D` with `x = -b - a·end` decides. It is found by squaring, without computing the root.
     fn compare_root(&self, root: usize, end: f64) -> Ordering {
         if end.is_infinite() {
             return 0.0.partial_cmp(&end).unwrap_or(Ordering::Equal);
@@ -157,26 +157,26 @@ impl Exact {
         }
     }
 
-    /// Both roots of `a t² + 2 b t + c`, the one that cancels by way of the other.
-    /// Where `D < 0` both are `-b/a`, the point of the line nearest to the centre.
-    fn roots(&self) -> [Real; 2] {
+    /// Returns both roots of `a t² + 2 b t + c`. The one that would cancel is computed from the
+    /// other. If `D < 0` both are `-b/a`, the point of the line nearest to the centre.
+    fn roots(&self) -> [BigFloat; 2] {
         if self.d.sign() <= 0 {
-            return [Real::ratio(&-&self.b, &self.a); 2];
+            return [BigFloat::ratio(&-&self.b, &self.a); 2];
         }
-        let (root, _) = Real::root_parts(&self.d);
+        let (root, _) = BigFloat::root_parts(&self.d);
         if self.b.sign() > 0 {
             let q = -&(&self.b + &root);
-            [Real::ratio(&q, &self.a), Real::ratio(&self.c, &q)]
+            [BigFloat::ratio(&q, &self.a), BigFloat::ratio(&self.c, &q)]
         } else {
             let q = &root - &self.b;
-            [Real::ratio(&self.c, &q), Real::ratio(&q, &self.a)]
+            [BigFloat::ratio(&self.c, &q), BigFloat::ratio(&q, &self.a)]
         }
     }
 
-    fn verdict(&self, ray: &Ray, frame: &Frame) -> SphereVerdict {
-        let exists = PerKernel::each(|kernel| self.exists(kernel, frame));
-        let mut verdict = SphereVerdict::miss(Miss::Beside);
-        if self.d.sign() < 0 && exists == PerKernel::each(|_| Sure::No) {
+    fn verdict(&self, ray: &Ray, error_bounds: &SphereErrorBounds) -> SphereVerdict {
+        let exists = PerKernel::each(|kernel| self.exists(kernel, error_bounds));
+        let mut verdict = SphereVerdict::miss(Miss::LineMisses);
+        if self.d.sign() < 0 && exists == PerKernel::each(|_| Certainty::No) {
             return verdict;
         }
         let ends = [0, 1].map(|i| [ray.min_t, ray.max_t].map(|end| self.compare_root(i, end)));
@@ -197,20 +197,20 @@ impl Exact {
         let near = roots.map(|t| t.to_f64());
         let (b, d) = (self.b.to_f64(), self.d.to_f64());
         let errors = PerKernel::each(|kernel| {
-            let errors = frame.roots(kernel, b, d, near);
-            let known = |e: f64| frame.in_reach && !e.is_nan();
+            let errors = error_bounds.roots(kernel, b, d, near);
+            let known = |e: f64| error_bounds.fits_f64 && !e.is_nan();
             errors.map(|e| if known(e) { e } else { f64::INFINITY })
         });
         verdict.t_tolerance = [0, 1].map(|i| PerKernel::each(|k| errors.get(k)[i]));
         verdict.p_tolerance = verdict
             .t_tolerance
-            .map(|t| PerKernel::each(|k| frame.position(*t.get(k))));
+            .map(|t| PerKernel::each(|k| error_bounds.position(*t.get(k))));
         verdict.answers = PerKernel::each(|kernel| {
             let in_range = |i: usize| {
-                if self.roots_are_exact(frame) {
-                    return Sure::exactly(inside[i]);
+                if self.roots_are_exact(error_bounds) {
+                    return Certainty::exact(inside[i]);
                 }
-                Sure::in_range(near[i], errors.get(kernel)[i], (ray.min_t, ray.max_t))
+                Certainty::in_range(near[i], errors.get(kernel)[i], (ray.min_t, ray.max_t))
             };
             let candidates = [0, 1].map(|i| Candidate {
                 t: roots[i],
@@ -221,43 +221,46 @@ impl Exact {
         verdict
     }
 
-    /// Whether correct code is sure that the line meets the sphere.
-    fn exists(&self, kernel: Kernel, frame: &Frame) -> Sure {
-        if !frame.in_reach {
-            return Sure::Open;
+    /// Whether all correct code finds that the line meets the sphere.
+    fn exists(&self, kernel: Kernel, error_bounds: &SphereErrorBounds) -> Certainty {
+        if !error_bounds.fits_f64 {
+            return Certainty::Undecided;
         }
-        let (d, bound) = (self.d.to_f64(), frame.discriminant(kernel));
+        let (d, bound) = (self.d.to_f64(), error_bounds.discriminant(kernel));
         if self.rounds_nothing() || d.abs() > bound {
-            return Sure::exactly(self.d.sign() >= 0);
+            return Certainty::exact(self.d.sign() >= 0);
         }
-        Sure::Open
+        Certainty::Undecided
     }
 
-    /// Whether every kernel finds the discriminant without a rounding: the direction is a power of two along an
-    /// axis, so that dividing by its length only shifts, and two short lengths are multiplied.
+    /// Whether every kernel computes the discriminant without rounding: the direction is a power of
+    /// two along an axis, so that division by its length is exact, and products of two coordinates
+    /// fit into 53 bits.
     fn rounds_nothing(&self) -> bool {
-        self.goes_along_an_axis && self.a.is_power_of_two() && 2 * (self.place_bits + 1) + 6 <= 53
+        self.is_along_an_axis && self.a.is_power_of_two() && 2 * (self.position_bits + 1) + 6 <= 53
     }
 
-    /// Whether every kernel finds both roots without a rounding, so that an end of the range may decide.
-    fn roots_are_exact(&self, frame: &Frame) -> bool {
-        let square = || self.d.sign() >= 0 && Real::root_parts(&self.d).1;
-        frame.in_reach && self.rounds_nothing() && square()
+    /// Whether every kernel computes both roots without rounding, so that they can be compared
+    /// exactly with an end of the range.
+    fn roots_are_exact(&self, error_bounds: &SphereErrorBounds) -> bool {
+        let square = || self.d.sign() >= 0 && BigFloat::root_parts(&self.d).1;
+        error_bounds.fits_f64 && self.rounds_nothing() && square()
     }
 }
 
-/// The answers that score, given what is sure about each root: the first root that is in the range.
-fn first_root(exists: Sure, in_range: [Sure; 2], candidates: [Candidate; 2]) -> Answers {
+/// Returns the answers that score, given the certainty about each root: the first root that is in
+/// the range.
+fn first_root(exists: Certainty, in_range: [Certainty; 2], candidates: [Candidate; 2]) -> Answers {
     let mut answers = Answers::MISS;
-    if exists == Sure::No {
+    if exists == Certainty::No {
         return answers;
     }
     for i in [0, 1] {
-        if in_range[i] != Sure::No {
+        if in_range[i] != Certainty::No {
             answers.hits[i] = Some(candidates[i]);
         }
-        if in_range[i] == Sure::Yes {
-            answers.miss = exists == Sure::Open;
+        if in_range[i] == Certainty::Yes {
+            answers.miss = exists == Certainty::Undecided;
             break;
         }
     }

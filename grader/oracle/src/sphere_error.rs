@@ -1,58 +1,61 @@
-//! How far a correct kernel may be off on one ray and sphere.
+//! Error bounds of correct kernels for one ray and sphere.
 //!
 //! With `f = o - center`, the ray is on the sphere where `a t² + 2 b t + c = 0`, `a = d·d`,
-//! `b = f·d`, `c = f·f - r²`; it is at all where the discriminant `D = b² - a c` is not negative.
+//! `b = f·d`, `c = f·f - r²`. There are real roots if the discriminant `D = b² - a c` is not
+//! negative.
 
 use kit::{Ray, Sphere, Vec3};
 
-use super::roundoff::{U, gamma, in_reach, largest};
+use super::roundoff::{U, fits_f64, gamma, max_abs};
 use super::verdict::Kernel;
 
-/// Roundings in `b² - a c` as a textbook writes it: `b²` has 2 · 4 + 1 and `a c` has 3 + 6 + 1, and
-/// one difference; each is at most `a (f² + r²)`. Rounded up to 16 and doubled.
+/// Rounding error of `b² - a c` in textbook code: `b²` has 2 · 4 + 1 roundings, `a c` has 3 + 6 +
+/// 1, and the difference has one; each is at most `a (f² + r²)`. Rounded up to 16 and doubled.
 const TEXTBOOK_D: f64 = 32.0 * U;
 
-/// Roundings in each coordinate of `l = f - (b/a) d`, the vector from the centre to the line: `b` has
-/// 4, `a` 3, their quotient 1, its product 1, the difference 1, and `f` itself 1; each is at most `|f|`.
-/// Rounded up to 12 and doubled.
+/// Rounding error of each coordinate of `l = f - (b/a) d`, the vector from the centre to the
+/// nearest point of the line: `b` has 4 roundings, `a` 3, their quotient 1, its product 1, the
+/// difference 1, and `f` itself 1; each is at most `|f|`. Rounded up to 12 and doubled.
 const ROBUST_L: f64 = 24.0 * U;
 
 /// The bounds of `t` are doubled, as for triangles.
 const DOUBLED: f64 = 2.0;
 
-/// The numbers that the bounds are made of, rounded.
-pub(super) struct Frame {
+/// The rounded numbers that the error bounds are computed from.
+pub(super) struct SphereErrorBounds {
     /// `|d|²`, `f·d`, `|f|²` and `r²`.
     a: f64,
     b: f64,
     ff: f64,
     rr: f64,
-    /// Largest coordinate of the centre or the origin, radius included; and largest component of `d`.
-    world: f64,
+    /// Largest coordinate of the centre or the origin, radius included; and largest component of
+    /// `d`.
+    extent: f64,
     direction: f64,
-    /// See [`in_reach`].
-    pub(super) in_reach: bool,
+    /// See [`fits_f64`].
+    pub(super) fits_f64: bool,
 }
 
-impl Frame {
-    pub(super) fn new(s: &Sphere, ray: &Ray) -> Frame {
+impl SphereErrorBounds {
+    pub(super) fn new(s: &Sphere, ray: &Ray) -> SphereErrorBounds {
         let f = ray.o - s.center;
-        Frame {
+        SphereErrorBounds {
             a: ray.d.length_squared(),
             b: f.dot(ray.d),
             ff: f.length_squared(),
             rr: s.radius * s.radius,
-            world: largest(ray.o).max(largest(s.center)).max(s.radius),
-            direction: largest(ray.d),
-            in_reach: in_reach(&[ray.o, s.center, ray.d, Vec3::splat(s.radius)]),
+            extent: max_abs(ray.o).max(max_abs(s.center)).max(s.radius),
+            direction: max_abs(ray.d),
+            fits_f64: fits_f64(&[ray.o, s.center, ray.d, Vec3::splat(s.radius)]),
         }
     }
 
     /// Bounds the error of the discriminant `D`.
     ///
-    /// The textbook subtracts two numbers of the size `a f²`, which drowns `a r²` when the sphere is
-    /// far. A robust kernel (Haines, Günther, Akenine-Möller, *Ray Tracing Gems*, ch. 7) takes
-    /// `D = a (r² - |l|²)`, whose error near the rim, `|l| = r`, is `2 r δl + δl²`.
+    /// Textbook code subtracts two numbers of the size `a f²`; if the sphere is far away, their
+    /// rounding errors exceed `a r²`. A robust kernel (Haines, Günther, Akenine-Möller, *Ray
+    /// Tracing Gems*, ch. 7) computes `D = a (r² - |l|²)`, whose error near the rim, `|l| = r`, is
+    /// `2 r δl + δl²`.
     pub(super) fn discriminant(&self, kernel: Kernel) -> f64 {
         match kernel {
             Kernel::Textbook => TEXTBOOK_D * self.a * (self.ff + self.rr),
@@ -63,16 +66,16 @@ impl Frame {
         }
     }
 
-    /// Whether the discriminant is negative for certain, in exact arithmetic and for every correct
-    /// kernel. This is the filter: most rays miss, and need no integers. The textbook's discriminant is
-    /// computed here, so its bound is added once for the exact value to be below it, too; robust
-    /// bounds are smaller.
+    /// Whether the discriminant is certainly negative, in exact arithmetic and for every correct
+    /// kernel. This is the filter: most rays miss, and need no integers. The discriminant is
+    /// computed here as in textbook code, so its bound is doubled: once for this computation, once
+    /// for the kernel. Robust bounds are smaller.
     pub(super) fn surely_misses(&self) -> bool {
         let d = self.b * self.b - self.a * (self.ff - self.rr);
-        self.in_reach && d < -2.0 * self.discriminant(Kernel::Textbook)
+        self.fits_f64 && d < -2.0 * self.discriminant(Kernel::Textbook)
     }
 
-    /// Bounds the error of `√D`: `δD / √D`, but never more than `√δD`.
+    /// Bounds the error of `√D`: `δD / √D`, but at most `√δD`.
     fn root(&self, kernel: Kernel, d: f64) -> f64 {
         let error = self.discriminant(kernel);
         let root = d.max(0.0).sqrt();
@@ -81,8 +84,8 @@ impl Frame {
 
     /// Bounds the errors of the two roots, `t`.
     ///
-    /// The textbook takes `(-b ∓ √D) / a` for both, and one of them cancels. A robust kernel
-    /// takes the one that adds, `q / a` with `q = -(b + sgn(b) √D)`, and `c / q` for the other.
+    /// Textbook code computes `(-b ∓ √D) / a` for both, and one of them cancels. A robust kernel
+    /// computes the one that adds, `q / a` with `q = -(b + sgn(b) √D)`, and `c / q` for the other.
     pub(super) fn roots(&self, kernel: Kernel, b: f64, d: f64, t: [f64; 2]) -> [f64; 2] {
         let root = d.max(0.0).sqrt();
         let b_error = gamma(5.0) * (self.a * self.ff).sqrt();
@@ -95,7 +98,7 @@ impl Frame {
             let is_added = (t < 0.0) == (b > 0.0) && (t * self.a).abs() >= 0.5 * q;
             match kernel {
                 Kernel::Robust if !is_added => {
-                    // On the rim `q` cancels too; but where D >= 0, |c/q| never exceeds √|c/a|.
+                    // At the rim `q` cancels, too, but if D >= 0, |c/q| never exceeds √|c/a|.
                     let divided = DOUBLED * (c_error + t.abs() * q_error) / q;
                     let rim = added + DOUBLED * (c_error / self.a).sqrt();
                     divided.min(rim) + divisions
@@ -105,11 +108,11 @@ impl Frame {
         })
     }
 
-    /// Bounds the error of a hit point, by component, given that of its `t`.
+    /// Bounds the error of each coordinate of a hit point, given the error of its `t`.
     ///
-    /// Textbook code walks the ray. Robust code pulls the point back to the sphere, which
-    /// mends the error across the surface but not the one along it.
+    /// Textbook code computes `o + t·d`. Robust code projects the point back onto the sphere, which
+    /// removes the error along the normal but not the error along the surface.
     pub(super) fn position(&self, t: f64) -> f64 {
-        t * self.direction + DOUBLED * gamma(8.0) * self.world
+        t * self.direction + DOUBLED * gamma(8.0) * self.extent
     }
 }

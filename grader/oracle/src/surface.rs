@@ -1,53 +1,55 @@
-//! The hit point and its normals.
+//! The true hit point and its normals.
 
 use kit::{Ray, Sphere, Triangle, Vec3};
 
 use super::dyadic::Dyadic3;
-use super::roundoff::{cross_of_sizes, gamma, largest, sum};
+use super::roundoff::{abs_cross, gamma, max_abs, sum_abs};
 use super::sphere::SphereVerdict;
 use super::triangle::Crossing;
 use super::verdict::{Kernel, PerKernel};
 
-/// Where the hit point is.
+/// The true hit point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointTruth {
     /// The point, in world space.
     pub p: Vec3,
-    /// How far each coordinate of an answer may be off.
+    /// Largest error that scores, per coordinate.
     pub tolerance: PerKernel<f64>,
 }
 
 impl PointTruth {
-    /// Whether an answer is close enough.
+    /// Whether an answer is within the tolerance.
     pub fn accepts(&self, kernel: Kernel, p: Vec3) -> bool {
         within(p, self.p, *self.tolerance.get(kernel))
     }
 }
 
-/// What a normal is.
+/// The true normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalTruth {
-    /// The unit normal; `None` where it is not defined, as where vertex normals cancel. Then any unit vector will do.
+    /// The unit normal; `None` if it is undefined, for example because vertex normals cancel. Then
+    /// every unit vector scores.
     pub n: Option<Vec3>,
-    /// How far each component of an answer may be off.
+    /// Largest error that scores, per component.
     pub tolerance: PerKernel<f64>,
 }
 
-/// How far the length of an answered normal may be from 1: a normalisation rounds 4 times or so.
+/// Largest difference from 1 of the length of an answered normal: a normalisation has about 4
+/// roundings.
 const UNIT_ERROR: f64 = 1e-14;
 
 impl NormalTruth {
-    /// Whether an answer is close enough, and of unit length.
+    /// Whether an answer is within the tolerance and has unit length.
     pub fn accepts(&self, kernel: Kernel, n: Vec3) -> bool {
         let is_unit = (n.length() - 1.0).abs() <= UNIT_ERROR;
         let is_close = |truth| within(n, truth, *self.tolerance.get(kernel));
         is_unit && self.n.is_none_or(is_close)
     }
 
-    /// The direction of `v`, whose components are known up to `error`.
-    fn along(v: Vec3, error: PerKernel<f64>) -> NormalTruth {
+    /// Returns the normalised `v`, whose components are known up to `error`.
+    fn of_vector(v: Vec3, error: PerKernel<f64>) -> NormalTruth {
         let length = v.length();
-        // Turned by error/length, and rounded a few times.
+        // The direction changes by error/length, plus a few roundings.
         let tolerance = PerKernel::each(|k| 2.0 * error.get(k) / length + 2.0 * gamma(8.0));
         NormalTruth {
             n: (tolerance.textbook < 1.0).then(|| v / length),
@@ -60,7 +62,8 @@ fn within(answer: Vec3, truth: Vec3, tolerance: f64) -> bool {
     tolerance == f64::INFINITY || (answer - truth).abs().max_element() <= tolerance
 }
 
-/// Where the ray's line crosses the triangle: the vertices mixed by their exact weights.
+/// Returns the point at which the ray's line crosses the triangle: the vertices weighted by the
+/// exact barycentric weights.
 pub fn triangle_point(tri: &Triangle, at: &Crossing) -> PointTruth {
     let (b1, b2) = (at.b1.to_f64(), at.b2.to_f64());
     PointTruth {
@@ -69,43 +72,44 @@ pub fn triangle_point(tri: &Triangle, at: &Crossing) -> PointTruth {
     }
 }
 
-/// The shading normal: the vertex normals mixed by the exact weights, at unit length.
+/// Returns the shading normal: the vertex normals weighted by the exact barycentric weights,
+/// normalised.
 pub fn triangle_normal(tri: &Triangle, at: &Crossing) -> NormalTruth {
     let (b1, b2) = (at.b1.to_f64(), at.b2.to_f64());
     let n = (1.0 - b1 - b2) * tri.n0 + b1 * tri.n1 + b2 * tri.n2;
-    let size = largest(tri.n0) + largest(tri.n1) + largest(tri.n2);
-    NormalTruth::along(
+    let size = max_abs(tri.n0) + max_abs(tri.n1) + max_abs(tri.n2);
+    NormalTruth::of_vector(
         n,
         PerKernel::each(|k| size * (at.b_tolerance.get(k) + gamma(8.0))),
     )
 }
 
-/// The geometric normal, along `(p1-p0) × (p2-p0)`; `None` for a triangle without area, or one
-/// that is not finite.
+/// Returns the geometric normal, along `(p1-p0) × (p2-p0)`; its `n` is `None` for a triangle
+/// without area or with a vertex that is not finite.
 pub fn geometric_normal(tri: &Triangle) -> NormalTruth {
     let vertices = [tri.p0, tri.p1, tri.p2];
     if !vertices.iter().all(|v| v.is_finite()) {
-        return NormalTruth::along(Vec3::ZERO, PerKernel::default());
+        return NormalTruth::of_vector(Vec3::ZERO, PerKernel::default());
     }
     let [p0, p1, p2] = Dyadic3::aligned(vertices);
     let exact = p1.minus(&p0).cross(&p2.minus(&p0));
-    // On an exponent that brings the largest component near 1: only the direction is asked for.
+    // Scaled so that the largest component is near 1: only the direction matters.
     let n = Dyadic3 {
         e: -(exact.bits() as i64),
         m: exact.m,
     };
     let n = n.to_f64();
     let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
-    let thinness = sum(cross_of_sizes(e1, e2)) / largest(e1.cross(e2));
+    let thinness = sum_abs(abs_cross(e1, e2)) / max_abs(e1.cross(e2));
     let error = if thinness.is_finite() {
         gamma(5.0) * thinness
     } else {
         1.0
     };
-    NormalTruth::along(n, PerKernel::each(|_| error))
+    NormalTruth::of_vector(n, PerKernel::each(|_| error))
 }
 
-/// The hit point at a root of the sphere (0 near, 1 far); `None` if the line misses.
+/// Returns the hit point at a root of the sphere (0 near, 1 far); `None` if the line misses.
 pub fn sphere_point(verdict: &SphereVerdict, ray: &Ray, root: usize) -> Option<PointTruth> {
     let t = verdict.roots?[root].to_f64();
     Some(PointTruth {
@@ -114,7 +118,8 @@ pub fn sphere_point(verdict: &SphereVerdict, ray: &Ray, root: usize) -> Option<P
     })
 }
 
-/// How far `p` is off the plane of the triangle, which must have an area; infinite if `p` is not finite.
+/// Returns the distance of `p` from the plane of the triangle, which must have an area; infinite if
+/// `p` is not finite.
 pub fn off_plane(tri: &Triangle, p: Vec3) -> f64 {
     if !p.is_finite() {
         return f64::INFINITY;
@@ -124,19 +129,20 @@ pub fn off_plane(tri: &Triangle, p: Vec3) -> f64 {
     p.minus(&p0).dot(&normal).to_f64().abs() / normal.to_f64().length()
 }
 
-/// How far `p` is off the sphere; infinite if `p` is not finite.
+/// Returns the distance of `p` from the sphere; infinite if `p` is not finite.
 pub fn off_sphere(s: &Sphere, p: Vec3) -> f64 {
     if !p.is_finite() {
         return f64::INFINITY;
     }
     let [center, radius, p] = Dyadic3::aligned([s.center, Vec3::splat(s.radius), p]);
     let from_center = p.minus(&center);
-    // |f| - r, without cancelling.
+    // |f| - r, without cancellation.
     let difference = &from_center.dot(&from_center) - &radius.get(0).square();
     difference.to_f64().abs() / (from_center.to_f64().length() + s.radius)
 }
 
-/// The normal at a root of the sphere (0 near, 1 far): from the centre to the hit point, at unit length.
+/// Returns the normal at a root of the sphere (0 near, 1 far): from the centre to the hit point,
+/// normalised.
 pub fn sphere_normal(
     verdict: &SphereVerdict,
     s: &Sphere,
@@ -144,7 +150,7 @@ pub fn sphere_normal(
     root: usize,
 ) -> Option<NormalTruth> {
     let at = sphere_point(verdict, ray, root)?;
-    Some(NormalTruth::along(at.p - s.center, at.tolerance))
+    Some(NormalTruth::of_vector(at.p - s.center, at.tolerance))
 }
 
 #[cfg(test)]
@@ -152,7 +158,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_are_as_far_off_as_they_are() {
+    fn distances_from_plane_and_sphere_are_exact() {
         let tri = Triangle::flat(Vec3::ZERO, Vec3::X, Vec3::Y);
         let p = Vec3::new(0.1, 0.7, 1e-30);
         assert_eq!(off_plane(&tri, p), 1e-30);

@@ -1,53 +1,54 @@
-//! Rays and triangles.
+//! The exact ray/triangle test.
 
 use std::cmp::Ordering;
 
 use kit::{Ray, Triangle, Vec3};
 
+use super::big_float::BigFloat;
 use super::dyadic::{Dyadic, Dyadic3};
-use super::real::Real;
-use super::triangle_error::{Frame, Robust};
-use super::verdict::{Answers, Candidate, Judgement, Kernel, Miss, PerKernel, Sure};
+use super::triangle_error::{RobustBounds, TriangleErrorBounds};
+use super::verdict::{Answers, Candidate, Certainty, Judgement, Kernel, Miss, PerKernel};
 
-/// Where a ray passes a triangle, exactly.
+/// How a ray meets a triangle, exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriangleClass {
-    /// Through its inside.
+    /// Through the interior.
     Inside,
-    /// Through the inside of the edge that is opposite to this vertex (0, 1 or 2). Counts as a hit.
+    /// Through the interior of the edge that is opposite to this vertex (0, 1 or 2). Counts as a
+    /// hit.
     Edge(u8),
     /// Through this vertex. Counts as a hit.
     Vertex(u8),
-    /// Not at all.
+    /// No hit.
     Miss(Miss),
 }
 
-/// Where the line of a ray crosses the plane of a triangle.
+/// The intersection of the line of a ray with the plane of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Distance along the ray, in lengths of its direction.
-    pub t: Real,
+    pub t: BigFloat,
     /// Barycentric weight of `p1`.
-    pub b1: Real,
+    pub b1: BigFloat,
     /// Barycentric weight of `p2`.
-    pub b2: Real,
-    /// How far a `t` may be off. Infinite where rounding decides everything.
+    pub b2: BigFloat,
+    /// Largest error of `t` that scores. Infinite if rounding can change any digit.
     pub t_tolerance: PerKernel<f64>,
-    /// How far a barycentric weight may be off.
+    /// Largest error of a barycentric weight that scores.
     pub b_tolerance: PerKernel<f64>,
-    /// How far each coordinate of the hit point may be off.
+    /// Largest error that scores of each coordinate of the hit point.
     pub p_tolerance: PerKernel<f64>,
 }
 
-/// All there is to say about one ray and one triangle.
+/// The oracle's result for one ray and one triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleVerdict {
     /// The exact answer.
     pub class: TriangleClass,
     /// Whether `t` is exactly `min_t` or `max_t`. Both ends count.
     pub at_range_end: bool,
-    /// Where the ray's line meets the plane. There is always one with a hit; with a miss only
-    /// where an undecidable one needs it.
+    /// The intersection of the ray's line with the plane. Present for every hit; for a miss only if
+    /// the ray is undecidable.
     pub crossing: Option<Crossing>,
     /// The answers that score.
     pub answers: PerKernel<Answers>,
@@ -66,65 +67,66 @@ impl TriangleVerdict {
         }
     }
 
-    /// Whether the ray truly hits; the course's conventions count.
+    /// Whether the ray hits, by exact arithmetic and the course's conventions.
     pub fn hits(&self) -> bool {
         !matches!(self.class, TriangleClass::Miss(_))
     }
 
-    /// Whether the exact answer hangs on a convention: an edge, a vertex or an end of the range.
+    /// Whether the exact answer depends on a convention: an edge, a vertex or an end of the range.
     pub fn on_boundary(&self) -> bool {
         use TriangleClass::{Edge, Vertex};
         self.at_range_end || matches!(self.class, Edge(_) | Vertex(_))
     }
 
-    /// Whether correct code of this kind may answer either way.
+    /// Whether correct code of this class may return a hit or a miss.
     pub fn undecidable(&self, kernel: Kernel) -> bool {
         self.answers.get(kernel).undecidable()
     }
 
-    /// Judges the `t` of an answer.
+    /// Judges an answer: the `t` of a hit, or `None` for a miss.
     pub fn judge(&self, kernel: Kernel, answer: Option<f64>) -> Judgement {
         self.answers.get(kernel).judge(answer)
     }
 }
 
-/// Decides whether `ray` hits `tri`, exactly, and which answers in `f64` score.
+/// Decides exactly whether `ray` hits `tri`, and which answers in `f64` score.
 ///
-/// Edges, vertices and both ends of the ray's range count, both faces are hit. A miss by convention: NaN
-/// anywhere, `d = 0`, no area, a ray inside the plane. Only positions are read, not normals.
+/// Edges, vertices and both ends of the ray's range count; both faces are hit. Misses by
+/// convention: NaN anywhere, `d = 0`, no area, a ray in the plane of the triangle. Only positions
+/// are used, not normals.
 pub fn triangle(tri: &Triangle, ray: &Ray) -> TriangleVerdict {
-    if let Some(why) = by_convention(tri, ray) {
+    if let Some(why) = conventional_miss(tri, ray) {
         return TriangleVerdict::miss(why);
     }
-    let frame = Frame::new(tri, ray);
-    if frame.surely_misses() {
-        return TriangleVerdict::miss(Miss::Beside);
+    let error_bounds = TriangleErrorBounds::new(tri, ray);
+    if error_bounds.surely_misses() {
+        return TriangleVerdict::miss(Miss::LineMisses);
     }
-    let exact = Exact::new(tri, ray);
-    exact.verdict(ray, &frame)
+    let exact = ExactTriangle::new(tri, ray);
+    exact.verdict(ray, &error_bounds)
 }
 
-/// The misses that need no arithmetic.
-fn by_convention(tri: &Triangle, ray: &Ray) -> Option<Miss> {
-    let places = [tri.p0, tri.p1, tri.p2, ray.o, ray.d];
-    if places.iter().any(|v| v.is_nan()) {
+/// Returns the misses that need no arithmetic.
+fn conventional_miss(tri: &Triangle, ray: &Ray) -> Option<Miss> {
+    let points = [tri.p0, tri.p1, tri.p2, ray.o, ray.d];
+    if points.iter().any(|v| v.is_nan()) {
         return Some(Miss::NotANumber);
     }
-    if let Some(why) = range_misses(ray) {
+    if let Some(why) = invalid_ray(ray) {
         return Some(why);
     }
-    places
+    points
         .iter()
         .any(|v| !v.is_finite())
         .then_some(Miss::NotFinite)
 }
 
-/// The misses that a ray brings along, whatever it is tested against.
-pub(super) fn range_misses(ray: &Ray) -> Option<Miss> {
+/// Returns the misses that depend only on the ray.
+pub(super) fn invalid_ray(ray: &Ray) -> Option<Miss> {
     if ray.min_t.is_nan() || ray.max_t.is_nan() {
         Some(Miss::NotANumber)
     } else if ray.d == Vec3::ZERO {
-        Some(Miss::NoDirection)
+        Some(Miss::ZeroDirection)
     } else if ray.min_t > ray.max_t {
         Some(Miss::EmptyRange)
     } else {
@@ -132,40 +134,41 @@ pub(super) fn range_misses(ray: &Ray) -> Option<Miss> {
     }
 }
 
-/// The exact numbers behind a verdict.
-struct Exact {
+/// The exact numbers that a verdict is computed from.
+struct ExactTriangle {
     /// Edge functions, their sum, and the numerator of `t`; see `triangle_error`.
     e: [Dyadic; 3],
     det: Dyadic,
     num: Dyadic,
     normal: Dyadic3,
-    /// The same, rounded, to be held against bounds.
+    /// The same numbers, rounded, to compare with error bounds.
     rounded: Rounded,
-    /// Bits of the longest coordinate, and of the direction, each on its own common exponent.
-    place_bits: usize,
+    /// Bits of the longest coordinate and of the longest component of the direction, each with its
+    /// own common exponent.
+    position_bits: usize,
     direction_bits: usize,
-    /// Whether dividing by the longest component of the direction does not round.
+    /// Whether division by the largest component of the direction does not round.
     shear_is_exact: bool,
 }
 
-/// Some of [`Exact`]'s numbers in `f64`.
+/// Some of [`ExactTriangle`]'s numbers in `f64`.
 struct Rounded {
     e: [f64; 3],
     det: f64,
     normal: Vec3,
 }
 
-impl Exact {
-    fn new(tri: &Triangle, ray: &Ray) -> Exact {
-        let places = Dyadic3::aligned([tri.p0, tri.p1, tri.p2, ray.o]);
+impl ExactTriangle {
+    fn new(tri: &Triangle, ray: &Ray) -> ExactTriangle {
+        let points = Dyadic3::aligned([tri.p0, tri.p1, tri.p2, ray.o]);
         let [d] = Dyadic3::aligned([ray.d]);
-        let [a, b, c] = [0, 1, 2].map(|i| places[i].minus(&places[3]));
+        let [a, b, c] = [0, 1, 2].map(|i| points[i].minus(&points[3]));
         let normal = b.minus(&a).cross(&c.minus(&a));
         let det = d.dot(&normal);
         let e1 = d.dot(&c.cross(&a));
         let e2 = d.dot(&a.cross(&b));
         let e = [&(&det - &e1) - &e2, e1, e2];
-        Exact {
+        ExactTriangle {
             rounded: Rounded {
                 e: [0, 1, 2].map(|i| e[i].to_f64()),
                 det: det.to_f64(),
@@ -175,13 +178,13 @@ impl Exact {
             num: a.dot(&normal),
             det,
             normal,
-            place_bits: places.iter().map(Dyadic3::bits).max().unwrap_or(0),
+            position_bits: points.iter().map(Dyadic3::bits).max().unwrap_or(0),
             direction_bits: d.bits(),
             shear_is_exact: d.get(ray.d.abs().max_position()).is_power_of_two(),
         }
     }
 
-    /// Where the line passes, whatever the range.
+    /// Classifies the line of the ray; the range is not considered.
     fn class(&self) -> TriangleClass {
         if self.normal.is_zero() {
             return TriangleClass::Miss(Miss::Degenerate);
@@ -190,7 +193,7 @@ impl Exact {
         if facing == 0 && self.num.sign() == 0 {
             return TriangleClass::Miss(Miss::Coplanar);
         } else if facing == 0 {
-            return TriangleClass::Miss(Miss::Beside);
+            return TriangleClass::Miss(Miss::LineMisses);
         }
         match [0, 1, 2].map(|i| self.e[i].sign() * facing) {
             [1, 1, 1] => TriangleClass::Inside,
@@ -200,11 +203,11 @@ impl Exact {
             [1, 0, 0] => TriangleClass::Vertex(0),
             [0, 1, 0] => TriangleClass::Vertex(1),
             [0, 0, 1] => TriangleClass::Vertex(2),
-            _ => TriangleClass::Miss(Miss::Beside),
+            _ => TriangleClass::Miss(Miss::LineMisses),
         }
     }
 
-    /// How `t` compares with a range end; `det` must not be 0.
+    /// Compares `t` with an end of the range; `det` must not be 0.
     fn compare_t(&self, end: f64) -> Ordering {
         if end.is_infinite() {
             return 0.0.partial_cmp(&end).unwrap_or(Ordering::Equal);
@@ -217,10 +220,10 @@ impl Exact {
         }
     }
 
-    fn verdict(&self, ray: &Ray, frame: &Frame) -> TriangleVerdict {
+    fn verdict(&self, ray: &Ray, error_bounds: &TriangleErrorBounds) -> TriangleVerdict {
         let mut class = self.class();
-        let mut verdict = TriangleVerdict::miss(Miss::Beside);
-        let mut range = Sure::No;
+        let mut verdict = TriangleVerdict::miss(Miss::LineMisses);
+        let mut range = Certainty::No;
         if self.det.sign() != 0 {
             let ends = (self.compare_t(ray.min_t), self.compare_t(ray.max_t));
             let inside = ends.0 != Ordering::Less && ends.1 != Ordering::Greater;
@@ -229,33 +232,33 @@ impl Exact {
                 class = TriangleClass::Miss(Miss::OutOfRange);
             }
             verdict.at_range_end = !beside && inside && (ends.0.is_eq() || ends.1.is_eq());
-            range = Sure::exactly(inside);
+            range = Certainty::exact(inside);
         }
         verdict.class = class;
-        let robust = frame.robust();
-        let edges = PerKernel::each(|kernel| self.edges(kernel, frame, &robust));
-        if edges == PerKernel::each(|_| Sure::No) {
+        let robust = error_bounds.robust();
+        let edges = PerKernel::each(|kernel| self.edges(kernel, error_bounds, &robust));
+        if edges == PerKernel::each(|_| Certainty::No) {
             return verdict;
         }
         if self.det.sign() == 0 {
             verdict.answers = PerKernel::each(|kernel| match edges.get(kernel) {
-                Sure::Open => Answers::ANY,
+                Certainty::Undecided => Answers::ANY,
                 _ => Answers::MISS,
             });
             return verdict;
         }
-        let mut crossing = self.crossing(frame, &robust);
+        let mut crossing = self.crossing(error_bounds, &robust);
         let sure = PerKernel::each(|kernel| {
-            let in_range = if self.divides_exactly(kernel, frame) {
+            let in_range = if self.divides_exactly(kernel, error_bounds) {
                 range
             } else {
                 let t = crossing.t.to_f64();
                 let error = *crossing.t_tolerance.get(kernel);
-                Sure::in_range(t, error, (ray.min_t, ray.max_t))
+                Certainty::in_range(t, error, (ray.min_t, ray.max_t))
             };
             edges.get(kernel).and(in_range)
         });
-        if sure.robust == Sure::Yes {
+        if sure.robust == Certainty::Yes {
             crossing.t_tolerance.robust = crossing.t_tolerance.robust.min(robust.t_cap());
         }
         verdict.answers = PerKernel::each(|kernel| {
@@ -264,10 +267,10 @@ impl Exact {
                 tolerance: *crossing.t_tolerance.get(kernel),
             });
             match sure.get(kernel) {
-                Sure::No => Answers::MISS,
+                Certainty::No => Answers::MISS,
                 sure => Answers {
                     hits: [hit, None],
-                    miss: *sure == Sure::Open,
+                    miss: *sure == Certainty::Undecided,
                 },
             }
         });
@@ -275,38 +278,44 @@ impl Exact {
         verdict
     }
 
-    /// Whether correct code is sure that the line passes through the triangle.
-    fn edges(&self, kernel: Kernel, frame: &Frame, robust: &Robust) -> Sure {
-        if !frame.in_reach {
-            return Sure::Open;
+    /// Whether all correct code finds that the line passes through the triangle.
+    fn edges(
+        &self,
+        kernel: Kernel,
+        error_bounds: &TriangleErrorBounds,
+        robust: &RobustBounds,
+    ) -> Certainty {
+        if !error_bounds.fits_f64 {
+            return Certainty::Undecided;
         }
         if self.rounds_nothing(kernel) {
-            return Sure::exactly(!matches!(self.class(), TriangleClass::Miss(_)));
+            return Certainty::exact(!matches!(self.class(), TriangleClass::Miss(_)));
         }
         let bounds = match kernel {
-            Kernel::Textbook => [frame.textbook_edge(self.rounded.normal); 3],
+            Kernel::Textbook => [error_bounds.textbook_edge(self.rounded.normal); 3],
             Kernel::Robust => robust.edges,
         };
         let e = self.rounded.e;
         let is_positive = [0, 1, 2].map(|i| e[i] > bounds[i]);
         let is_negative = [0, 1, 2].map(|i| e[i] < -bounds[i]);
         if is_positive.contains(&true) && is_negative.contains(&true) {
-            Sure::No
+            Certainty::No
         } else if is_positive == [true; 3] || is_negative == [true; 3] {
-            Sure::Yes
+            Certainty::Yes
         } else {
-            Sure::Open
+            Certainty::Undecided
         }
     }
 
-    /// Whether a kernel decides the edges without a single rounding, because its numbers are short.
+    /// Whether a kernel decides the edges without any rounding, because its numbers have few bits.
     ///
-    /// Counted in bits on common exponents: a robust kernel multiplies two lengths and the direction twice
-    /// (shear), and a third length for `t`. A textbook one may multiply four lengths (plane and inside
-    /// test), compares quotients by `det`, and normalises the normal, which is exact along an axis.
+    /// The bits are counted with common exponents. A robust kernel multiplies two lengths and the
+    /// direction twice (shear), and a third length for `t`. A textbook kernel may multiply four
+    /// lengths (plane and inside test), compares quotients by `det`, and normalises the normal,
+    /// which is exact along an axis.
     fn rounds_nothing(&self, kernel: Kernel) -> bool {
-        // Seen from the origin, a coordinate may be one bit longer.
-        let (place, direction) = (self.place_bits + 1, self.direction_bits);
+        // Relative to the ray's origin, a coordinate may be one bit longer.
+        let (place, direction) = (self.position_bits + 1, self.direction_bits);
         let robust = self.shear_is_exact && 3 * place + 2 * direction + 3 <= 53;
         match kernel {
             Kernel::Robust => robust,
@@ -319,38 +328,39 @@ impl Exact {
         }
     }
 
-    /// Whether a kernel finds `t` without a rounding, so that an end of the range may decide.
-    fn divides_exactly(&self, kernel: Kernel, frame: &Frame) -> bool {
-        frame.in_reach && self.rounds_nothing(kernel) && self.det.is_power_of_two()
+    /// Whether a kernel computes `t` without rounding, so that `t` can be compared exactly with an
+    /// end of the range.
+    fn divides_exactly(&self, kernel: Kernel, error_bounds: &TriangleErrorBounds) -> bool {
+        error_bounds.fits_f64 && self.rounds_nothing(kernel) && self.det.is_power_of_two()
     }
 
-    fn crossing(&self, frame: &Frame, robust: &Robust) -> Crossing {
-        let t = Real::ratio(&self.num, &self.det);
+    fn crossing(&self, error_bounds: &TriangleErrorBounds, robust: &RobustBounds) -> Crossing {
+        let t = BigFloat::ratio(&self.num, &self.det);
         let Rounded { e, det, normal } = self.rounded;
         let near = t.to_f64();
         let bound = |value: f64| {
-            if frame.in_reach && !value.is_nan() {
+            if error_bounds.fits_f64 && !value.is_nan() {
                 value
             } else {
                 f64::INFINITY
             }
         };
         let t_tolerance = PerKernel {
-            textbook: bound(frame.textbook_t(det, near)),
+            textbook: bound(error_bounds.textbook_t(det, near)),
             robust: bound(robust.t(e, det, near)),
         };
         let b_tolerance = PerKernel {
-            textbook: bound(frame.textbook_b(normal, det)),
+            textbook: bound(error_bounds.textbook_b(normal, det)),
             robust: bound(robust.b(det)),
         };
         Crossing {
             t,
-            b1: Real::ratio(&self.e[1], &self.det),
-            b2: Real::ratio(&self.e[2], &self.det),
+            b1: BigFloat::ratio(&self.e[1], &self.det),
+            b2: BigFloat::ratio(&self.e[2], &self.det),
             t_tolerance,
             b_tolerance,
             p_tolerance: PerKernel::each(|k| {
-                frame.position(k, *t_tolerance.get(k), *b_tolerance.get(k))
+                error_bounds.position(k, *t_tolerance.get(k), *b_tolerance.get(k))
             }),
         }
     }

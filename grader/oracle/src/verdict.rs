@@ -1,15 +1,15 @@
-//! What the oracle says, and how an answer is judged by it.
+//! The oracle's result, and how an answer is judged by it.
 
-use super::real::Real;
+use super::big_float::BigFloat;
 
-/// Which code a bound of rounding errors is for.
+/// The class of code that an error bound is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kernel {
-    /// The formulas of a textbook in plain `f64`: Möller-Trumbore, Plücker coordinates, plane
-    /// and inside test, the quadratic formula, slabs. *Core* points are judged by this.
+    /// Textbook formulas in plain `f64`: Möller-Trumbore, Plücker coordinates, plane and inside
+    /// test, the quadratic formula, slabs. *Core* points are graded with these bounds.
     Textbook,
-    /// A kernel made for hard cases: Woop's shear, the sphere discriminant of Haines et al.,
-    /// Ize's boxes. *Robust* points are judged by this.
+    /// A kernel for hard cases: Woop's shear, the sphere discriminant of Haines et al., Ize's box
+    /// test. *Robust* points are graded with these bounds.
     Robust,
 }
 
@@ -23,7 +23,7 @@ pub struct PerKernel<T> {
 }
 
 impl<T> PerKernel<T> {
-    /// The value of `of` for each kernel.
+    /// Calls `of` for each kernel class.
     pub fn each(of: impl Fn(Kernel) -> T) -> PerKernel<T> {
         PerKernel {
             textbook: of(Kernel::Textbook),
@@ -31,7 +31,7 @@ impl<T> PerKernel<T> {
         }
     }
 
-    /// The value for one kernel.
+    /// Returns the value for one kernel class.
     pub fn get(&self, kernel: Kernel) -> &T {
         match kernel {
             Kernel::Textbook => &self.textbook,
@@ -40,61 +40,63 @@ impl<T> PerKernel<T> {
     }
 }
 
-/// Why a ray truly misses.
+/// The exact reason why a ray misses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Miss {
     /// A number of the ray or the shape is NaN: a miss by convention.
     NotANumber,
-    /// A number is infinite where a place or direction is asked for; nothing is said about such rays.
+    /// A position or direction is infinite. The result of such rays is not specified.
     NotFinite,
     /// The direction is 0: a miss by convention.
-    NoDirection,
-    /// `min_t > max_t`: no `t` counts.
+    ZeroDirection,
+    /// `min_t > max_t`: the range is empty.
     EmptyRange,
-    /// A triangle of no area, or a sphere of negative radius: a miss by convention.
+    /// A triangle without area, or a sphere of negative radius: a miss by convention.
     Degenerate,
-    /// The ray runs inside the plane of the triangle: a miss by convention, even through the triangle.
+    /// The ray lies in the plane of the triangle: a miss by convention, even through the triangle.
     Coplanar,
-    /// The line of the ray passes beside the shape, or parallel to the triangle's plane and off it.
-    Beside,
+    /// The line of the ray does not meet the shape, or it is parallel to the triangle's plane and
+    /// not in it.
+    LineMisses,
     /// The line meets the shape, but only at `t < min_t` or `t > max_t`.
     OutOfRange,
 }
 
-/// Whether correct code is sure to find something true.
+/// Whether a statement holds for all correct code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Sure {
+pub(super) enum Certainty {
     Yes,
     No,
-    /// It hangs on rounding.
-    Open,
+    /// It depends on rounding.
+    Undecided,
 }
 
-impl Sure {
-    pub(super) fn exactly(truth: bool) -> Sure {
-        if truth { Sure::Yes } else { Sure::No }
+impl Certainty {
+    pub(super) fn exact(truth: bool) -> Certainty {
+        if truth { Certainty::Yes } else { Certainty::No }
     }
 
-    pub(super) fn and(self, other: Sure) -> Sure {
+    pub(super) fn and(self, other: Certainty) -> Certainty {
         match (self, other) {
-            (Sure::No, _) | (_, Sure::No) => Sure::No,
-            (Sure::Yes, Sure::Yes) => Sure::Yes,
-            _ => Sure::Open,
+            (Certainty::No, _) | (_, Certainty::No) => Certainty::No,
+            (Certainty::Yes, Certainty::Yes) => Certainty::Yes,
+            _ => Certainty::Undecided,
         }
     }
 
     /// Whether `min <= t <= max` for a `t` that is known up to `error`.
-    pub(super) fn in_range(t: f64, error: f64, (min, max): (f64, f64)) -> Sure {
+    pub(super) fn in_range(t: f64, error: f64, (min, max): (f64, f64)) -> Certainty {
         if t + error < min || t - error > max {
-            return Sure::No;
+            return Certainty::No;
         }
-        // An infinite end is never in doubt. Written so that an error that is NaN leaves all open.
+        // An infinite end is always satisfied. The comparisons are written so that a NaN error
+        // gives `Undecided`.
         let above = min == f64::NEG_INFINITY || t - error > min;
         let below = max == f64::INFINITY || t + error < max;
         if above && below {
-            Sure::Yes
+            Certainty::Yes
         } else {
-            Sure::Open
+            Certainty::Undecided
         }
     }
 }
@@ -102,16 +104,16 @@ impl Sure {
 /// A hit that scores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
-    /// Where, in lengths of the ray's direction.
-    pub t: Real,
-    /// How far from it an answer may be; infinite where rounding decides everything.
+    /// The exact `t`, in lengths of the ray's direction.
+    pub t: BigFloat,
+    /// Largest difference of an answer that scores; infinite if rounding can change any digit.
     pub tolerance: f64,
 }
 
-/// The answers that score.
+/// The set of answers that score.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answers {
-    /// Hits, the one that is true or likeliest first.
+    /// Hits that score, the true or most likely one first.
     pub hits: [Option<Candidate>; 2],
     /// Whether "no hit" scores.
     pub miss: bool,
@@ -124,11 +126,11 @@ impl Answers {
         miss: true,
     };
 
-    /// Everything scores.
+    /// Every answer scores.
     pub const ANY: Answers = Answers {
         hits: [
             Some(Candidate {
-                t: Real::ZERO,
+                t: BigFloat::ZERO,
                 tolerance: f64::INFINITY,
             }),
             None,
@@ -136,7 +138,7 @@ impl Answers {
         miss: true,
     };
 
-    /// Whether more than one answer scores: the ray is undecidable in `f64`.
+    /// Whether more than one answer scores, which means that the ray is undecidable in `f64`.
     pub fn undecidable(&self) -> bool {
         let hits = self.hits.iter().flatten().count();
         hits + usize::from(self.miss) > 1
@@ -171,25 +173,25 @@ impl Answers {
     }
 }
 
-/// What an answer is worth.
+/// The result of judging an answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Judgement {
-    /// The only answer there is, and close enough.
+    /// The only correct answer, and `t` is within the tolerance.
     Right {
-        /// How far off, in units in the last place of the true `t`; 0 for a miss.
+        /// Error of `t` in units in the last place of the true value; 0 for a miss.
         ulps: f64,
     },
-    /// The ray is undecidable in `f64`, and this is one of the answers that score.
+    /// The ray is undecidable in `f64`, and this answer is one of those that score.
     Either,
-    /// There is no hit.
+    /// The answer is a hit; the ray misses.
     FalseHit,
-    /// There is a hit.
+    /// The answer is a miss; the ray hits.
     FalseMiss,
-    /// There is a hit, elsewhere.
+    /// The ray hits, but `t` is outside the tolerance.
     WrongT {
-        /// How far off, in units in the last place of the true `t`.
+        /// Error of `t` in units in the last place of the true value.
         ulps: f64,
-        /// How far off it may be, in the same unit.
+        /// The tolerance, in the same unit.
         bound: f64,
     },
 }
@@ -207,13 +209,13 @@ mod tests {
 
     fn hit(t: f64, tolerance: f64) -> Option<Candidate> {
         Some(Candidate {
-            t: Real::new(t),
+            t: BigFloat::new(t),
             tolerance,
         })
     }
 
     #[test]
-    fn a_decided_hit_leaves_one_answer() {
+    fn only_the_hit_scores_on_a_decided_hit() {
         let answers = Answers {
             hits: [hit(2.0, 1e-12), None],
             miss: false,
@@ -226,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn an_undecidable_hit_still_has_its_place() {
+    fn t_is_still_judged_on_an_undecidable_hit() {
         let answers = Answers {
             hits: [hit(2.0, 1e-12), None],
             miss: true,
@@ -237,19 +239,22 @@ mod tests {
     }
 
     #[test]
-    fn a_decided_miss_scores_alone() {
+    fn only_the_miss_scores_on_a_decided_miss() {
         assert_eq!(Answers::MISS.judge(None), Judgement::Right { ulps: 0.0 });
         assert_eq!(Answers::MISS.judge(Some(1.0)), Judgement::FalseHit);
     }
 
     #[test]
-    fn range_ends_within_the_error_are_open() {
+    fn range_ends_within_the_error_are_undecided() {
         let range = (1.0, 2.0);
-        assert_eq!(Sure::in_range(1.5, 0.1, range), Sure::Yes);
-        assert_eq!(Sure::in_range(1.0, 0.0, range), Sure::Open);
-        assert_eq!(Sure::in_range(0.5, 0.1, range), Sure::No);
-        assert_eq!(Sure::in_range(0.5, f64::NAN, range), Sure::Open);
+        assert_eq!(Certainty::in_range(1.5, 0.1, range), Certainty::Yes);
+        assert_eq!(Certainty::in_range(1.0, 0.0, range), Certainty::Undecided);
+        assert_eq!(Certainty::in_range(0.5, 0.1, range), Certainty::No);
+        assert_eq!(
+            Certainty::in_range(0.5, f64::NAN, range),
+            Certainty::Undecided
+        );
         let all = (f64::NEG_INFINITY, f64::INFINITY);
-        assert_eq!(Sure::in_range(0.5, f64::INFINITY, all), Sure::Yes);
+        assert_eq!(Certainty::in_range(0.5, f64::INFINITY, all), Certainty::Yes);
     }
 }

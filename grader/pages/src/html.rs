@@ -1,10 +1,10 @@
-//! What pages that need nothing but themselves are made of.
+//! Building blocks of self-contained HTML pages.
 
 use crate::picture::encode_png;
 use grader::error::GraderError;
 use image::RgbImage;
 
-/// `text` where HTML stands for itself, in attributes, too.
+/// Escapes `text` for use in HTML text and attribute values.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
@@ -20,7 +20,7 @@ pub fn escape(text: &str) -> String {
     escaped
 }
 
-/// `bytes` in base 64 (RFC 4648, with padding), as data URIs want them and `atob` reads them.
+/// Encodes `bytes` in base64 (RFC 4648, with padding), as used in data URIs and read by `atob`.
 pub fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -40,13 +40,13 @@ pub fn base64(bytes: &[u8]) -> String {
     text
 }
 
-/// The picture as the address of an `<img>`: a PNG in a data URI.
-pub fn png_address(picture: &RgbImage) -> Result<String, GraderError> {
+/// Encodes the picture as a PNG in a data URI, for the `src` of an `<img>`.
+pub fn png_data_uri(picture: &RgbImage) -> Result<String, GraderError> {
     let png = base64(&encode_png(picture)?);
     Ok(format!("data:image/png;base64,{png}"))
 }
 
-/// JSON for a `<script>` element: nothing in it ends the element.
+/// Escapes JSON for a `<script>` element, so that nothing in it closes the element.
 pub fn json_in_script(json: &str) -> String {
     json.replace("</", "<\\/").replace("<!--", "<\\u0021--")
 }
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn base64_is_rfc_4648s() {
+    fn base64_matches_the_vectors_of_rfc_4648() {
         for (bytes, text) in [
             ("", ""),
             ("f", "Zg=="),
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn text_cannot_become_markup() {
+    fn escaped_text_is_not_markup() {
         assert_eq!(escape("<a b='\"&\">"), "&lt;a b=&#39;&quot;&amp;&quot;&gt;");
         assert_eq!(json_in_script("\"</script>\""), "\"<\\/script>\"");
     }

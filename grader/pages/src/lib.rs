@@ -1,4 +1,5 @@
-//! Parts of self-contained HTML pages: [`html`] escapes text and embeds data, [`picture`] turns answers into pictures.
+//! Parts of self-contained HTML pages: [`html`] escapes text and embeds data, [`picture`] converts
+//! the worker's answers to pictures.
 
 pub mod html;
 pub mod picture;

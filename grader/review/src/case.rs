@@ -1,6 +1,6 @@
 //! What changed in one case.
 
-use super::boxes;
+use super::box_tests;
 use super::cause::Cause;
 use super::exact;
 use super::picture::{Picture, Pixels};
@@ -167,7 +167,10 @@ fn pictures(
     spec: &Spec,
     answer: &Answer,
 ) -> Result<Option<[RgbImage; 2]>, GraderError> {
-    let Some(actual) = spec.picture.and_then(|size| compose(size, answer)) else {
+    let Some(actual) = spec
+        .picture
+        .and_then(|size| compose(size, &spec.work, answer))
+    else {
         return Ok(None);
     };
     let golden = read_png(&workspace.golden_picture(spec.task, spec.name))?;
@@ -194,7 +197,7 @@ fn picture(
     let comparable = old.dimensions() == new.dimensions()
         && [golden, actual].map(|snapshot| snapshot.calls) == [old.pixels().len(); 2];
     let pixels = if comparable {
-        let boxes = boxes::asked_for(spec, answer, together)?;
+        let boxes = box_tests::of_case(spec, answer, together)?;
         let pictures = [(golden, &old), (actual, &new)];
         let [golden, actual] = pictures;
         Some(Pixels::of(spec, golden, actual, full, wrong, boxes))

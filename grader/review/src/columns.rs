@@ -1,57 +1,62 @@
-//! Records of many calls as columns of numbers, in which a page can hold them all.
+//! Stores the records of many calls as columns of numbers, compact enough for one page.
 
 use judge::snapshot::Fields;
 use pages::html::base64;
 use serde::Serialize;
 
-/// A field of many records.
+/// One field of many records.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Column {
-    /// The field's name; a name that a record has several times makes several columns.
+    /// The field's name. If a record has several fields of one name, each has its own column.
     pub name: String,
-    /// Numbers a value: 1, or 3 for a vector.
+    /// The number of `f64` per value: 1, or 3 for a vector.
     pub width: usize,
-    /// A byte a record: whether it has the field. Base 64; `None` if all have it.
+    /// One byte per record: 1 if it has the field. Base 64; `None` if all records have it.
     pub has: Option<String>,
-    /// Whether all values are the same, and it stands there once.
+    /// Whether all values are equal. Then the value is stored once.
     pub constant: bool,
-    /// The values of the records that have the field, one after the other, as little-endian `f64`. Base 64.
+    /// The values of the records that have the field, as little-endian `f64`. Base 64.
     pub values: String,
 }
 
-/// The columns of `records`, in the order in which their fields first come up.
+/// The columns of `records`, in the order in which their fields first occur.
 pub fn columns(records: &[&Fields]) -> Vec<Column> {
-    let mut open: Vec<Open> = Vec::new();
+    let mut builders: Vec<ColumnBuilder> = Vec::new();
     for (row, fields) in records.iter().enumerate() {
         for (i, (name, value)) in fields.iter().enumerate() {
             let nth = fields[..i]
                 .iter()
                 .filter(|(other, _)| other == name)
                 .count();
-            let known = open.iter().position(|c| c.name == *name && c.nth == nth);
+            let known = builders
+                .iter()
+                .position(|c| c.name == *name && c.nth == nth);
             let column = known.unwrap_or_else(|| {
-                open.push(Open::new(name, nth));
-                open.len() - 1
+                builders.push(ColumnBuilder::new(name, nth));
+                builders.len() - 1
             });
-            open[column].rows.push(row);
-            open[column].values.push(value.numbers());
+            builders[column].rows.push(row);
+            builders[column].values.push(value.numbers());
         }
     }
-    open.into_iter().map(|c| c.close(records.len())).collect()
+    builders
+        .into_iter()
+        .map(|c| c.finish(records.len()))
+        .collect()
 }
 
-/// A column in the making.
-struct Open {
+/// A column that values are still added to.
+struct ColumnBuilder {
     name: String,
-    /// How many fields of this name stand before it.
+    /// The number of fields of the same name before it in a record.
     nth: usize,
     rows: Vec<usize>,
     values: Vec<Vec<f64>>,
 }
 
-impl Open {
-    fn new(name: &str, nth: usize) -> Open {
-        Open {
+impl ColumnBuilder {
+    fn new(name: &str, nth: usize) -> ColumnBuilder {
+        ColumnBuilder {
             name: name.into(),
             nth,
             rows: Vec::new(),
@@ -59,7 +64,7 @@ impl Open {
         }
     }
 
-    fn close(self, rows: usize) -> Column {
+    fn finish(self, rows: usize) -> Column {
         let bits = |value: &[f64]| value.iter().copied().map(f64::to_bits).collect::<Vec<_>>();
         let first = self.values.first().cloned().unwrap_or_default();
         let constant = self.values.iter().all(|value| bits(value) == bits(&first));
@@ -87,7 +92,7 @@ mod tests {
     use judge::snapshot::parse;
 
     #[test]
-    fn a_column_holds_what_its_records_have_and_a_constant_once() {
+    fn a_column_stores_existing_values_and_a_constant_once() {
         let text =
             "0: o=(1,2,3) -> t=1 at=(0,1) at=(2,3)\n1: o=(1,2,3) -> miss\n2: o=(1,2,3) -> t=2\n";
         let lines = parse(text).unwrap().lines;

@@ -10,27 +10,27 @@ use kit::{Aabb, Primitive, Scene};
 use rayon::prelude::*;
 use wire::Work;
 use wire::answer::Hit;
-use wire::work::Ray;
+use wire::work::{BoxWork, BruteForceWork, Ray, SceneWork};
 
 /// The hit or the interval that is right for each of `calls`, without fields where a miss is;
 /// `None` for work that is about neither closest hits nor boxes.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
-        Work::BruteForce {
+        Work::BruteForce(BruteForceWork {
             triangles,
             spheres,
             rays,
-        } => {
+        }) => {
             let scene = convert::scene(triangles, spheres);
             Some(of_scene(spec, &scene, rays, calls))
         }
-        Work::SceneHits {
+        Work::SceneHits(SceneWork {
             scene,
             rays,
             any_hit: false,
             ..
-        } => Some(of_scene(spec, &scene::load(scene), rays, calls)),
-        Work::Boxes { boxes, probes } => {
+        }) => Some(of_scene(spec, &scene::load(scene), rays, calls)),
+        Work::Boxes(BoxWork { boxes, probes }) => {
             let inside = |&call: &u32| {
                 let probe = &probes[call as usize];
                 let [min, max] = boxes[probe.shape as usize].map(Into::into);

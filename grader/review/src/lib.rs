@@ -1,12 +1,14 @@
-//! `grader review`: what changed between the goldens and what the code answers now, as a page for a person to judge.
+//! `grader review` shows the differences between the goldens and the answers of the current code on
+//! a page. `grader bless` accepts them.
 //!
-//! Follow [`Review::add`]: a worker answers the cases, [`case`] compares each answer with its golden, line by line
-//! and, where there is a [`picture`], pixel by pixel, with the [`cause`] of each difference. The [`exact`] oracle says
-//! apart from both who is right. [`page`] writes it all as one HTML file that needs nothing but itself; [`columns`]
-//! and [`boxes`] are what it holds of every pixel.
+//! Start at [`Review::add`]: a worker answers the cases. [`case`] compares each answer with its
+//! golden, line by line and, if the case has a [`picture`], pixel by pixel, and finds the [`cause`]
+//! of each difference. The [`exact`] oracle checks the answers independently of both. [`page`]
+//! writes the result as one self-contained HTML file; [`columns`] and [`box_tests`] are its data
+//! about pixels.
 
 pub mod bless;
-pub mod boxes;
+pub mod box_tests;
 pub mod case;
 pub mod cause;
 pub mod columns;
@@ -15,38 +17,38 @@ pub mod page;
 pub mod picture;
 
 use case::{Case, State};
+use grader::consistency;
 use grader::course::{CaseEntry, Course, Task};
 use grader::error::GraderError;
 use grader::grade;
-use grader::lists;
-use grader::report::table::describe;
+use grader::report::table::status_text;
 use grader::score::Status;
 use grader::worker_set::WorkerSet;
 use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::Spec;
 use std::path::Path;
-use submission::job::Job;
+use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
-/// Goldens against answers, case by case.
+/// The comparison of goldens and answers.
 #[derive(Clone, Debug, Default)]
 pub struct Review {
-    /// In the order of the course.
+    /// The compared cases in the order of the course.
     pub cases: Vec<Case>,
 }
 
 /// Whose answers are reviewed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Author {
-    /// The reference's, which must satisfy the oracle at the robust bounds.
+    /// The reference. Its answers are checked with the robust bounds.
     Reference,
-    /// A student's: the oracle asks of each case what its points ask.
+    /// A student. The answers to each case are checked with the bounds of its tier.
     Student(String),
 }
 
 impl Author {
-    /// What the oracle asks of a case.
+    /// The tier whose bounds the answers to a case must meet.
     fn tier(&self, entry: &CaseEntry) -> Tier {
         match self {
             Author::Reference => Tier::Robust,
@@ -56,7 +58,7 @@ impl Author {
 }
 
 impl Review {
-    /// Adds the cases of `tasks`, answered by `workers`.
+    /// Runs the cases of `tasks` in `workers` and adds the comparisons.
     pub fn add(
         &mut self,
         workspace: &Workspace,
@@ -69,13 +71,13 @@ impl Review {
         for task in tasks {
             let chosen = grade::chosen(&[task], specs)?;
             let Some(workers) = workers.workers(&task.stage) else {
-                self.lost(&chosen, &Status::DoesNotCompile);
+                self.add_without_answer(&chosen, &Status::DoesNotCompile);
                 continue;
             };
             let endings = workers.run(&chosen, &mut String::new())?;
             for ((entry, spec), ending) in task.cases.iter().zip(chosen).zip(&endings) {
                 let case = match grade::answered(&task.key, ending, course)? {
-                    Err(status) => Case::silent(spec, describe(&status)),
+                    Err(status) => Case::silent(spec, status_text(&status)),
                     Ok(answer) => {
                         let tier = author.tier(entry);
                         Case::of(workspace, spec, tier, answer, &workers.together)?
@@ -87,14 +89,14 @@ impl Review {
         Ok(())
     }
 
-    /// Reviews a student's stages, each among the reference's others.
+    /// Reviews a student's stages, each together with the reference's other stages.
     pub fn of_submission(
         workspace: &Workspace,
         course: &Course,
         tasks: &[&Task],
         specs: &[Spec],
         submission: &Submission,
-        job: &Job,
+        clean: &CleanWorkspace,
         author: &Author,
     ) -> Result<Review, GraderError> {
         let mut review = Review::default();
@@ -102,13 +104,17 @@ impl Review {
             let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
             let of_stage: Vec<&Task> = of_stage.collect();
             match submission.stages.get(stage) {
-                None => review.lost(&grade::chosen(&of_stage, specs)?, &Status::NotAttempted),
+                None => review
+                    .add_without_answer(&grade::chosen(&of_stage, specs)?, &Status::NotAttempted),
                 Some(sources) if !sources.contains_key(Path::new("lib.rs")) => {
-                    review.lost(&grade::chosen(&of_stage, specs)?, &Status::DoesNotCompile);
+                    review.add_without_answer(
+                        &grade::chosen(&of_stage, specs)?,
+                        &Status::DoesNotCompile,
+                    );
                 }
                 Some(sources) => {
-                    let site = job.with(&[(stage, sources)])?;
-                    let workers = grade::workers(&site, &of_stage, specs, false)?;
+                    let build_root = clean.with_stages(&[(stage, sources)])?;
+                    let workers = grade::workers(&build_root, &of_stage, specs, false)?;
                     review.add(workspace, course, &of_stage, specs, &workers, author)?;
                 }
             }
@@ -117,21 +123,21 @@ impl Review {
         Ok(review)
     }
 
-    /// Adds cases without answers.
-    fn lost(&mut self, specs: &[&Spec], status: &Status) {
+    /// Adds cases without answers, with the status as the reason.
+    fn add_without_answer(&mut self, specs: &[&Spec], status: &Status) {
         let cases = specs
             .iter()
-            .map(|spec| Case::silent(spec, describe(status)));
+            .map(|spec| Case::silent(spec, status_text(status)));
         self.cases.extend(cases);
     }
 
-    /// Whether every case has an answer, and every answer is the golden's.
+    /// Whether every case has an answer and every answer equals its golden.
     pub fn is_same(&self) -> bool {
         self.cases.iter().all(|case| case.state == State::Same)
     }
 }
 
-/// Refuses to review cases whose golden is missing.
+/// Returns an error if a case has no golden.
 pub fn check_goldens(
     workspace: &Workspace,
     tasks: &[&Task],
@@ -139,13 +145,13 @@ pub fn check_goldens(
 ) -> Result<(), GraderError> {
     let missing: Vec<String> = grade::chosen(tasks, specs)?
         .into_iter()
-        .filter_map(|spec| lists::missing_golden(workspace, spec))
+        .filter_map(|spec| consistency::missing_golden(workspace, spec))
         .collect();
     match missing.split_first() {
         None => Ok(()),
         Some((first, [])) => Err(GraderError::new(first)),
         Some((first, more)) => Err(GraderError::new(format!(
-            "{first}. (So it is with {} more.)",
+            "{first}. ({} more goldens are missing.)",
             more.len()
         ))),
     }

@@ -3,14 +3,14 @@
 mod cli;
 
 use cli::{bless, review};
-use grader::cli::{end, sister};
+use grader::cli::{run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = sister([review::command(), bless::command()]).get_matches();
-    end(|| match matches.subcommand() {
+    let matches = subprogram_command([review::command(), bless::command()]).get_matches();
+    run_to_exit_code(|| match matches.subcommand() {
         Some(("bless", matches)) => bless::run(matches),
         Some((_, matches)) => review::run(matches),
-        None => unreachable!("clap asks for a command"),
+        None => unreachable!("clap requires a command"),
     })
 }

@@ -1,6 +1,6 @@
 //! A golden picture and what takes its place, pixel by pixel.
 
-use super::boxes::Boxes;
+use super::box_tests::BoxTests;
 use super::cause::Cause;
 use super::columns::{Column, columns};
 use super::exact;
@@ -39,7 +39,7 @@ pub struct Pixels {
     /// What the exact oracle answers.
     pub exact: Option<Exact>,
     /// The boxes that were asked for.
-    pub boxes: Option<Boxes>,
+    pub boxes: Option<BoxTests>,
 }
 
 /// The golden's answers, as far as they are known: those of all calls if the hash says that they
@@ -78,7 +78,7 @@ impl Pixels {
         actual: (&Snapshot, &RgbImage),
         full: &Snapshot,
         wrong: &BTreeMap<u32, Vec<Aspect>>,
-        boxes: Option<Boxes>,
+        boxes: Option<BoxTests>,
     ) -> Pixels {
         let colours = from_the_bottom(golden.1).zip(from_the_bottom(actual.1));
         let same_answers = golden.0.hash == full.hash;
@@ -148,10 +148,11 @@ fn answers(snapshot: &Snapshot) -> Vec<Column> {
 /// Whether black is the colour of a miss, and of nothing else: no unit normal is black, and no box
 /// near the camera.
 fn misses_are_black(work: &Work) -> bool {
-    matches!(
-        work,
-        Work::Boxes { .. } | Work::BruteForce { .. } | Work::SceneHits { any_hit: false, .. }
-    )
+    match work {
+        Work::Boxes(_) | Work::BruteForce(_) => true,
+        Work::SceneHits(work) => !work.any_hit,
+        _ => false,
+    }
 }
 
 /// The pixels in the order of calls: row by row from the bottom left.

@@ -1,15 +1,15 @@
-//! `grader part1`: grades the code in the workspace.
+//! The command `grader part1`: grades the code in the workspace.
 
 use super::{Format, Verdict, seed_argument, seed_of};
 use crate::error::GraderError;
 use crate::grade::{self, GradeRequest};
 use crate::report;
-use crate::report::table::Hint;
+use crate::report::table::HintLevel;
 use crate::workspace::Workspace;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::path::{Path, PathBuf};
 
-/// Adds to `command` the arguments that say what to grade and how to show it.
+/// Adds to `command` the arguments for what to grade and how to print the report.
 pub fn arguments(command: Command) -> Command {
     command
         .arg(
@@ -27,7 +27,7 @@ pub fn arguments(command: Command) -> Command {
                 .value_name("LEVEL")
                 .value_parser(["1", "2", "3", "4"])
                 .default_value("4")
-                .help("How much to reveal: 1 what the cases that fail check, 2 also what is wrong, 3 also the worst ray, 4 also the mistake"),
+                .help("How much to reveal: 1 what each failed case tests, 2 also what is wrong, 3 also the worst ray, 4 also the likely mistake"),
         )
         .arg(
             Arg::new("no-times")
@@ -37,7 +37,7 @@ pub fn arguments(command: Command) -> Command {
         )
 }
 
-/// The arguments that say whose code to grade, if not the workspace's own.
+/// The arguments for grading submissions instead of the workspace's own code.
 pub fn submission_arguments() -> [Arg; 4] {
     let folder = |name: &'static str, help: &'static str| {
         Arg::new(name)
@@ -49,7 +49,7 @@ pub fn submission_arguments() -> [Arg; 4] {
     [
         folder(
             "submission",
-            "For instructors: grade the stages in DIR, each among the reference's other stages",
+            "For instructors: grade the stages in DIR, each together with the reference's other stages",
         )
         .conflicts_with("class"),
         folder(
@@ -57,28 +57,29 @@ pub fn submission_arguments() -> [Arg; 4] {
             "For instructors: grade every folder in DIR as a submission",
         )
         .requires("out"),
-        folder("out", "Where a class's reports and summary.csv go").requires("class"),
+        folder("out", "The folder for the reports of a class and its summary.csv")
+            .requires("class"),
         Arg::new("together")
             .long("together")
             .action(ArgAction::SetTrue)
-            .help("Also grade all of a submission's stages linked together"),
+            .help("Also grade all stages of a submission linked together"),
     ]
 }
 
-/// Whether any of [`submission_arguments`] was given.
-pub(super) fn is_of_a_submission(matches: &ArgMatches) -> bool {
+/// Whether any of the [`submission_arguments`] is present.
+pub(super) fn is_for_submissions(matches: &ArgMatches) -> bool {
     let folders = ["submission", "class", "out"];
     matches.get_flag("together") || folders.iter().any(|name| matches.contains_id(name))
 }
 
-/// What is to be graded, or an error if it is more than one thing.
+/// Reads what to grade. Naming more than one part or task is an error.
 pub fn request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
     let what = matches
         .get_one::<String>("what")
-        .ok_or_else(|| GraderError::new("no task is named. Run `grader part1`"))?;
+        .ok_or_else(|| GraderError::new("expected a part or a task, such as `grader part1`"))?;
     if let Some(second) = matches.get_one::<String>("more") {
         return Err(GraderError::new(format!(
-            "one at a time: `grader {what}`, then `grader {second}`; or `grader all`"
+            "expected one part or task, found two. Run `grader {what}`, then `grader {second}`; or run `grader all`"
         )));
     }
     Ok(GradeRequest {
@@ -87,13 +88,13 @@ pub fn request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
     })
 }
 
-/// How much the report reveals.
-pub fn hint(matches: &ArgMatches) -> Hint {
+/// Reads how much the report reveals.
+pub fn hint(matches: &ArgMatches) -> HintLevel {
     match matches.get_one::<String>("hint").map(String::as_str) {
-        Some("1") => Hint::Class,
-        Some("2") => Hint::Field,
-        Some("3") => Hint::Ray,
-        _ => Hint::Mistake,
+        Some("1") => HintLevel::Class,
+        Some("2") => HintLevel::Field,
+        Some("3") => HintLevel::Ray,
+        _ => HintLevel::Mistake,
     }
 }
 
@@ -109,12 +110,15 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             if !graded.printed.is_empty() {
                 println!("your code printed:\n{}\n", graded.printed.trim_end());
             }
-            print!("{}", report::table::show(&graded.report, hint(matches)));
+            print!(
+                "{}",
+                report::table::format_report(&graded.report, hint(matches))
+            );
         }
     }
     Ok(if graded.report.is_full() {
-        Verdict::Full
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }

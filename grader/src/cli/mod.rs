@@ -1,10 +1,11 @@
 //! The command line of `grader`.
 //!
-//! `grader part1` grades here ([`grade`]). The other commands are programs of their own ([`sister`]), so that a student who
-//! grades does not compile them. What all these programs share is here: their [`Verdict`] and how they [`end`].
+//! `grader part1` grades in this program ([`grade`]). Each other command is a separate program
+//! (`subprogram`), so that a student who only grades does not have to compile it. This module has
+//! what all of them share: the [`Verdict`], the exit codes ([`run_to_exit_code`]), common options.
 
 pub mod grade;
-mod sister;
+mod subprogram;
 
 use crate::error::GraderError;
 use crate::interrupt;
@@ -16,29 +17,29 @@ use std::str::FromStr;
 
 /// The exit codes of every program of the grader, for `--help`.
 pub const EXIT_CODES: &str =
-    "Exit code: 0 every core point, 1 points lost, 2 the grader or its input is at fault.";
+    "Exit code: 0 every core point, 1 points lost, 2 an error in the grader or its input.";
 
-/// The commands that are programs of their own: name, package, description.
-const SISTERS: [(&str, &str, &str); 6] = [
+/// The commands that are separate programs: name, package, description.
+const SUBPROGRAMS: [(&str, &str, &str); 6] = [
     (
         "cost",
         "cost",
-        "Measures what accuracy costs in time: well-known kernels and yours, side by side",
+        "Measures what accuracy costs in time: compares your kernels with well-known ones",
     ),
     (
         "bless",
         "review",
-        "For instructors: accepts what the reference computes now as golden, after showing what that changes",
+        "For instructors: shows how the reference's results differ from the goldens, then stores them as new goldens",
     ),
     (
         "review",
         "review",
-        "For reviewers: writes a page with every difference between the goldens and what the code computes now",
+        "For reviewers: writes a page with every difference between the goldens and the code's results",
     ),
     (
         "handout",
         "authoring",
-        "For instructors: carves the project that a student is given",
+        "For instructors: creates the project for students, without the solutions",
     ),
     (
         "course",
@@ -54,7 +55,7 @@ const SISTERS: [(&str, &str, &str); 6] = [
 
 /// The command line of `grader`.
 fn command() -> Command {
-    let sisters = SISTERS.iter().map(|(name, _, about)| {
+    let subprograms = SUBPROGRAMS.iter().map(|(name, _, about)| {
         let rest = Arg::new("arguments")
             .value_parser(value_parser!(OsString))
             .num_args(..)
@@ -73,15 +74,15 @@ fn command() -> Command {
         .args_conflicts_with_subcommands(true)
         .subcommand_negates_reqs(true)
         .after_help(EXIT_CODES)
-        .subcommands(sisters)
+        .subcommands(subprograms)
 }
 
 /// How to print a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// For people.
+    /// A table and explanations, for people.
     Table,
-    /// One JSON object.
+    /// One JSON object, for programs.
     Json,
 }
 
@@ -95,7 +96,7 @@ impl Format {
             .default_value("table")
     }
 
-    /// What [`Format::argument`] was given.
+    /// Reads the option that [`Format::argument`] defines.
     pub fn of(matches: &ArgMatches) -> Format {
         match matches.get_one::<String>("format").map(String::as_str) {
             Some("json") => Format::Json,
@@ -115,40 +116,41 @@ pub fn seed_argument() -> Arg {
         .allow_negative_numbers(true)
 }
 
-/// What [`seed_argument`] was given.
+/// Reads the option that [`seed_argument`] defines.
 pub fn seed_of(matches: &ArgMatches) -> u64 {
     matches.get_one("seed").copied().unwrap_or(0)
 }
 
-/// Reads a whole number in `least..=most`, or says what is allowed.
+/// Parses a whole number in `min..=max`. The error names this range.
 pub fn whole_number<T: FromStr + PartialOrd + Display>(
     value: &str,
-    least: T,
-    most: T,
+    min: T,
+    max: T,
 ) -> Result<T, String> {
     match value.parse() {
-        Ok(number) if least <= number && number <= most => Ok(number),
-        _ => Err(format!("give a whole number from {least} to {most}")),
+        Ok(number) if min <= number && number <= max => Ok(number),
+        _ => Err(format!("expected a whole number from {min} to {max}")),
     }
 }
 
-/// The outcome of a run that came to its end.
+/// The result of a run that finished without an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Every core point, or no complaint.
-    Full,
-    /// Points were lost, or a check found something.
-    Short,
+    /// Every core point was earned, or a check found no problem.
+    Passed,
+    /// Points were lost, or a check found a problem.
+    Failed,
 }
 
-/// Runs `work` as the whole of a program: its exit code, after an error has been printed. Ctrl-C ends what it started.
-pub fn end(work: impl FnOnce() -> Result<Verdict, GraderError>) -> ExitCode {
-    interrupt::watch();
+/// Runs `work` as a whole program and returns its exit code. Prints an error, if there is one, to
+/// stderr. On Ctrl-C child processes end, too.
+pub fn run_to_exit_code(work: impl FnOnce() -> Result<Verdict, GraderError>) -> ExitCode {
+    interrupt::install_handler();
     match work() {
-        Ok(Verdict::Full) => ExitCode::SUCCESS,
-        Ok(Verdict::Short) => ExitCode::from(1),
+        Ok(Verdict::Passed) => ExitCode::SUCCESS,
+        Ok(Verdict::Failed) => ExitCode::from(1),
         Err(error) => {
-            if !interrupt::is_the_cause() {
+            if !interrupt::was_interrupted() {
                 eprintln!("error: {error}");
             }
             ExitCode::from(2)
@@ -156,8 +158,8 @@ pub fn end(work: impl FnOnce() -> Result<Verdict, GraderError>) -> ExitCode {
     }
 }
 
-/// The command line of a program that has some of the commands of `grader`.
-pub fn sister(commands: impl IntoIterator<Item = Command>) -> Command {
+/// The command line of a program that implements some of the commands of `grader`.
+pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Command {
     Command::new("grader")
         .version(env!("CARGO_PKG_VERSION"))
         .subcommand_required(true)
@@ -168,24 +170,26 @@ pub fn sister(commands: impl IntoIterator<Item = Command>) -> Command {
 /// Runs the program `grader`.
 pub fn main() -> ExitCode {
     let matches = command().get_matches();
-    end(|| run(&matches))
+    run_to_exit_code(|| run(&matches))
 }
 
 fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     if let Some((name, rest)) = matches.subcommand() {
-        let sister = SISTERS.iter().find(|(sister, ..)| *sister == name);
-        let (_, package, _) = sister.expect("clap knows no other command");
-        let arguments = [OsString::from(name)].into_iter().chain(passed_on(rest));
-        return sister::run(package, arguments.collect());
+        let subprogram = SUBPROGRAMS.iter().find(|(other, ..)| *other == name);
+        let (_, package, _) = subprogram.expect("clap accepts no other command");
+        let arguments = [OsString::from(name)]
+            .into_iter()
+            .chain(forwarded_arguments(rest));
+        return subprogram::run(package, arguments.collect());
     }
-    if grade::is_of_a_submission(matches) {
-        return sister::run("submission", std::env::args_os().skip(1).collect());
+    if grade::is_for_submissions(matches) {
+        return subprogram::run("submission", std::env::args_os().skip(1).collect());
     }
     grade::run(matches)
 }
 
-/// The arguments after the name of a command that is a program of its own.
-fn passed_on(rest: &ArgMatches) -> impl Iterator<Item = OsString> {
+/// The arguments after the name of a command that is a separate program.
+fn forwarded_arguments(rest: &ArgMatches) -> impl Iterator<Item = OsString> {
     let arguments = rest.get_many::<OsString>("arguments");
     arguments.unwrap_or_default().cloned()
 }
@@ -195,37 +199,37 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_command_line_is_sound() {
+    fn the_command_line_is_valid() {
         command().debug_assert();
     }
 
     #[test]
-    fn a_seed_that_is_not_a_whole_number_is_refused() {
+    fn a_seed_that_is_not_a_whole_number_is_an_error() {
         for line in ["grader part1 --seed x", "grader part1 --seed -1"] {
-            let refused = command().try_get_matches_from(line.split(' ')).err();
-            let message = refused.expect("this line is refused").to_string();
-            let allowed = "give a whole number from 0 to";
-            assert!(message.contains(allowed), "`{line}`:\n{message}");
+            let error = command().try_get_matches_from(line.split(' ')).err();
+            let message = error.expect("this line is an error").to_string();
+            let expected = "expected a whole number from 0 to";
+            assert!(message.contains(expected), "`{line}`:\n{message}");
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
     }
 
     #[test]
-    fn two_tasks_at_once_are_refused() {
+    fn two_tasks_at_once_are_an_error() {
         let matches = command().get_matches_from(["grader", "part1", "part2"]);
-        let refused = run(&matches).expect_err("two tasks").to_string();
+        let error = run(&matches).expect_err("two tasks").to_string();
         assert!(
-            refused.contains("one at a time: `grader part1`, then `grader part2`"),
-            "{refused}"
+            error.contains("found two. Run `grader part1`, then `grader part2`"),
+            "{error}"
         );
     }
 
     #[test]
-    fn a_command_takes_its_arguments_as_they_are() {
+    fn arguments_of_a_subprogram_are_forwarded_unchanged() {
         let line = ["grader", "cost", "--help", "box", "--seed", "-1"];
         let matches = command().get_matches_from(line);
         let (name, rest) = matches.subcommand().expect("a command");
         assert_eq!(name, "cost");
-        assert!(passed_on(rest).eq(line[2..].iter().map(OsString::from)));
+        assert!(forwarded_arguments(rest).eq(line[2..].iter().map(OsString::from)));
     }
 }

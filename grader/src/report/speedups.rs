@@ -1,19 +1,19 @@
-//! The table of speedups.
+//! Formats the table of speedups.
 
 use crate::speedup::{Growth, Speedup, Speedups};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
-/// What the tree saves, for people.
-pub(crate) fn show(speedups: &Speedups) -> String {
+/// Formats the speedups for people: the table, the growth of the cost, and what is missing.
+pub(crate) fn format_speedups(speedups: &Speedups) -> String {
     let mut text = String::new();
     if !speedups.rows.is_empty() {
         let _ = writeln!(
             text,
-            "\nYour tree against your brute force (no points, only for you to see)"
+            "\nYour BVH compared with your brute force (for information only, no points)"
         );
         let _ = writeln!(text, "{}", table(&speedups.rows));
-        let sampled = |by: fn(u64, u64) -> u64| {
+        let sample_size = |by: fn(u64, u64) -> u64| {
             speedups
                 .rows
                 .iter()
@@ -23,24 +23,24 @@ pub(crate) fn show(speedups: &Speedups) -> String {
         };
         let _ = writeln!(
             text,
-            "* extrapolated from a sample: {} rays through the largest mesh, {} through the smallest, medians of interleaved rounds.",
-            sampled(u64::min),
-            sampled(u64::max),
+            "* estimated from a sample of rays: {} for the largest mesh, {} for the smallest. Times are medians of interleaved rounds.",
+            sample_size(u64::min),
+            sample_size(u64::max),
         );
-        text.push_str("  In brackets: the tests of the reference's tree. Its midpoint splits can be bettered.\n");
+        text.push_str("  In brackets: the number of tests with the reference's BVH. It splits at midpoints, so you can do better.\n");
     }
     for growth in &speedups.growth {
-        text.push_str(&growth_in_words(growth));
+        text.push_str(&growth_sentence(growth));
     }
     for row in speedups.rows.iter().filter(|row| row.differing_hits > 0) {
         let _ = writeln!(
             text,
-            "On the {} mesh of {} triangles tree and brute force find different hits on {} of {} rays: see the cases of part2.task3.",
+            "On the {} mesh of {} triangles your BVH and your brute force find different hits on {} of {} rays: see the cases of part2.task3.",
             row.mesh, row.triangles, row.differing_hits, row.brute_rays
         );
     }
     if let Some(why) = &speedups.missing {
-        let _ = writeln!(text, "\nThe table of speedups is not complete: {why}.");
+        let _ = writeln!(text, "\nThe table of speedups is incomplete: {why}.");
     }
     text
 }
@@ -52,10 +52,10 @@ fn table(rows: &[Speedup]) -> Table {
         "triangles",
         "build",
         "brute force*\nMrays/s",
-        "tree\nMrays/s",
+        "BVH\nMrays/s",
         "speedup",
-        "box tests\na ray",
-        "primitive\ntests a ray",
+        "box tests\nper ray",
+        "primitive\ntests per ray",
     ]);
     for row in rows {
         let numbers = [
@@ -63,7 +63,7 @@ fn table(rows: &[Speedup]) -> Table {
             seconds(row.build_s),
             rate(row.brute_s),
             rate(row.tree_s),
-            format!("{}x", figures(row.speedup)),
+            format!("{}x", three_digits(row.speedup)),
             format!("{:.1} ({:.1})", row.work.boxes, row.reference.boxes),
             format!("{:.1} ({:.1})", row.work.prims, row.reference.prims),
         ];
@@ -73,7 +73,7 @@ fn table(rows: &[Speedup]) -> Table {
     table
 }
 
-fn growth_in_words(growth: &Growth) -> String {
+fn growth_sentence(growth: &Growth) -> String {
     let Growth {
         mesh,
         brute,
@@ -82,25 +82,25 @@ fn growth_in_words(growth: &Growth) -> String {
         build,
     } = growth;
     format!(
-        "On the {mesh} mesh of n triangles a ray costs n^{brute:.2} by brute force and n^{tree:.2} through your tree (its tests: n^{tests:.2}); building takes n^{build:.2}.\n"
+        "On the {mesh} mesh of n triangles, the time per ray grows as n^{brute:.2} by brute force and as n^{tree:.2} with your BVH (its tests: n^{tests:.2}); the build time grows as n^{build:.2}.\n"
     )
 }
 
 fn seconds(s: f64) -> String {
     if s < 1.0 {
-        format!("{} ms", figures(1e3 * s))
+        format!("{} ms", three_digits(1e3 * s))
     } else {
-        format!("{} s", figures(s))
+        format!("{} s", three_digits(s))
     }
 }
 
-/// Millions of rays a second.
-fn rate(seconds_a_ray: f64) -> String {
-    figures(1e-6 / seconds_a_ray)
+/// Millions of rays per second.
+fn rate(seconds_per_ray: f64) -> String {
+    three_digits(1e-6 / seconds_per_ray)
 }
 
-/// Three significant figures, as far as they stand before or just behind the point.
-fn figures(x: f64) -> String {
+/// A number with three significant digits, but with all digits before the decimal point.
+fn three_digits(x: f64) -> String {
     let decimals = (2.0 - x.abs().log10().floor()).clamp(0.0, 7.0);
     format!("{x:.*}", decimals as usize)
 }
@@ -110,23 +110,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_three_figures() {
-        assert_eq!(figures(1234.5), "1234");
-        assert_eq!(figures(12.345), "12.3");
-        assert_eq!(figures(0.012345), "0.0123");
+    fn numbers_have_three_significant_digits() {
+        assert_eq!(three_digits(1234.5), "1234");
+        assert_eq!(three_digits(12.345), "12.3");
+        assert_eq!(three_digits(0.012345), "0.0123");
         assert_eq!(seconds(0.0421), "42.1 ms");
         assert_eq!(rate(4e-7), "2.50");
     }
 
     #[test]
-    fn a_table_that_is_not_complete_says_why() {
+    fn an_incomplete_table_gives_the_reason() {
         let speedups = Speedups {
             missing: Some("it needs part1.task3 (Intersecting triangles)".into()),
             ..Speedups::default()
         };
         assert_eq!(
-            show(&speedups),
-            "\nThe table of speedups is not complete: it needs part1.task3 (Intersecting triangles).\n"
+            format_speedups(&speedups),
+            "\nThe table of speedups is incomplete: it needs part1.task3 (Intersecting triangles).\n"
         );
     }
 }

@@ -1,6 +1,8 @@
-//! The report as a table, then what failed: as much of it as the hint level says.
+//! Formats the report for people: a table of scores, then the failed cases in as much detail as the
+//! hint level allows.
 
-use crate::score::{CaseResult, Report, Status, TaskResult};
+use super::{Report, TaskReport};
+use crate::score::{CaseResult, Status, TaskResult};
 use clap::builder::styling::{AnsiColor, Style};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
@@ -11,29 +13,29 @@ use judge::tally::{Aspect, Finding};
 use std::fmt::Write;
 use std::io::IsTerminal;
 
-/// How much the report gives away, from the least to the most.
+/// How much the report reveals, from the least to the most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Hint {
-    /// What the cases that fail check.
+pub enum HintLevel {
+    /// What each failed case tests.
     Class,
-    /// Also what is wrong about the answers, and what a naive formula does there.
+    /// Also which fields of the answers are wrong, and why simple formulas often fail there.
     Field,
-    /// Also the worst ray, and a test to paste.
+    /// Also the worst ray, and a Rust test that reproduces it.
     Ray,
-    /// Also the mistake, if it is a known one.
+    /// Also the likely mistake, if it is a known one.
     Mistake,
 }
 
-/// Of a task with many failing cases this many are shown in full; the rest by name.
+/// How many failed cases of a task are shown in full. The others are only named.
 const CASES_IN_FULL: usize = 5;
 
-/// The report for people.
-pub fn show(report: &Report, hint: Hint) -> String {
+/// Formats the report for people.
+pub fn format_report(report: &Report, hint: HintLevel) -> String {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_BORDERS_ONLY)
         .set_header(["task", "", "core", "extra", "status"]);
-    for task in &report.tasks {
+    for TaskReport { result: task, .. } in &report.tasks {
         table.add_row([
             Cell::new(&task.key),
             Cell::new(&task.title),
@@ -43,12 +45,12 @@ pub fn show(report: &Report, hint: Hint) -> String {
         ]);
     }
     let mut text = format!("{}\n", coloured(&table.to_string(), report));
-    rounding(&mut text, report);
+    rounding_errors(&mut text, report);
     for task in &report.tasks {
         details(&mut text, task, hint);
     }
     if let Some(speedups) = &report.speedups {
-        text.push_str(&super::speedups::show(speedups));
+        text.push_str(&super::speedups::format_speedups(speedups));
     }
     let (score, max_score) = (number(report.score), number(report.max_score));
     let _ = writeln!(text, "\nscore {score} of {max_score}");
@@ -56,16 +58,17 @@ pub fn show(report: &Report, hint: Hint) -> String {
         let (score, max_score) = (number(report.robust_score), number(report.robust_max_score));
         let _ = writeln!(
             text,
-            "extra credit {score} of {max_score}, for answers that stay right where textbook formulas do not"
+            "extra credit {score} of {max_score}, for answers that stay right where textbook formulas fail"
         );
     }
     text
 }
 
-/// How far off `t` is, task by task, in the cases that are right about it: a matter of the formula.
-fn rounding(text: &mut String, report: &Report) {
+/// Adds the rounding errors of `t` in the cases whose `t` is right, task by task. They depend on
+/// the formula that the code uses.
+fn rounding_errors(text: &mut String, report: &Report) {
     let mut lines = String::new();
-    for task in &report.tasks {
+    for TaskReport { result: task, .. } in &report.tasks {
         for (tier, name) in [(Tier::Core, "core"), (Tier::Robust, "extra")] {
             let cases = task.cases.iter().filter(|case| case.tier == tier);
             let errors = cases
@@ -74,10 +77,10 @@ fn rounding(text: &mut String, report: &Report) {
                 .flat_map(|finding| &finding.errors);
             if let Some(spread) = ErrorSpread::of(errors) {
                 let [p50, p99, max] = [spread.p50, spread.p99, spread.max].map(ulps);
-                let of_bound = 100.0 * spread.of_bound;
+                let percent = 100.0 * spread.of_bound;
                 let _ = writeln!(
                     lines,
-                    "  {} {name:5}  half within {p50} ulp, 99 of 100 within {p99}, all within {max}: {of_bound:.0} % of what is allowed",
+                    "  {} {name:5}  50 % within {p50} ulp, 99 % within {p99} ulp, all within {max} ulp: {percent:.0} % of the allowed error",
                     task.key
                 );
             }
@@ -86,12 +89,12 @@ fn rounding(text: &mut String, report: &Report) {
     if !lines.is_empty() {
         let _ = write!(
             text,
-            "\nHow far off t is, in units in the last place:\n{lines}"
+            "\nRounding errors of t, in ulp (units in the last place):\n{lines}"
         );
     }
 }
 
-/// Two digits; more before the point where there are more.
+/// A number of ulps with two significant digits, or with all digits before the decimal point.
 fn ulps(ulps: f64) -> String {
     if ulps < 10.0 {
         format!("{ulps:.1}")
@@ -111,13 +114,13 @@ fn points(score: f64, max_score: f64) -> Cell {
     Cell::new(text).set_alignment(CellAlignment::Right)
 }
 
-/// At most two decimals, none that say nothing.
+/// A number of points with at most two decimals and no trailing zeros.
 fn number(points: f64) -> String {
     let text = format!("{points:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
-/// The table with each task's status in its colour, on a terminal that shows colours.
+/// Colours each task's status in the table, if stdout is a terminal and `NO_COLOR` is not set.
 fn coloured(table: &str, report: &Report) -> String {
     if !std::io::stdout().is_terminal()
         || std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
@@ -125,7 +128,8 @@ fn coloured(table: &str, report: &Report) -> String {
         return table.to_owned();
     }
     let lines = table.lines().map(|line| {
-        let row = report.tasks.iter().find(|task| line.contains(&task.key));
+        let mut results = report.tasks.iter().map(|task| &task.result);
+        let row = results.find(|task| line.contains(&task.key));
         let status = row.map(|task| (colour(task), summary(task)));
         match status.and_then(|(colour, status)| Some((colour, line.rsplit_once(&status)?, status)))
         {
@@ -163,11 +167,11 @@ fn summary(task: &TaskResult) -> String {
             )
         }
         Status::Failed if lost(Tier::Robust) > 0 => {
-            let open = plural(lost(Tier::Robust), "case", "cases");
-            format!("passed; {open} of extra credit open")
+            let failed = plural(lost(Tier::Robust), "case", "cases");
+            format!("passed; {failed} of extra credit failed")
         }
         Status::Failed => "passed".into(),
-        status => return describe(status),
+        status => return status_text(status),
     };
     match waiting(task) {
         Some(waiting) => format!("{summary}; {waiting}"),
@@ -175,7 +179,7 @@ fn summary(task: &TaskResult) -> String {
     }
 }
 
-/// The cases that wait for other tasks, and for which.
+/// How many cases need another task to be written first, and which task.
 fn waiting(task: &TaskResult) -> Option<String> {
     let mut needs = task.cases.iter().filter_map(|case| match &case.status {
         Status::Needs(other) => Some(other),
@@ -186,8 +190,8 @@ fn waiting(task: &TaskResult) -> Option<String> {
     needs.next_back().map(|other| format!("{cases} {other}"))
 }
 
-/// A status for people.
-pub fn describe(status: &Status) -> String {
+/// A status as text.
+pub fn status_text(status: &Status) -> String {
     match status {
         Status::Passed => "passed".into(),
         Status::Failed => "failed".into(),
@@ -198,7 +202,8 @@ pub fn describe(status: &Status) -> String {
     }
 }
 
-fn details(text: &mut String, task: &TaskResult, hint: Hint) {
+fn details(text: &mut String, report: &TaskReport, hint: HintLevel) {
+    let task = &report.result;
     let failed: Vec<&CaseResult> = task
         .cases
         .iter()
@@ -213,32 +218,32 @@ fn details(text: &mut String, task: &TaskResult, hint: Hint) {
         return;
     }
     let _ = writeln!(text, "\n{}  {}", task.key, task.title);
-    if hint >= Hint::Mistake {
-        diagnosis(text, task);
+    if hint >= HintLevel::Mistake {
+        diagnosis(text, report);
     }
-    // What earns core points comes first.
+    // Core cases come first.
     let (core, robust): (Vec<_>, Vec<_>) =
         failed.into_iter().partition(|case| case.tier == Tier::Core);
-    some_cases(text, &core, hint);
+    failed_cases(text, &core, hint);
     if task.score < task.max_score && !robust.is_empty() {
-        // Much of it fails for the same reasons, and none of it matters yet.
+        // These cases often fail for the same reason as the core cases.
         let _ = writeln!(
             text,
-            "  extra credit: {} of {} points; what is open there is shown once core is full",
+            "  extra credit: {} of {} points; the failed cases are shown once every core case passes",
             number(task.robust_score),
             number(task.robust_max_score)
         );
     } else if !robust.is_empty() {
         text.push_str("  extra credit:\n");
-        some_cases(text, &robust, hint);
+        failed_cases(text, &robust, hint);
     }
-    if hint >= Hint::Ray
-        && let Some(test) = &task.worst_as_test
+    if hint >= HintLevel::Ray
+        && let Some(test) = &report.worst_as_test
     {
         let _ = writeln!(
             text,
-            "\n  The worst of it as a test. Save it as stages/{0}/tests/worst.rs (make the folder if there is none), \
-             then `cargo test -p {0} --test worst`:\n",
+            "\n  The worst answer as a test. Save it as stages/{0}/tests/worst.rs (create the folder if necessary), \
+             then run `cargo test -p {0} --test worst`:\n",
             task.stage
         );
         test.lines().for_each(|line| {
@@ -247,8 +252,8 @@ fn details(text: &mut String, task: &TaskResult, hint: Hint) {
     }
 }
 
-fn diagnosis(text: &mut String, task: &TaskResult) {
-    match &task.diagnosis {
+fn diagnosis(text: &mut String, report: &TaskReport) {
+    match &report.diagnosis {
         Some(diagnosis) => {
             let _ = writeln!(
                 text,
@@ -263,16 +268,13 @@ fn diagnosis(text: &mut String, task: &TaskResult) {
             );
         }
         None => {
-            let _ = writeln!(
-                text,
-                "  This looks like none of the mistakes that the grader knows. What fails:"
-            );
+            let _ = writeln!(text, "  The answers match no known mistake. Failed cases:");
         }
     }
 }
 
-/// The first few in full, the names of the others.
-fn some_cases(text: &mut String, cases: &[&CaseResult], hint: Hint) {
+/// Adds the first few cases in full, then the names of the others.
+fn failed_cases(text: &mut String, cases: &[&CaseResult], hint: HintLevel) {
     let (full, rest) = cases.split_at(cases.len().min(CASES_IN_FULL));
     full.iter().for_each(|case| one_case(text, case, hint));
     if !rest.is_empty() {
@@ -281,45 +283,45 @@ fn some_cases(text: &mut String, cases: &[&CaseResult], hint: Hint) {
     }
 }
 
-fn one_case(text: &mut String, case: &CaseResult, hint: Hint) {
+fn one_case(text: &mut String, case: &CaseResult, hint: HintLevel) {
     let (score, max_score) = (number(case.score), number(case.max_score));
-    let about = if hint >= Hint::Field {
+    let about = if hint >= HintLevel::Field {
         &case.about
     } else {
         checked(&case.about)
     };
     let _ = writeln!(text, "  {}  {score}/{max_score}  {about}", case.name);
     if case.status != Status::Failed {
-        let _ = writeln!(text, "      {}", describe(&case.status));
+        let _ = writeln!(text, "      {}", status_text(&case.status));
     }
-    if hint >= Hint::Field {
+    if hint >= HintLevel::Field {
         let failed = case.findings.iter().filter(|finding| !finding.passed());
-        let (wrong, unseen): (Vec<_>, Vec<_>) = failed.partition(|finding| finding.wrong > 0);
+        let (wrong, untested): (Vec<_>, Vec<_>) = failed.partition(|finding| finding.wrong > 0);
         wrong
             .iter()
             .for_each(|finding| one_finding(text, finding, hint));
-        if !unseen.is_empty() {
-            let labels: Vec<&str> = unseen
+        if !untested.is_empty() {
+            let labels: Vec<&str> = untested
                 .iter()
                 .map(|finding| finding.aspect.label())
                 .collect();
             let _ = writeln!(
                 text,
-                "      not seen, because no answer got that far: {}",
+                "      not tested, because earlier fields of every answer are wrong: {}",
                 labels.join(", ")
             );
         }
     }
 }
 
-fn one_finding(text: &mut String, finding: &Finding, hint: Hint) {
+fn one_finding(text: &mut String, finding: &Finding, hint: HintLevel) {
     let label = finding.aspect.label();
     let _ = writeln!(
         text,
         "      {label}: wrong on {} of {}",
         finding.wrong, finding.judged
     );
-    if hint >= Hint::Ray
+    if hint >= HintLevel::Ray
         && let Some(worst) = &finding.worst
     {
         let _ = writeln!(text, "          {}", worst.message);
@@ -350,28 +352,26 @@ mod tests {
             robust_max_score: 0.0,
             status: Status::Failed,
             stage: "bvh".into(),
-            diagnosis: None,
-            worst_as_test: None,
             cases: cases.collect(),
         }
     }
 
     #[test]
-    fn the_first_hint_names_no_mistake() {
+    fn hint_level_1_does_not_show_the_pitfall() {
         let mut task = task(&[Status::Failed]);
         task.cases[0].about = "Rays beside it. Pitfall: an epsilon.".into();
-        let told = |hint| {
+        let shown = |hint| {
             let mut text = String::new();
-            details(&mut text, &task, hint);
+            details(&mut text, &task.clone().into(), hint);
             text
         };
-        let first = told(Hint::Class);
+        let first = shown(HintLevel::Class);
         assert!(first.contains("Rays beside it.\n"), "{first}");
-        assert!(told(Hint::Field).contains("Pitfall: an epsilon."));
+        assert!(shown(HintLevel::Field).contains("Pitfall: an epsilon."));
     }
 
     #[test]
-    fn one_open_case_is_one() {
+    fn the_number_of_failed_robust_cases_is_singular_or_plural() {
         let robust = |statuses: &[Status]| {
             let mut task = task(statuses);
             task.cases
@@ -380,13 +380,13 @@ mod tests {
             summary(&task)
         };
         let one = robust(&[Status::Passed, Status::Failed]);
-        assert_eq!(one, "passed; 1 case of extra credit open");
+        assert_eq!(one, "passed; 1 case of extra credit failed");
         let two = robust(&[Status::Failed, Status::Failed]);
-        assert_eq!(two, "passed; 2 cases of extra credit open");
+        assert_eq!(two, "passed; 2 cases of extra credit failed");
     }
 
     #[test]
-    fn a_case_that_waits_for_another_task_has_not_failed() {
+    fn a_case_that_needs_another_task_is_not_counted_as_failed() {
         let needs = Status::Needs("part1.task3".into());
         let waits = task(&[Status::Passed, needs.clone()]);
         assert_eq!(summary(&waits), "passed; 1 case needs part1.task3");
@@ -398,22 +398,22 @@ mod tests {
     }
 
     #[test]
-    fn extra_credit_is_a_line_until_core_is_full() {
+    fn failed_robust_cases_are_hidden_until_every_core_case_passes() {
         let mut failing = task(&[Status::Failed, Status::Failed]);
         failing.cases[1].tier = Tier::Robust;
         failing.cases[1].name = "by_a_hair".into();
         failing.robust_max_score = 2.0;
         let shown = |task: &TaskResult| {
             let mut text = String::new();
-            details(&mut text, task, Hint::Mistake);
+            details(&mut text, &task.clone().into(), HintLevel::Mistake);
             text
         };
-        let folded = shown(&failing);
-        assert!(folded.contains("extra credit: 0 of 2 points"), "{folded}");
-        assert!(!folded.contains("by_a_hair"), "{folded}");
+        let hidden = shown(&failing);
+        assert!(hidden.contains("extra credit: 0 of 2 points"), "{hidden}");
+        assert!(!hidden.contains("by_a_hair"), "{hidden}");
         failing.cases[0].status = Status::Passed;
         failing.score = failing.max_score;
-        let open = shown(&failing);
-        assert!(open.contains("extra credit:\n  by_a_hair"), "{open}");
+        let all = shown(&failing);
+        assert!(all.contains("extra credit:\n  by_a_hair"), "{all}");
     }
 }

@@ -1,27 +1,30 @@
-//! Pearson's χ² test: do directions fall where their density says?
+//! Pearson's χ² test: compares sampled directions with their density.
 //!
-//! The sphere of directions is cut into cells, samples are counted in each, the density is integrated over each, and
-//! `χ² = Σ (counted - expected)² / expected` is compared with its distribution. A cosine forgotten or a pdf off by a
-//! factor is caught, which the eye does not see in a noisy picture.
+//! The sphere of directions is divided into cells. The samples in each cell are counted, the
+//! density is integrated over each cell, and `χ² = Σ (counted - expected)² / expected` is compared
+//! with its distribution. The test detects a missing cosine or a pdf that is wrong by a factor,
+//! which are hard to see in a noisy image.
 
 use kit::math;
 use kit::{Vec2, Vec3};
 use std::f64::consts::TAU;
 
-/// Rows of cells, equal in z.
+/// Rows of cells, equally spaced in z.
 const ROWS: usize = 16;
-/// Columns of cells, equal in angle around z.
+/// Columns of cells, equally spaced in the angle around z.
 const COLUMNS: usize = 32;
 /// Steps of the midpoint rule along each side of a cell.
 const STEPS: usize = 48;
-/// Cells with fewer expected samples are taken together: χ² is only then distributed as it should (Cochran 1952).
+/// Cells with fewer expected samples are pooled: χ² follows its distribution only if each cell
+/// expects enough samples (Cochran 1952).
 const FEWEST_EXPECTED: f64 = 8.0;
 
-/// How well `samples` directions of `sample` fit the density `pdf`.
+/// Tests whether `samples` directions from `sample` follow the density `pdf`.
 ///
-/// `sample` maps points of the unit square to unit directions, or to `None` where it draws none; those count as
-/// lost, so a pdf that integrates to less than 1 must lose the rest. `pdf` is the density with respect to solid angle.
-/// The points are a fixed sequence: the same fit on every platform.
+/// `sample` maps a point of the unit square and a number in [0, 1) to a unit direction, or to
+/// `None` if it produces no sample; these are counted in a cell of their own, which expects the
+/// part by which the integral of `pdf` is less than 1. `pdf` is a density with respect to solid
+/// angle. The points are a fixed sequence, so the result is the same on every platform.
 pub fn fit_samples(
     samples: u32,
     seed: u64,
@@ -37,30 +40,33 @@ pub fn fit_samples(
     fit(directions, pdf)
 }
 
-/// How well directions fit a density.
+/// The result of a χ² test of directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
-    /// How often directions that do follow the density would look at least as far off: the p-value.
+    /// The p-value: the probability that directions that follow the density have at least this χ².
     pub p: f64,
-    /// How many directions there were.
+    /// Number of directions.
     pub samples: f64,
-    /// Degrees of freedom: one less than there are cells to compare.
+    /// Degrees of freedom: the number of compared cells minus 1.
     pub degrees: f64,
 }
 
 impl Fit {
-    /// The smallest deviation that a test with this chance of a false alarm is sure to see: the root mean square, over
-    /// directions that follow the density, of the share by which the true density differs from it. Directions that
-    /// deviate by as much stay unseen no more often than right ones are accused.
+    /// Returns the smallest deviation that the test reliably detects. `alarm` is the probability of
+    /// a false alarm; directions with this deviation pass the test no more often than correct ones
+    /// fail it. The deviation is the root mean square, over directions that follow the density, of
+    /// the relative difference between the true density and `pdf`.
     ///
-    /// With a deviation ε of n samples χ² follows the noncentral distribution with the noncentrality `n·ε²`. What evens
-    /// out within a cell (1/16 of the height, 1/32 of a turn) is not seen.
-    pub fn smallest_sure_deviation(&self, alarm: f64) -> f64 {
-        (smallest_sure_noncentrality(self.degrees, alarm) / self.samples).sqrt()
+    /// For n samples with the deviation ε, χ² follows the noncentral distribution with
+    /// noncentrality `n·ε²`. Differences that average out within a cell (1/16 of the height, 1/32
+    /// of a turn) are not detected.
+    pub fn detectable_deviation(&self, alarm: f64) -> f64 {
+        (detectable_noncentrality(self.degrees, alarm) / self.samples).sqrt()
     }
 }
 
-/// How well `directions`, drawn from points that do not depend on them, fit the density `pdf`.
+/// Tests whether `directions` follow the density `pdf`. The points that they were sampled from must
+/// not depend on them. `None` counts as in [`fit_samples`].
 pub fn fit(directions: impl IntoIterator<Item = Option<Vec3>>, pdf: impl Fn(Vec3) -> f64) -> Fit {
     let mut counted = vec![0.0; ROWS * COLUMNS + 1];
     let mut samples = 0.0;
@@ -81,36 +87,37 @@ pub fn fit(directions: impl IntoIterator<Item = Option<Vec3>>, pdf: impl Fn(Vec3
     }
 }
 
-/// The p-value of `counted` against `expected`, taking small expectations together.
+/// Returns the p-value of `counted` against `expected`. Cells with small expected counts are
+/// pooled.
 pub fn test_counts(counted: &[f64], expected: &[f64]) -> f64 {
     compare(counted, expected).0
 }
 
-/// The p-value, and its degrees of freedom.
+/// Returns the p-value and the degrees of freedom.
 fn compare(counted: &[f64], expected: &[f64]) -> (f64, f64) {
     let (mut chi2, mut cells) = (0.0, 0_u32);
-    let (mut rest_counted, mut rest_expected) = (0.0, 0.0);
+    let (mut pooled_counted, mut pooled_expected) = (0.0, 0.0);
     for (&c, &e) in counted.iter().zip(expected) {
         if e < FEWEST_EXPECTED {
-            rest_counted += c;
-            rest_expected += e;
+            pooled_counted += c;
+            pooled_expected += e;
         } else {
             chi2 += (c - e) * (c - e) / e;
             cells += 1;
         }
     }
-    let mut nowhere_to_be = false;
-    if rest_expected >= FEWEST_EXPECTED {
-        let d = rest_counted - rest_expected;
-        chi2 += d * d / rest_expected;
+    let mut has_impossible_samples = false;
+    if pooled_expected >= FEWEST_EXPECTED {
+        let d = pooled_counted - pooled_expected;
+        chi2 += d * d / pooled_expected;
         cells += 1;
     } else {
-        // Samples where there should be next to none.
-        let most = rest_expected + 8.0 * (rest_expected + FEWEST_EXPECTED).sqrt();
-        nowhere_to_be = rest_counted > most;
+        // The pool expects hardly any samples: reject if it has many.
+        let most = pooled_expected + 8.0 * (pooled_expected + FEWEST_EXPECTED).sqrt();
+        has_impossible_samples = pooled_counted > most;
     }
     let degrees = f64::from(cells.max(1) - 1);
-    let p = if nowhere_to_be {
+    let p = if has_impossible_samples {
         0.0
     } else if cells < 2 {
         1.0
@@ -120,17 +127,18 @@ fn compare(counted: &[f64], expected: &[f64]) -> (f64, f64) {
     (p, degrees)
 }
 
-/// The noncentrality from which on a χ² test with this chance of a false alarm misses no more often than that.
-fn smallest_sure_noncentrality(degrees: f64, alarm: f64) -> f64 {
-    // Both are wanted to a few digits; what they are looked for in holds them for any alarm above 1e-300.
+/// Returns the noncentrality at which a χ² test with this probability of a false alarm fails to
+/// reject with the same probability.
+fn detectable_noncentrality(degrees: f64, alarm: f64) -> f64 {
+    // Both results need only a few digits. The brackets contain them for any alarm above 1e-300.
     let most = 1e5 + 10.0 * degrees;
     let limit = bisect(most, |x| chi_square_tail(x, degrees) > alarm);
     bisect(most, |lambda| {
-        noncentral_at_most(limit, degrees, lambda) > alarm
+        noncentral_cdf(limit, degrees, lambda) > alarm
     })
 }
 
-/// Where `is_below`, true at 0, stops to be true.
+/// Returns the point in `0..most` at which `is_below`, which is true at 0, becomes false.
 fn bisect(most: f64, is_below: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, most);
     for _ in 0..48 {
@@ -144,10 +152,11 @@ fn bisect(most: f64, is_below: impl Fn(f64) -> bool) -> f64 {
     high
 }
 
-/// The chance that a noncentral χ² variable is at most `x`: with the chance of a Poisson variable of the mean λ/2 it has two
-/// more degrees of freedom for each of its counts (Johnson, Kotz, Balakrishnan: "Continuous univariate distributions",
-/// volume 2, 1995, equation 29.2).
-fn noncentral_at_most(x: f64, degrees: f64, lambda: f64) -> f64 {
+/// Returns the probability that a noncentral χ² variable is at most `x`. The variable is a mixture
+/// of central ones: with the probability that a Poisson variable of mean λ/2 is j it has 2j more
+/// degrees of freedom (Johnson, Kotz, Balakrishnan: "Continuous univariate distributions", volume
+/// 2, 1995, equation 29.2).
+fn noncentral_cdf(x: f64, degrees: f64, lambda: f64) -> f64 {
     let mean = 0.5 * lambda;
     let spread = 12.0 * (mean + 16.0).sqrt();
     let (from, to) = ((mean - spread).max(0.0) as u32, (mean + spread) as u32);
@@ -173,7 +182,8 @@ fn cell_of(w: Vec3) -> usize {
     row.min(ROWS - 1) * COLUMNS + column.min(COLUMNS - 1)
 }
 
-/// Integral of `pdf` over a cell: z and angle are equal in area, so each step counts the same.
+/// Integrates `pdf` over a cell. Equal steps in z and angle have equal areas, so all steps have the
+/// same weight.
 fn integrate(cell: usize, pdf: &impl Fn(Vec3) -> f64) -> f64 {
     let (row, column) = (cell / COLUMNS, cell % COLUMNS);
     let mut sum = 0.0;
@@ -188,8 +198,9 @@ fn integrate(cell: usize, pdf: &impl Fn(Vec3) -> f64) -> f64 {
     sum * cell_area / (STEPS * STEPS) as f64
 }
 
-/// The chance that a χ² variable with `degrees` degrees of freedom is at least `x`: the regularised incomplete gamma
-/// function `Q(degrees/2, x/2)`, by its series below the mean and its continued fraction above (Numerical Recipes, 6.2).
+/// Returns the probability that a χ² variable with `degrees` degrees of freedom is at least `x`:
+/// the regularised incomplete gamma function `Q(degrees/2, x/2)`, by its series below the mean and
+/// by its continued fraction above (Numerical Recipes, 6.2).
 pub fn chi_square_tail(x: f64, degrees: f64) -> f64 {
     let (a, x) = (0.5 * degrees, 0.5 * x);
     if x <= 0.0 {
@@ -231,12 +242,13 @@ mod tests {
     use super::*;
     use kit::warp;
 
-    /// Chance of a false alarm of one test here. The points are fixed, so it either always passes or never.
+    /// Probability of a false alarm of one test here. The points are fixed, so each test either
+    /// always passes or always fails.
     const ALARM: f64 = 1e-6;
 
     #[test]
-    fn tails_of_the_chi_square_distribution() {
-        // With two degrees of freedom it is exp(-x/2).
+    fn chi_square_tails_match_known_values() {
+        // With two degrees of freedom the tail is exp(-x/2).
         for x in [0.1, 1.0, 5.0, 40.0] {
             assert!((chi_square_tail(x, 2.0) / math::exp(-0.5 * x) - 1.0).abs() < 1e-12);
         }
@@ -246,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn uniform_directions_are_uniform() {
+    fn uniform_directions_fit_the_uniform_density() {
         let sphere = |u, _| Some(warp::uniform_sphere(u));
         let fit = fit_samples(100_000, 1, sphere, |_| 0.5 / TAU);
         assert!(fit.p > ALARM, "{fit:?}");
@@ -256,9 +268,10 @@ mod tests {
         assert!(fit.p > ALARM, "{fit:?}");
     }
 
-    /// The test can fail: uniform directions are not distributed by the cosine, nor twice as dense.
+    /// The test can fail: uniform directions follow neither the cosine nor twice the uniform
+    /// density.
     #[test]
-    fn a_wrong_density_is_caught() {
+    fn a_wrong_density_is_rejected() {
         let cosine = |w: Vec3| w.z.max(0.0) / std::f64::consts::PI;
         let hemisphere = |u, _| Some(warp::uniform_hemisphere(u));
         let fit = fit_samples(20_000, 3, hemisphere, cosine);
@@ -268,51 +281,54 @@ mod tests {
         assert!(fit.p < ALARM, "{fit:?}");
     }
 
-    /// Of two cells a share of 1/2 ± ε/2 each: χ² is the square of a normal variable that is off by √n·ε, so the test is
-    /// a two-sided z-test, whose power is known. And it is 1/2 where the deviation is at the limit itself.
+    /// Two cells that have the shares 1/2 ± ε/2: χ² is the square of a normal variable whose mean
+    /// is √n·ε, so the test is a two-sided z-test, whose power is known. The power is 1/2 if the
+    /// mean is at the limit.
     #[test]
-    fn the_sure_deviation_of_two_cells_is_that_of_a_z_test() {
+    fn the_detectable_deviation_of_two_cells_is_that_of_a_z_test() {
         for (alarm, n) in [(1e-3, 100.0), (1e-6, 1e4), (1e-8, 1e6)] {
             let fit = Fit {
                 p: 1.0,
                 samples: n,
                 degrees: 1.0,
             };
-            let z = crate::z_of_alarm(alarm);
-            // What is missed lies on one side only.
-            let missed = crate::z_of_alarm(2.0 * alarm);
-            let sure = fit.smallest_sure_deviation(alarm) * n.sqrt();
+            let z = crate::critical_z(alarm);
+            // Only one tail contributes to the false negatives.
+            let missed = crate::critical_z(2.0 * alarm);
+            let sure = fit.detectable_deviation(alarm) * n.sqrt();
             assert!((sure / (z + missed) - 1.0).abs() < 1e-6, "{sure} {z}");
         }
         let limit = 4.0_f64;
-        assert!((noncentral_at_most(limit * limit, 1.0, limit * limit) - 0.5).abs() < 1e-6);
+        assert!((noncentral_cdf(limit * limit, 1.0, limit * limit) - 0.5).abs() < 1e-6);
     }
 
-    /// Directions whose density differs from uniform by the share √2·ε·cos(2φ) have the deviation ε.
+    /// Directions whose density differs from the uniform one by the factor 1 + √2·ε·cos(2φ) have
+    /// the deviation ε.
     #[test]
-    fn a_deviation_that_is_sure_to_be_seen_is_seen() {
+    fn a_detectable_deviation_is_detected() {
         let upper = |w: Vec3| if w.z > 0.0 { 1.0 / TAU } else { 0.0 };
         let uneven = |seed: u64, deviation: f64| {
             let sample = |u: Vec2, _| {
                 let even = warp::uniform_hemisphere(u);
-                let squeezed = squeeze(TAU * u.y, std::f64::consts::SQRT_2 * deviation);
-                Some(warp::on_sphere(even.z, squeezed / TAU))
+                let warped = warped_angle(TAU * u.y, std::f64::consts::SQRT_2 * deviation);
+                Some(warp::on_sphere(even.z, warped / TAU))
             };
             fit_samples(8000, seed, sample, upper)
         };
-        let sure = uneven(0, 0.0).smallest_sure_deviation(ALARM);
+        let sure = uneven(0, 0.0).detectable_deviation(ALARM);
         assert!((0.1..0.25).contains(&sure), "{sure}");
         for seed in 0..20 {
             assert!(uneven(seed, 0.0).p > ALARM);
-            // Within a cell the cosine evens out a little.
+            // The cosine partly averages out within a cell.
             let p = uneven(seed, 1.01 * sure).p;
             assert!(p < ALARM, "seed {seed}: p = {p:e}");
         }
         assert!(uneven(0, 0.3 * sure).p > ALARM);
     }
 
-    /// The angle below which a density of `1 + a·cos(2φ)` over a turn has as much as an even one below `even`.
-    fn squeeze(even: f64, a: f64) -> f64 {
+    /// Returns the angle below which the density `1 + a·cos(2φ)` has the integral that the density
+    /// 1 has below `even`.
+    fn warped_angle(even: f64, a: f64) -> f64 {
         bisect(TAU, |phi| phi + 0.5 * a * math::sin_cos(2.0 * phi).0 < even)
     }
 }

@@ -1,30 +1,34 @@
-//! Statistical tests: how random answers are compared.
+//! Statistical tests for random results.
 //!
-//! A Monte Carlo estimate has no right value to the last digit, so no fixed threshold is fair: with many samples it
-//! lets errors pass, with few it marks right answers down. A test here computes instead how often a right answer would
-//! look this wrong, and fails below a probability that is fixed beforehand.
+//! A Monte Carlo estimate is random, so no fixed threshold is right for it: with many samples a
+//! fixed threshold accepts wrong results, with few it rejects correct ones. A test computes a
+//! p-value instead, the probability that a correct result deviates at least this much, and fails
+//! below a significance level that is fixed beforehand.
 //!
-//! This page has the normal distribution; [`chi_square`] compares directions with their density. Means and variances
-//! are [`kit::Tally`].
+//! This module has the normal distribution; [`chi_square`] compares sampled directions with a
+//! density. Means and variances are computed by [`kit::Tally`].
 
 pub mod chi_square;
 
 use std::f64::consts::SQRT_2;
 
-/// How often a normal variable is at least `z` standard deviations from its mean, on either side.
+/// Returns the probability that a normal variable is at least `z` standard deviations from its
+/// mean, on either side: the two-sided p-value of `z`.
 pub fn two_sided(z: f64) -> f64 {
     libm::erfc(z.abs() / SQRT_2)
 }
 
-/// The chance of a false alarm that each of `tests` independent tests may have, so that all of them together have at
-/// most `family` (Šidák 1967): `1 - (1 - family)^(1/tests)`.
+/// Returns the significance level of each of `tests` independent tests for which the probability
+/// that any of them rejects a correct result is `family` (Šidák 1967):
+/// `1 - (1 - family)^(1/tests)`.
 pub fn sidak(family: f64, tests: usize) -> f64 {
     -libm::expm1(libm::log1p(-family) / tests.max(1) as f64)
 }
 
-/// The `z` that a right answer exceeds, on either side, with the chance `alarm`: the inverse of [`two_sided`].
-pub fn z_of_alarm(alarm: f64) -> f64 {
-    // Beyond 40 the chance is 0 in f64. Halving 60 times reaches the last digit.
+/// Returns the `z` that a correct result exceeds, on either side, with probability `alarm`: the
+/// inverse of [`two_sided`].
+pub fn critical_z(alarm: f64) -> f64 {
+    // Beyond 40 the probability is 0 in f64. 60 bisections reach the last digit.
     let (mut low, mut high) = (0.0, 40.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -37,10 +41,11 @@ pub fn z_of_alarm(alarm: f64) -> f64 {
     high
 }
 
-/// The smallest bias that a z-test with this chance of a false alarm is sure to see, in the units of `standard_error`:
-/// an estimate that is off by as much stays unseen no more often than a right one is accused.
-pub fn smallest_sure_bias(standard_error: f64, alarm: f64) -> f64 {
-    2.0 * z_of_alarm(alarm) * standard_error
+/// Returns the smallest bias that a z-test reliably detects, in the units of `standard_error`.
+/// `alarm` is the probability of a false alarm: a biased estimate passes the test no more often
+/// than a correct one fails it.
+pub fn detectable_bias(standard_error: f64, alarm: f64) -> f64 {
+    2.0 * critical_z(alarm) * standard_error
 }
 
 #[cfg(test)]
@@ -48,11 +53,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tails_of_the_normal_distribution() {
+    fn normal_tails_match_known_values() {
         assert!((two_sided(1.959_963_984_540_054) - 0.05).abs() < 1e-12);
         assert_eq!(two_sided(0.0), 1.0);
-        assert!((z_of_alarm(0.05) - 1.959_963_984_540_054).abs() < 1e-12);
-        assert!((smallest_sure_bias(0.5, 0.05) - z_of_alarm(0.05)).abs() < 1e-12);
+        assert!((critical_z(0.05) - 1.959_963_984_540_054).abs() < 1e-12);
+        assert!((detectable_bias(0.5, 0.05) - critical_z(0.05)).abs() < 1e-12);
         assert!((sidak(0.05, 10) - 0.005_116_196_891_823_743).abs() < 1e-12);
     }
 }

@@ -1,7 +1,8 @@
-//! A class: a folder of submissions, a report for each, and a table of them all.
+//! Grades a class, which is a folder of submissions: a report for each, and one table of all
+//! scores.
 
-use super::Judgement;
-use super::job::Job;
+use super::SubmissionReport;
+use super::clean_workspace::CleanWorkspace;
 use super::read::Submission;
 use grader::course::Course;
 use grader::error::GraderError;
@@ -11,58 +12,59 @@ use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// How many submissions were graded, and which could not be.
+/// The number of graded submissions, and those that could not be graded.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Summary {
-    /// How many were graded.
+pub struct ClassSummary {
+    /// The number of graded submissions.
     pub graded: usize,
-    /// The others, and why.
-    pub refused: Vec<String>,
+    /// The names of the others, each with the reason.
+    pub not_graded: Vec<String>,
 }
 
-/// Grades every folder in `class`; writes `NAME.txt` and `NAME.json` of each, and `summary.csv`, into `out`.
-/// `show` makes the text.
+/// Grades every folder in `class`. Writes `NAME.txt` and `NAME.json` for each, and `summary.csv`,
+/// to `out`. `format` formats the text.
 pub fn grade(
     workspace: &Workspace,
     class: &Path,
     out: &Path,
     request: &GradeRequest,
     together: bool,
-    show: impl Fn(&Judgement) -> String,
-) -> Result<Summary, GraderError> {
+    format: impl Fn(&SubmissionReport) -> String,
+) -> Result<ClassSummary, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
     let folders = submissions(class)?;
-    std::fs::create_dir_all(out).map_err(|e| GraderError::file("make", out, e))?;
-    let job = Job::open(workspace)?;
+    std::fs::create_dir_all(out).map_err(|e| GraderError::file("create", out, e))?;
+    let clean = CleanWorkspace::open(workspace)?;
     let mut table = String::from("submission,score,max_score,extra,max_extra,together");
     for task in &tasks {
         let _ = write!(table, ",{}", task.key);
     }
     table.push_str(",note\n");
-    let mut summary = Summary {
+    let mut summary = ClassSummary {
         graded: 0,
-        refused: Vec::new(),
+        not_graded: Vec::new(),
     };
     for (i, folder) in folders.iter().enumerate() {
         let name = folder.file_name().unwrap_or_default().to_string_lossy();
         eprintln!("{} of {}: {name}", i + 1, folders.len());
-        let judged = Submission::read(folder, &course, workspace.root())
-            .and_then(|submission| Judgement::of(&submission, workspace, &job, request, together));
+        let result = Submission::read(folder, &course, workspace.root()).and_then(|submission| {
+            SubmissionReport::of(&submission, workspace, &clean, request, together)
+        });
         let _ = write!(table, "{}", field(&name));
-        let text = match judged {
-            Ok(judgement) => {
-                let json = report::json(&judgement)?;
+        let text = match result {
+            Ok(report) => {
+                let json = report::json(&report)?;
                 report::write_whole(&out.join(format!("{name}.json")), json.as_bytes())?;
-                table.push_str(&row(&judgement));
+                table.push_str(&row(&report));
                 summary.graded += 1;
-                show(&judgement)
+                format(&report)
             }
             Err(why) => {
                 let why = why.to_string();
                 let _ = write!(table, ",,,,,{}", ",".repeat(tasks.len()));
                 let _ = writeln!(table, ",{}", field(&why));
-                summary.refused.push(format!("{name}: {why}"));
+                summary.not_graded.push(format!("{name}: {why}"));
                 format!("not graded: {why}\n")
             }
         };
@@ -72,7 +74,7 @@ pub fn grade(
     Ok(summary)
 }
 
-/// What lies in `class`, by name; a file among the folders will be refused by name, not passed over.
+/// The entries of `class`, sorted by name. Files are included: grading one fails with a message.
 fn submissions(class: &Path) -> Result<Vec<PathBuf>, GraderError> {
     let failed = |e: std::io::Error| GraderError::file("read", class, e);
     let mut folders = Vec::new();
@@ -85,49 +87,50 @@ fn submissions(class: &Path) -> Result<Vec<PathBuf>, GraderError> {
     folders.sort();
     if !folders.iter().any(|path| path.is_dir()) {
         return Err(GraderError::new(format!(
-            "{} holds no folder. A class is a folder with a folder for each submission",
+            "{} contains no folder. Expected a folder that contains one folder per submission",
             class.display()
         )));
     }
     Ok(folders)
 }
 
-/// The rest of a line of the table, after the name.
-fn row(judgement: &Judgement) -> String {
-    let report = &judgement.report;
-    let together = judgement
+/// A row of the table without its first field, the name.
+fn row(report: &SubmissionReport) -> String {
+    let scores = &report.scores;
+    let together = report
         .together
         .as_ref()
         .map(|report| report.score.to_string());
     let mut row = format!(
         ",{},{},{},{},{}",
-        report.score,
-        report.max_score,
-        report.robust_score,
-        report.robust_max_score,
+        scores.score,
+        scores.max_score,
+        scores.robust_score,
+        scores.robust_max_score,
         together.unwrap_or_default()
     );
-    for task in &report.tasks {
-        let _ = write!(row, ",{}", task.score);
+    for task in &scores.tasks {
+        let _ = write!(row, ",{}", task.result.score);
     }
     let mut notes = Vec::new();
-    if !judgement.compiler.is_empty() {
+    if !report.compiler.is_empty() {
         notes.push("does not compile".to_string());
     }
-    if !judgement.missing.is_empty() {
-        notes.push(format!("not handed in: {}", judgement.missing.join(" ")));
+    if !report.missing.is_empty() {
+        notes.push(format!("not handed in: {}", report.missing.join(" ")));
     }
-    if !judgement.ignored.is_empty() {
-        notes.push(format!("{} files ignored", judgement.ignored.len()));
+    if !report.ignored.is_empty() {
+        notes.push(format!("{} files ignored", report.ignored.len()));
     }
-    if !judgement.reaches_out.is_empty() {
-        notes.push(format!("look at {}", judgement.reaches_out.join(" ")));
+    if !report.reaches_out.is_empty() {
+        notes.push(format!("please check {}", report.reaches_out.join(" ")));
     }
     let _ = writeln!(row, ",{}", field(&notes.join("; ")));
     row
 }
 
-/// A field of a CSV file (RFC 4180). One that a spreadsheet would take for a formula is made text.
+/// Formats a field of a CSV file (RFC 4180). Text that a spreadsheet would read as a formula gets
+/// an apostrophe in front.
 fn field(text: &str) -> String {
     let text = if text.starts_with(['=', '+', '-', '@']) {
         format!("'{text}")
@@ -146,7 +149,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_field_keeps_its_commas_and_runs_no_formula() {
+    fn fields_with_commas_and_formulas_are_quoted() {
         assert_eq!(field("anna"), "anna");
         assert_eq!(field("a, \"b\""), "\"a, \"\"b\"\"\"");
         assert_eq!(field("=1+1"), "'=1+1");

@@ -1,18 +1,18 @@
-//! The files of a workspace that belong to it, and folders made equal to a set of files.
+//! Lists and reads the files of a workspace, and writes a set of files to a folder.
 
 use grader::error::GraderError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Files by their paths below some folder, with their contents.
+/// The contents of files, by their paths relative to some folder.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Paths of the files that belong to the workspace at `root`, relative to it, in order.
+/// The paths of the files of the workspace at `root`, relative to it, sorted.
 ///
-/// In a git checkout these are the tracked files that exist, so that a stray solution lying about is not handed
-/// out; elsewhere everything but build output and hidden folders.
-pub fn paths(root: &Path) -> Result<Vec<PathBuf>, GraderError> {
+/// In a git checkout these are the tracked files that exist, so that an untracked solution is not
+/// handed out. Elsewhere they are all files except build output and hidden folders.
+pub fn workspace_paths(root: &Path) -> Result<Vec<PathBuf>, GraderError> {
     let mut paths = if root.join(".git").exists() {
         tracked(root)?
     } else {
@@ -45,12 +45,12 @@ fn tracked(root: &Path) -> Result<Vec<PathBuf>, GraderError> {
     }
     let text = String::from_utf8(listed.stdout);
     let text =
-        text.map_err(|_| GraderError::new("a tracked file's name is not UTF-8: rename it"))?;
+        text.map_err(|_| GraderError::new("the name of a tracked file is not UTF-8: rename it"))?;
     Ok(text.split_terminator('\0').map(PathBuf::from).collect())
 }
 
-/// Hidden names that belong to a workspace all the same.
-const SHOWN: [&str; 3] = [".cargo", ".ci", ".gitignore"];
+/// Hidden files and folders that belong to a workspace.
+const INCLUDED_HIDDEN: [&str; 3] = [".cargo", ".ci", ".gitignore"];
 
 fn walk(root: &Path, below: &Path, found: &mut Vec<PathBuf>) -> Result<(), GraderError> {
     let folder = root.join(below);
@@ -60,7 +60,9 @@ fn walk(root: &Path, below: &Path, found: &mut Vec<PathBuf>) -> Result<(), Grade
         let name = entry.file_name();
         let name = name.to_string_lossy();
         let is_folder = entry.file_type().map_err(failed)?.is_dir();
-        if name.starts_with('.') && !SHOWN.contains(&&*name) || is_folder && name == "target" {
+        if name.starts_with('.') && !INCLUDED_HIDDEN.contains(&&*name)
+            || is_folder && name == "target"
+        {
             continue;
         }
         let path = below.join(&*name);
@@ -73,15 +75,15 @@ fn walk(root: &Path, below: &Path, found: &mut Vec<PathBuf>) -> Result<(), Grade
     Ok(())
 }
 
-/// Reads `root/path` whole.
+/// Reads the file `root/path`.
 pub fn read(root: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
     let path = root.join(path);
     std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))
 }
 
-/// Makes `folder` hold exactly `files`, and leaves those alone that are as they should be already: cargo builds
-/// only what changed. Folders named `target` at the top stay.
-pub fn make_equal(folder: &Path, files: &Files) -> Result<(), GraderError> {
+/// Makes `folder` contain exactly `files`. Files that are up to date are not written again, so that
+/// cargo rebuilds only what changed. Folders named `target` are ignored.
+pub fn sync_folder(folder: &Path, files: &Files) -> Result<(), GraderError> {
     let mut old = Vec::new();
     if folder.exists() {
         walk(folder, Path::new(""), &mut old)?;
@@ -100,10 +102,10 @@ pub fn make_equal(folder: &Path, files: &Files) -> Result<(), GraderError> {
     Ok(())
 }
 
-/// Writes a file and the folders it stands in.
+/// Writes a file, and creates its parent folders.
 pub fn write(path: &Path, contents: &[u8]) -> Result<(), GraderError> {
     if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
+        std::fs::create_dir_all(folder).map_err(|e| GraderError::file("create", folder, e))?;
     }
     std::fs::write(path, contents).map_err(|e| GraderError::file("write", path, e))
 }
@@ -118,43 +120,43 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_becomes_equal_and_what_was_equal_is_not_written_again() {
+    fn sync_folder_does_not_rewrite_unchanged_files() {
         let folder = tempfile::tempdir().unwrap();
-        make_equal(
+        sync_folder(
             folder.path(),
             &files(&[("a", "1"), ("b/c", "2"), ("b/d", "3")]),
         )
         .unwrap();
-        let when = |name| {
+        let modified = |name| {
             std::fs::metadata(folder.path().join(name))
                 .unwrap()
                 .modified()
                 .unwrap()
         };
-        let before = when("a");
-        make_equal(folder.path(), &files(&[("a", "1"), ("b/c", "4")])).unwrap();
-        assert_eq!(when("a"), before);
+        let before = modified("a");
+        sync_folder(folder.path(), &files(&[("a", "1"), ("b/c", "4")])).unwrap();
+        assert_eq!(modified("a"), before);
         assert_eq!(
-            paths(folder.path()).unwrap(),
+            workspace_paths(folder.path()).unwrap(),
             [PathBuf::from("a"), PathBuf::from("b/c")]
         );
         assert_eq!(read(folder.path(), Path::new("b/c")).unwrap(), b"4");
     }
 
     #[test]
-    fn build_output_and_hidden_folders_do_not_belong_to_a_workspace() {
+    fn build_output_and_hidden_folders_are_not_workspace_files() {
         let folder = tempfile::tempdir().unwrap();
-        let there = files(&[
+        let all = files(&[
             ("a", ""),
             ("target/x", ""),
             (".secret/x", ""),
             (".cargo/config.toml", ""),
         ]);
-        for (path, contents) in &there {
+        for (path, contents) in &all {
             write(&folder.path().join(path), contents).unwrap();
         }
         assert_eq!(
-            paths(folder.path()).unwrap(),
+            workspace_paths(folder.path()).unwrap(),
             [PathBuf::from(".cargo/config.toml"), PathBuf::from("a")]
         );
     }

@@ -1,63 +1,65 @@
-//! Grading what a student handed in, apart from the student's own manifests, scripts and tests.
+//! Grades what a student handed in, without the student's own manifests, scripts and tests.
 //!
-//! [`read`] takes the stages' source files and nothing else, [`job`] puts them into a clean copy of the course, and
-//! [`Judgement::of`] grades them: each stage among the reference's other stages, so that a mistake in one costs
-//! nothing in another; and, if asked, all of the student's stages together. [`class`] does so for many.
+//! [`read`] reads the source files of the stages and nothing else. [`clean_workspace`] puts them
+//! into a clean copy of the course. [`SubmissionReport::of`] grades each stage together with the
+//! reference's other stages, so that a mistake in one stage costs no points in another. On request
+//! it also grades all of the student's stages together. [`class`] grades many submissions.
 //!
-//! What the student's code does when it is built or run is limited in time and memory, but it is not locked in: it
-//! runs with the rights of whoever grades it.
+//! The student's code is limited in time and memory, but it is not sandboxed: it runs with the
+//! rights of the person who grades it.
 
 pub mod class;
+pub mod clean_workspace;
 pub mod file_tree;
-pub mod job;
 pub mod packages;
 pub mod read;
 
 use crate::file_tree::Files;
+use clean_workspace::CleanWorkspace;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
-use grader::score::{CaseResult, Report, Status, TaskResult};
+use grader::report::{Report, TaskReport};
+use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
-use job::Job;
 use read::Submission;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;
 
-/// What is to be said of a submission.
+/// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
-pub struct Judgement {
-    /// The score that counts: each stage among the reference's.
+pub struct SubmissionReport {
+    /// The scores that count: each stage graded together with the reference's other stages.
     #[serde(flatten)]
-    pub report: Report,
-    /// The score of all of the student's stages together, if asked for.
+    pub scores: Report,
+    /// The scores of all of the student's stages together, on request.
     pub together: Option<Report>,
     /// Stages under test that were not handed in.
     pub missing: Vec<String>,
-    /// Files that a submission may not bring.
+    /// Files that a submission may not contain.
     pub ignored: Vec<String>,
-    /// Places in the student's code that reach for files or programs.
+    /// Lines of the student's code that may access files or start programs.
     pub reaches_out: Vec<String>,
-    /// What the compiler said of stages that do not compile.
+    /// The compiler's messages about stages that do not compile.
     pub compiler: String,
     /// What the student's code printed.
     pub printed: String,
 }
 
-impl Judgement {
-    /// Grades `submission` in `job`.
+impl SubmissionReport {
+    /// Grades `submission` in the clean workspace `clean`.
     pub fn of(
         submission: &Submission,
         workspace: &Workspace,
-        job: &Job,
+        clean: &CleanWorkspace,
         request: &GradeRequest,
         together: bool,
-    ) -> Result<Judgement, GraderError> {
+    ) -> Result<SubmissionReport, GraderError> {
         let course = Course::read(workspace)?;
         let tasks = course.select(&request.what)?;
-        let mut judgement = Judgement {
-            report: Report::new(Vec::new()),
+        let mut report = SubmissionReport {
+            scores: Report::new(Vec::new(), None),
             together: None,
             missing: Vec::new(),
             ignored: submission
@@ -69,33 +71,33 @@ impl Judgement {
             compiler: String::new(),
             printed: String::new(),
         };
-        let mut lost = Vec::new();
+        let mut ungraded = Vec::new();
         let mut results = Vec::new();
-        let mut sound = Vec::new();
+        let mut graded_tasks = Vec::new();
         for stage in grade::stages(&tasks) {
             let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
             let Some(sources) = submission.stages.get(stage) else {
-                judgement.missing.push(stage.to_string());
-                lost.extend(of_stage.map(|task| without_answer(task, &Status::NotAttempted)));
+                report.missing.push(stage.to_string());
+                ungraded.extend(of_stage.map(|task| no_points(task, &Status::NotAttempted)));
                 continue;
             };
             if !sources.contains_key(Path::new("lib.rs")) {
                 let _ = writeln!(
-                    judgement.compiler,
-                    "stages/{stage}/src has no lib.rs, so there is nothing to build"
+                    report.compiler,
+                    "stages/{stage}/src has no lib.rs, so it cannot be built"
                 );
-                lost.extend(of_stage.map(|task| without_answer(task, &Status::DoesNotCompile)));
+                ungraded.extend(of_stage.map(|task| no_points(task, &Status::DoesNotCompile)));
                 continue;
             }
             let of_stage: Vec<&Task> = of_stage.collect();
-            let site = job.with(&[(stage, sources)])?;
-            let graded = grade::at(workspace, &course, &of_stage, request.seed, &site)?;
-            judgement.compiler.push_str(&graded.compiler);
-            judgement.printed.push_str(&graded.printed);
+            let build_root = clean.with_stages(&[(stage, sources)])?;
+            let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
+            report.compiler.push_str(&graded.compiler);
+            report.printed.push_str(&graded.printed);
             results.extend(graded.report.tasks);
-            sound.extend(of_stage);
+            graded_tasks.extend(of_stage);
         }
-        judgement.report = report(results, &lost);
+        report.scores = combine(results, &ungraded);
         if together {
             let all = submission
                 .stages
@@ -104,26 +106,26 @@ impl Judgement {
             let all: Vec<(&str, &Files)> = all
                 .map(|(stage, sources)| (stage.as_str(), sources))
                 .collect();
-            let site = job.with(&all)?;
-            let graded = grade::at(workspace, &course, &sound, request.seed, &site)?;
-            judgement.together = Some(report(graded.report.tasks, &lost));
+            let build_root = clean.with_stages(&all)?;
+            let graded = grade::at(workspace, &course, &graded_tasks, request.seed, &build_root)?;
+            report.together = Some(combine(graded.report.tasks, &ungraded));
         }
-        Ok(judgement)
+        Ok(report)
     }
 }
 
-/// The tasks that were graded and those that could not be, in order.
-fn report(mut graded: Vec<TaskResult>, lost: &[TaskResult]) -> Report {
-    graded.extend_from_slice(lost);
-    graded.sort_by(|a, b| a.key.cmp(&b.key));
-    Report::new(graded)
+/// The scores of the tasks that were graded and of those that could not be, ordered by key.
+fn combine(mut graded: Vec<TaskReport>, ungraded: &[TaskReport]) -> Report {
+    graded.extend_from_slice(ungraded);
+    graded.sort_by(|a, b| a.result.key.cmp(&b.result.key));
+    Report::new(graded, None)
 }
 
-/// No points, for `status`.
-fn without_answer(task: &Task, status: &Status) -> TaskResult {
+/// The result of a task whose cases all have this status and no points.
+fn no_points(task: &Task, status: &Status) -> TaskReport {
     let cases = task
         .cases
         .iter()
         .map(|entry| CaseResult::new(entry, "", status.clone(), Vec::new()));
-    TaskResult::new(task, cases.collect())
+    TaskResult::new(task, cases.collect()).into()
 }

@@ -1,4 +1,5 @@
-//! `grader part2 --submission DIR` and `grader part2 --class DIR --out DIR`: grades what was handed in.
+//! The commands `grader part2 --submission DIR` and `grader part2 --class DIR --out DIR`: grade
+//! what students handed in.
 
 use clap::{ArgMatches, Command};
 use grader::cli::grade::{arguments, hint, request, submission_arguments};
@@ -6,24 +7,24 @@ use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::report;
-use grader::report::table::{self, Hint};
+use grader::report::table::{self, HintLevel};
 use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use submission::job::Job;
-use submission::{Judgement, class, read};
+use submission::clean_workspace::CleanWorkspace;
+use submission::{SubmissionReport, class, read};
 
 fn main() -> ExitCode {
     let command = arguments(Command::new("grader"))
         .args(submission_arguments())
-        .about("Grades what was handed in, in a clean copy of the course")
+        .about("Grades what students handed in, in a clean copy of the course")
         .after_help(cli::EXIT_CODES);
     let matches = command.get_matches();
-    cli::end(|| run(&matches))
+    cli::run_to_exit_code(|| run(&matches))
 }
 
-/// Of many ignored files this many are named.
+/// How many ignored files are named. The others are only counted.
 const IGNORED_NAMED: usize = 20;
 
 fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
@@ -33,7 +34,7 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         (Some(folder), ..) => grade_one(matches, &workspace, folder),
         (None, Some(folder), Some(out)) => grade_class(matches, &workspace, folder, out),
         _ => Err(GraderError::new(
-            "`--together` is for a submission: name it with `--submission DIR` or `--class DIR`",
+            "`--together` needs a submission: add `--submission DIR` or `--class DIR`",
         )),
     }
 }
@@ -47,24 +48,24 @@ fn grade_one(
     let course = Course::read(workspace)?;
     course.select(&request.what)?;
     let submission = read::Submission::read(folder, &course, workspace.root())?;
-    let job = Job::open(workspace)?;
-    let judgement = Judgement::of(
+    let clean = CleanWorkspace::open(workspace)?;
+    let report = SubmissionReport::of(
         &submission,
         workspace,
-        &job,
+        &clean,
         &request,
         matches.get_flag("together"),
     )?;
-    let json = report::json(&judgement)?;
+    let json = report::json(&report)?;
     report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     match Format::of(matches) {
         Format::Json => println!("{json}"),
-        Format::Table => print!("{}", show(&judgement, hint(matches))),
+        Format::Table => print!("{}", show(&report, hint(matches))),
     }
-    Ok(if judgement.report.is_full() {
-        Verdict::Full
+    Ok(if report.scores.is_full() {
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }
 
@@ -74,7 +75,7 @@ fn grade_class(
     folder: &Path,
     out: &Path,
 ) -> Result<Verdict, GraderError> {
-    let text = |judgement: &Judgement| show(judgement, hint(matches));
+    let text = |report: &SubmissionReport| show(report, hint(matches));
     let request = request(matches)?;
     let summary = class::grade(
         workspace,
@@ -89,62 +90,55 @@ fn grade_class(
         summary.graded,
         out.join("summary.csv").display()
     );
-    for refused in &summary.refused {
-        println!("not graded: {refused}");
+    for reason in &summary.not_graded {
+        println!("not graded: {reason}");
     }
-    Ok(if summary.refused.is_empty() {
-        Verdict::Full
+    Ok(if summary.not_graded.is_empty() {
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }
 
-/// A judgement for people.
-fn show(judgement: &Judgement, hint: Hint) -> String {
+/// Formats the report for people.
+fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     let mut text = String::new();
-    if !judgement.ignored.is_empty() {
-        let named = judgement.ignored.iter().take(IGNORED_NAMED);
+    if !report.ignored.is_empty() {
+        let named = report.ignored.iter().take(IGNORED_NAMED);
         let _ = writeln!(
             text,
-            "ignored, since a submission is stages/<stage>/src/**/*.rs alone:"
+            "ignored files (only stages/<stage>/src/**/*.rs is graded):"
         );
         for name in named {
             let _ = writeln!(text, "  {name}");
         }
-        let more = judgement.ignored.len().saturating_sub(IGNORED_NAMED);
+        let more = report.ignored.len().saturating_sub(IGNORED_NAMED);
         if more > 0 {
             let _ = writeln!(text, "  and {more} more");
         }
     }
-    for stage in &judgement.missing {
+    for stage in &report.missing {
         let _ = writeln!(text, "not handed in: stages/{stage}/src");
     }
-    for place in &judgement.reaches_out {
-        let _ = writeln!(
-            text,
-            "reaches for something outside its own code, so look at it: {place}"
-        );
+    for place in &report.reaches_out {
+        let _ = writeln!(text, "may access files or programs, please check: {place}");
     }
-    if !judgement.compiler.is_empty() {
-        let _ = writeln!(text, "\n{}", judgement.compiler.trim_end());
+    if !report.compiler.is_empty() {
+        let _ = writeln!(text, "\n{}", report.compiler.trim_end());
     }
-    if !judgement.printed.is_empty() {
-        let _ = writeln!(
-            text,
-            "\nthe code printed:\n{}",
-            judgement.printed.trim_end()
-        );
+    if !report.printed.is_empty() {
+        let _ = writeln!(text, "\nthe code printed:\n{}", report.printed.trim_end());
     }
     let _ = writeln!(
         text,
-        "\neach stage among the reference's:\n{}",
-        table::show(&judgement.report, hint)
+        "\neach stage together with the reference's other stages:\n{}",
+        table::format_report(&report.scores, hint)
     );
-    if let Some(together) = &judgement.together {
+    if let Some(together) = &report.together {
         let _ = writeln!(
             text,
             "all stages of the submission together:\n{}",
-            table::show(together, hint)
+            table::format_report(together, hint)
         );
     }
     text

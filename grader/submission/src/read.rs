@@ -1,4 +1,4 @@
-//! What a student handed in: the source files of stages, and nothing else.
+//! Reads what a student handed in: the source files of stages, and nothing else.
 
 use crate::file_tree::{self, Files};
 use grader::course::Course;
@@ -6,45 +6,45 @@ use grader::error::GraderError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A submission as it was read. None of its code has run.
+/// The files of a submission. Reading them runs none of its code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Submission {
     /// For each stage that was handed in, its files by their paths below `src/`.
     pub stages: BTreeMap<String, Files>,
-    /// Files that it may not bring and that differ from the course's, by their paths in the submission.
+    /// Paths of files that a submission may not contain and that differ from the course's own.
     pub ignored: Vec<PathBuf>,
-    /// Places that reach for files elsewhere, which a person should look at.
+    /// Lines that may access files or programs, which a person should check.
     pub reaches_out: Vec<String>,
 }
 
-/// A source file larger than this is no source file.
-const LARGEST_FILE: u64 = 1 << 20;
+/// The maximum size of a source file in bytes.
+const MAX_FILE_SIZE: u64 = 1 << 20;
 
-/// Nor are more of them than this one stage.
-const MOST_FILES: usize = 500;
+/// The maximum number of source files of a stage.
+const MAX_FILES: usize = 500;
 
-/// And more than this below one folder are not a project.
-const MOST_ENTRIES: usize = 50_000;
+/// The maximum number of files and folders in a submission.
+const MAX_ENTRIES: usize = 50_000;
 
-/// Files of a project that differ from the course's own without anybody's doing.
-const USUAL: [&str; 4] = ["README.md", "Cargo.lock", "Cargo.toml", "report.json"];
+/// Files that differ from the course's own in every handout.
+const EXPECTED_TO_DIFFER: [&str; 4] = ["README.md", "Cargo.lock", "Cargo.toml", "report.json"];
 
-/// Folders that are not looked into.
-const PASSED_OVER: [&str; 2] = ["target", ".git"];
+/// Folders whose contents are not read.
+const SKIPPED_FOLDERS: [&str; 2] = ["target", ".git"];
 
 impl Submission {
-    /// Reads the stages of `course` from `folder`: a whole project, or its folder `stages` alone. `trusted` is the
-    /// course's own workspace.
+    /// Reads the stages of `course` from `folder`: a whole project, or only its folder `stages`.
+    /// `trusted` is the course's own workspace.
     pub fn read(folder: &Path, course: &Course, trusted: &Path) -> Result<Submission, GraderError> {
         if folder.is_file() {
             return Err(GraderError::new(format!(
-                "{} is a file. A submission is a folder with stages/<stage>/src in it: unpack it first",
+                "{} is a file. Expected a folder that contains stages/<stage>/src: if it is an archive, unpack it first",
                 folder.display()
             )));
         }
         let failed = |e: std::io::Error| GraderError::file("open", folder, e);
         let top = folder.canonicalize().map_err(failed)?;
-        let stages_folder = if is_there(&top.join("stages"))? {
+        let stages_folder = if exists(&top.join("stages"))? {
             top.join("stages")
         } else {
             top.clone()
@@ -53,7 +53,7 @@ impl Submission {
         let stages = course.stages();
         for stage in &stages {
             let src = stages_folder.join(stage).join("src");
-            if is_there(&src)? {
+            if exists(&src)? {
                 let files = sources(&top, &src)?;
                 submission.reaches_out.extend(reaches_out(stage, &files));
                 if !files.is_empty() {
@@ -63,12 +63,12 @@ impl Submission {
         }
         if submission.stages.is_empty() {
             return Err(GraderError::new(format!(
-                "{} holds no stage: looked for stages/<stage>/src, where <stage> is {}. Is it the right folder?",
+                "{} contains no stage: expected a folder stages/<stage>/src, where <stage> is {}. Is it the right folder?",
                 folder.display(),
                 stages.join(" or ")
             )));
         }
-        let taken = |path: &Path| {
+        let is_source = |path: &Path| {
             let below = path.strip_prefix(&stages_folder).ok();
             let mut names = below
                 .into_iter()
@@ -86,7 +86,7 @@ impl Submission {
             } else {
                 name.to_path_buf()
             };
-            if !taken(path) && !is_the_courses(path, &in_the_course, trusted) {
+            if !is_source(path) && !is_unchanged(path, &in_the_course, trusted) {
                 submission.ignored.push(name.to_path_buf());
             }
         })?;
@@ -95,17 +95,17 @@ impl Submission {
     }
 }
 
-/// Whether there is something at `path`. What cannot be looked at is an error: it must not be taken for missing.
-fn is_there(path: &Path) -> Result<bool, GraderError> {
+/// Whether `path` exists. A path that cannot be accessed is an error: it must not count as missing.
+fn exists(path: &Path) -> Result<bool, GraderError> {
     match path.metadata() {
         Ok(_) => Ok(true),
-        // A link that leads nowhere is there.
+        // A broken link exists.
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(path.is_symlink()),
         Err(e) => Err(GraderError::file("read", path, e)),
     }
 }
 
-/// The Rust files below `src`, which is inside `top`.
+/// Reads the Rust files below `src`, which is inside `top`.
 fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
     let mut files = Files::new();
     let mut folders = vec![src.to_path_buf()];
@@ -114,7 +114,7 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
         let real = folder.canonicalize().map_err(failed)?;
         if folder.symlink_metadata().map_err(failed)?.is_symlink() || !real.starts_with(top) {
             return Err(GraderError::new(format!(
-                "{} is a link to a folder. A submission must hold its files itself",
+                "{} is a link to a folder. A submission must contain the files themselves",
                 folder.display()
             )));
         }
@@ -125,9 +125,9 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
                 files.insert(below, source(top, &path)?);
-                if files.len() > MOST_FILES {
+                if files.len() > MAX_FILES {
                     return Err(GraderError::new(format!(
-                        "{} holds more than {MOST_FILES} source files: that is no stage",
+                        "{} contains more than {MAX_FILES} source files: too many for a stage",
                         src.display()
                     )));
                 }
@@ -137,42 +137,43 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
     Ok(files)
 }
 
-/// One source file, checked before it is read.
+/// Reads one source file, after checking it.
 fn source(top: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
-    let refused = |why: String| GraderError::new(format!("{} {why}", path.display()));
+    let error = |why: String| GraderError::new(format!("{} {why}", path.display()));
     let real = path
         .canonicalize()
         .map_err(|e| GraderError::file("read", path, e))?;
     if !real.starts_with(top) {
-        return Err(refused(
-            "is a link to a file outside the submission: put the file itself in its place".into(),
+        return Err(error(
+            "is a link to a file outside the submission: replace it by the file itself".into(),
         ));
     }
-    let about = real
+    let metadata = real
         .metadata()
         .map_err(|e| GraderError::file("read", path, e))?;
-    if !about.is_file() {
-        return Err(refused(
-            "is no plain file: put a text file in its place".into(),
+    if !metadata.is_file() {
+        return Err(error(
+            "is not a regular file: replace it by a text file".into(),
         ));
     }
-    if about.len() > LARGEST_FILE {
-        return Err(refused(format!(
-            "has {} bytes, and no source file has more than {LARGEST_FILE}",
-            about.len()
+    if metadata.len() > MAX_FILE_SIZE {
+        return Err(error(format!(
+            "has {} bytes: expected at most {MAX_FILE_SIZE}",
+            metadata.len()
         )));
     }
     if path.to_str().is_none() {
-        return Err(refused("has a name that is not UTF-8: rename it".into()));
+        return Err(error("has a name that is not UTF-8: rename it".into()));
     }
     let contents = file_tree::read(top, &real)?;
     if std::str::from_utf8(&contents).is_err() {
-        return Err(refused("is not UTF-8 text: save it as UTF-8".into()));
+        return Err(error("is not UTF-8 text: save it as UTF-8".into()));
     }
     Ok(contents)
 }
 
-/// Calls `file` for everything below `folder` that is not a folder, or one that cannot be read. Links are not followed.
+/// Calls `file` for every file below `folder` and for every folder that cannot be read. Does not
+/// follow links.
 fn walk(
     folder: &Path,
     entries: &mut usize,
@@ -182,19 +183,22 @@ fn walk(
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
         *entries += 1;
-        if *entries > MOST_ENTRIES {
+        if *entries > MAX_ENTRIES {
             return Err(GraderError::new(format!(
-                "{} holds more than {MOST_ENTRIES} files: that is no project. Is it the right folder?",
+                "{} contains more than {MAX_ENTRIES} files: too many for a project. Is it the right folder?",
                 folder.display()
             )));
         }
         let is_folder = entry.file_type().map_err(failed)?.is_dir();
         if !is_folder {
             file(&entry.path());
-        } else if !PASSED_OVER.iter().any(|name| entry.file_name() == *name) {
+        } else if !SKIPPED_FOLDERS
+            .iter()
+            .any(|name| entry.file_name() == *name)
+        {
             match std::fs::read_dir(entry.path()) {
                 Ok(_) => walk(&entry.path(), entries, file)?,
-                // Stages have been read by now: this is nothing that is needed.
+                // The stages were read before: this folder is not needed.
                 Err(_) => file(&entry.path()),
             }
         }
@@ -202,9 +206,13 @@ fn walk(
     Ok(())
 }
 
-/// Whether the file `path` says what the course's own file `name` says, or is one that every handout has its own of.
-fn is_the_courses(path: &Path, name: &Path, trusted: &Path) -> bool {
-    if USUAL.iter().any(|usual| name == Path::new(usual)) {
+/// Whether the file `path` is equal to the course's own file `name`, apart from the solutions and
+/// tests that a handout leaves out, or is a file that differs in every handout.
+fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
+    if EXPECTED_TO_DIFFER
+        .iter()
+        .any(|expected| name == Path::new(expected))
+    {
         return true;
     }
     let (Ok(theirs), Ok(ours)) = (std::fs::read(path), std::fs::read(trusted.join(name))) else {
@@ -221,24 +229,26 @@ fn is_the_courses(path: &Path, name: &Path, trusted: &Path) -> bool {
         )
 }
 
-/// Whether `theirs` is what carving left of `ours`, a file with solutions: all that it says stands there, too, if only in
-/// a stub, and perhaps on other lines.
+/// Whether `theirs` may be what carving left of `ours`, a file with solutions: each line of it is
+/// in `ours`, too, perhaps in a stub or with other line breaks.
 fn is_carved(theirs: &str, ours: &str) -> bool {
-    let dense = |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace()).collect() };
-    let all_of_ours = dense(&ours.replace("// STUB:", ""));
+    let without_spaces =
+        |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace()).collect() };
+    let all_of_ours = without_spaces(&ours.replace("// STUB:", ""));
     ours.contains("// BEGIN SOLUTION(")
         && theirs
             .lines()
-            .all(|line| all_of_ours.contains(&dense(line)))
+            .all(|line| all_of_ours.contains(&without_spaces(line)))
 }
 
-/// Lines that reach for files outside their own module tree. Only a person can say whether that is harmless.
+/// Lines that may access files outside their module tree or start programs. A person has to check
+/// whether they are harmless.
 fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
     let mut found = Vec::new();
     for (path, text) in files {
         for (number, line) in (1..).zip(String::from_utf8_lossy(text).lines()) {
-            let dense: String = line.chars().filter(|c| !c.is_whitespace()).collect();
-            let reach = [
+            let code: String = line.chars().filter(|c| !c.is_whitespace()).collect();
+            let suspicious = [
                 "include!",
                 "include_str!",
                 "include_bytes!",
@@ -248,8 +258,8 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
                 "std::process",
             ]
             .into_iter()
-            .find(|word| dense.contains(word));
-            if let Some(word) = reach {
+            .find(|word| code.contains(word));
+            if let Some(word) = suspicious {
                 found.push(format!(
                     "stages/{stage}/src/{}:{number}: `{word}`",
                     path.display()
@@ -277,7 +287,7 @@ mod tests {
         cases = [{ name = "a", tier = "core", points = 1 }]
     "#;
 
-    /// A submission with the given files, read.
+    /// Writes the files to a folder and reads it as a submission.
     fn read(files: &[(&str, &[u8])]) -> (tempfile::TempDir, Result<Submission, String>) {
         let folder = tempfile::tempdir().unwrap();
         for (path, contents) in files {
@@ -294,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn a_project_and_its_folder_of_stages_are_the_same_submission() {
+    fn a_project_and_its_stages_folder_are_the_same_submission() {
         let (_a, whole) = read(&[
             ("stages/intersect/src/lib.rs", b"mod m;"),
             ("stages/intersect/src/m/n.rs", b""),
@@ -310,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_but_source_files_is_named_and_left() {
+    fn files_that_are_not_sources_are_listed_as_ignored() {
         let (_folder, submission) = read(&[
             ("stages/intersect/src/lib.rs", b""),
             ("stages/intersect/src/data.bin", b"x"),
@@ -333,7 +343,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_handout_was_given_is_not_named() {
+    fn unchanged_handout_files_are_not_listed_as_ignored() {
         let trusted = tempfile::tempdir().unwrap();
         let theirs = "fn f() {\n    kit::hole!(\"part6.task1\")\n}\n";
         let ours = "fn f() {\n    // BEGIN SOLUTION(part6.task1)\n    g(1);\n    // STUB: kit::hole!(\n    // STUB: \"part6.task1\")\n    // END SOLUTION(part6.task1)\n}\n";
@@ -354,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn code_that_reaches_for_files_is_pointed_out() {
+    fn code_that_accesses_files_is_reported() {
         let code = b"fn f() {}\nconst A: &str = include_str! (\"../../x\");\n";
         let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code)]);
         let expected = ["stages/intersect/src/lib.rs:2: `include_str!`"];
@@ -362,19 +372,19 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_a_submission_is_refused_in_a_sentence() {
+    fn folders_that_are_not_submissions_are_errors() {
         let lib = "stages/intersect/src/lib.rs";
-        let large = vec![b' '; LARGEST_FILE as usize + 1];
+        let large = vec![b' '; MAX_FILE_SIZE as usize + 1];
         for (files, why) in [
             (
                 &[("README.md", b"x".as_slice())],
-                "holds no stage: looked for stages/<stage>/src, where <stage> is intersect.",
+                "contains no stage: expected a folder stages/<stage>/src, where <stage> is intersect.",
             ),
             (
                 &[(lib, b"\xff\xfe".as_slice())],
                 "lib.rs is not UTF-8 text: save it as UTF-8",
             ),
-            (&[(lib, large.as_slice())], "no source file has more than"),
+            (&[(lib, large.as_slice())], "bytes: expected at most"),
         ] {
             let (_folder, submission) = read(files);
             let error = submission.unwrap_err();
@@ -382,10 +392,10 @@ mod tests {
         }
     }
 
-    /// Also as the superuser, who may read everything: a link that leads to itself cannot be read by anybody.
+    /// Uses a link to itself, which not even the superuser can read.
     #[cfg(unix)]
     #[test]
-    fn what_cannot_be_read_is_not_taken_for_missing() {
+    fn unreadable_folders_do_not_count_as_missing() {
         let folder = tempfile::tempdir().unwrap();
         let stages = folder.path().join("stages");
         std::os::unix::fs::symlink(&stages, &stages).unwrap();
@@ -396,7 +406,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn folders_that_may_not_be_read() {
+    fn folders_without_read_permission_are_errors_only_if_needed() {
         use std::os::unix::fs::PermissionsExt;
         let (folder, _) = read(&[
             ("stages/intersect/src/lib.rs", b""),
@@ -424,7 +434,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn links_out_of_the_submission_are_refused_and_links_inside_are_not() {
+    fn only_links_out_of_the_submission_are_errors() {
         use std::os::unix::fs::symlink;
         let (folder, _) = read(&[("stages/intersect/src/lib.rs", b"mod a;")]);
         let src = folder.path().join("stages/intersect/src");

@@ -1,8 +1,6 @@
 //! Records: what the student's code answered.
 
-use crate::adaptive::{AdaptiveAnswer, StopAnswer};
-use crate::direct::{DirectAnswer, LambertAnswer};
-use crate::global::{PathAnswer, SpecularAnswer};
+use crate::kinds::Answer;
 use crate::work::{Ray, Tree, Xyz};
 use serde::{Deserialize, Serialize};
 
@@ -60,47 +58,6 @@ pub enum Outcome {
         /// Why.
         reason: String,
     },
-}
-
-/// What the student's code answered, one entry a call.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Answer {
-    /// To [`crate::Work::Pixels`].
-    Pixels(Vec<PixelAnswer>),
-    /// To [`crate::Work::CameraRays`], camera by camera.
-    CameraRays(Vec<Ray>),
-    /// To [`crate::Work::Triangles`].
-    Triangles(Vec<TriangleAnswer>),
-    /// To [`crate::Work::Spheres`].
-    Spheres(Vec<SphereAnswer>),
-    /// To [`crate::Work::BruteForce`] and the closest hits of [`crate::Work::SceneHits`].
-    Hits(HitsAnswer),
-    /// To [`crate::Work::Boxes`].
-    Boxes(Vec<Option<[f64; 2]>>),
-    /// To [`crate::Work::Build`].
-    Build(BuildAnswer),
-    /// To [`crate::Work::Traverse`].
-    Traverse(Vec<TraverseAnswer>),
-    /// To [`crate::Work::Timing`].
-    Timing(TimingAnswer),
-    /// To [`crate::Work::TimeTest`]: seconds of each round.
-    TestTimes(Vec<f64>),
-    /// To [`crate::Work::Visits`].
-    Visits(VisitsAnswer),
-    /// To [`crate::Work::Lambert`].
-    Lambert(Vec<LambertAnswer>),
-    /// To [`crate::Work::Direct`].
-    Direct(Vec<DirectAnswer>),
-    /// To [`crate::Work::Specular`].
-    Specular(Vec<SpecularAnswer>),
-    /// To [`crate::Work::Paths`].
-    Paths(Vec<PathAnswer>),
-    /// To [`crate::Work::Roulette`]: for each path and each number the throughput to go on with.
-    Roulette(Vec<Option<Xyz>>),
-    /// To [`crate::Work::Stop`] and [`crate::Work::SureStop`].
-    Stop(Vec<StopAnswer>),
-    /// To [`crate::Work::AdaptivePixels`].
-    AdaptivePixels(Vec<AdaptiveAnswer>),
 }
 
 /// What `raytrace_pixel` did with one pixel.

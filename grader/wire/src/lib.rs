@@ -3,17 +3,20 @@
 //! Plain data that knows nothing of the course's types. Numbers keep their bits: files are
 //! [postcard](https://docs.rs/postcard), so NaN, infinities and -0 arrive as they were sent.
 //!
-//! [`work`] says what the worker is asked to do, [`answer`] what it says of it, [`mod@file`] how both
-//! stand in a file that is still readable after the worker was killed. [`light`] is what lit worlds are made of; [`direct`],
-//! [`global`] and [`adaptive`] are questions and answers of Parts 3 to 5.
+//! [`kinds`] lists the kinds of work, each with its question and its answer. [`work`] has the questions of Parts 1 and 2,
+//! [`answer`] their answers and the records around every answer; [`direct`], [`global`] and [`adaptive`] have both for
+//! Parts 3 to 5, and [`light`] what lit worlds are made of. [`mod@file`] reads and writes them: what a worker had
+//! finished can still be read after it was killed.
 
 pub mod adaptive;
 pub mod answer;
 pub mod direct;
 pub mod file;
 pub mod global;
+pub mod kinds;
 pub mod light;
 pub mod work;
 
-pub use answer::{Answer, Frame, Outcome, Record};
-pub use work::{Case, Work};
+pub use answer::{Frame, Outcome, Record};
+pub use kinds::{Answer, Work};
+pub use work::Case;

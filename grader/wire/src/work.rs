@@ -1,8 +1,6 @@
-//! Cases: what the worker is asked to do with the student's code.
+//! Cases and their questions: what the worker does with the student's code.
 
-use crate::adaptive::{AdaptivePixel, StopCall};
-use crate::direct::{DirectWork, LambertProbe};
-use crate::global::{RouletteWork, ScriptedPath, SpecularCall};
+use crate::kinds::Work;
 use serde::{Deserialize, Serialize};
 
 /// Three coordinates, world space.
@@ -21,97 +19,75 @@ pub struct Case {
     pub work: Work,
 }
 
-/// The kinds of work.
+/// Which rays against which triangles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Work {
-    /// Call `raytrace_pixel` with a camera and a world that write down what they are asked.
-    Pixels(PixelWork),
-    /// Call `generate_ray` for every camera and every sensor point.
-    CameraRays {
-        /// The cameras.
-        cameras: Vec<Camera>,
-        /// Points of the sensor, [0, 1]² from the bottom left.
-        sensor: Vec<[f64; 2]>,
-    },
-    /// Call `test_triangle` and `intersect_triangle` for every probe.
-    Triangles {
-        /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`.
-        triangles: Vec<[Xyz; 6]>,
-        /// Which ray against which triangle.
-        probes: Vec<Probe>,
-    },
-    /// Call `test_sphere` and `intersect_sphere` for every probe.
-    Spheres {
-        /// Centre and radius.
-        spheres: Vec<(Xyz, f64)>,
-        /// Which ray against which sphere.
-        probes: Vec<Probe>,
-    },
-    /// For every ray go through all primitives in order with `intersect_*`, one ray for all of them.
-    BruteForce {
-        /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`. Numbered first.
-        triangles: Vec<[Xyz; 6]>,
-        /// Centre and radius. Numbered after the triangles.
-        spheres: Vec<(Xyz, f64)>,
-        /// The rays.
-        rays: Vec<Ray>,
-    },
-    /// Call `intersect_bbox` for every probe.
-    Boxes {
-        /// Corners `min` and `max`.
-        boxes: Vec<[Xyz; 2]>,
-        /// Which ray against which box.
-        probes: Vec<Probe>,
-    },
-    /// Call `construct_bvh`, twice.
-    Build {
-        /// Corners `min` and `max` of each primitive's box.
-        bounds: Vec<[Xyz; 2]>,
-        /// The largest number of primitives in a leaf.
-        max_leaf_size: u32,
-    },
-    /// Call `intersect_bvh` or `occludes_bvh` in a world whose answers are written down beforehand.
-    Traverse(ScriptedWorld),
-    /// Trace rays through a scene with all of the student's stages but for the tree, which is given.
-    SceneHits {
-        /// The scene.
-        scene: SceneSource,
-        /// A tree over it.
-        tree: Tree,
-        /// The rays.
-        rays: Vec<Ray>,
-        /// Whether to ask for any hit instead of the closest.
-        any_hit: bool,
-    },
-    /// Time the student's tree against the student's brute force.
-    Timing(TimingWork),
-    /// Time one test of the student's.
-    TimeTest(TestTiming),
-    /// Trace rays through a scene for their closest hits, and write down for which boxes of its tree the traversal asks.
-    Visits {
-        /// The scene.
-        scene: SceneSource,
-        /// A tree over it.
-        tree: Tree,
-        /// The rays.
-        rays: Vec<Ray>,
-    },
-    /// Call `lambert_f`, `lambert_pdf` and `lambert_sample` for every probe.
-    Lambert(Vec<LambertProbe>),
-    /// Estimate direct light in a world that writes down what it is asked.
-    Direct(DirectWork),
-    /// Call the functions of mirrors and glass.
-    Specular(Vec<SpecularCall>),
-    /// Call `estimate_radiance` for paths whose every turn is written down.
-    Paths(Vec<ScriptedPath>),
-    /// Call `play_roulette` many times.
-    Roulette(RouletteWork),
-    /// Call `has_converged`.
-    Stop(Vec<StopCall>),
-    /// Call `has_surely_converged` with a plain rule whose answer is written down.
-    SureStop(Vec<StopCall>),
-    /// Call `raytrace_pixel_adaptive` with samples that are written down.
-    AdaptivePixels(Vec<AdaptivePixel>),
+pub struct TriangleWork {
+    /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`.
+    pub triangles: Vec<[Xyz; 6]>,
+    /// One call of both functions each.
+    pub probes: Vec<Probe>,
+}
+
+/// Which rays against which spheres.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SphereWork {
+    /// Centre and radius.
+    pub spheres: Vec<(Xyz, f64)>,
+    /// One call of both functions each.
+    pub probes: Vec<Probe>,
+}
+
+/// Rays against a list of shapes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BruteForceWork {
+    /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`. Numbered first.
+    pub triangles: Vec<[Xyz; 6]>,
+    /// Centre and radius. Numbered after the triangles.
+    pub spheres: Vec<(Xyz, f64)>,
+    /// The rays.
+    pub rays: Vec<Ray>,
+}
+
+/// Which rays against which boxes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BoxWork {
+    /// Corners `min` and `max`.
+    pub boxes: Vec<[Xyz; 2]>,
+    /// One call each.
+    pub probes: Vec<Probe>,
+}
+
+/// A tree to build.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BuildWork {
+    /// Corners `min` and `max` of each primitive's box.
+    pub bounds: Vec<[Xyz; 2]>,
+    /// The largest number of primitives in a leaf.
+    pub max_leaf_size: u32,
+}
+
+/// Rays through a scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SceneWork {
+    /// The scene.
+    pub scene: SceneSource,
+    /// A tree over it.
+    pub tree: Tree,
+    /// The rays.
+    pub rays: Vec<Ray>,
+    /// Whether any hit is traced instead of the closest.
+    pub any_hit: bool,
+}
+
+/// Rays through a scene whose box tests are recorded.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct VisitsWork {
+    /// The scene.
+    pub scene: SceneSource,
+    /// A tree over it.
+    pub tree: Tree,
+    /// The rays; their closest hits are traced.
+    pub rays: Vec<Ray>,
 }
 
 /// A ray as its four fields.
@@ -151,6 +127,15 @@ pub struct Camera {
     pub n_clip: f64,
     /// Farthest `t`.
     pub f_clip: f64,
+}
+
+/// Cameras and the points of their sensors.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CameraWork {
+    /// The cameras.
+    pub cameras: Vec<Camera>,
+    /// Points of the sensor, [0, 1]² from the bottom left. Each camera is called with all of them.
+    pub sensor: Vec<[f64; 2]>,
 }
 
 /// Pixels to sample in a world of known radiance.

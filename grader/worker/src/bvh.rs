@@ -4,13 +4,14 @@ use crate::convert;
 use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};
 use std::collections::HashMap;
 use wire::answer::{BuildAnswer, TraverseAnswer};
-use wire::work::{ScriptedRay, ScriptedWorld, Tree, Xyz};
+use wire::work::{BuildWork, ScriptedRay, ScriptedWorld, Tree};
 
-pub(crate) fn build(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> BuildAnswer {
-    let bounds: Vec<Aabb> = bounds.iter().map(convert::aabb).collect();
-    let tree = bvh::construct_bvh(&bounds, max_leaf_size as usize);
+pub(crate) fn build(work: &BuildWork) -> BuildAnswer {
+    let max_leaf_size = work.max_leaf_size as usize;
+    let bounds: Vec<Aabb> = work.bounds.iter().map(convert::aabb).collect();
+    let tree = bvh::construct_bvh(&bounds, max_leaf_size);
     harness::call(1);
-    let again = bvh::construct_bvh(&bounds, max_leaf_size as usize);
+    let again = bvh::construct_bvh(&bounds, max_leaf_size);
     // The debug form tells NaN from NaN-free trees apart, and finds a tree equal to itself.
     let repeatable = tree == again || format!("{tree:?}") == format!("{again:?}");
     BuildAnswer {

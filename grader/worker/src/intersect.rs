@@ -3,13 +3,13 @@
 use crate::convert;
 use kit::PrimId;
 use wire::answer::{HitsAnswer, SphereAnswer, TriangleAnswer};
-use wire::work::{Probe, Ray, Xyz};
+use wire::work::{BruteForceWork, SphereWork, TriangleWork};
 
-pub(crate) fn triangles(triangles: &[[Xyz; 6]], probes: &[Probe]) -> Vec<TriangleAnswer> {
-    let each = probes.iter().enumerate();
+pub(crate) fn triangles(work: &TriangleWork) -> Vec<TriangleAnswer> {
+    let each = work.probes.iter().enumerate();
     each.map(|(i, probe)| {
         harness::call(i);
-        let triangle = convert::triangle(&triangles[probe.shape as usize]);
+        let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = intersect::test_triangle(&triangle, &ray).map(|h| [h.t, h.b1, h.b2]);
         let hit = intersect::intersect_triangle(&triangle, PrimId(probe.shape), &mut ray);
@@ -22,11 +22,11 @@ pub(crate) fn triangles(triangles: &[[Xyz; 6]], probes: &[Probe]) -> Vec<Triangl
     .collect()
 }
 
-pub(crate) fn spheres(spheres: &[(Xyz, f64)], probes: &[Probe]) -> Vec<SphereAnswer> {
-    let each = probes.iter().enumerate();
+pub(crate) fn spheres(work: &SphereWork) -> Vec<SphereAnswer> {
+    let each = work.probes.iter().enumerate();
     each.map(|(i, probe)| {
         harness::call(i);
-        let sphere = convert::sphere(&spheres[probe.shape as usize]);
+        let sphere = convert::sphere(&work.spheres[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
         let test = intersect::test_sphere(&sphere, &ray);
         let hit = intersect::intersect_sphere(&sphere, PrimId(probe.shape), &mut ray);
@@ -39,20 +39,16 @@ pub(crate) fn spheres(spheres: &[(Xyz, f64)], probes: &[Probe]) -> Vec<SphereAns
     .collect()
 }
 
-pub(crate) fn brute_force(
-    triangles: &[[Xyz; 6]],
-    spheres: &[(Xyz, f64)],
-    rays: &[Ray],
-) -> HitsAnswer {
-    let triangles: Vec<_> = triangles.iter().map(convert::triangle).collect();
-    let spheres: Vec<_> = spheres.iter().map(convert::sphere).collect();
+pub(crate) fn brute_force(work: &BruteForceWork) -> HitsAnswer {
+    let triangles: Vec<_> = work.triangles.iter().map(convert::triangle).collect();
+    let spheres: Vec<_> = work.spheres.iter().map(convert::sphere).collect();
     let mut answer = HitsAnswer {
         hits: Vec::new(),
         max_t: Vec::new(),
         box_tests: 0,
         prim_tests: 0,
     };
-    for (i, ray) in rays.iter().enumerate() {
+    for (i, ray) in work.rays.iter().enumerate() {
         harness::call(i);
         let mut ray = convert::ray(ray);
         let mut closest = None;

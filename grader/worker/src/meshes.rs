@@ -6,17 +6,12 @@ use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World}
 use meshes::{MeshKind, cornell_with, generate};
 use std::time::{Duration, Instant};
 use wire::answer::{HitsAnswer, TimingAnswer};
-use wire::work::{self, SceneSource, TimingWork, Tree};
+use wire::work::{SceneSource, SceneWork, TimingWork};
 
-/// Traces `rays` through the scene by `tree`.
-pub(crate) fn scene_hits(
-    source: &SceneSource,
-    tree: &Tree,
-    rays: &[work::Ray],
-    any_hit: bool,
-) -> Result<HitsAnswer, String> {
-    let scene = load(source)?;
-    let tree = kit_tree(tree);
+/// Traces the rays through the scene by its tree.
+pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
+    let scene = load(&work.scene)?;
+    let tree = kit_tree(&work.tree);
     let mut world = SceneWorld::new(&scene);
     let mut answer = HitsAnswer {
         hits: Vec::new(),
@@ -24,10 +19,10 @@ pub(crate) fn scene_hits(
         box_tests: 0,
         prim_tests: 0,
     };
-    for (i, ray) in rays.iter().enumerate() {
+    for (i, ray) in work.rays.iter().enumerate() {
         harness::call(i);
         let mut ray = convert::ray(ray);
-        let hit = if any_hit {
+        let hit = if work.any_hit {
             bvh::occludes_bvh(&tree, &ray, &mut world).then_some(SOMETHING)
         } else {
             bvh::intersect_bvh(&tree, &mut ray, &mut world)

@@ -3,7 +3,7 @@
 use crate::convert;
 use kit::{FilmSize, Mat3, PixelSampler, Spectrum, Vec2, Vec3};
 use wire::answer::PixelAnswer;
-use wire::work::{PixelWork, PixelWorld};
+use wire::work::{CameraWork, PixelWork, PixelWorld};
 
 pub(crate) fn pixels(work: &PixelWork) -> Vec<PixelAnswer> {
     let each = work.pixels.iter().enumerate();
@@ -86,13 +86,9 @@ fn rings(point: Vec2) -> Spectrum {
     Spectrum::new(ring(300.0), ring(330.0), ring(360.0))
 }
 
-pub(crate) fn camera_rays(
-    cameras: &[wire::work::Camera],
-    sensor: &[[f64; 2]],
-) -> Vec<wire::work::Ray> {
-    let pairs = cameras
-        .iter()
-        .flat_map(|camera| sensor.iter().map(move |point| (camera, point)));
+pub(crate) fn camera_rays(work: &CameraWork) -> Vec<wire::work::Ray> {
+    let cameras = work.cameras.iter();
+    let pairs = cameras.flat_map(|camera| work.sensor.iter().map(move |point| (camera, point)));
     pairs
         .enumerate()
         .map(|(i, (camera, point))| {

@@ -3,29 +3,31 @@
 use crate::convert;
 use std::hint::black_box;
 use std::time::Instant;
-use wire::Answer;
-use wire::work::{TestTiming, Xyz};
+use wire::work::{Shapes, TestTiming};
 
-/// `test_triangle`, and `o + t·d` of a hit, as the kernels that it is held against do.
-#[cfg(feature = "intersect")]
-pub(crate) fn triangles(triangles: &[[Xyz; 6]], timing: &TestTiming) -> Answer {
-    time(triangles, timing, convert::triangle, |triangle, ray| {
-        intersect::test_triangle(triangle, ray).map(|hit| (hit, ray.at(hit.t)))
-    })
-}
-
-/// `test_sphere`, and `o + t·d` of a hit.
-#[cfg(feature = "intersect")]
-pub(crate) fn spheres(spheres: &[(Xyz, f64)], timing: &TestTiming) -> Answer {
-    time(spheres, timing, convert::sphere, |sphere, ray| {
-        intersect::test_sphere(sphere, ray).map(|t| (t, ray.at(t)))
-    })
-}
-
-/// `intersect_bbox`.
-#[cfg(feature = "bbox")]
-pub(crate) fn boxes(boxes: &[[Xyz; 2]], timing: &TestTiming) -> Answer {
-    time(boxes, timing, convert::aabb, bbox::intersect_bbox)
+/// Times the test of the shapes that are given. Of a hit by `test_triangle` and `test_sphere`, `o + t·d` is computed, too,
+/// as the kernels do that they are compared with.
+pub(crate) fn test(timing: &TestTiming) -> Result<Vec<f64>, String> {
+    match &timing.shapes {
+        #[cfg(feature = "intersect")]
+        Shapes::Triangles(triangles) => Ok(time(
+            triangles,
+            timing,
+            convert::triangle,
+            |triangle, ray| intersect::test_triangle(triangle, ray).map(|hit| (hit, ray.at(hit.t))),
+        )),
+        #[cfg(feature = "intersect")]
+        Shapes::Spheres(spheres) => Ok(time(spheres, timing, convert::sphere, |sphere, ray| {
+            intersect::test_sphere(sphere, ray).map(|t| (t, ray.at(t)))
+        })),
+        #[cfg(feature = "bbox")]
+        Shapes::Boxes(boxes) => Ok(time(boxes, timing, convert::aabb, bbox::intersect_bbox)),
+        #[allow(
+            unreachable_patterns,
+            reason = "a worker with both stages times all shapes"
+        )]
+        _ => Err("this worker was built without the stage of these shapes".into()),
+    }
 }
 
 fn time<W, S, A>(
@@ -33,7 +35,7 @@ fn time<W, S, A>(
     timing: &TestTiming,
     shape: impl Fn(&W) -> S,
     test: impl Fn(&S, &kit::Ray) -> Option<A>,
-) -> Answer {
+) -> Vec<f64> {
     let shapes: Vec<S> = shapes.iter().map(shape).collect();
     let rays: Vec<kit::Ray> = timing.rays.iter().map(convert::ray).collect();
     let per_ray = timing.per_ray.max(1) as usize;
@@ -56,5 +58,5 @@ fn time<W, S, A>(
         }
         started.elapsed().as_secs_f64()
     });
-    Answer::TestTimes(rounds.collect())
+    rounds.collect()
 }

@@ -6,22 +6,18 @@ use crate::meshes::{SceneWorld, load};
 use kit::{Aabb, Hit, Interval, PrimId, Ray, World};
 use std::collections::HashMap;
 use wire::answer::{Visit, VisitsAnswer};
-use wire::work::{self, SceneSource, Tree};
+use wire::work::VisitsWork;
 
-/// Traces `rays` through the scene by `tree` and writes down the boxes that each asks for.
-pub(crate) fn visits(
-    source: &SceneSource,
-    tree: &Tree,
-    rays: &[work::Ray],
-) -> Result<VisitsAnswer, String> {
-    let scene = load(source)?;
-    let tree = kit_tree(tree);
+/// Traces the rays through the scene by its tree and records the boxes that each tests.
+pub(crate) fn visits(work: &VisitsWork) -> Result<VisitsAnswer, String> {
+    let scene = load(&work.scene)?;
+    let tree = kit_tree(&work.tree);
     let mut nodes_of: HashMap<BoxKey, Vec<u32>> = HashMap::new();
     for (node, number) in tree.nodes.iter().zip(0..) {
         let nodes = nodes_of.entry(box_key(&node.bounds)).or_default();
         nodes.push(number);
     }
-    let each = rays.iter().enumerate();
+    let each = work.rays.iter().enumerate();
     let rays = each.map(|(i, ray)| {
         harness::call(i);
         let mut world = Watched {

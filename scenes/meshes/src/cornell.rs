@@ -4,23 +4,25 @@ use kit::camera::scale_fov;
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::{Aabb, Camera, Light, Mat3, Material, Scene, Spectrum, Triangle, Vec3};
 
-/// Half the width and half the depth of the box; its floor is at y = 0, its front open to +z.
+/// Half of the width and depth of the box. Its floor is at y = 0, and its front at +z is open.
 const HALF: f64 = 1.0;
 /// Height of the ceiling.
 const HEIGHT: f64 = 1.5;
-/// Half the edges of the light in x and z.
+/// Half of the edge lengths of the light in x and z.
 const LIGHT: [f64; 2] = [0.4, 0.3];
-/// Height of the light, just below the ceiling.
+/// Height of the light, slightly below the ceiling.
 const LIGHT_HEIGHT: f64 = 1.49;
-/// Room for the mesh: width, height, depth.
-const ROOM: Vec3 = Vec3::new(1.6, 1.15, 1.6);
-/// Gap under the mesh, so that it does not touch the floor.
+/// Space for the mesh: width, height, depth.
+const MESH_SPACE: Vec3 = Vec3::new(1.6, 1.15, 1.6);
+/// Distance of the mesh from the floor.
 const GAP: f64 = 1e-3;
 
-/// A Cornell box with `mesh` in the middle of its floor, scaled evenly to fill it, lit from the ceiling.
+/// A Cornell box with `mesh` on the centre of its floor, scaled uniformly to fit, with a light
+/// below the ceiling.
 ///
-/// Stand-ins for the two large scenes of the assignment: `cornell_with(generate(MeshKind::Smooth, 100_000))`
-/// for CBdragon and `cornell_with(generate(MeshKind::Terrain, 500_000))` for CBlucy.
+/// These scenes replace the two large scenes of the assignment:
+/// `cornell_with(generate(MeshKind::Smooth, 100_000))` for CBdragon and
+/// `cornell_with(generate(MeshKind::Terrain, 500_000))` for CBlucy.
 pub fn cornell_with(mesh: Vec<Triangle>) -> Scene {
     let mut scene = Scene {
         triangles: fitted(mesh),
@@ -31,7 +33,7 @@ pub fn cornell_with(mesh: Vec<Triangle>) -> Scene {
     };
     let radiance = Spectrum::grey(10.0);
     add_object(&mut scene, "mesh", matte(0.7, 0.7, 0.7));
-    // Walls wind so that their normals point into the box.
+    // The winding order of the walls is such that their normals point into the box.
     let (l, h) = (HALF, HEIGHT);
     let white = matte(0.7, 0.7, 0.7);
     add_quad(
@@ -93,10 +95,10 @@ pub fn cornell_with(mesh: Vec<Triangle>) -> Scene {
     scene
 }
 
-/// Vertical angle of view in degrees: the front of the box fills the picture.
+/// Vertical angle of view in degrees, such that the front of the box fills the image.
 const VERTICAL_FOV: f64 = 27.0;
 
-/// The mesh, scaled and moved into the box.
+/// The mesh, scaled and translated into the box.
 fn fitted(mut mesh: Vec<Triangle>) -> Vec<Triangle> {
     let bounds = mesh
         .iter()
@@ -104,11 +106,11 @@ fn fitted(mut mesh: Vec<Triangle>) -> Vec<Triangle> {
     if bounds.is_empty() {
         return mesh;
     }
-    let scale = (ROOM / bounds.extent()).min_element();
-    let foot = Vec3::new(bounds.centroid().x, bounds.min.y, bounds.centroid().z);
+    let scale = (MESH_SPACE / bounds.extent()).min_element();
+    let base = Vec3::new(bounds.centroid().x, bounds.min.y, bounds.centroid().z);
     for triangle in &mut mesh {
         for p in [&mut triangle.p0, &mut triangle.p1, &mut triangle.p2] {
-            *p = scale * (*p - foot) + Vec3::new(0.0, GAP, 0.0);
+            *p = scale * (*p - base) + Vec3::new(0.0, GAP, 0.0);
         }
     }
     mesh
@@ -122,7 +124,7 @@ fn add_quad(scene: &mut Scene, name: &str, material: Material, corners: [[f64; 3
     add_object(scene, name, material);
 }
 
-/// Makes an object of the triangles that have none yet.
+/// Adds an object with all triangles that have no object yet.
 fn add_object(scene: &mut Scene, name: &str, material: Material) {
     let index = scene.objects.len() as u32;
     scene.materials.push(NamedMaterial {

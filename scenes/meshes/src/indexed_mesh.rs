@@ -1,42 +1,44 @@
-//! Meshes whose triangles share their vertices.
+//! Indexed meshes, whose triangles share vertices.
 
 use kit::{Triangle, Vec3};
 
-/// Vertices and triangles that name them. Triangles that share a vertex share it to the last bit.
+/// Vertices, and triangles as indices of vertices. Shared vertices are identical to the last bit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IndexedMesh {
     /// Vertices.
     pub positions: Vec<Vec3>,
-    /// Three vertices each, counter-clockwise seen from outside.
+    /// Three indices of vertices each, counter-clockwise as seen from outside.
     pub faces: Vec<[u32; 3]>,
 }
 
 impl IndexedMesh {
-    /// The corners of a face.
+    /// The vertices of a face.
     pub fn corners(&self, face: [u32; 3]) -> [Vec3; 3] {
         face.map(|vertex| self.positions[vertex as usize])
     }
 
-    /// Cuts faces in three about their middle, spread evenly over the mesh, until there are `wanted` faces,
-    /// or one fewer: each cut adds two. A mesh that has as many already stays as it is.
-    pub(super) fn cut_to(mut self, wanted: usize) -> IndexedMesh {
+    /// Splits faces into three at their centroid, evenly distributed over the mesh, until there are
+    /// `target` faces, or one fewer, because each split adds two. A mesh with at least `target`
+    /// faces is returned unchanged.
+    pub(super) fn split_to(mut self, target: usize) -> IndexedMesh {
         let faces = self.faces.len();
-        let cuts = (wanted.saturating_sub(faces) / 2).min(faces);
+        let splits = (target.saturating_sub(faces) / 2).min(faces);
         for i in 0..faces {
-            if (i + 1) * cuts / faces == i * cuts / faces {
+            if (i + 1) * splits / faces == i * splits / faces {
                 continue;
             }
             let [a, b, c] = self.faces[i];
             let [p0, p1, p2] = self.corners([a, b, c]);
-            let middle = self.positions.len() as u32;
+            let centroid = self.positions.len() as u32;
             self.positions.push((p0 + p1 + p2) / 3.0);
-            self.faces[i] = [a, b, middle];
-            self.faces.extend([[b, c, middle], [c, a, middle]]);
+            self.faces[i] = [a, b, centroid];
+            self.faces.extend([[b, c, centroid], [c, a, centroid]]);
         }
         self
     }
 
-    /// The triangles, each vertex with the mean normal of its faces, weighted by their areas.
+    /// The triangles with smooth normals: at each vertex the area-weighted mean of the normals of
+    /// its faces.
     pub fn smooth_triangles(&self) -> Vec<Triangle> {
         let mut normals = vec![Vec3::ZERO; self.positions.len()];
         for face in &self.faces {
@@ -64,7 +66,7 @@ impl IndexedMesh {
         self.faces.iter().map(triangle).collect()
     }
 
-    /// The triangles, each with the normal of its plane.
+    /// The triangles with their geometric normals.
     pub fn flat_triangles(&self) -> Vec<Triangle> {
         let triangle = |face: &[u32; 3]| {
             let [p0, p1, p2] = self.corners(*face);

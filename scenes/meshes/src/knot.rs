@@ -1,27 +1,29 @@
-//! A rope tied into a trefoil: strands of long thin triangles that cross each other everywhere.
+//! A rope in the shape of a trefoil knot: strands of long, thin triangles with overlapping bounding
+//! boxes.
 
 use super::indexed_mesh::IndexedMesh;
 use kit::{Vec3, math};
 use std::f64::consts::TAU;
 
-/// Radius of the rope in units of the knot's own torus, whose tube has radius 1 about a circle of radius 2.
+/// Radius of the rope, in units of the torus of the knot: its tube has radius 1 around a circle of
+/// radius 2.
 const ROPE: f64 = 0.42;
-/// From those units to the cube.
+/// Scale from these units to the cube [-1, 1]³.
 const SCALE: f64 = 0.275;
-/// Full turns of the strands about the rope: a whole number, so that each strand closes.
+/// Full turns of the strands around the rope: an integer, so that each strand is closed.
 const TWISTS: f64 = 2.0;
-/// Angle between one strand and the next: the golden angle spreads them evenly over the rope's section
-/// (H. Vogel, "A better way to construct the sunflower head", 1979).
+/// Angle between successive strands. The golden angle distributes them evenly over the
+/// cross-section (H. Vogel, "A better way to construct the sunflower head", 1979).
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
-/// Sides of a strand.
+/// Number of sides of a strand.
 const SIDES: usize = 3;
 
-/// The largest such mesh of at most `triangles` triangles: 6 for each segment of each strand. Segments grow in number
-/// slowly, strands quickly, so that triangles get thinner as they get more.
+/// The largest knot of at most `triangles` triangles: 6 for each segment of each strand. The number
+/// of segments grows slowly and that of strands quickly, so triangles become thinner.
 pub(super) fn mesh(triangles: usize) -> IndexedMesh {
-    let wanted = triangles.max(1) as f64;
-    let segments = (60.0 * math::pow(wanted / 1e5, 0.2)).round().max(12.0) as usize;
-    let strands = (wanted / (2 * SIDES * segments) as f64).floor().max(1.0) as usize;
+    let target = triangles.max(1) as f64;
+    let segments = (60.0 * math::pow(target / 1e5, 0.2)).round().max(12.0) as usize;
+    let strands = (target / (2 * SIDES * segments) as f64).floor().max(1.0) as usize;
     let mut mesh = IndexedMesh::default();
     mesh.positions.reserve(strands * segments * SIDES);
     mesh.faces.reserve(2 * strands * segments * SIDES);
@@ -37,12 +39,13 @@ pub(super) fn mesh(triangles: usize) -> IndexedMesh {
 /// A cross-section of the rope.
 struct Section {
     center: Vec3,
-    /// Two directions at right angles to the rope, turned by the twist.
+    /// Two directions perpendicular to the rope, rotated by the twist.
     across: [Vec3; 2],
 }
 
 impl Section {
-    /// At parameter `t` of the trefoil, which goes twice round the torus and three times round its tube.
+    /// The section at parameter `t` of the trefoil, which winds twice around the torus and three
+    /// times around its tube.
     fn at(t: f64) -> Section {
         let (sin2, cos2) = (math::sin(2.0 * t), math::cos(2.0 * t));
         let (sin3, cos3) = (math::sin(3.0 * t), math::cos(3.0 * t));
@@ -52,7 +55,7 @@ impl Section {
             -3.0 * sin3 * sin2 + 2.0 * (2.0 + cos3) * cos2,
             3.0 * cos3,
         );
-        // The torus's normal is at right angles to every curve on it.
+        // The normal of the torus is perpendicular to every curve on it.
         let out = Vec3::new(cos3 * cos2, cos3 * sin2, sin3);
         let side = along.normalize().cross(out);
         let (sin, cos) = (math::sin(TWISTS * t), math::cos(TWISTS * t));
@@ -71,7 +74,7 @@ fn add_strand(mesh: &mut IndexedMesh, sections: &[Section], strand: usize, stran
         ROPE * share.sqrt()
     };
     let angle = GOLDEN_ANGLE * strand as f64;
-    // Strands that fill the section touch at this radius.
+    // With this radius the strands fill the cross-section and touch.
     let radius = 0.8 * ROPE / (strands as f64).sqrt();
     let first = mesh.positions.len();
     for Section {

@@ -1,7 +1,8 @@
-//! Large meshes that are computed, not stored: the same on every platform, to the last bit.
+//! Generators of large meshes. The results are identical on every platform, to the last bit.
 //!
-//! Sines come from [`kit::math`], randomness from an integer hash. Read [`IndexedMesh`] first, then `noise` and
-//! `octasphere` (what the meshes are made with), then one file a mesh, then [`cornell_with`].
+//! Sines come from [`kit::math`], random numbers from an integer hash. Read [`IndexedMesh`] first,
+//! then `noise` and `octasphere` (helpers of the generators), then the files of the meshes, then
+//! [`cornell_with`].
 
 mod cornell;
 mod indexed_mesh;
@@ -22,14 +23,14 @@ use std::str::FromStr;
 /// The meshes that can be generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MeshKind {
-    /// A closed smooth blob with lobes and folds: triangles of about one size.
+    /// A closed smooth blob with lobes and folds. Its triangles have similar sizes.
     Smooth,
-    /// A rough mountain landscape, open below: detail down to the single triangle.
+    /// A rough mountain landscape, open below, with detail at the size of single triangles.
     Terrain,
-    /// A rope of closed strands tied into a trefoil: long thin triangles in all directions, whose boxes
-    /// overlap.
+    /// A rope of closed strands in the shape of a trefoil knot: long, thin triangles in all
+    /// directions, whose bounding boxes overlap.
     Knot,
-    /// A sea urchin: a closed mesh that is all needles.
+    /// A closed mesh of needles, like a sea urchin.
     Needles,
 }
 
@@ -42,7 +43,7 @@ impl MeshKind {
         MeshKind::Needles,
     ];
 
-    /// Its name in lower case.
+    /// The name in lower case.
     pub fn name(self) -> &'static str {
         match self {
             MeshKind::Smooth => "smooth",
@@ -52,7 +53,8 @@ impl MeshKind {
         }
     }
 
-    /// Whether the mesh is closed: every edge has exactly two triangles, and they wind outwards.
+    /// Whether the mesh is closed: every edge has exactly two triangles, with consistent winding,
+    /// and normals point outwards.
     pub fn is_closed(self) -> bool {
         self != MeshKind::Terrain
     }
@@ -76,20 +78,21 @@ impl FromStr for MeshKind {
     }
 }
 
-/// The mesh with `triangles` triangles, inside the cube from -1 to 1, with smooth vertex normals (needles: flat
-/// ones).
+/// Generates a mesh of `triangles` triangles inside the cube [-1, 1]³, with smooth vertex normals
+/// (`Needles`: geometric normals).
 ///
-/// From 100 triangles up their number is exact if it is even, one fewer if it is odd: the faces of a closed
-/// mesh of triangles are always even in number. Each kind takes the largest regular pattern that is not too
-/// large and cuts a few triangles in three. A triangle takes 144 bytes, so 10 million take 1.4 GB.
+/// From 100 triangles on, the number of triangles is exact if it is even, and one fewer if it is
+/// odd, because a closed triangle mesh always has an even number of faces. Each kind generates its
+/// largest regular mesh that is not too large, and splits some triangles into three. A triangle
+/// takes 144 bytes, so 10 million take 1.4 GB.
 pub fn generate(kind: MeshKind, triangles: usize) -> Vec<Triangle> {
-    let pattern = match kind {
+    let regular = match kind {
         MeshKind::Smooth => smooth::mesh(triangles),
         MeshKind::Terrain => terrain::mesh(triangles),
         MeshKind::Knot => knot::mesh(triangles),
         MeshKind::Needles => needles::mesh(triangles),
     };
-    let mesh = pattern.cut_to(triangles);
+    let mesh = regular.split_to(triangles);
     match kind {
         MeshKind::Needles => mesh.flat_triangles(),
         _ => mesh.smooth_triangles(),

@@ -1,15 +1,15 @@
-//! A closed mesh of needles: a sea urchin.
+//! A closed mesh of needles, like a sea urchin.
 
 use super::indexed_mesh::IndexedMesh;
 use super::noise::uniform;
 use super::octasphere::octasphere;
 use kit::Vec3;
 
-/// Radius of the body that the needles stand on.
+/// Radius of the sphere under the needles.
 const BODY: f64 = 0.35;
 
-/// The largest such mesh of at most `triangles` triangles: 24f². Every triangle of a ball is replaced by
-/// the three sides of a needle, so neighbouring needles share the edges at their feet.
+/// The largest mesh of at most `triangles` triangles: 24f². Each triangle of an octasphere is
+/// replaced by the three sides of a needle, so adjacent needles share edges.
 pub(super) fn mesh(triangles: usize) -> IndexedMesh {
     let f = ((triangles as f64 / 24.0).sqrt() as u32).max(1);
     let body = octasphere(f, |direction| BODY * direction);
@@ -20,7 +20,7 @@ pub(super) fn mesh(triangles: usize) -> IndexedMesh {
     for (i, face) in body.faces.iter().enumerate() {
         let [p0, p1, p2] = body.corners(*face);
         let tip = mesh.positions.len() as u32;
-        // In units of the cube: tips between 0.65 and 1 from the middle.
+        // Tips are between 0.65 and 1 from the centre.
         let length = 0.65 + 0.35 * uniform(i as u64);
         mesh.positions
             .push(length * (p0 + p1 + p2).normalize_or(Vec3::Y));

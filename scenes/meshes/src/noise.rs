@@ -3,12 +3,12 @@
 use kit::Vec3;
 use kit::sampler::mix as hash;
 
-/// A number in [0, 1) that depends on nothing but `key`.
+/// A number in [0, 1) that depends only on `key`.
 pub(super) fn uniform(key: u64) -> f64 {
     (hash(key) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// Smooth noise in about [-1, 1] that is 0 at whole coordinates and has features of about size 1
+/// Perlin noise: smooth, in about [-1, 1], 0 at integer coordinates, with features of size about 1
 /// (K. Perlin, "Improving noise", 2002).
 pub(super) fn gradient_noise(p: Vec3, seed: u64) -> f64 {
     let cell = p.floor();
@@ -25,10 +25,11 @@ pub(super) fn gradient_noise(p: Vec3, seed: u64) -> f64 {
     mix(along_y(0), along_y(1), fade.z)
 }
 
-/// One of the directions from a cube's centre to the middles of its 12 edges (4 of them twice).
+/// One of the 12 directions from a cube's centre to the midpoints of its edges (4 of them occur
+/// twice).
 fn gradient(lattice: [i64; 3], seed: u64) -> Vec3 {
     let [x, y, z] = lattice.map(|i| i as u64);
-    // Three odd constants, so that neighbouring cells get unrelated keys.
+    // Three odd constants, so that adjacent cells get unrelated keys.
     let key = x.wrapping_mul(0x8da6_b343_0000_0001)
         ^ y.wrapping_mul(0xd816_3841_0000_0003).rotate_left(21)
         ^ z.wrapping_mul(0xcb1a_b31f_0000_0005).rotate_left(42);

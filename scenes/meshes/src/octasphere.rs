@@ -1,4 +1,5 @@
-//! A closed grid over the sphere: the octahedron |x|+|y|+|z| = f, cut at its whole-numbered points.
+//! A closed grid on the sphere: the octahedron |x|+|y|+|z| = f, with vertices at its integer
+//! points.
 
 use super::indexed_mesh::IndexedMesh;
 use kit::Vec3;
@@ -6,8 +7,8 @@ use kit::Vec3;
 /// Marks a grid point that is not on the octahedron.
 const NONE: u32 = u32::MAX;
 
-/// Numbers the whole-numbered points of the octahedron: seen from above, the upper and the lower half are two
-/// squares over the same (x, y) that share their rims.
+/// The vertex numbers of the integer points of the octahedron. The upper and the lower half are two
+/// squares over the same (x, y), which share their boundaries.
 struct Numbering {
     f: i64,
     upper: Vec<u32>,
@@ -25,7 +26,8 @@ impl Numbering {
     }
 }
 
-/// The grid with 8f² triangles, `f >= 1`. `place` gives the position of the vertex in a unit direction.
+/// The octasphere with 8f² triangles, `f >= 1`. `place` returns the position of the vertex in a
+/// unit direction.
 pub(super) fn octasphere(f: u32, mut place: impl FnMut(Vec3) -> Vec3) -> IndexedMesh {
     let f = i64::from(f);
     let squares = ((2 * f + 1) * (2 * f + 1)) as usize;
@@ -49,7 +51,7 @@ pub(super) fn octasphere(f: u32, mut place: impl FnMut(Vec3) -> Vec3) -> Indexed
                 number
             };
             numbering.upper[slot] = add(z);
-            // On the rim both halves are one.
+            // On the boundary both halves share the vertex.
             numbering.lower[slot] = if z == 0 {
                 numbering.upper[slot]
             } else {
@@ -67,8 +69,8 @@ pub(super) fn octasphere(f: u32, mut place: impl FnMut(Vec3) -> Vec3) -> Indexed
     mesh
 }
 
-/// The triangles over the unit square from (x, y): both where all four corners are on the octahedron, one at
-/// the rim. The diagonal runs parallel to the rim of its quadrant.
+/// Adds the triangles over the unit square at (x, y): both if all four corners are on the
+/// octahedron, one at the boundary. The diagonal is parallel to the boundary of its quadrant.
 fn add_square(mesh: &mut IndexedMesh, numbering: &Numbering, [x, y]: [i64; 2], above: bool) {
     let at = |dx: i64, dy: i64| numbering.number(x + dx, y + dy, above);
     let (a, b, c, d) = (at(0, 0), at(1, 0), at(1, 1), at(0, 1));

@@ -1,25 +1,26 @@
-//! Shapes placed into the world.
+//! Transforms shapes to world space.
 
 use super::limits::in_world;
 use super::transform::Affine;
 use kit::{Sphere, Triangle, Vec2, Vec3};
 
-/// How much the lengths of a sphere's transformed axes may differ, and how far they may be from
-/// perpendicular, relative to their length. Files write matrices with about 7 digits.
-const SAME_SCALE: f64 = 1e-5;
+/// Relative tolerance for a transform that keeps a sphere a sphere: of the lengths of its axes, and
+/// of the angles between them. Files have matrices with about 7 digits.
+const SIMILARITY_TOLERANCE: f64 = 1e-5;
 
-/// Places triangles; normals go by the inverse transpose. A mirroring transform would turn the winding
-/// against the normals, so there `p1` and `p2` change places. A triangle that the transform leaves
-/// without area is kept: it is never hit.
-pub(super) struct Placer {
+/// Transforms triangles to world space; normals use the inverse transpose.
+///
+/// A mirroring transform would reverse the winding order relative to the normals, so `p1` and `p2`
+/// are swapped. A triangle without area after the transform is kept: no ray hits it.
+pub(super) struct TriangleTransform {
     to_world: Affine,
     normals: kit::Mat3,
     mirrors: bool,
 }
 
-impl Placer {
-    pub(super) fn new(to_world: Affine) -> Placer {
-        Placer {
+impl TriangleTransform {
+    pub(super) fn new(to_world: Affine) -> TriangleTransform {
+        TriangleTransform {
             normals: to_world.for_normals(),
             mirrors: to_world.mirrors(),
             to_world,
@@ -37,41 +38,42 @@ impl Placer {
             std::mem::swap(&mut p1, &mut p2);
             std::mem::swap(&mut n1, &mut n2);
         }
-        let turned =
+        let transformed =
             |n: Vec3| unit(self.normals * n).unwrap_or_else(|| Triangle::flat(p0, p1, p2).n0);
         Some(Triangle {
             p0,
             p1,
             p2,
-            n0: turned(n0),
-            n1: turned(n1),
-            n2: turned(n2),
+            n0: transformed(n0),
+            n1: transformed(n1),
+            n2: transformed(n2),
         })
     }
 }
 
-impl Placer {
-    /// The texture coordinates of a triangle's vertices, in the order in which they are placed.
-    pub(super) fn on_texture(&self, [a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
+impl TriangleTransform {
+    /// Reorders the texture coordinates of a triangle like its vertices.
+    pub(super) fn tex_coords(&self, [a, b, c]: [Vec2; 3]) -> [Vec2; 3] {
         if self.mirrors { [a, c, b] } else { [a, b, c] }
     }
 }
 
-/// The direction of `v`, also where its length under- or overflows.
+/// `v` normalised without overflow or underflow.
 fn unit(v: Vec3) -> Option<Vec3> {
     (v / v.abs().max_element()).try_normalize()
 }
 
-/// Why a sphere cannot be placed.
+/// Why a sphere cannot be transformed.
 #[derive(Debug, PartialEq)]
 pub(super) enum SphereError {
-    /// It would become an ellipsoid with these half axes.
+    /// It would become an ellipsoid with these semi-axes.
     Ellipsoid([f64; 3]),
     /// A coordinate is too large.
     TooLarge,
 }
 
-/// Places a sphere about the origin. The transform may turn, mirror and scale, the same along every axis.
+/// Transforms a sphere around the origin. The transform may rotate, mirror, translate and scale
+/// uniformly.
 pub(super) fn sphere(radius: f64, to_world: &Affine) -> Result<Sphere, SphereError> {
     let m = &to_world.m;
     let axes = [m.x_axis, m.y_axis, m.z_axis];
@@ -80,11 +82,11 @@ pub(super) fn sphere(radius: f64, to_world: &Affine) -> Result<Sphere, SphereErr
     if !in_world(Vec3::splat(scale * radius)) || !in_world(to_world.t) {
         return Err(SphereError::TooLarge);
     }
-    let slack = SAME_SCALE * scale;
-    let square = [(0, 1), (1, 2), (2, 0)]
+    let tolerance = SIMILARITY_TOLERANCE * scale;
+    let orthogonal = [(0, 1), (1, 2), (2, 0)]
         .iter()
-        .all(|(i, j)| axes[*i].dot(axes[*j]).abs() <= slack * scale);
-    if scale - x.min(y).min(z) > slack || !square {
+        .all(|(i, j)| axes[*i].dot(axes[*j]).abs() <= tolerance * scale);
+    if scale - x.min(y).min(z) > tolerance || !orthogonal {
         return Err(SphereError::Ellipsoid([x, y, z].map(|s| s * radius)));
     }
     Ok(Sphere {

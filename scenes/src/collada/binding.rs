@@ -1,24 +1,24 @@
-//! `<bind_material>`: which material a part of a shape gets where it is placed.
+//! `<bind_material>`: the materials of a shape's parts in an instance.
 
-use super::document::{Document, Element, children, descend, describe, name_of, short, tag};
+use super::document::{Document, Element, children, descendant, describe, name_of, tag, truncated};
 use super::geometry::Shape;
 use super::limits::MAX_INSTANCES;
-use super::material::{self, Finish};
+use super::material::{self, TexturedMaterial};
 use crate::diagnostic::SceneError;
 use kit::scene::NamedMaterial;
 use kit::texture::TextureMap;
 use roxmltree::NodeId;
 use std::collections::HashMap;
 
-/// The materials of the scene, each read once.
+/// The materials of the scene. Each is read once.
 pub(super) struct Materials<'r, 'a> {
     doc: &'r Document<'a>,
     list: Vec<NamedMaterial>,
-    /// For each material, the file of its picture.
-    pictures: Vec<Option<String>>,
-    /// Index in the list by the id of the `<material>`; the default grey is under `None`.
+    /// For each material, the image file of its texture.
+    textures: Vec<Option<String>>,
+    /// Index in the list by the node id of the `<material>`. The key of the default grey is `None`.
     by_element: HashMap<Option<NodeId>, u32>,
-    /// How many parts got their material so far, to stop a file that asks for far too many.
+    /// Number of bindings so far, to detect a file with far too many.
     bound: usize,
 }
 
@@ -27,23 +27,23 @@ impl<'r, 'a> Materials<'r, 'a> {
         Materials {
             doc,
             list: Vec::new(),
-            pictures: Vec::new(),
+            textures: Vec::new(),
             by_element: HashMap::new(),
             bound: 0,
         }
     }
 
-    /// The materials, and which pictures they carry. The coordinates are for others to add.
+    /// The materials and their textures. The caller adds the texture coordinates.
     pub(super) fn into_list(self) -> (Vec<NamedMaterial>, TextureMap) {
         let mut textures = TextureMap::default();
-        for picture in self.pictures {
-            textures.add_material(picture);
+        for file in self.textures {
+            textures.add_material(file);
         }
         (self.list, textures)
     }
 
-    /// The materials of a shape's parts: by the symbol that `<instance_material>` binds; a sphere and a part
-    /// whose symbol is not bound take the first one.
+    /// The materials of a shape's parts, by the symbols of the `<instance_material>` elements. A
+    /// sphere, and a part with an unknown symbol, use the first of these elements.
     pub(super) fn bind(
         &mut self,
         instance: Element<'a>,
@@ -56,24 +56,24 @@ impl<'r, 'a> Materials<'r, 'a> {
         };
         self.bound += symbols.len();
         if self.bound > MAX_INSTANCES {
-            let title = format!("the scene binds more than {MAX_INSTANCES} materials");
-            let finding = self
+            let title = format!("the scene has more than {MAX_INSTANCES} material bindings");
+            let diagnostic = self
                 .doc
-                .on(instance, title, "this instance is one too many");
-            return Err(finding
-                .help("join the parts of meshes that have the same material")
+                .on(instance, title, "this instance exceeds the limit");
+            return Err(diagnostic
+                .help("merge the parts of meshes that have the same material")
                 .into());
         }
         let bindings = Bindings::read(instance);
         symbols
             .into_iter()
-            .map(|symbol| match bindings.of(symbol) {
+            .map(|symbol| match bindings.element_of(symbol) {
                 Some(binding) => {
                     if let Some(symbol) = symbol.filter(|symbol| !bindings.by_symbol.contains_key(symbol)) {
                         self.doc.warn(|| {
-                            let title = format!("no material is bound to `{}`", short(symbol));
-                            let done = "expected an <instance_material> with this symbol; this one is taken";
-                            self.doc.on(binding, title, done)
+                            let title = format!("no material is bound to `{}`", truncated(symbol));
+                            let label = "expected an <instance_material> with this symbol; using this one instead";
+                            self.doc.on(binding, title, label)
                         });
                     }
                     self.bound_material(binding)
@@ -81,8 +81,8 @@ impl<'r, 'a> Materials<'r, 'a> {
                 None => {
                     self.doc.warn(|| {
                         let title = format!("{} has no material", describe(instance));
-                        let done = "expected <bind_material>; taken as grey, 0.5 0.5 0.5";
-                        self.doc.on(instance, title, done)
+                        let label = "expected <bind_material>; using grey, 0.5 0.5 0.5";
+                        self.doc.on(instance, title, label)
                     });
                     Ok(self.default_material())
                 }
@@ -95,30 +95,35 @@ impl<'r, 'a> Materials<'r, 'a> {
         let reference = doc.attribute(binding, "target")?;
         let Some(element) = doc.find(reference, "material") else {
             doc.warn(|| {
-                let label = "the surface is taken as grey, 0.5 0.5 0.5";
-                doc.dangling(binding, "target", "material").relabel(label)
+                let label = "the surface uses grey, 0.5 0.5 0.5";
+                doc.unresolved(binding, "target", "material").relabel(label)
             });
             return Ok(self.default_material());
         };
         if let Some(index) = self.by_element.get(&Some(element.id())) {
             return Ok(*index);
         }
-        let finish = material::read(doc, element)?;
-        Ok(self.add_material(Some(element.id()), name_of(element), finish))
+        let material = material::read(doc, element)?;
+        Ok(self.add_material(Some(element.id()), name_of(element), material))
     }
 
     fn default_material(&mut self) -> u32 {
         match self.by_element.get(&None) {
             Some(index) => *index,
-            None => self.add_material(None, "grey".to_owned(), Finish::DEFAULT),
+            None => self.add_material(None, "grey".to_owned(), TexturedMaterial::DEFAULT),
         }
     }
 
-    fn add_material(&mut self, key: Option<NodeId>, name: String, finish: Finish) -> u32 {
+    fn add_material(
+        &mut self,
+        key: Option<NodeId>,
+        name: String,
+        textured: TexturedMaterial,
+    ) -> u32 {
         let index = self.list.len() as u32;
-        let material = finish.material;
+        let material = textured.material;
         self.list.push(NamedMaterial { name, material });
-        self.pictures.push(finish.picture);
+        self.textures.push(textured.texture);
         self.by_element.insert(key, index);
         index
     }
@@ -132,7 +137,7 @@ struct Bindings<'a> {
 
 impl<'a> Bindings<'a> {
     fn read(instance: Element<'a>) -> Bindings<'a> {
-        let technique = descend(instance, &["bind_material", "technique_common"]);
+        let technique = descendant(instance, &["bind_material", "technique_common"]);
         let elements = technique
             .into_iter()
             .flat_map(children)
@@ -150,7 +155,7 @@ impl<'a> Bindings<'a> {
         bindings
     }
 
-    fn of(&self, symbol: Option<&str>) -> Option<Element<'a>> {
+    fn element_of(&self, symbol: Option<&str>) -> Option<Element<'a>> {
         let bound = symbol.and_then(|symbol| self.by_symbol.get(symbol));
         bound.copied().or(self.first)
     }

@@ -1,4 +1,4 @@
-//! The XML document: ids, references and the errors that point into it.
+//! The XML document: ids, references, and diagnostics with positions in the file.
 
 use crate::diagnostic::{Diagnostic, SceneError, Warning};
 use std::cell::{Cell, RefCell};
@@ -8,21 +8,21 @@ use std::ops::Range;
 /// An element of the document.
 pub(super) type Element<'a> = roxmltree::Node<'a, 'a>;
 
-/// Warnings that are kept word for word; a file with more gets one line that counts the rest.
+/// Maximum number of warnings. If there are more, one additional warning contains their number.
 const MAX_WARNINGS: usize = 50;
 
-/// Longest name that is kept of what a file calls its parts, in characters.
+/// Maximum length of names from the file, in characters.
 const MAX_NAME: usize = 80;
 
 /// A parsed document with its ids and the warnings so far.
 pub(super) struct Document<'a> {
     file: &'a str,
     xml: &'a roxmltree::Document<'a>,
-    /// By tag and id. An id that stands twice means its first element.
+    /// Elements by tag and id. For a duplicate id, the first element.
     by_id: HashMap<(&'a str, &'a str), Element<'a>>,
     has_textures: bool,
     warnings: RefCell<Vec<Warning>>,
-    warnings_left_out: Cell<usize>,
+    omitted_warnings: Cell<usize>,
 }
 
 impl<'a> Document<'a> {
@@ -41,11 +41,11 @@ impl<'a> Document<'a> {
             by_id,
             has_textures,
             warnings: RefCell::default(),
-            warnings_left_out: Cell::new(0),
+            omitted_warnings: Cell::new(0),
         }
     }
 
-    /// Whether any material asks for a picture. Without one nobody needs texture coordinates.
+    /// Whether any material has a texture. Otherwise texture coordinates are not needed.
     pub(super) fn has_textures(&self) -> bool {
         self.has_textures
     }
@@ -58,7 +58,7 @@ impl<'a> Document<'a> {
         self.xml.input_text()
     }
 
-    /// A finding at bytes `mark`: what is wrong, and what was expected there.
+    /// A diagnostic at the bytes `mark`, with a title and a label that describes what was expected.
     pub(super) fn at(
         &self,
         mark: Range<usize>,
@@ -68,7 +68,7 @@ impl<'a> Document<'a> {
         Diagnostic::about_file(self.file, title).at(self.source(), mark, expected)
     }
 
-    /// A finding at the start tag of `element`.
+    /// A diagnostic at the start tag of `element`.
     pub(super) fn on(
         &self,
         element: Element<'a>,
@@ -82,7 +82,7 @@ impl<'a> Document<'a> {
         self.at(start..start + length, title, expected)
     }
 
-    /// A finding at an attribute of `element`.
+    /// A diagnostic at an attribute of `element`.
     pub(super) fn on_attribute(
         &self,
         element: Element<'a>,
@@ -96,22 +96,23 @@ impl<'a> Document<'a> {
         }
     }
 
-    /// Keeps a warning. The finding is made only if there is room for it: finding the line takes time.
-    pub(super) fn warn(&self, finding: impl FnOnce() -> Diagnostic) {
+    /// Adds a warning. Calls `diagnostic` only if the warning is kept, because computing the line
+    /// takes time.
+    pub(super) fn warn(&self, diagnostic: impl FnOnce() -> Diagnostic) {
         let mut warnings = self.warnings.borrow_mut();
         if warnings.len() < MAX_WARNINGS {
-            let warning = Warning(finding());
+            let warning = Warning(diagnostic());
             if !warnings.contains(&warning) {
                 warnings.push(warning);
             }
         } else {
-            self.warnings_left_out.set(self.warnings_left_out.get() + 1);
+            self.omitted_warnings.set(self.omitted_warnings.get() + 1);
         }
     }
 
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         let mut warnings = self.warnings.into_inner();
-        let more = self.warnings_left_out.get();
+        let more = self.omitted_warnings.get();
         if more > 0 {
             let title = format!("{more} more warnings are not shown");
             warnings.push(Warning(Diagnostic::about_file(self.file, title)));
@@ -119,7 +120,7 @@ impl<'a> Document<'a> {
         warnings
     }
 
-    /// The only or first child called `name`; an error if there is none.
+    /// The first child with the tag `name`; an error if there is none.
     pub(super) fn child(&self, parent: Element<'a>, name: &str) -> Result<Element<'a>, SceneError> {
         child(parent, name).ok_or_else(|| {
             self.on(
@@ -132,7 +133,7 @@ impl<'a> Document<'a> {
         })
     }
 
-    /// The value of an attribute; an error if there is none.
+    /// The value of an attribute; an error if it is missing.
     pub(super) fn attribute(
         &self,
         element: Element<'a>,
@@ -149,13 +150,14 @@ impl<'a> Document<'a> {
         })
     }
 
-    /// The element called `tag` that a reference such as `url="#id"` names, if it is there.
+    /// The element with the tag `tag` that a reference such as `url="#id"` refers to, if it exists.
     pub(super) fn find(&self, reference: &str, tag: &'a str) -> Option<Element<'a>> {
         let id = reference.trim().strip_prefix('#')?;
         self.by_id.get(&(tag, id)).copied()
     }
 
-    /// The element called `tag` that attribute `name` of `element` refers to; an error if it is missing.
+    /// The element with the tag `tag` that attribute `name` of `element` refers to; an error if it
+    /// does not exist.
     pub(super) fn target(
         &self,
         element: Element<'a>,
@@ -164,35 +166,35 @@ impl<'a> Document<'a> {
     ) -> Result<Element<'a>, SceneError> {
         let reference = self.attribute(element, name)?;
         self.find(reference, tag)
-            .ok_or_else(|| self.dangling(element, name, tag).into())
+            .ok_or_else(|| self.unresolved(element, name, tag).into())
     }
 
-    /// The finding for a reference that names nothing of the right kind.
-    pub(super) fn dangling(&self, element: Element<'a>, name: &str, tag: &str) -> Diagnostic {
+    /// The diagnostic for a reference that does not refer to an element with the tag `tag`.
+    pub(super) fn unresolved(&self, element: Element<'a>, name: &str, tag: &str) -> Diagnostic {
         let reference = element.attribute(name).unwrap_or_default().trim();
-        let shown = short(reference);
-        let finding =
+        let shown = truncated(reference);
+        let diagnostic =
             |title: String, expected: String| self.on_attribute(element, name, title, expected);
         let Some(id) = reference.strip_prefix('#') else {
             let expected = format!("expected `#` and the id of a <{tag}> in this file");
             return if reference.contains('#') {
-                finding(format!("`{shown}` is in another file"), expected)
-                    .help("only one file is read: export everything into it")
+                diagnostic(format!("`{shown}` is in another file"), expected)
+                    .help("only this file is read: export everything into it")
             } else {
-                finding(format!("`{shown}` is not a reference"), expected)
-                    .help(format!("write {name}=\"#{shown}\" if that is its id"))
+                diagnostic(format!("`{shown}` is not a reference"), expected)
+                    .help(format!("write {name}=\"#{shown}\" if that is the id"))
             };
         };
         let same_id = self.by_id.keys().filter(|(_, other)| *other == id);
         if let Some((other_tag, _)) = same_id.min() {
-            return finding(
-                format!("`{shown}` names a <{other_tag}>"),
+            return diagnostic(
+                format!("`{shown}` is the id of a <{other_tag}>"),
                 format!("expected the id of a <{tag}>"),
             )
             .help(self.known_ids(tag));
         }
-        finding(
-            format!("there is no <{tag}> with the id `{}`", short(id)),
+        diagnostic(
+            format!("there is no <{tag}> with the id `{}`", truncated(id)),
             format!("refers to a <{tag}> that is not in the file"),
         )
         .help(self.known_ids(tag))
@@ -214,7 +216,7 @@ impl<'a> Document<'a> {
         let shown: Vec<String> = ids
             .iter()
             .take(5)
-            .map(|id| format!("#{}", short(id)))
+            .map(|id| format!("#{}", truncated(id)))
             .collect();
         let more = if ids.len() > 5 { ", ..." } else { "" };
         format!("the file has {}{more}", shown.join(", "))
@@ -226,23 +228,24 @@ pub(super) fn tag<'a>(element: Element<'a>) -> &'a str {
     element.tag_name().name()
 }
 
-/// The first child called `name`.
+/// The first child with the tag `name`.
 pub(super) fn child<'a>(parent: Element<'a>, name: &str) -> Option<Element<'a>> {
     children(parent).find(|element| tag(*element) == name)
 }
 
-/// The elements inside `parent`.
+/// The child elements of `parent`.
 pub(super) fn children<'a>(parent: Element<'a>) -> impl Iterator<Item = Element<'a>> {
     parent.children().filter(|node| node.is_element())
 }
 
-/// The element at the end of a path of first children.
-pub(super) fn descend<'a>(parent: Element<'a>, path: &[&str]) -> Option<Element<'a>> {
+/// Follows a path of tags, each time to the first child with that tag.
+pub(super) fn descendant<'a>(parent: Element<'a>, path: &[&str]) -> Option<Element<'a>> {
     path.iter()
         .try_fold(parent, |element, name| child(element, name))
 }
 
-/// What this project adds to COLLADA: the content of `<extra><technique profile="CGL">` (or `CMU462`).
+/// The course's extension of COLLADA: the content of `<extra><technique profile="CGL">` (or
+/// `CMU462`).
 pub(super) fn course_technique<'a>(parent: Element<'a>) -> Option<Element<'a>> {
     children(parent)
         .filter(|element| tag(*element) == "extra")
@@ -256,19 +259,19 @@ pub(super) fn course_technique<'a>(parent: Element<'a>) -> Option<Element<'a>> {
 /// `<tag id="...">`, for messages.
 pub(super) fn describe(element: Element<'_>) -> String {
     match element.attribute("id") {
-        Some(id) => format!("<{} id=\"{}\">", tag(element), short(id)),
+        Some(id) => format!("<{} id=\"{}\">", tag(element), truncated(id)),
         None => format!("<{}>", tag(element)),
     }
 }
 
-/// What the file calls an element: its name, else its id, else its tag.
+/// The name of an element: its attribute `name`, else its id, else its tag.
 pub(super) fn name_of(element: Element<'_>) -> String {
     let name = element.attribute("name").or(element.attribute("id"));
-    short(name.unwrap_or(tag(element)))
+    truncated(name.unwrap_or(tag(element)))
 }
 
-/// The beginning of a text, for messages and names.
-pub(super) fn short(text: &str) -> String {
+/// A text, truncated for messages and names.
+pub(super) fn truncated(text: &str) -> String {
     let mut chars = text.chars();
     let start: String = chars.by_ref().take(MAX_NAME).collect();
     if chars.next().is_some() {

@@ -1,22 +1,22 @@
-//! `<geometry>`: a mesh, or a sphere of the course's own.
+//! `<geometry>`: a mesh, or a sphere of the course's extension.
 
 use super::document::{Document, Element, child, children, course_technique, describe, tag};
 use super::mesh::{MeshPart, MeshReader};
 use super::numbers::exactly;
 use crate::diagnostic::SceneError;
 
-/// The shape that a geometry describes, in its own space.
+/// The shape of a geometry, in local space.
 #[derive(Debug)]
 pub(super) enum Shape<'a> {
-    /// Triangles, by material.
+    /// Triangles, grouped by material.
     Mesh(Vec<MeshPart<'a>>),
-    /// A sphere about the origin.
+    /// A sphere around the origin.
     Sphere { radius: f64 },
-    /// Nothing that can be drawn; a warning was given.
+    /// No supported shape; a warning was added.
     Nothing,
 }
 
-/// Reads a geometry: `<extra>` with a `<sphere>` first, for that is what the course adds.
+/// Reads a geometry. A `<sphere>` in `<extra>`, the course's extension, has priority.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     geometry: Element<'a>,
@@ -29,7 +29,7 @@ pub(super) fn read<'a>(
         if let Some(other) = children(technique).next() {
             doc.warn(|| {
                 let title = format!("<{}> is not a shape", tag(other));
-                doc.on(other, title, "expected <sphere>; it is passed over")
+                doc.on(other, title, "expected <sphere>; it is ignored")
             });
         }
     }
@@ -38,11 +38,8 @@ pub(super) fn read<'a>(
     }
     doc.warn(|| {
         let title = format!("{} has no shape", describe(geometry));
-        doc.on(
-            geometry,
-            title,
-            "expected <mesh>, or <sphere> in the profile CGL; it is passed over",
-        )
+        let expected = "expected <mesh>, or <sphere> in the profile CGL; it is ignored";
+        doc.on(geometry, title, expected)
     });
     Ok(Shape::Nothing)
 }

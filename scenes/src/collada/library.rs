@@ -1,4 +1,4 @@
-//! What nodes hold, read from the file once however often it is placed.
+//! The contents of nodes. Each element is read only once, even if it has many instances.
 
 use super::binding::Materials;
 use super::document::{Document, Element, children, name_of, tag};
@@ -14,39 +14,39 @@ use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// A node as it stands in the file, read once however often it is placed.
+/// A node, read once for all its instances.
 pub(super) struct Node<'a> {
     pub(super) name: String,
     pub(super) transform: Affine,
     pub(super) contents: Vec<Content<'a>>,
 }
 
-/// What a node holds.
+/// The contents of a node. `instance` is the element that diagnostics refer to.
 pub(super) enum Content<'a> {
-    /// A child, or an instance of a node: which, and where that is said.
+    /// A child node, or an instance of a node.
     Node {
         node: Element<'a>,
-        said_by: Element<'a>,
+        instance: Element<'a>,
     },
-    Shape(Rc<ShapeHere<'a>>),
+    Shape(Rc<ShapeInstance<'a>>),
     Light {
         light: LocalLight,
-        said_by: Element<'a>,
+        instance: Element<'a>,
     },
     Camera {
         optics: Optics,
-        said_by: Element<'a>,
+        instance: Element<'a>,
     },
 }
 
-/// A shape as a node holds it.
-pub(super) struct ShapeHere<'a> {
+/// A shape as instantiated by a node.
+pub(super) struct ShapeInstance<'a> {
     /// Name of the node.
     pub(super) name: String,
     pub(super) shape: Rc<Shape<'a>>,
-    /// For each part of the shape, the material's index in the scene.
+    /// For each part of the shape, the index of its material in the scene.
     pub(super) materials: Vec<u32>,
-    pub(super) said_by: Element<'a>,
+    pub(super) instance: Element<'a>,
 }
 
 /// Nodes, shapes, lights and materials that were read so far.
@@ -71,12 +71,12 @@ impl<'r, 'a> Library<'r, 'a> {
         }
     }
 
-    /// The materials that shapes were bound to, and their pictures.
+    /// The materials of all shapes, and their textures.
     pub(super) fn into_materials(self) -> (Vec<NamedMaterial>, TextureMap) {
         self.materials.into_list()
     }
 
-    /// A node with its contents; nodes inside are not read yet.
+    /// Reads a node and its contents. Child nodes are not read yet.
     pub(super) fn node(&mut self, element: Element<'a>) -> Result<Rc<Node<'a>>, SceneError> {
         if let Some(node) = self.nodes.get(&element.id()) {
             return Ok(Rc::clone(node));
@@ -92,24 +92,24 @@ impl<'r, 'a> Library<'r, 'a> {
             match tag(part) {
                 "node" => contents.push(Content::Node {
                     node: part,
-                    said_by: part,
+                    instance: part,
                 }),
                 "instance_node" => {
                     let node = doc.target(part, "url", "node")?;
                     contents.push(Content::Node {
                         node,
-                        said_by: part,
+                        instance: part,
                     });
                 }
                 "instance_geometry" => {
                     let geometry = doc.target(part, "url", "geometry")?;
                     let shape = self.shape(geometry)?;
                     let materials = self.materials.bind(part, &shape)?;
-                    contents.push(Content::Shape(Rc::new(ShapeHere {
+                    contents.push(Content::Shape(Rc::new(ShapeInstance {
                         name: name_of(element),
                         shape,
                         materials,
-                        said_by: part,
+                        instance: part,
                     })));
                 }
                 "instance_light" => {
@@ -117,7 +117,7 @@ impl<'r, 'a> Library<'r, 'a> {
                     if let Some(light) = self.light(light)? {
                         contents.push(Content::Light {
                             light,
-                            said_by: part,
+                            instance: part,
                         });
                     }
                 }
@@ -126,14 +126,14 @@ impl<'r, 'a> Library<'r, 'a> {
                     if let Some(optics) = optics::read(doc, camera)? {
                         contents.push(Content::Camera {
                             optics,
-                            said_by: part,
+                            instance: part,
                         });
                     }
                 }
                 "asset" | "extra" => {}
                 other => doc.warn(|| {
-                    let expected = "only nodes, geometries, lights and cameras are placed";
-                    doc.on(part, format!("<{other}> is passed over"), expected)
+                    let expected = "only nodes, geometries, lights and cameras are supported here";
+                    doc.on(part, format!("<{other}> is ignored"), expected)
                 }),
             }
         }

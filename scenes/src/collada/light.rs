@@ -1,8 +1,8 @@
-//! `<light>`: the common ones, and the area light of the course's own.
+//! `<light>`: the lights of COLLADA, and the area light of the course's extension.
 //!
-//! Colours are taken as they stand: radiance of an area light and of the sky (`ambient`), radiant intensity
-//! of a point and a spot, irradiance of a sun (`directional`). Attenuations are passed over: light falls off
-//! with the square of the distance by itself.
+//! Colours are used without conversion: they are the radiance of an area light and of the sky
+//! (`ambient`), the radiant intensity of a point or spot light, and the irradiance of a directional
+//! light. Attenuation elements are ignored: intensity falls with the squared distance anyway.
 
 use super::document::{Document, Element, child, children, course_technique, describe, tag};
 use super::material::color;
@@ -11,7 +11,7 @@ use super::transform::Affine;
 use crate::diagnostic::SceneError;
 use kit::{Light, Spectrum, Vec3};
 
-/// A light in its own space: at the origin, shining along -z.
+/// A light in local space: at the origin, emitting along -z.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LocalLight {
     kind: Kind,
@@ -20,7 +20,7 @@ pub(super) struct LocalLight {
 
 #[derive(Clone, Copy, Debug)]
 enum Kind {
-    /// The square |x|, |y| <= 1/2 in the plane z = 0, shining to -z only.
+    /// The square |x|, |y| <= 1/2 in the plane z = 0, emitting to -z only.
     Area,
     Point,
     Spot {
@@ -31,10 +31,10 @@ enum Kind {
     Ambient,
 }
 
-/// Opening angle of a spot that does not say, in degrees (COLLADA 1.4.1).
+/// Opening angle of a spot light without `<falloff_angle>`, in degrees (COLLADA 1.4.1).
 const DEFAULT_FALLOFF_ANGLE: f64 = 180.0;
 
-/// Reads a light; `None`, with a warning, if it is of no known kind.
+/// Reads a light. `None`, with a warning, if its type is unknown.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     light: Element<'a>,
@@ -42,11 +42,11 @@ pub(super) fn read<'a>(
     let technique = course_technique(light).or_else(|| child(light, "technique_common"));
     let Some(element) = technique.and_then(|technique| children(technique).next()) else {
         doc.warn(|| {
-            let title = format!("{} does not say what kind of light it is", describe(light));
+            let title = format!("{} has no light type", describe(light));
             doc.on(
                 light,
                 title,
-                "expected area, point, spot, directional or ambient; it is passed over",
+                "expected area, point, spot, directional or ambient; it is ignored",
             )
         });
         return Ok(None);
@@ -62,11 +62,11 @@ pub(super) fn read<'a>(
         "ambient" => Kind::Ambient,
         other => {
             doc.warn(|| {
-                let title = format!("<{other}> is not a kind of light");
+                let title = format!("<{other}> is not a light type");
                 doc.on(
                     element,
                     title,
-                    "expected area, point, spot, directional or ambient; it is passed over",
+                    "expected area, point, spot, directional or ambient; it is ignored",
                 )
             });
             return Ok(None);
@@ -87,7 +87,7 @@ fn falloff_angle<'a>(doc: &Document<'a>, spot: Element<'a>) -> Result<f64, Scene
     let title = format!("the opening angle is {angle} degrees");
     Err(doc
         .on(element, title, "expected more than 0 and at most 180")
-        .help("the angle is the full opening of the cone, in degrees")
+        .help("write the full opening angle of the cone, in degrees")
         .into())
 }
 
@@ -105,15 +105,15 @@ fn falloff_exponent<'a>(doc: &Document<'a>, spot: Element<'a>) -> Result<f64, Sc
             format!("the exponent is {exponent}"),
             "expected a number >= 0",
         )
-        .help("0 gives an even cone, larger exponents a narrower one")
+        .help("0 gives a uniform cone, larger exponents a narrower one")
         .into())
 }
 
 impl LocalLight {
-    /// The light in world space; `None` if the transform leaves it no direction or no area.
+    /// The light in world space. `None` if it has no direction or no area after the transform.
     ///
-    /// An area light's parallelogram shines to the side on which the transformed -z lies, also where the
-    /// transform shears or mirrors.
+    /// An area light emits to the side of the transformed -z, also if the transform shears or
+    /// mirrors.
     pub(super) fn place(&self, to_world: &Affine) -> Option<Light> {
         let axis = to_world.direction(Vec3::NEG_Z);
         let position = to_world.t;

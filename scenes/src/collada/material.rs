@@ -1,55 +1,59 @@
-//! `<material>` and `<effect>`: what surfaces are made of.
+//! `<material>` and `<effect>`: the materials of surfaces.
 //!
-//! The course's own materials stand in `<extra><technique profile="CGL">` of the effect:
+//! The materials of the course's extension are in `<extra><technique profile="CGL">` of the effect:
 //! `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
-//! `glass{reflectance, transmittance, roughness, ior}`, `refraction{transmittance, roughness, ior}`.
-//! Without one of them the diffuse colour, or picture, of `phong`, `lambert` or `blinn` counts.
+//! `glass{reflectance, transmittance, roughness, ior}`,
+//! `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour or texture of `phong`,
+//! `lambert` or `blinn` is used.
 
 use super::document::{
-    Document, Element, child, children, course_technique, descend, describe, tag,
+    Document, Element, child, children, course_technique, descendant, describe, tag,
 };
 use super::numbers::{exactly, floats};
 use super::texture;
 use crate::diagnostic::SceneError;
 use kit::{Material, Spectrum};
 
-/// What a `<material>` element says of a surface.
-pub(super) struct Finish {
+/// A material and its texture, as described by a `<material>` element.
+pub(super) struct TexturedMaterial {
     pub(super) material: Material,
-    /// The file of the picture that tints it.
-    pub(super) picture: Option<String>,
+    /// The image file of the texture.
+    pub(super) texture: Option<String>,
 }
 
-impl Finish {
-    /// The grey of surfaces that have no usable material.
-    pub(super) const DEFAULT: Finish = Finish {
+impl TexturedMaterial {
+    /// The default grey, for surfaces without a usable material.
+    pub(super) const DEFAULT: TexturedMaterial = TexturedMaterial {
         material: Material::Diffuse {
             reflectance: Spectrum::grey(0.5),
         },
-        picture: None,
+        texture: None,
     };
 }
 
-impl From<Material> for Finish {
-    fn from(material: Material) -> Finish {
-        Finish {
+impl From<Material> for TexturedMaterial {
+    fn from(material: Material) -> TexturedMaterial {
+        TexturedMaterial {
             material,
-            picture: None,
+            texture: None,
         }
     }
 }
 
-/// Reads the material that a `<material>` element names.
-pub(super) fn read<'a>(doc: &Document<'a>, material: Element<'a>) -> Result<Finish, SceneError> {
+/// Reads a `<material>` element.
+pub(super) fn read<'a>(
+    doc: &Document<'a>,
+    material: Element<'a>,
+) -> Result<TexturedMaterial, SceneError> {
     let instance = doc.child(material, "instance_effect")?;
     let effect = doc.target(instance, "url", "effect")?;
     if let Some(technique) = course_technique(effect) {
         match children(technique).next() {
-            Some(element) => return course_material(doc, element).map(Finish::from),
+            Some(element) => return course_material(doc, element).map(TexturedMaterial::from),
             None => doc.warn(|| {
                 let expected = "expected emission, mirror, glossy, glass or refraction";
-                doc.on(technique, "the technique names no material", expected)
-                    .help("the common profile of the effect is taken instead")
+                doc.on(technique, "the technique contains no material", expected)
+                    .help("the common profile of the effect is used instead")
             }),
         }
     }
@@ -88,28 +92,31 @@ fn course_material<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Mater
                     format!("<{other}> is not a material"),
                     "expected emission, mirror, glossy, glass or refraction",
                 )
-                .help("for a matte surface leave the <extra> out and give a diffuse colour")
+                .help("for a diffuse surface remove the <extra> and write a diffuse colour")
                 .into());
         }
     })
 }
 
-/// The diffuse colour or picture of the common profile.
-fn common_material<'a>(doc: &Document<'a>, effect: Element<'a>) -> Result<Finish, SceneError> {
-    let technique = descend(effect, &["profile_COMMON", "technique"]);
+/// The diffuse colour or texture of the common profile.
+fn common_material<'a>(
+    doc: &Document<'a>,
+    effect: Element<'a>,
+) -> Result<TexturedMaterial, SceneError> {
+    let technique = descendant(effect, &["profile_COMMON", "technique"]);
     let shader = technique.and_then(|technique| {
         children(technique).find(|shader| matches!(tag(*shader), "phong" | "lambert" | "blinn"))
     });
     let diffuse = shader.and_then(|shader| child(shader, "diffuse"));
     if let Some(texture) = diffuse.and_then(|diffuse| child(diffuse, "texture")) {
         return Ok(match texture::file(doc, effect, texture)? {
-            Some(file) => Finish {
+            Some(file) => TexturedMaterial {
                 material: Material::Diffuse {
                     reflectance: Spectrum::WHITE,
                 },
-                picture: Some(file),
+                texture: Some(file),
             },
-            None => Finish::DEFAULT,
+            None => TexturedMaterial::DEFAULT,
         });
     }
     let Some(diffuse) = diffuse.and_then(|diffuse| child(diffuse, "color")) else {
@@ -121,28 +128,28 @@ fn common_material<'a>(doc: &Document<'a>, effect: Element<'a>) -> Result<Finish
                 title,
                 "expected <color> in <diffuse> of phong, lambert or blinn",
             )
-            .help("taken as grey, 0.5 0.5 0.5")
+            .help("using grey, 0.5 0.5 0.5")
         });
-        return Ok(Finish::DEFAULT);
+        return Ok(TexturedMaterial::DEFAULT);
     };
-    if let Some(emission) = shader.and_then(|shader| descend(shader, &["emission", "color"]))
+    if let Some(emission) = shader.and_then(|shader| descendant(shader, &["emission", "color"]))
         && !color(doc, emission)?.is_black()
     {
         doc.warn(|| {
             doc.on(
                 emission,
-                "the emission of the common profile is passed over",
-                "gives no light",
+                "the emission of the common profile is ignored",
+                "this surface emits no light",
             )
             .help("write <extra><technique profile=\"CGL\"><emission><radiance> in the effect")
         });
     }
-    Ok(Finish::from(Material::Diffuse {
-        reflectance: share(doc, diffuse)?,
+    Ok(TexturedMaterial::from(Material::Diffuse {
+        reflectance: clamped_color(doc, diffuse)?,
     }))
 }
 
-/// Red, green and blue, none negative. A fourth number, alpha, is passed over.
+/// Reads a colour: red, green and blue, none negative. A fourth number, alpha, is ignored.
 pub(super) fn color<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spectrum, SceneError> {
     let numbers = floats(doc, element)?;
     let (3 | 4) = numbers.len() else {
@@ -157,22 +164,22 @@ pub(super) fn color<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spec
         let title = format!("{} has a negative channel: {r} {g} {b}", describe(element));
         return Err(doc
             .on(element, title, "expected numbers >= 0")
-            .help("light cannot be less than none: write 0 or more")
+            .help("light cannot be negative: write 0 or more")
             .into());
     }
     Ok(Spectrum::new(r, g, b))
 }
 
-/// A colour that says which share of light goes on: channels above 1 are cut to 1, with a warning.
-fn share<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spectrum, SceneError> {
+/// Reads a reflectance or transmittance. Channels above 1 are clamped to 1, with a warning.
+fn clamped_color<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spectrum, SceneError> {
     let given = color(doc, element)?;
     if given.max_channel() > 1.0 {
         doc.warn(|| {
-            let title = format!("{} gives back more light than it gets", describe(element));
+            let title = format!("{} has a channel above 1", describe(element));
             doc.on(
                 element,
                 title,
-                "expected at most 1; channels above it are taken as 1",
+                "expected at most 1; larger channels are clamped to 1",
             )
         });
     }
@@ -183,25 +190,21 @@ fn share<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spectrum, Scene
     ))
 }
 
-/// A share inside a course material; without it all light goes on, with a warning.
+/// A reflectance or transmittance of a course material. If it is missing: 1, with a warning.
 fn tint<'a>(doc: &Document<'a>, material: Element<'a>, name: &str) -> Result<Spectrum, SceneError> {
     match child(material, name) {
-        Some(element) => share(doc, element),
+        Some(element) => clamped_color(doc, element),
         None => {
             doc.warn(|| {
                 let title = format!("<{}> has no <{name}>", tag(material));
-                doc.on(
-                    material,
-                    title,
-                    format!("expected <{name}>; taken as 1 1 1"),
-                )
+                doc.on(material, title, format!("expected <{name}>; using 1 1 1"))
             });
             Ok(Spectrum::WHITE)
         }
     }
 }
 
-/// Smooth if the file does not say.
+/// The roughness of a course material. If it is missing: 0, a smooth surface.
 fn roughness<'a>(doc: &Document<'a>, material: Element<'a>) -> Result<f64, SceneError> {
     match child(material, "roughness") {
         Some(_) => number(doc, material, "roughness", 0.0),

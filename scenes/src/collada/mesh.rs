@@ -1,9 +1,9 @@
-//! `<mesh>`: sources and primitives become triangles in the mesh's own space.
+//! `<mesh>`: converts sources and primitive elements to triangles in local space.
 
 use super::document::{Document, Element, children, tag};
 use super::mesh_part::{Corners, PartReader};
 use super::normals::{SmoothNormals, face_normal};
-use super::polygon::Effort;
+use super::polygon::TestCounter;
 use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
 use kit::{Triangle, Vec2, Vec3};
@@ -11,23 +11,23 @@ use kit::{Triangle, Vec2, Vec3};
 /// The triangles of a mesh that have one material.
 #[derive(Debug)]
 pub(super) struct MeshPart<'a> {
-    /// What the file calls its material, to be bound where the mesh is placed.
+    /// The material symbol, which is bound by each instance of the mesh.
     pub(super) symbol: Option<&'a str>,
-    /// In the mesh's own space.
+    /// In local space.
     pub(super) triangles: Vec<Triangle>,
     /// For each triangle, the texture coordinates of its vertices; empty if the file has none.
-    pub(super) on_texture: Vec<[Vec2; 3]>,
+    pub(super) tex_coords: Vec<[Vec2; 3]>,
 }
 
-/// What meshes of one file share.
+/// State that the meshes of a file share.
 #[derive(Default)]
 pub(super) struct MeshReader<'a> {
     pub(super) sources: Sources<'a>,
-    pub(super) effort: Effort,
+    pub(super) counter: TestCounter,
 }
 
 impl<'a> MeshReader<'a> {
-    /// Reads a mesh. Inputs that mean nothing here, such as colours, are passed over.
+    /// Reads a mesh. Unused inputs, such as colours, are ignored.
     pub(super) fn read(
         &mut self,
         doc: &Document<'a>,
@@ -41,15 +41,15 @@ impl<'a> MeshReader<'a> {
                 "triangles" | "polylist" | "polygons" | "tristrips" | "trifans" => {
                     let corners = match PartReader::new(doc, element, &vertices, &mut self.sources)?
                     {
-                        Some(reader) => reader.corners(&mut self.effort)?,
+                        Some(reader) => reader.corners(&mut self.counter)?,
                         None => Vec::new(),
                     };
                     parts.push((element.attribute("material"), corners));
                 }
                 other => doc.warn(|| {
                     let expected =
-                        "only triangles, polylist, polygons, tristrips and trifans have a surface";
-                    doc.on(element, format!("<{other}> is passed over"), expected)
+                        "only triangles, polylist, polygons, tristrips and trifans are supported";
+                    doc.on(element, format!("<{other}> is ignored"), expected)
                 }),
             }
         }
@@ -66,13 +66,13 @@ impl<'a> MeshReader<'a> {
             let mut part = MeshPart {
                 symbol,
                 triangles: Vec::with_capacity(corners.len()),
-                on_texture: Vec::new(),
+                tex_coords: Vec::new(),
             };
             for corners in &corners {
                 match finish(corners, positions, &smooth) {
                     Some(triangle) => {
                         part.triangles.push(triangle);
-                        part.on_texture.extend(corners.on_texture);
+                        part.tex_coords.extend(corners.tex_coords);
                     }
                     None => flat += 1,
                 }
@@ -82,21 +82,21 @@ impl<'a> MeshReader<'a> {
         if flat > 0 {
             doc.warn(|| {
                 let title = format!("triangles without area: {flat}");
-                doc.on(mesh, title, "they cannot be seen and are left out")
+                doc.on(mesh, title, "they are invisible and are ignored")
             });
         }
         Ok(finished)
     }
 }
 
-/// The triangle with its normals; `None` if it has no area.
+/// The triangle with its vertex normals; `None` if it has no area.
 fn finish(corners: &Corners, positions: &[Vec3], smooth: &SmoothNormals) -> Option<Triangle> {
     let [p0, p1, p2] = corners.positions.map(|i| positions[i]);
     let face = face_normal(p0, p1, p2)?;
     let normals = corners
         .normals
         .unwrap_or_else(|| smooth.at(corners.positions));
-    // A normal that cancels out, or that the file gives as zero: the plane's own.
+    // A normal that cancels out or is zero in the file is replaced by the geometric normal.
     let [n0, n1, n2] = normals.map(|n| n.try_normalize().unwrap_or(face));
     Some(Triangle {
         p0,

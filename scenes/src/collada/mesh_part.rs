@@ -1,42 +1,42 @@
-//! One primitive element of a mesh: its index lists become triangles.
+//! One primitive element of a mesh: converts its index lists to triangles.
 
 use super::document::{Document, Element, describe};
-use super::numbers::{check_count, place_of};
-use super::polygon::{Effort, triangulate};
+use super::numbers::{check_count, token_range};
+use super::polygon::{TestCounter, triangulate};
 use super::primitives::{Polygons, read_polygons};
 use super::vertices::{Sources, Vectors, Vertices};
 use crate::diagnostic::{Diagnostic, SceneError};
 use kit::{Vec2, Vec3};
 use std::rc::Rc;
 
-/// A triangle whose corners are still indices into positions, with normals and texture coordinates where the file
-/// has them.
+/// A triangle whose vertices are indices of positions, with the normals and texture coordinates of
+/// the file, if any.
 pub(super) struct Corners {
     pub(super) positions: [usize; 3],
     pub(super) normals: Option<[Vec3; 3]>,
-    pub(super) on_texture: Option<[Vec2; 3]>,
+    pub(super) tex_coords: Option<[Vec2; 3]>,
 }
 
-/// Where in a group of indices one stands, and what it counts in.
+/// The offset of an input in a group of indices, and the list that its index refers to.
 struct IndexInto<'a, T = Vec3> {
     offset: usize,
     vectors: Rc<Vectors<'a, T>>,
 }
 
-/// Everything needed to turn the index lists of a primitive element into triangles.
+/// Converts the index lists of a primitive element to triangles.
 pub(super) struct PartReader<'r, 'a> {
     doc: &'r Document<'a>,
     element: Element<'a>,
     polygons: Polygons<'a>,
     positions: IndexInto<'a>,
-    /// From an input of its own or, under the same index as the positions, from `<vertices>`.
+    /// From a separate input, or from `<vertices>` with the index of the positions.
     normals: Option<IndexInto<'a>>,
-    /// The first set, if the file has textures at all.
-    on_texture: Option<IndexInto<'a, Vec2>>,
+    /// The first set of texture coordinates, if the file has textures.
+    tex_coords: Option<IndexInto<'a, Vec2>>,
 }
 
 impl<'r, 'a> PartReader<'r, 'a> {
-    /// Reads inputs and index lists; `None` if there is nothing in the element.
+    /// Reads the inputs and index lists. `None` if the element is empty.
     pub(super) fn new(
         doc: &'r Document<'a>,
         element: Element<'a>,
@@ -46,7 +46,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
         let polygons = read_polygons(doc, element)?;
         let mut vertex_offset = None;
         let mut normals = None;
-        let mut on_texture = None;
+        let mut tex_coords = None;
         for input in &polygons.inputs {
             let offset = input.offset;
             match doc.attribute(input.element, "semantic")? {
@@ -58,9 +58,9 @@ impl<'r, 'a> PartReader<'r, 'a> {
                     let vectors = sources.of(doc, input.element)?;
                     normals = Some(IndexInto { offset, vectors });
                 }
-                "TEXCOORD" if on_texture.is_none() && doc.has_textures() => {
+                "TEXCOORD" if tex_coords.is_none() && doc.has_textures() => {
                     let vectors = sources.pairs_of(doc, input.element)?;
-                    on_texture = Some(IndexInto { offset, vectors });
+                    tex_coords = Some(IndexInto { offset, vectors });
                 }
                 _ => {}
             }
@@ -75,7 +75,7 @@ impl<'r, 'a> PartReader<'r, 'a> {
                     format!("{} has no vertices", describe(element)),
                     "expected <input semantic=\"VERTEX\" source=\"#...\" offset=\"0\"/>",
                 )
-                .help("name the <vertices> of the mesh")
+                .help("refer to the <vertices> of the mesh")
                 .into());
         };
         let index_into = |vectors: &Rc<Vectors<'a>>| IndexInto {
@@ -88,12 +88,12 @@ impl<'r, 'a> PartReader<'r, 'a> {
             polygons,
             positions: index_into(&vertices.positions),
             normals: normals.or_else(|| vertices.normals.as_ref().map(index_into)),
-            on_texture,
+            tex_coords,
         }))
     }
 
     /// The triangles of all polygons.
-    pub(super) fn corners(&self, effort: &mut Effort) -> Result<Vec<Corners>, SceneError> {
+    pub(super) fn corners(&self, counter: &mut TestCounter) -> Result<Vec<Corners>, SceneError> {
         let doc = self.doc;
         let element = self.element;
         check_count(
@@ -112,9 +112,9 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 .iter()
                 .map(|i| self.positions.vectors.values[*i])
                 .collect();
-            let cut = triangulate(&points, effort).map_err(|_| {
+            let triangulation = triangulate(&points, counter).map_err(|_| {
                 let title = format!(
-                    "the polygons of {} are too winding to be cut into triangles",
+                    "the polygons of {} are too complex to triangulate",
                     describe(element)
                 );
                 doc.on(
@@ -122,13 +122,13 @@ impl<'r, 'a> PartReader<'r, 'a> {
                     title,
                     "expected triangles, or polygons of fewer corners",
                 )
-                .help("let the modelling program triangulate the mesh before it exports")
+                .help("triangulate the mesh in the modelling program before the export")
             })?;
-            if !cut.simple {
-                doc.warn(|| self.crossing(polygon.list, polygon.first));
+            if !triangulation.simple {
+                doc.warn(|| self.self_intersection(polygon.list, polygon.first));
             }
-            for [a, b, c] in cut.triangles {
-                // A strip's second triangle, its fourth, ...: the winding alternates.
+            for [a, b, c] in triangulation.triangles {
+                // The winding order of a strip alternates: every second triangle is reversed.
                 let triangle = if polygon.reversed {
                     [a, c, b]
                 } else {
@@ -138,22 +138,25 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 corners.push(Corners {
                     positions: triangle.map(|corner| positions[corner]),
                     normals: self.at_corners(polygon.list, groups, &self.normals)?,
-                    on_texture: self.at_corners(polygon.list, groups, &self.on_texture)?,
+                    tex_coords: self.at_corners(polygon.list, groups, &self.tex_coords)?,
                 });
             }
         }
         Ok(corners)
     }
 
-    fn crossing(&self, list: usize, first: usize) -> Diagnostic {
+    fn self_intersection(&self, list: usize, first: usize) -> Diagnostic {
         let p = self.polygons.lists[list].element;
-        let place = place_of(self.doc, p, first * self.polygons.stride);
-        let expected = "the polygon that starts here; its triangles may overlap";
-        self.doc
-            .at(place, "a polygon crosses itself or has no area", expected)
+        let range = token_range(self.doc, p, first * self.polygons.stride);
+        let expected = "in the polygon that starts here; its triangles may overlap";
+        self.doc.at(
+            range,
+            "a polygon intersects itself or has no area",
+            expected,
+        )
     }
 
-    /// What three corners index, if the file has it.
+    /// The values at three corners, if the file has this input.
     fn at_corners<T: Copy + Default>(
         &self,
         list: usize,
@@ -170,16 +173,16 @@ impl<'r, 'a> PartReader<'r, 'a> {
         Ok(Some(values))
     }
 
-    /// An index in a group of a `<p>`, checked against what it counts in.
+    /// The index of an input in a group of a `<p>`. Checks that it is in range.
     fn index<T>(
         &self,
         list: usize,
         group: usize,
         into: &IndexInto<'a, T>,
     ) -> Result<usize, SceneError> {
-        let word = group * self.polygons.stride + into.offset;
+        let position = group * self.polygons.stride + into.offset;
         let list = &self.polygons.lists[list];
-        let index = list.indices[word] as usize;
+        let index = list.indices[position] as usize;
         let count = into.vectors.values.len();
         if index < count {
             return Ok(index);
@@ -190,13 +193,13 @@ impl<'r, 'a> PartReader<'r, 'a> {
             0 => "the source is empty".to_owned(),
             _ => format!("expected 0 to {}", count - 1),
         };
-        let place = place_of(self.doc, list.element, word);
+        let range = token_range(self.doc, list.element, position);
         let help = "the source or the index list is damaged: export the file again";
-        Err(self.doc.at(place, title, expected).help(help).into())
+        Err(self.doc.at(range, title, expected).help(help).into())
     }
 }
 
-/// The input VERTEX must refer to the vertices of the same mesh.
+/// Checks that the input VERTEX refers to the vertices of the same mesh.
 fn same_mesh<'a>(
     doc: &Document<'a>,
     input: Element<'a>,

@@ -2,52 +2,57 @@
 //!
 //! # What is read
 //!
-//! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are cut into triangles, concave
-//!   ones too. `NORMAL`s of the file, else the mean of the faces around a vertex, weighted by their areas. Texture
-//!   coordinates where a material has a picture: the first set.
-//! - The course's own shapes, materials and lights in `<extra><technique profile="CGL">`, or `CMU462`, which
-//!   means the same: `sphere{radius}`, `area{color}`, `emission{radiance}`, `mirror{reflectance}`,
-//!   `glossy{reflectance, shininess}`, `glass{reflectance, transmittance, roughness, ior}`,
-//!   `refraction{transmittance, roughness, ior}`. Without one of them, the diffuse colour, or the picture
-//!   (`<texture>`, an image file beside the scene), of `phong`, `lambert` or `blinn`. The pixels are not read here.
-//! - Lights: `area` (the unit square in x and y, shining to -z), `point`, `spot`, `directional`, and `ambient` as
-//!   an even sky. Attenuations are passed over: light falls off with the square of the distance by itself.
+//! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are
+//!   triangulated, also concave ones. `NORMAL`s of the file are used, otherwise the area-weighted
+//!   mean of the face normals around each vertex. If a material has a texture: the first set of
+//!   texture coordinates.
+//! - The shapes, materials and lights of the course's extension in
+//!   `<extra><technique profile="CGL">`, or `CMU462` with the same meaning: `sphere{radius}`,
+//!   `area{color}`, `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
+//!   `glass{reflectance, transmittance, roughness, ior}`,
+//!   `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour, or the texture
+//!   (`<texture>`, an image file beside the scene), of `phong`, `lambert` or `blinn`. The image
+//!   itself is not read here.
+//! - Lights: `area` (the unit square in x and y, emitting to -z), `point`, `spot`, `directional`,
+//!   and `ambient` as a uniform sky. Attenuation elements are ignored: intensity falls with the
+//!   squared distance anyway.
 //! - Perspective cameras: `xfov`, `yfov`, `aspect_ratio`, `znear`, `zfar`.
-//! - Nodes in nodes and instances of nodes, under `matrix`, `translate`, `rotate`, `scale` and `lookat`. Everything
-//!   is placed in world space: y is up, whatever `up_axis` says. `unit` is passed over, as by the original course
-//!   program: lengths are those of the file.
+//! - Nested nodes and instances of nodes, with `matrix`, `translate`, `rotate`, `scale` and
+//!   `lookat`. Everything is transformed to world space with +y up, whatever `up_axis` is. `unit`
+//!   is ignored, as by the original course program: lengths are those of the file.
 //!
-//! # What is mended, with a warning
+//! # What is repaired or ignored, with a warning
 //!
-//! | in the file | taken as |
+//! | in the file | result |
 //! |---|---|
 //! | a `matrix` with 12 to 15 numbers | the rest of its last row is 0 0 0 1 |
-//! | no `count` at an array or a primitive | what is there |
-//! | a missing or unbound material, no diffuse colour, a `<texture>` that names no image | grey, 0.5 |
-//! | a symbol that is not bound, beside one that is | the one that is bound |
-//! | a reflectance or transmittance above 1; none at all | 1 |
-//! | `emission` in the common profile | no light: the course's `emission` is meant for that |
-//! | polygons of fewer than 3 corners, with holes, without area | left out |
-//! | a polygon that crosses itself | triangles that may overlap |
-//! | lines, splines, controllers, unknown lights and shapes | left out |
-//! | a light or a camera that its transform flattens | left out |
-//! | a second camera; a camera that is not perspective | left out; without any camera the scene is framed |
+//! | no `count` at an array or a primitive | the number of entries found |
+//! | a missing or unbound material, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
+//! | an unbound symbol next to a bound one | the material of the bound one |
+//! | a reflectance or transmittance above 1, or a missing one | 1 |
+//! | `emission` in the common profile | no light; the `emission` of the extension is used |
+//! | polygons with fewer than 3 corners, with holes, without area | ignored |
+//! | a polygon that intersects itself | triangles that may overlap |
+//! | lines, splines, controllers, unknown lights and shapes | ignored |
+//! | a light or a camera with a singular transform | ignored |
+//! | a second camera, or one that is not perspective | ignored; the default view if none is left |
 //! | no `<scene>` | the only visual scene |
 //!
 //! # What is an error
 //!
-//! Everything else: malformed XML, missing elements and references, counts that do not agree, indices out of range,
-//! numbers that are none, NaN or infinite, negative radii and colours, uneven scale on a sphere, `skew`, nodes that
-//! contain themselves or nest too deep, instances that multiply beyond measure, empty scenes. No file makes the
-//! reader panic, hang or take memory without end: `limits` has the bounds.
+//! Everything else: malformed XML, missing elements and references, counts that do not agree,
+//! indices out of range, malformed, NaN or infinite numbers, negative radii and colours,
+//! non-uniform scale of a sphere, `skew`, nodes that contain themselves or are nested too deeply,
+//! too many instances, empty scenes. No file makes the reader panic, hang or use unlimited memory:
+//! `limits` has the limits.
 //!
-//! # How it is built
+//! # Modules
 //!
-//! Read in this order: `screen` and `document` (ids, references, errors with their place), `numbers`,
-//! `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`, `normals` and `mesh`
-//! (index lists become triangles), `geometry`, `material`, `texture`, `light` and `optics` (what nodes place),
-//! `transform`, `binding` and `library` (what a node holds), `bake` and `nodes` (the tree, placed in the
-//! world).
+//! Reading order: `precheck` and `document` (ids, references, diagnostics with positions),
+//! `numbers`, `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`,
+//! `normals` and `mesh` (from index lists to triangles), `geometry`, `material`, `texture`, `light`
+//! and `optics` (the contents of nodes), `transform`, `binding` and `library` (nodes), `bake` and
+//! `nodes` (the node tree in world space).
 
 mod bake;
 mod binding;
@@ -64,8 +69,8 @@ mod normals;
 mod numbers;
 mod optics;
 mod polygon;
+mod precheck;
 mod primitives;
-mod screen;
 mod source;
 mod texture;
 mod transform;
@@ -77,13 +82,13 @@ use kit::Scene;
 use std::io::Read;
 use std::path::Path;
 
-/// A scene and what was mended to get it.
+/// A scene and the warnings of the reader.
 #[derive(Clone, Debug)]
 pub struct Loaded {
-    /// The scene. Its camera is the file's own, with the frame the file asks for: see
-    /// [`crate::placement`] for how to look at the scene.
+    /// The scene. Its camera is that of the file, with the frame of the file: see
+    /// [`crate::placement`] for the default view.
     pub scene: Scene,
-    /// What was mended, in the order of the file's scene.
+    /// What was repaired or ignored, in the order of the file's scene.
     pub warnings: Vec<Warning>,
 }
 
@@ -94,13 +99,13 @@ pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
     parse(&name, &read_text(path, &name)?)
 }
 
-/// Reads a file of text; its errors say what to do.
+/// Reads a text file. Its errors include advice.
 pub(crate) fn read_text(path: &Path, name: &str) -> Result<String, SceneError> {
     let unreadable = |error: std::io::Error| {
         let help = match error.kind() {
-            std::io::ErrorKind::NotFound => "check the path: it counts from the current folder",
-            std::io::ErrorKind::PermissionDenied => "allow yourself to read it",
-            _ => "give the path of a file",
+            std::io::ErrorKind::NotFound => "check the path: it is relative to the current folder",
+            std::io::ErrorKind::PermissionDenied => "change the permissions of the file",
+            _ => "pass the path of a file",
         };
         Diagnostic::about_file(name, format!("the file cannot be read: {error}")).help(help)
     };
@@ -111,22 +116,22 @@ pub(crate) fn read_text(path: &Path, name: &str) -> Result<String, SceneError> {
         .map_err(unreadable)?;
     if bytes.len() as u64 > limits::MAX_FILE_BYTES {
         let title = format!("the file has more than {} bytes", limits::MAX_FILE_BYTES);
-        let finding =
-            Diagnostic::about_file(name, title).help("simplify the meshes before you export");
-        return Err(finding.into());
+        let diagnostic =
+            Diagnostic::about_file(name, title).help("simplify the meshes before the export");
+        return Err(diagnostic.into());
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        let title = format!("the file is not text in UTF-8: byte {at} is none of it");
+        let title = format!("the file is not valid UTF-8 at byte {at}");
         Diagnostic::about_file(name, title)
             .help("save it as UTF-8; a compressed .zae must be unpacked first")
             .into()
     })
 }
 
-/// Reads a COLLADA file from its text. `name` stands for the file in errors.
+/// Parses the text of a COLLADA file. `name` is the file name for messages.
 pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
-    screen::screen(name, text)?;
+    precheck::check(name, text)?;
     let xml = roxmltree::Document::parse(text).map_err(|error| malformed(name, text, &error))?;
     let doc = Document::new(name, &xml);
     let scene = build(&doc)?;
@@ -158,13 +163,13 @@ fn build<'a>(doc: &Document<'a>) -> Result<Scene, SceneError> {
                 "the scene is empty",
                 "expected nodes with an <instance_geometry>",
             )
-            .help("there is nothing to draw: place a mesh or a sphere")
+            .help("there is nothing to render: add a mesh or a sphere")
             .into());
     }
     Ok(scene)
 }
 
-/// The visual scene that `<scene>` names; without one, the only one there is, with a warning.
+/// The visual scene that `<scene>` refers to. Without one: the only visual scene, with a warning.
 fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>, SceneError> {
     if let Some(instance) =
         child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"))
@@ -178,15 +183,15 @@ fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>
     match (scenes.next(), scenes.next()) {
         (Some(only), None) => {
             doc.warn(|| {
-                let title = "no <scene> says what to show";
-                doc.on(only, title, "the only visual scene is taken")
+                let title = "no <scene> selects a visual scene";
+                doc.on(only, title, "using the only visual scene")
             });
             Ok(only)
         }
         _ => Err(doc
             .on(
                 root,
-                "no <scene> says what to show",
+                "no <scene> selects a visual scene",
                 "expected <scene> with <instance_visual_scene url=\"#...\"/>",
             )
             .help("export the file again, with a scene")
@@ -194,7 +199,7 @@ fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>
     }
 }
 
-/// The XML itself is broken.
+/// The error for malformed XML.
 fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
     let pos = error.pos();
     let line_start = text
@@ -208,10 +213,12 @@ fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
     let at = line_start + column.map(char::len_utf8).sum::<usize>();
     let help = match error {
         roxmltree::Error::DtdDetected => "remove the <!DOCTYPE ...>: COLLADA needs none",
-        _ => "mend the XML here, or export the file again; a cut-off download is a common cause",
+        _ => {
+            "correct the XML here, or export the file again; an incomplete download is a common cause"
+        }
     };
     Diagnostic::about_file(name, format!("the file is not well-formed XML: {error}"))
-        .at(text, at..at + 1, "here")
+        .at(text, at..at + 1, "the parser stops here")
         .help(help)
         .into()
 }

@@ -1,9 +1,9 @@
-//! `<node>`: the tree of the scene, walked from the root, every instance placed in the world.
+//! `<node>`: traverses the node tree and transforms every instance to world space.
 
-use super::bake::{self, Placer, SphereError};
+use super::bake::{self, SphereError, TriangleTransform};
 use super::document::{Document, Element, children, describe, tag};
 use super::geometry::Shape;
-use super::library::{Content, Library, ShapeHere};
+use super::library::{Content, Library, ShapeInstance};
 use super::light::LocalLight;
 use super::limits::{MAX_COORDINATE, MAX_DEPTH, MAX_INSTANCES, MAX_PRIMITIVES};
 use super::optics::Optics;
@@ -14,22 +14,23 @@ use kit::{Scene, Vec2};
 use roxmltree::NodeId;
 use std::rc::Rc;
 
-/// Builds the scene.
+/// Builds the scene from the node tree.
 pub(super) struct Builder<'r, 'a> {
     doc: &'r Document<'a>,
     library: Library<'r, 'a>,
     scene: Scene,
-    /// Nodes from the root to the one being placed, to find cycles.
+    /// Path of nodes from the root to the current one, to detect cycles.
     path: Vec<NodeId>,
     instances: usize,
-    /// Triangles and spheres of all shapes to be placed.
+    /// Triangles and spheres of all shapes to be added.
     primitives: usize,
-    /// Shapes and where they go. They are placed when all are known and counted: a file that asks for too
-    /// many is refused before it takes up memory.
-    shapes: Vec<(Rc<ShapeHere<'a>>, Affine)>,
+    /// Shapes and their transforms. They are added after all of them were counted, so that a file
+    /// with too many is refused before they use memory.
+    shapes: Vec<(Rc<ShapeInstance<'a>>, Affine)>,
     sphere_objects: Vec<u32>,
-    /// For each triangle, the texture coordinates of its vertices; shorter if the last ones have none.
-    on_texture: Vec<[Vec2; 3]>,
+    /// For each triangle, the texture coordinates of its vertices. Shorter if the last triangles
+    /// have none.
+    tex_coords: Vec<[Vec2; 3]>,
 }
 
 impl<'r, 'a> Builder<'r, 'a> {
@@ -43,56 +44,56 @@ impl<'r, 'a> Builder<'r, 'a> {
             primitives: 0,
             shapes: Vec::new(),
             sphere_objects: Vec::new(),
-            on_texture: Vec::new(),
+            tex_coords: Vec::new(),
         }
     }
 
-    /// Places all nodes of a visual scene.
+    /// Adds all nodes of a visual scene.
     pub(super) fn build(
         mut self,
         visual_scene: Element<'a>,
         to_world: &Affine,
     ) -> Result<Scene, SceneError> {
         for node in children(visual_scene).filter(|element| tag(*element) == "node") {
-            self.place_node(node, node, to_world)?;
+            self.add_node(node, node, to_world)?;
         }
         for (shape, to_world) in std::mem::take(&mut self.shapes) {
-            self.place_shape(&shape, &to_world)?;
+            self.add_shape(&shape, &to_world)?;
         }
-        // Triangles are numbered first, then spheres.
+        // Triangles come first in the order of ids, then spheres.
         self.scene.object_of.append(&mut self.sphere_objects);
         let (materials, mut textures) = self.library.into_materials();
         self.scene.materials = materials;
         if !textures.files.is_empty() {
-            textures.coordinates = self.on_texture;
+            textures.coordinates = self.tex_coords;
             self.scene.textures = textures;
         }
         Ok(self.scene)
     }
 
-    fn place_node(
+    fn add_node(
         &mut self,
         element: Element<'a>,
-        said_by: Element<'a>,
+        instance: Element<'a>,
         to_world: &Affine,
     ) -> Result<(), SceneError> {
         if self.path.contains(&element.id()) {
             let title = format!("{} contains itself", describe(element));
             return Err(self
                 .doc
-                .on(said_by, title, "this closes the circle")
-                .help("remove this instance: a node cannot stand inside itself")
+                .on(instance, title, "this instance closes the cycle")
+                .help("a node cannot contain itself: remove this instance")
                 .into());
         }
         if self.path.len() >= MAX_DEPTH {
-            let title = format!("nodes are nested more than {MAX_DEPTH} deep");
+            let title = format!("nodes are nested more than {MAX_DEPTH} levels deep");
             return Err(self
                 .doc
-                .on(said_by, title, "this one is too deep")
+                .on(instance, title, "this node is too deep")
                 .help("flatten the hierarchy: apply the transforms of parents to their children")
                 .into());
         }
-        self.count(1, said_by)?;
+        self.count(1, instance)?;
         let node = self.library.node(element)?;
         let to_world = to_world.after(&node.transform);
         if !to_world.stays_in_world() {
@@ -101,17 +102,17 @@ impl<'r, 'a> Builder<'r, 'a> {
         self.path.push(element.id());
         for content in &node.contents {
             match content {
-                Content::Node { node, said_by } => self.place_node(*node, *said_by, &to_world)?,
+                Content::Node { node, instance } => self.add_node(*node, *instance, &to_world)?,
                 Content::Shape(shape) => {
-                    self.count(1 + shape.materials.len(), shape.said_by)?;
-                    self.count_primitives(&shape.shape, shape.said_by)?;
+                    self.count(1 + shape.materials.len(), shape.instance)?;
+                    self.count_primitives(&shape.shape, shape.instance)?;
                     self.shapes.push((Rc::clone(shape), to_world));
                 }
-                Content::Light { light, said_by } => {
-                    self.place_light(&node.name, light, *said_by, &to_world)?
+                Content::Light { light, instance } => {
+                    self.add_light(&node.name, light, *instance, &to_world)?
                 }
-                Content::Camera { optics, said_by } => {
-                    self.place_camera(optics, *said_by, &to_world)?
+                Content::Camera { optics, instance } => {
+                    self.add_camera(optics, *instance, &to_world)?
                 }
             }
         }
@@ -122,7 +123,7 @@ impl<'r, 'a> Builder<'r, 'a> {
     fn count_primitives(
         &mut self,
         shape: &Shape<'a>,
-        said_by: Element<'a>,
+        instance: Element<'a>,
     ) -> Result<(), SceneError> {
         self.primitives += match shape {
             Shape::Mesh(parts) => parts.iter().map(|part| part.triangles.len()).sum(),
@@ -135,29 +136,33 @@ impl<'r, 'a> Builder<'r, 'a> {
         let title = format!("the scene has more than {MAX_PRIMITIVES} triangles and spheres");
         Err(self
             .doc
-            .on(said_by, title, "this instance is one too many")
-            .help("place fewer instances, or simplify the mesh")
+            .on(instance, title, "this instance exceeds the limit")
+            .help("use fewer instances, or simplify the mesh")
             .into())
     }
 
-    fn place_shape(&mut self, here: &ShapeHere<'a>, to_world: &Affine) -> Result<(), SceneError> {
-        match &*here.shape {
+    fn add_shape(
+        &mut self,
+        shape: &ShapeInstance<'a>,
+        to_world: &Affine,
+    ) -> Result<(), SceneError> {
+        match &*shape.shape {
             Shape::Mesh(parts) => {
-                let placer = Placer::new(*to_world);
-                for (part, material) in parts.iter().zip(&here.materials) {
-                    let object = self.add_object(&here.name, *material);
-                    if !part.on_texture.is_empty() {
-                        // Parts before this one may have none.
+                let transform = TriangleTransform::new(*to_world);
+                for (part, material) in parts.iter().zip(&shape.materials) {
+                    let object = self.add_object(&shape.name, *material);
+                    if !part.tex_coords.is_empty() {
+                        // Triangles of parts before this one may have none.
                         let first = self.scene.triangles.len();
-                        self.on_texture.resize(first, [Vec2::ZERO; 3]);
-                        let corners = part.on_texture.iter();
-                        self.on_texture
-                            .extend(corners.map(|corners| placer.on_texture(*corners)));
+                        self.tex_coords.resize(first, [Vec2::ZERO; 3]);
+                        let corners = part.tex_coords.iter();
+                        self.tex_coords
+                            .extend(corners.map(|corners| transform.tex_coords(*corners)));
                     }
                     for local in &part.triangles {
-                        let placed = placer
+                        let placed = transform
                             .triangle(local)
-                            .ok_or_else(|| self.too_large(here.said_by))?;
+                            .ok_or_else(|| self.too_large(shape.instance))?;
                         self.scene.triangles.push(placed);
                     }
                     self.scene
@@ -167,8 +172,8 @@ impl<'r, 'a> Builder<'r, 'a> {
             }
             Shape::Sphere { radius } => {
                 let sphere = bake::sphere(*radius, to_world)
-                    .map_err(|why| self.sphere_error(why, here.said_by))?;
-                let object = self.add_object(&here.name, here.materials[0]);
+                    .map_err(|error| self.sphere_error(error, shape.instance))?;
+                let object = self.add_object(&shape.name, shape.materials[0]);
                 self.scene.spheres.push(sphere);
                 self.sphere_objects.push(object);
             }
@@ -186,46 +191,46 @@ impl<'r, 'a> Builder<'r, 'a> {
         index
     }
 
-    fn place_light(
+    fn add_light(
         &mut self,
         name: &str,
         light: &LocalLight,
-        said_by: Element<'a>,
+        instance: Element<'a>,
         to_world: &Affine,
     ) -> Result<(), SceneError> {
-        self.count(1, said_by)?;
+        self.count(1, instance)?;
         match light.place(to_world) {
             Some(light) => self.scene.lights.push(NamedLight {
                 name: name.to_owned(),
                 light,
             }),
             None => self.doc.warn(|| {
-                let title = "the transform leaves this light no direction or no area";
+                let title = "this light has no direction or no area after its transform";
                 self.doc.on(
-                    said_by,
+                    instance,
                     title,
-                    "expected a transform that does not flatten it; it is left out",
+                    "expected an invertible transform; the light is ignored",
                 )
             }),
         }
         Ok(())
     }
 
-    /// The first camera counts.
-    fn place_camera(
+    /// Adds a camera. Only the first one of the file is used.
+    fn add_camera(
         &mut self,
         optics: &Optics,
-        said_by: Element<'a>,
+        instance: Element<'a>,
         to_world: &Affine,
     ) -> Result<(), SceneError> {
-        self.count(1, said_by)?;
+        self.count(1, instance)?;
         if self.scene.camera.is_some() {
             self.doc.warn(|| {
                 let title = "the scene has more than one camera";
                 self.doc.on(
-                    said_by,
+                    instance,
                     title,
-                    "the first one is used, this one is passed over",
+                    "the first one is used, this one is ignored",
                 )
             });
             return Ok(());
@@ -233,33 +238,35 @@ impl<'r, 'a> Builder<'r, 'a> {
         self.scene.camera = optics.place(to_world);
         if self.scene.camera.is_none() {
             self.doc.warn(|| {
-                let title = "the transform leaves this camera no direction";
+                let title = "this camera has no direction after its transform";
                 self.doc.on(
-                    said_by,
+                    instance,
                     title,
-                    "expected a transform that does not flatten it; the scene is framed",
+                    "expected an invertible transform; the default view is used",
                 )
             });
         }
         Ok(())
     }
 
-    /// Counts placed things, and stops a file that asks for far too many.
-    fn count(&mut self, more: usize, said_by: Element<'a>) -> Result<(), SceneError> {
+    /// Counts instances. An error if there are far too many.
+    fn count(&mut self, more: usize, instance: Element<'a>) -> Result<(), SceneError> {
         self.instances += more;
         if self.instances <= MAX_INSTANCES {
             return Ok(());
         }
-        let title = format!("the scene places more than {MAX_INSTANCES} nodes, shapes and lights");
+        let title = format!(
+            "the scene has more than {MAX_INSTANCES} instances of nodes, shapes and lights"
+        );
         Err(self
             .doc
-            .on(said_by, title, "this instance is one too many")
-            .help("nodes that hold nodes that hold nodes multiply: place fewer instances")
+            .on(instance, title, "this instance exceeds the limit")
+            .help("instances of nodes that contain instances multiply: use fewer of them")
             .into())
     }
 
     fn too_large(&self, element: Element<'a>) -> SceneError {
-        let title = format!("{} is placed too far out", describe(element));
+        let title = format!("{} is too far from the origin", describe(element));
         self.doc
             .on(
                 element,
@@ -270,19 +277,19 @@ impl<'r, 'a> Builder<'r, 'a> {
             .into()
     }
 
-    fn sphere_error(&self, why: SphereError, said_by: Element<'a>) -> SceneError {
-        match why {
-            SphereError::TooLarge => self.too_large(said_by),
+    fn sphere_error(&self, error: SphereError, instance: Element<'a>) -> SceneError {
+        match error {
+            SphereError::TooLarge => self.too_large(instance),
             SphereError::Ellipsoid([x, y, z]) => self
                 .doc
                 .on(
-                    said_by,
+                    instance,
                     format!(
                         "the transform makes the sphere an ellipsoid: {x:.3} by {y:.3} by {z:.3}"
                     ),
                     "expected the same scale along every axis",
                 )
-                .help("scale it evenly, or use a mesh instead of a sphere")
+                .help("use the same scale on every axis, or a mesh instead of a sphere")
                 .into(),
         }
     }

@@ -1,10 +1,10 @@
-//! Normals that a mesh does not bring along.
+//! Normals of meshes without normals in the file.
 
 use kit::Vec3;
 use std::collections::HashMap;
 
-/// `(p1-p0) x (p2-p0)`, in units of the longer of the two edges squared, so that it neither under- nor
-/// overflows; zero if the triangle has no area.
+/// `(p1-p0) x (p2-p0)` divided by the square of `size`, which is the largest component of the two
+/// edges, so that it neither underflows nor overflows. Zero if the triangle has no area.
 fn scaled_cross(p0: Vec3, p1: Vec3, p2: Vec3) -> (Vec3, f64) {
     let (e1, e2) = (p1 - p0, p2 - p0);
     let size = e1.abs().max(e2.abs()).max_element();
@@ -14,21 +14,21 @@ fn scaled_cross(p0: Vec3, p1: Vec3, p2: Vec3) -> (Vec3, f64) {
     ((e1 / size).cross(e2 / size), size)
 }
 
-/// The unit normal of a triangle's plane; `None` if it has no area.
+/// The unit geometric normal of a triangle; `None` if it has no area.
 pub(super) fn face_normal(p0: Vec3, p1: Vec3, p2: Vec3) -> Option<Vec3> {
     scaled_cross(p0, p1, p2).0.try_normalize()
 }
 
-/// Vertex normals: the mean of those of the triangles around, weighted by their areas
-/// (H. Gouraud, "Continuous shading of curved surfaces", 1971).
+/// Vertex normals: the area-weighted mean of the normals of all adjacent triangles (H. Gouraud,
+/// "Continuous shading of curved surfaces", 1971).
 #[derive(Default)]
 pub(super) struct SmoothNormals {
-    /// Sums by vertex, for those vertices that a triangle has.
+    /// For each vertex of a triangle, the sum of the weighted normals.
     sums: HashMap<usize, Vec3>,
 }
 
 impl SmoothNormals {
-    /// Adds a triangle's normal to those of its three vertices.
+    /// Adds the weighted normal of a triangle to its three vertices.
     pub(super) fn add(&mut self, positions: &[Vec3], corners: [usize; 3]) {
         let [p0, p1, p2] = corners.map(|i| positions[i]);
         let (cross, size) = scaled_cross(p0, p1, p2);
@@ -37,7 +37,7 @@ impl SmoothNormals {
         }
     }
 
-    /// The normals at three vertices, of any length.
+    /// The normals at three vertices, not normalised.
     pub(super) fn at(&self, corners: [usize; 3]) -> [Vec3; 3] {
         corners.map(|corner| self.sums.get(&corner).copied().unwrap_or(Vec3::ZERO))
     }

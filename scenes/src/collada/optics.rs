@@ -1,11 +1,11 @@
 //! `<camera>`: the angles of view and the clip distances.
 //!
-//! The pair of angles that goes into [`kit::Camera`] is the frame that the file asks for:
-//! `xfov` and `yfov` as they stand if both are there; else the missing one by
-//! `tan(xfov/2) = aspect_ratio · tan(yfov/2)`, where an absent `aspect_ratio` is 4:3.
-//! How the frame fits a film of another shape is [`crate::placement::for_film`]'s business.
+//! [`kit::Camera`] gets the frame of the file: `xfov` and `yfov` if both exist. Otherwise the
+//! missing angle follows from `tan(xfov/2) = aspect_ratio · tan(yfov/2)`, where `aspect_ratio` is
+//! 4:3 if it is missing. [`crate::placement::for_film`] fits the frame to a film of another aspect
+//! ratio.
 
-use super::document::{Document, Element, child, children, descend, describe, tag};
+use super::document::{Document, Element, child, children, descendant, describe, tag};
 use super::numbers::exactly;
 use super::transform::Affine;
 use crate::diagnostic::SceneError;
@@ -13,10 +13,10 @@ use crate::placement::FAR_AWAY;
 use kit::camera::scale_fov;
 use kit::{Camera, Mat3, Vec3};
 
-/// Width over height where the file does not say: the assignment's pictures.
+/// Aspect ratio (width / height) without `aspect_ratio`: that of the assignment's images.
 const DEFAULT_ASPECT: f64 = 4.0 / 3.0;
 
-/// A camera in its own space: angles in degrees, clip distances in the file's unit.
+/// A camera in local space: angles in degrees, clip distances in the file's unit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Optics {
     h_fov: f64,
@@ -25,21 +25,22 @@ pub(super) struct Optics {
     f_clip: f64,
 }
 
-/// Reads a camera; `None`, with a warning, if it is not a perspective one.
+/// Reads a camera. `None`, with a warning, if it is not perspective.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     camera: Element<'a>,
 ) -> Result<Option<Optics>, SceneError> {
-    let Some(perspective) = descend(camera, &["optics", "technique_common", "perspective"]) else {
+    let Some(perspective) = descendant(camera, &["optics", "technique_common", "perspective"])
+    else {
         doc.warn(|| {
-            let other = descend(camera, &["optics", "technique_common"])
+            let other = descendant(camera, &["optics", "technique_common"])
                 .and_then(|common| children(common).next());
             let what = other.map_or("no optics".to_owned(), |other| format!("<{}>", tag(other)));
             let title = format!("{} has {what}", describe(camera));
             doc.on(
                 camera,
                 title,
-                "expected <perspective>; the camera is passed over and the scene framed",
+                "expected <perspective>; the camera is ignored, and the default view is used",
             )
         });
         return Ok(None);
@@ -53,7 +54,7 @@ pub(super) fn read<'a>(
             |angle| (0.001..=179.999).contains(&angle),
         )
     };
-    // Beyond these the missing angle would round to 0 or 180 degrees.
+    // Outside of this range the missing angle would round to 0 or 180 degrees.
     let aspect = optional(
         doc,
         perspective,
@@ -73,7 +74,7 @@ pub(super) fn read<'a>(
                     "<perspective> has no angle of view",
                     "expected <xfov> or <yfov>",
                 )
-                .help("give the horizontal angle of view in degrees, such as <xfov>50</xfov>")
+                .help("write the horizontal angle of view in degrees, such as <xfov>50</xfov>")
                 .into());
         }
     };
@@ -116,8 +117,8 @@ fn optional<'a>(
 }
 
 impl Optics {
-    /// The camera in world space, its axes made orthonormal again; `None` if the transform leaves it no
-    /// direction. Scale and mirroring in the transform do not count.
+    /// The camera in world space, with orthonormal axes. `None` if it has no direction after the
+    /// transform. Scale and mirroring of the transform are ignored.
     pub(super) fn place(&self, to_world: &Affine) -> Option<Camera> {
         let backward = to_world.direction(Vec3::Z).try_normalize()?;
         let up = to_world.direction(Vec3::Y).try_normalize()?;

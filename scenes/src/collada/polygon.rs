@@ -1,37 +1,40 @@
-//! Polygons to triangles: a fan where the polygon is convex, else by clipping ears
-//! (G. Meisters, "Polygons have ears", 1975).
+//! Triangulation of polygons: a fan for a convex polygon, otherwise ear clipping (G. Meisters,
+//! "Polygons have ears", 1975).
 
 use kit::{Vec2, Vec3};
 
-/// Most point-in-triangle tests for one file. Clipping ears takes a time that grows with the square
-/// of a polygon's size, with its cube at worst; this is a second or two.
+/// Maximum number of point-in-triangle tests for a file, about one or two seconds. The time of ear
+/// clipping grows with the square of a polygon's size, in the worst case with its cube.
 const MAX_TESTS: u64 = 200_000_000;
 
-/// Counts the tests over all polygons of a file.
+/// Counts the point-in-triangle tests over all polygons of a file.
 #[derive(Debug, Default)]
-pub(super) struct Effort {
+pub(super) struct TestCounter {
     tests: u64,
 }
 
-/// The polygons of a file are too large and too winding to be cut.
+/// Error: the polygons of a file need more than [`MAX_TESTS`] tests.
 #[derive(Debug)]
 pub(super) struct TooComplex;
 
 /// The triangles of a polygon.
 #[derive(Debug, PartialEq)]
-pub(super) struct Cut {
-    /// Three corners each, by their number in the polygon, in the polygon's own winding.
+pub(super) struct Triangulation {
+    /// Three corners each, as indices in the polygon, with the winding order of the polygon.
     pub(super) triangles: Vec<[usize; 3]>,
-    /// False if the polygon has no area or was seen to cross itself, so that triangles may overlap. Not every
-    /// crossing is seen.
+    /// False if the polygon has no area or an intersection of its edges was detected, so that
+    /// triangles may overlap. Not every intersection is detected.
     pub(super) simple: bool,
 }
 
-/// Cuts a polygon of at least 3 corners into `corners.len() - 2` triangles.
+/// Triangulates a polygon of at least 3 corners into `corners.len() - 2` triangles.
 ///
-/// It need not be flat: it is looked at along its mean normal (Newell's).
-pub(super) fn triangulate(corners: &[Vec3], effort: &mut Effort) -> Result<Cut, TooComplex> {
-    let fan = |simple| Cut {
+/// The polygon need not be planar: it is projected along its mean normal (Newell's method).
+pub(super) fn triangulate(
+    corners: &[Vec3],
+    counter: &mut TestCounter,
+) -> Result<Triangulation, TooComplex> {
+    let fan = |simple| Triangulation {
         triangles: (1..corners.len() - 1).map(|i| [0, i, i + 1]).collect(),
         simple,
     };
@@ -44,11 +47,11 @@ pub(super) fn triangulate(corners: &[Vec3], effort: &mut Effort) -> Result<Cut, 
     if is_convex(&flat) {
         return Ok(fan(true));
     }
-    clip_ears(&flat, effort)
+    clip_ears(&flat, counter)
 }
 
-/// The corners seen along the polygon's normal, so that it winds counter-clockwise; `None` if it has
-/// no area.
+/// The corners projected along the polygon's normal, such that the winding order is
+/// counter-clockwise. `None` if the polygon has no area.
 fn project(corners: &[Vec3]) -> Option<Vec<Vec2>> {
     let size = corners.iter().fold(0.0, |size: f64, p| {
         size.max((*p - corners[0]).abs().max_element())
@@ -56,7 +59,7 @@ fn project(corners: &[Vec3]) -> Option<Vec<Vec2>> {
     if !(size > 0.0 && size.is_finite()) {
         return None;
     }
-    // In units of its own size, so that nothing under- or overflows.
+    // Relative to the polygon's size, so that nothing underflows or overflows.
     let unit: Vec<Vec3> = corners.iter().map(|p| (*p - corners[0]) / size).collect();
     let next = |i: usize| unit[(i + 1) % unit.len()];
     let normal: Vec3 = (0..unit.len()).map(|i| unit[i].cross(next(i))).sum();
@@ -64,7 +67,7 @@ fn project(corners: &[Vec3]) -> Option<Vec<Vec2>> {
     if magnitude.max_element() == 0.0 {
         return None;
     }
-    // Drop the coordinate in which the normal is longest, and keep the winding.
+    // Drops the coordinate in which the normal is largest, and keeps the winding order.
     let flat = unit.iter().map(|p| {
         if magnitude.z >= magnitude.x && magnitude.z >= magnitude.y {
             Vec2::new(p.x * normal.z.signum(), p.y)
@@ -77,35 +80,40 @@ fn project(corners: &[Vec3]) -> Option<Vec<Vec2>> {
     Some(flat.collect())
 }
 
-/// Twice the signed area of the triangle `a b c`: positive if it winds counter-clockwise.
+/// Twice the signed area of the triangle `a b c`: positive if it is counter-clockwise.
 fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Whether every corner turns strictly left and the polygon goes round once.
+/// Whether every corner is a strict left turn and the polygon winds around once.
 fn is_convex(flat: &[Vec2]) -> bool {
     let n = flat.len();
     let left_turns = (0..n).all(|i| turn(flat[i], flat[(i + 1) % n], flat[(i + 2) % n]) > 0.0);
-    // A star turns left everywhere too, but a fan over it has triangles that wind backwards.
+    // All corners of a star are left turns, too, but some triangles of its fan are clockwise.
     left_turns && (1..n - 1).all(|i| turn(flat[0], flat[i], flat[i + 1]) > 0.0)
 }
 
-fn clip_ears(flat: &[Vec2], effort: &mut Effort) -> Result<Cut, TooComplex> {
-    let mut left: Vec<usize> = (0..flat.len()).collect();
+fn clip_ears(flat: &[Vec2], counter: &mut TestCounter) -> Result<Triangulation, TooComplex> {
+    let mut remaining: Vec<usize> = (0..flat.len()).collect();
     let mut triangles = Vec::with_capacity(flat.len() - 2);
     let mut simple = true;
     let mut at = 0;
     let mut failures = 0;
-    while left.len() > 3 {
-        let n = left.len();
-        let ear = [left[(at + n - 1) % n], left[at % n], left[(at + 1) % n]];
-        // After a full round without an ear the polygon is not simple: cut the corner anyway.
+    while remaining.len() > 3 {
+        let n = remaining.len();
+        let ear = [
+            remaining[(at + n - 1) % n],
+            remaining[at % n],
+            remaining[(at + 1) % n],
+        ];
+        // After a full round without an ear the polygon is not simple: clips the corner anyway.
         let forced = failures >= n;
-        if forced || is_ear(flat, &left, ear, effort)? {
+        if forced || is_ear(flat, &remaining, ear, counter)? {
             simple &= !forced;
             triangles.push(ear);
-            left.remove(at % n);
-            // Go on two corners further: triangles come out less thin than by cutting round one corner.
+            remaining.remove(at % n);
+            // Continues two corners further, which gives less thin triangles than clipping around
+            // one corner.
             at = if at % n == n - 1 { 0 } else { at % n + 1 };
             failures = 0;
         } else {
@@ -113,24 +121,28 @@ fn clip_ears(flat: &[Vec2], effort: &mut Effort) -> Result<Cut, TooComplex> {
             failures += 1;
         }
     }
-    // What is left of a polygon that crosses itself may wind backwards.
-    let last = [left[0], left[1], left[2]];
+    // The last triangle of a self-intersecting polygon may be clockwise.
+    let last = [remaining[0], remaining[1], remaining[2]];
     simple &= turn(flat[last[0]], flat[last[1]], flat[last[2]]) >= 0.0;
     triangles.push(last);
-    Ok(Cut { triangles, simple })
+    Ok(Triangulation { triangles, simple })
 }
 
-/// Whether the triangle turns left and no other corner lies in it.
+/// Whether the triangle is a left turn and contains no other corner.
 fn is_ear(
     flat: &[Vec2],
-    left: &[usize],
+    remaining: &[usize],
     ear: [usize; 3],
-    effort: &mut Effort,
+    counter: &mut TestCounter,
 ) -> Result<bool, TooComplex> {
     let [a, b, c] = ear.map(|i| flat[i]);
     let turns_left = turn(a, b, c) > 0.0;
-    effort.tests += if turns_left { left.len() as u64 } else { 1 };
-    if effort.tests > MAX_TESTS {
+    counter.tests += if turns_left {
+        remaining.len() as u64
+    } else {
+        1
+    };
+    if counter.tests > MAX_TESTS {
         return Err(TooComplex);
     }
     if !turns_left {
@@ -138,7 +150,7 @@ fn is_ear(
     }
     let inside = |p: Vec2| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
     let is_corner = |p: Vec2| p == a || p == b || p == c;
-    Ok(!left
+    Ok(!remaining
         .iter()
         .any(|i| inside(flat[*i]) && !is_corner(flat[*i])))
 }
@@ -149,15 +161,15 @@ mod tests {
     use kit::math;
     use proptest::prelude::*;
 
-    fn cut(corners: &[Vec3]) -> Cut {
-        triangulate(corners, &mut Effort::default()).expect("a small polygon")
+    fn triangulated(corners: &[Vec3]) -> Triangulation {
+        triangulate(corners, &mut TestCounter::default()).expect("the polygon is small")
     }
 
-    /// Twice the vector area of triangles.
-    fn doubled_areas(corners: &[Vec3], cut: &Cut) -> Vec<Vec3> {
+    /// Twice the area vectors of the triangles.
+    fn doubled_areas(corners: &[Vec3], triangulation: &Triangulation) -> Vec<Vec3> {
         let area =
             |[a, b, c]: &[usize; 3]| (corners[*b] - corners[*a]).cross(corners[*c] - corners[*a]);
-        cut.triangles.iter().map(area).collect()
+        triangulation.triangles.iter().map(area).collect()
     }
 
     fn flat(points: &[(f64, f64)]) -> Vec<Vec3> {
@@ -168,8 +180,8 @@ mod tests {
     fn convex_polygons_become_fans() {
         let square = flat(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
         assert_eq!(
-            cut(&square),
-            Cut {
+            triangulated(&square),
+            Triangulation {
                 triangles: vec![[0, 1, 2], [0, 2, 3]],
                 simple: true
             }
@@ -177,33 +189,38 @@ mod tests {
     }
 
     #[test]
-    fn a_corner_on_an_edge_leaves_no_flat_triangle() {
-        // A fan from the first corner would have one without area: 0, 1, 2 lie on a line.
+    fn corner_on_an_edge_gives_no_degenerate_triangle() {
+        // A fan from the first corner would have a triangle without area: 0, 1, 2 are collinear.
         let square = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
-        let cut = cut(&square);
-        assert!(cut.simple);
-        assert!(doubled_areas(&square, &cut).iter().all(|area| area.z > 0.0));
+        let result = triangulated(&square);
+        assert!(result.simple);
+        assert!(
+            doubled_areas(&square, &result)
+                .iter()
+                .all(|area| area.z > 0.0)
+        );
     }
 
     #[test]
-    fn polygons_that_cross_themselves_still_give_all_triangles() {
+    fn self_intersecting_polygons_give_all_triangles() {
         let star = (0..5).map(|i| f64::from(i) * 2.0 * std::f64::consts::TAU / 5.0);
         let star: Vec<_> = star
             .map(|angle| (math::cos(angle), math::sin(angle)))
             .collect();
-        assert_eq!(cut(&flat(&star)).triangles.len(), 3);
-        let bow = cut(&flat(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)]));
+        assert_eq!(triangulated(&flat(&star)).triangles.len(), 3);
+        let bow = triangulated(&flat(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)]));
         assert_eq!((bow.triangles.len(), bow.simple), (2, false));
     }
 
     #[test]
     fn polygons_without_area_are_not_simple() {
-        assert!(!cut(&flat(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)])).simple);
-        assert!(!cut(&[Vec3::ONE; 6]).simple);
+        let line = flat(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]);
+        assert!(!triangulated(&line).simple);
+        assert!(!triangulated(&[Vec3::ONE; 6]).simple);
     }
 
     #[test]
-    fn a_spiral_is_cut_without_overlap() {
+    fn spiral_is_triangulated_without_overlap() {
         let arm = |radius: f64, i: i32| {
             let angle = 0.3 * f64::from(i);
             let r = radius + 0.1 * f64::from(i);
@@ -212,17 +229,17 @@ mod tests {
         let outer = (0..60).map(|i| arm(1.0, i));
         let inner = (0..60).rev().map(|i| arm(0.5, i));
         let spiral = flat(&outer.chain(inner).collect::<Vec<_>>());
-        let cut = cut(&spiral);
-        assert!(cut.simple);
-        let areas = doubled_areas(&spiral, &cut);
+        let result = triangulated(&spiral);
+        assert!(result.simple);
+        let areas = doubled_areas(&spiral, &result);
         let sign = areas[0].z.signum();
         assert!(areas.iter().all(|area| area.z * sign > 0.0));
     }
 
     proptest! {
-        /// Star-shaped polygons, concave as a rule, turned any way in space.
+        /// Star-shaped polygons, mostly concave, with any orientation in space.
         #[test]
-        fn triangles_cover_the_polygon_once(
+        fn triangles_cover_the_polygon_exactly_once(
             radii in prop::collection::vec(0.2..1.0_f64, 4..40),
             turn in prop::array::uniform3(-1.0..1.0_f64),
             scale in 1e-6..1e6_f64,
@@ -241,12 +258,13 @@ mod tests {
             if backwards {
                 corners.reverse();
             }
-            let cut = cut(&corners);
-            prop_assert!(cut.simple);
-            prop_assert_eq!(cut.triangles.len(), n - 2);
-            // Every triangle winds as the polygon does, and their areas add up to the polygon's.
+            let result = triangulated(&corners);
+            prop_assert!(result.simple);
+            prop_assert_eq!(result.triangles.len(), n - 2);
+            // Every triangle has the winding order of the polygon, and the areas add up to that of
+            // the polygon.
             let whole: Vec3 = (0..n).map(|i| corners[i].cross(corners[(i + 1) % n])).sum();
-            let areas = doubled_areas(&corners, &cut);
+            let areas = doubled_areas(&corners, &result);
             for area in &areas {
                 prop_assert!(area.dot(whole) > 0.0);
             }

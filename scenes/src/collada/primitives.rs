@@ -1,26 +1,26 @@
-//! `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>`, `<trifans>`: runs of index groups.
+//! `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>`, `<trifans>`: groups of indices.
 //!
-//! Each `<p>` is a list of groups, one a corner; a group has one index for each input, at the input's
-//! offset. The five elements differ in how groups make polygons.
+//! Each `<p>` is a list of groups, one per corner. A group has one index for each input, at the
+//! offset of the input. The five elements differ in how groups form polygons.
 
 use super::document::{Document, Element, child, children, describe, tag};
-use super::numbers::{indices, place_of, whole_attribute};
+use super::numbers::{indices, integer_attribute, token_range};
 use crate::diagnostic::SceneError;
 
-/// Most indices a corner can have. Files have up to about ten.
+/// Maximum number of indices per corner. Files have up to about ten.
 const MAX_STRIDE: u64 = 64;
 
-/// The index lists of a primitive element and how they fall into polygons.
+/// The index lists of a primitive element, and its polygons.
 pub(super) struct Polygons<'a> {
     pub(super) inputs: Vec<InputAt<'a>>,
     pub(super) lists: Vec<IndexList<'a>>,
-    /// Indices a corner.
+    /// Number of indices per corner.
     pub(super) stride: usize,
-    /// How many polygons, strips or fans there are, to be compared with `count`.
+    /// Number of polygons, strips or fans, to be compared with the attribute `count`.
     pub(super) declared: usize,
-    /// What `declared` counts.
+    /// What `declared` counts, for messages.
     pub(super) what: &'static str,
-    runs: Vec<Polygon>,
+    polygons: Vec<Polygon>,
 }
 
 /// An `<input>` and its offset in a group.
@@ -29,13 +29,13 @@ pub(super) struct InputAt<'a> {
     pub(super) offset: usize,
 }
 
-/// A `<p>`.
+/// A `<p>` element.
 pub(super) struct IndexList<'a> {
     pub(super) element: Element<'a>,
     pub(super) indices: Vec<u32>,
 }
 
-/// A polygon: corners from consecutive groups, but for a fan, whose first corner stays.
+/// A polygon of consecutive groups. In a fan, the first corner is the same for all triangles.
 #[derive(Clone, Copy)]
 pub(super) struct Polygon {
     pub(super) list: usize,
@@ -43,12 +43,12 @@ pub(super) struct Polygon {
     corners: usize,
     /// The group of the corner that all triangles of a fan share.
     hub: Option<usize>,
-    /// Whether the winding is to be turned round, as in every second triangle of a strip.
+    /// Whether the winding order is reversed, as in every second triangle of a strip.
     pub(super) reversed: bool,
 }
 
 impl Polygon {
-    /// The group of corner number `corner`.
+    /// The group of corner `corner`.
     pub(super) fn group(&self, corner: usize) -> usize {
         match self.hub {
             Some(hub) if corner == 0 => hub,
@@ -57,7 +57,7 @@ impl Polygon {
         }
     }
 
-    /// The groups of its corners.
+    /// The groups of all corners.
     pub(super) fn groups(&self) -> impl Iterator<Item = usize> {
         (0..self.corners).map(|corner| self.group(corner))
     }
@@ -65,16 +65,19 @@ impl Polygon {
 
 impl Polygons<'_> {
     pub(super) fn is_empty(&self) -> bool {
-        self.runs.is_empty()
+        self.polygons.is_empty()
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = &Polygon> {
-        self.runs.iter()
+        self.polygons.iter()
     }
 
-    /// How many triangles the polygons make.
+    /// Number of triangles of all polygons.
     pub(super) fn triangle_count(&self) -> usize {
-        self.runs.iter().map(|polygon| polygon.corners - 2).sum()
+        self.polygons
+            .iter()
+            .map(|polygon| polygon.corners - 2)
+            .sum()
     }
 }
 
@@ -97,10 +100,10 @@ pub(super) fn read_polygons<'a>(
                 indices: indices(doc, part)?,
             }),
             "ph" => doc.warn(|| {
-                let help = "let the modelling program triangulate the mesh before it exports";
+                let help = "triangulate the mesh in the modelling program before the export";
                 doc.on(
                     part,
-                    "a polygon with holes is passed over",
+                    "a polygon with holes is ignored",
                     "holes are not supported",
                 )
                 .help(help)
@@ -118,7 +121,7 @@ pub(super) fn read_polygons<'a>(
                 .on(
                     list.element,
                     title,
-                    format!("expected {stride} indices a corner, one for each offset"),
+                    format!("expected {stride} indices per corner, one for each offset"),
                 )
                 .help("part of the list is missing, or an <input> has a wrong offset")
                 .into());
@@ -130,12 +133,12 @@ pub(super) fn read_polygons<'a>(
         stride,
         declared: 0,
         what: "polygons",
-        runs: Vec::new(),
+        polygons: Vec::new(),
     };
     match tag(element) {
         "triangles" => polygons.split_triangles(doc)?,
         "polylist" => polygons.split_polylist(doc, element)?,
-        "polygons" => polygons.take_whole_lists(doc),
+        "polygons" => polygons.split_lists(doc),
         strips_or_fans => polygons.split_strips(strips_or_fans == "trifans"),
     }
     Ok(polygons)
@@ -147,7 +150,7 @@ fn read_inputs<'a>(
 ) -> Result<Vec<InputAt<'a>>, SceneError> {
     let inputs = children(element).filter(|child| tag(*child) == "input");
     inputs
-        .map(|input| match whole_attribute(doc, input, "offset")? {
+        .map(|input| match integer_attribute(doc, input, "offset")? {
             Some(offset) if offset < MAX_STRIDE => Ok(InputAt {
                 element: input,
                 offset: offset as usize,
@@ -155,7 +158,7 @@ fn read_inputs<'a>(
             Some(offset) => {
                 let title = format!("offset=\"{offset}\" is too large");
                 let expected = format!("expected at most {}", MAX_STRIDE - 1);
-                let help = "offsets count the indices of one corner, from 0";
+                let help = "an offset is the position of an index in its corner, from 0";
                 Err(doc
                     .on_attribute(input, "offset", title, expected)
                     .help(help)
@@ -181,7 +184,7 @@ impl<'a> Polygons<'a> {
             hub: None,
             reversed: false,
         };
-        self.runs.push(polygon);
+        self.polygons.push(polygon);
     }
 
     fn split_triangles(&mut self, doc: &Document<'a>) -> Result<(), SceneError> {
@@ -190,7 +193,7 @@ impl<'a> Polygons<'a> {
             let corners = self.corners_in(list);
             if !corners.is_multiple_of(3) {
                 let title = format!("<p> has {corners} corners, not a multiple of 3");
-                let expected = "expected three corners a triangle";
+                let expected = "expected three corners per triangle";
                 let help = "part of the list is missing: export the file again";
                 return Err(doc
                     .on(self.lists[list].element, title, expected)
@@ -223,7 +226,7 @@ impl<'a> Polygons<'a> {
             .sum();
         if needed != found as u64 || self.lists.len() > 1 {
             let title = format!(
-                "<vcount> of {} asks for {needed} corners, <p> has {found}",
+                "<vcount> of {} needs {needed} corners, <p> has {found}",
                 describe(element)
             );
             return Err(doc
@@ -232,7 +235,7 @@ impl<'a> Polygons<'a> {
                     title,
                     format!("expected counts that add up to {found}, in one <p>"),
                 )
-                .help("part of a list is missing or doubled: export the file again")
+                .help("part of a list is missing or duplicated: export the file again")
                 .into());
         }
         let mut first = 0;
@@ -246,9 +249,9 @@ impl<'a> Polygons<'a> {
                     doc.warn(|| {
                         let title = format!("a polygon has {count} corners");
                         doc.at(
-                            place_of(doc, vcount, i),
+                            token_range(doc, vcount, i),
                             title,
-                            "expected at least 3; it is passed over",
+                            "expected at least 3; it is ignored",
                         )
                     });
                 }
@@ -259,29 +262,29 @@ impl<'a> Polygons<'a> {
         Ok(())
     }
 
-    /// `<polygons>`: each `<p>` is one polygon.
-    fn take_whole_lists(&mut self, doc: &Document<'a>) {
+    /// `<polygons>`: each `<p>` is a polygon.
+    fn split_lists(&mut self, doc: &Document<'a>) {
         self.declared = self.lists.len();
         for list in 0..self.lists.len() {
             match self.corners_in(list) {
                 corners @ 3.. => self.push(list, 0, corners),
                 corners => doc.warn(|| {
                     let title = format!("a polygon has {corners} corners");
-                    let expected = "expected at least 3; it is passed over";
+                    let expected = "expected at least 3; it is ignored";
                     doc.on(self.lists[list].element, title, expected)
                 }),
             }
         }
     }
 
-    /// Each `<p>` is a strip (every three consecutive corners, the winding alternating) or a fan (the
-    /// first corner with every two consecutive others).
+    /// Each `<p>` is a strip (all triples of consecutive corners, with alternating winding order)
+    /// or a fan (the first corner with all pairs of consecutive other corners).
     fn split_strips(&mut self, fans: bool) {
         self.what = if fans { "fans" } else { "strips" };
         self.declared = self.lists.len();
         for list in 0..self.lists.len() {
             for i in 0..self.corners_in(list).saturating_sub(2) {
-                self.runs.push(if fans {
+                self.polygons.push(if fans {
                     Polygon {
                         list,
                         first: i + 1,

@@ -1,11 +1,11 @@
-//! `<source>`: an array of numbers and the accessor that says how to read points out of it.
+//! `<source>`: an array of numbers, and the accessor that describes its entries.
 
 use super::document::{Document, Element, child, children, describe, tag};
-use super::numbers::{check_count, floats, whole_attribute};
+use super::numbers::{check_count, floats, integer_attribute};
 use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
 
-/// Reads a source of points or directions: three numbers an entry.
+/// Reads a source of points or directions, with three numbers per entry.
 pub(super) fn vectors<'a>(
     doc: &Document<'a>,
     source: Element<'a>,
@@ -15,8 +15,8 @@ pub(super) fn vectors<'a>(
     let entries = entries(
         doc,
         source,
-        Entry {
-            of: "three",
+        EntryDescription {
+            numbers: "three",
             params: "X, Y, Z",
             help,
         },
@@ -24,14 +24,14 @@ pub(super) fn vectors<'a>(
     Ok(entries.into_iter().map(Vec3::from_array).collect())
 }
 
-/// Reads a source of texture coordinates: two numbers an entry, or the first two of more.
+/// Reads a source of texture coordinates, with two numbers per entry, or the first two of more.
 pub(super) fn pairs<'a>(doc: &Document<'a>, source: Element<'a>) -> Result<Vec<Vec2>, SceneError> {
     let help = "texture coordinates are pairs: set stride=\"2\" and name two params";
     let entries = entries(
         doc,
         source,
-        Entry {
-            of: "two",
+        EntryDescription {
+            numbers: "two",
             params: "S, T",
             help,
         },
@@ -39,9 +39,9 @@ pub(super) fn pairs<'a>(doc: &Document<'a>, source: Element<'a>) -> Result<Vec<V
     Ok(entries.into_iter().map(Vec2::from_array).collect())
 }
 
-/// What an entry of a source is, in words.
-struct Entry {
-    of: &'static str,
+/// Descriptions of an entry of a source, for messages.
+struct EntryDescription {
+    numbers: &'static str,
     params: &'static str,
     help: &'static str,
 }
@@ -49,7 +49,7 @@ struct Entry {
 fn entries<'a, const N: usize>(
     doc: &Document<'a>,
     source: Element<'a>,
-    entry: Entry,
+    entry: EntryDescription,
 ) -> Result<Vec<[f64; N]>, SceneError> {
     let technique = doc.child(source, "technique_common")?;
     let accessor = doc.child(technique, "accessor")?;
@@ -57,18 +57,18 @@ fn entries<'a, const N: usize>(
     let numbers = floats(doc, array)?;
     check_count(doc, array, numbers.len() as u64, "numbers")?;
 
-    let stride = whole_attribute(doc, accessor, "stride")?.unwrap_or(1);
-    let offset = whole_attribute(doc, accessor, "offset")?.unwrap_or(0);
-    let count = whole_attribute(doc, accessor, "count")?;
-    let places: [usize; N] = coordinates(doc, accessor, stride, entry)?;
+    let stride = integer_attribute(doc, accessor, "stride")?.unwrap_or(1);
+    let offset = integer_attribute(doc, accessor, "offset")?.unwrap_or(0);
+    let count = integer_attribute(doc, accessor, "count")?;
+    let positions: [usize; N] = coordinates(doc, accessor, stride, entry)?;
 
-    let last = places.into_iter().max().unwrap_or(0) as u64;
-    let room = (numbers.len() as u64).saturating_sub(offset.saturating_add(last));
-    let fitting = room.div_ceil(stride);
-    let count = count.unwrap_or(fitting);
-    if count > fitting {
+    let last = positions.into_iter().max().unwrap_or(0) as u64;
+    let available = (numbers.len() as u64).saturating_sub(offset.saturating_add(last));
+    let max_count = available.div_ceil(stride);
+    let count = count.unwrap_or(max_count);
+    if count > max_count {
         let title = format!(
-            "{} reads {count} entries, but {} holds {fitting}",
+            "{} reads {count} entries, but {} contains {max_count}",
             describe(accessor),
             describe(array)
         );
@@ -77,20 +77,20 @@ fn entries<'a, const N: usize>(
                 accessor,
                 "count",
                 title,
-                format!("expected at most {fitting}"),
+                format!("expected at most {max_count}"),
             )
             .help("part of the array is missing: export the file again, or correct the count")
             .into());
     }
-    // All of it fits the array, so the indices fit a usize.
+    // All entries are inside the array, so the numbers fit a usize.
     let (stride, offset) = (stride as usize, offset as usize);
     let entry = |i: usize| &numbers[offset + i * stride..];
     Ok((0..count as usize)
-        .map(|i| places.map(|place| entry(i)[place]))
+        .map(|i| positions.map(|position| entry(i)[position]))
         .collect())
 }
 
-/// The array that the accessor refers to: usually inside the same source.
+/// The array that the accessor refers to, usually in the same source.
 fn array_of<'a>(
     doc: &Document<'a>,
     source: Element<'a>,
@@ -105,13 +105,13 @@ fn array_of<'a>(
     }
 }
 
-/// Where in an entry its `N` coordinates stand: the first params with a name. An accessor without any
-/// params reads the first numbers.
+/// The positions of the `N` coordinates in an entry: the first params with a name. Without params:
+/// the first numbers.
 fn coordinates<'a, const N: usize>(
     doc: &Document<'a>,
     accessor: Element<'a>,
     stride: u64,
-    entry: Entry,
+    entry: EntryDescription,
 ) -> Result<[usize; N], SceneError> {
     let params: Vec<Element<'a>> = children(accessor).filter(|e| tag(*e) == "param").collect();
     let named: Vec<usize> = if params.is_empty() {
@@ -124,12 +124,14 @@ fn coordinates<'a, const N: usize>(
         named.map(|(i, _)| i).take(N).collect()
     };
     match <[usize; N]>::try_from(named) {
-        Ok(places) if places.iter().all(|place| (*place as u64) < stride) => Ok(places),
+        Ok(positions) if positions.iter().all(|position| (*position as u64) < stride) => {
+            Ok(positions)
+        }
         _ => {
             let title = format!(
-                "{} does not read {} numbers an entry",
+                "{} does not read {} numbers per entry",
                 describe(accessor),
-                entry.of
+                entry.numbers
             );
             let params = entry.params;
             let expected = format!("expected params {params} and a stride of at least {N}");

@@ -1,14 +1,15 @@
-//! `<texture>`: from the name in a material to an image file.
+//! `<texture>`: finds the image file of a texture.
 //!
-//! The way is long: `<texture texture="sampler">` names a `<newparam>` of the effect with a `<sampler2D>`, whose
-//! `<source>` names another with a `<surface>`, whose `<init_from>` names an `<image>`, whose `<init_from>` is the file.
-//! COLLADA 1.5 leaves out the surface (`<instance_image>`); many exporters write the image's id right away.
+//! The chain of references is long. `<texture texture="sampler">` refers to a `<newparam>` of the
+//! effect with a `<sampler2D>`. Its `<source>` refers to another one with a `<surface>`. Its
+//! `<init_from>` refers to an `<image>`, whose `<init_from>` is the file. COLLADA 1.5 has no
+//! surface (`<instance_image>`). Many exporters write the id of the image directly.
 
-use super::document::{Document, Element, child, children, descend, short, tag};
+use super::document::{Document, Element, child, children, descendant, tag, truncated};
 use crate::diagnostic::SceneError;
 
-/// The file of the picture that `texture`, in `effect`, asks for, as the file names it; `None`, with a warning, if it
-/// names none.
+/// The image file of `texture` in `effect`, as named in the file. `None`, with a warning, if there
+/// is none.
 pub(super) fn file<'a>(
     doc: &Document<'a>,
     effect: Element<'a>,
@@ -18,16 +19,16 @@ pub(super) fn file<'a>(
     let file = image(doc, effect, name).and_then(init_from);
     if file.is_none() {
         doc.warn(|| {
-            let title = format!("the texture `{}` leads to no image file", short(name));
+            let title = format!("the texture `{}` has no image file", truncated(name));
             let expected = "expected a sampler, or an <image> with <init_from>";
             doc.on_attribute(texture, "texture", title, expected)
-                .help("the surface is taken as grey, 0.5 0.5 0.5")
+                .help("the surface uses grey, 0.5 0.5 0.5")
         });
     }
     Ok(file.map(path))
 }
 
-/// The `<image>` that `name` leads to.
+/// The `<image>` that `name` refers to.
 fn image<'a>(doc: &Document<'a>, effect: Element<'a>, name: &str) -> Option<Element<'a>> {
     let Some(sampler) = parameter(effect, name).and_then(|param| child(param, "sampler2D")) else {
         return doc.find(&format!("#{name}"), "image");
@@ -36,7 +37,9 @@ fn image<'a>(doc: &Document<'a>, effect: Element<'a>, name: &str) -> Option<Elem
         return doc.find(instance.attribute("url")?, "image");
     }
     let surface = parameter(effect, child(sampler, "source")?.text()?.trim())?;
-    let id = descend(surface, &["surface", "init_from"])?.text()?.trim();
+    let id = descendant(surface, &["surface", "init_from"])?
+        .text()?
+        .trim();
     doc.find(&format!("#{id}"), "image")
 }
 
@@ -51,14 +54,14 @@ fn parameter<'a>(effect: Element<'a>, sid: &str) -> Option<Element<'a>> {
         .find(|param| tag(*param) == "newparam" && param.attribute("sid") == Some(sid))
 }
 
-/// What an `<image>` is read from; in COLLADA 1.5 one element deeper.
+/// The file of an `<image>`. In COLLADA 1.5 it is one element deeper.
 fn init_from<'a>(image: Element<'a>) -> Option<&'a str> {
     let from = child(image, "init_from")?;
     let text = child(from, "ref").unwrap_or(from).text()?.trim();
     (!text.is_empty()).then_some(text)
 }
 
-/// A URI as a path: without `file://`, with `%20` and its like written out.
+/// Converts a URI to a path: removes `file://` and decodes `%20` and the like.
 fn path(uri: &str) -> String {
     let uri = uri.strip_prefix("file://").unwrap_or(uri);
     let mut bytes = Vec::with_capacity(uri.len());

@@ -1,6 +1,6 @@
-//! Transforms: what stands in a `<node>`, and the axis that the file calls up.
+//! Transforms: the transform elements of a `<node>`, and the up axis of the file.
 
-use super::document::{Document, Element, child, describe, short, tag};
+use super::document::{Document, Element, child, describe, tag, truncated};
 use super::limits::in_world;
 use super::numbers::{exactly, floats};
 use crate::diagnostic::SceneError;
@@ -23,7 +23,7 @@ impl Affine {
         Affine { m, t: Vec3::ZERO }
     }
 
-    /// First `inner`, then this.
+    /// The composition that applies `inner` first, then this.
     pub(super) fn after(&self, inner: &Affine) -> Affine {
         Affine {
             m: self.m * inner.m,
@@ -39,20 +39,21 @@ impl Affine {
         self.m * d
     }
 
-    /// Whether it maps the unit cube to numbers that world space has room for.
+    /// Whether the images of the unit vectors and of the origin are within the limits of world
+    /// space.
     pub(super) fn stays_in_world(&self) -> bool {
         [self.m.x_axis, self.m.y_axis, self.m.z_axis, self.t]
             .into_iter()
             .all(in_world)
     }
 
-    /// Whether it turns a right hand into a left one.
+    /// Whether the map changes the handedness.
     pub(super) fn mirrors(&self) -> bool {
         self.m.determinant() < 0.0
     }
 
-    /// What maps normals, up to their length: the inverse transpose, as the matrix of cofactors times
-    /// the sign of the determinant, which exists for flattening maps too.
+    /// The matrix for normals, up to their length: the inverse transpose, computed as the cofactor
+    /// matrix times the sign of the determinant, which also exists for singular maps.
     pub(super) fn for_normals(&self) -> Mat3 {
         let Mat3 {
             x_axis,
@@ -72,9 +73,11 @@ impl Affine {
     }
 }
 
-/// World space is Y-up. From the axes of the file: Z_UP maps (x, y, z) to (-x, z, y), as the original
-/// course program does (half a turn about y from the standard's own reading); X_UP maps to (-y, x, z), by
-/// the standard. A file that says nothing is Y-up.
+/// The transform from the axes of the file to world space, where +y is up.
+///
+/// Z_UP maps (x, y, z) to (-x, z, y), as the original course program does. This differs from the
+/// standard by half a turn about y. X_UP maps to (-y, x, z), as in the standard. The default is
+/// Y_UP.
 pub(super) fn up_axis<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Affine, SceneError> {
     let Some(element) = child(root, "asset").and_then(|asset| child(asset, "up_axis")) else {
         return Ok(Affine::IDENTITY);
@@ -95,15 +98,15 @@ pub(super) fn up_axis<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Affin
         other => Err(doc
             .on(
                 element,
-                format!("`{}` is not an axis", short(other)),
+                format!("`{}` is not an axis", truncated(other)),
                 "expected X_UP, Y_UP or Z_UP",
             )
-            .help("say which way is up, as the modelling program has it")
+            .help("write the up axis that the modelling program uses")
             .into()),
     }
 }
 
-/// The transform that a child of `<node>` stands for; `None` if it is something else.
+/// The transform of a child element of `<node>`; `None` if it is not a transform element.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     element: Element<'a>,
@@ -136,31 +139,32 @@ pub(super) fn read<'a>(
     Ok(Some(affine))
 }
 
-/// Sixteen numbers, row by row. The last row must be 0 0 0 1: what is missing of it is added with a warning.
+/// Sixteen numbers in row-major order. The last row must be 0 0 0 1; missing numbers of it are
+/// filled in, with a warning.
 fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneError> {
     const LAST_ROW: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
     let mut numbers = floats(doc, element)?;
     let found = numbers.len();
-    let finding = |title: String| {
+    let diagnostic = |title: String| {
         let expected = "expected 16 numbers, row by row, the last row 0 0 0 1";
         doc.on(element, title, expected)
     };
     if !(12..=16).contains(&found) {
-        let help = "count the numbers: four rows of four";
-        return Err(finding(format!("<matrix> has {found} numbers"))
+        let help = "write four rows of four numbers";
+        return Err(diagnostic(format!("<matrix> has {found} numbers"))
             .help(help)
             .into());
     }
     numbers.extend(&LAST_ROW[found - 12..]);
     if numbers[12..] != LAST_ROW {
-        return Err(finding("the last row of <matrix> is not 0 0 0 1".into())
-            .help("only affine transforms are supported; a matrix written column by column must be transposed")
+        return Err(diagnostic("the last row of <matrix> is not 0 0 0 1".into())
+            .help("only affine transforms are supported; a column-major matrix must be transposed")
             .into());
     }
     if found < 16 {
         doc.warn(|| {
-            finding(format!("<matrix> has {found} numbers"))
-                .relabel("taken as if the rest of the last row, 0 0 0 1, were there")
+            diagnostic(format!("<matrix> has {found} numbers"))
+                .relabel("missing numbers are filled in from the last row 0 0 0 1")
         });
     }
     let row = |i: usize| Vec3::new(numbers[4 * i], numbers[4 * i + 1], numbers[4 * i + 2]);
@@ -174,30 +178,32 @@ fn matrix<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneE
 fn rotate<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneError> {
     let [x, y, z, degrees] = exactly::<4>(doc, element, "an axis x y z and an angle in degrees")?;
     let axis = Vec3::new(x, y, z).try_normalize().ok_or_else(|| {
-        let title = format!("{} turns about an axis without length", describe(element));
+        let title = format!("{} has a rotation axis of length 0", describe(element));
         doc.on(element, title, "expected an axis that is not 0 0 0")
             .help("write the axis first, then the angle, such as 0 0 1 90")
     })?;
     let radians = degrees.to_radians();
     let (sin, cos) = (math::sin(radians), math::cos(radians));
-    // Rodrigues: v cos + (axis x v) sin + axis (axis.v)(1 - cos), applied to the three unit vectors.
-    let turned = |v: Vec3| v * cos + axis.cross(v) * sin + axis * axis.dot(v) * (1.0 - cos);
+    // Rodrigues' formula, v cos + (axis x v) sin + axis (axis.v)(1 - cos), for the three unit
+    // vectors.
+    let rotated = |v: Vec3| v * cos + axis.cross(v) * sin + axis * axis.dot(v) * (1.0 - cos);
     Ok(Affine::linear(Mat3::from_cols(
-        turned(Vec3::X),
-        turned(Vec3::Y),
-        turned(Vec3::Z),
+        rotated(Vec3::X),
+        rotated(Vec3::Y),
+        rotated(Vec3::Z),
     )))
 }
 
-/// Eye, point of interest and up: the transform of a camera that looks there along its -z.
+/// Eye, point of interest and up: the transform of a camera that looks along its -z from the eye to
+/// the point of interest.
 fn look_at<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Affine, SceneError> {
     let n = exactly::<9>(doc, element, "eye x y z, point of interest x y z, up x y z")?;
     let [eye, interest, up] = [0, 3, 6].map(|i| Vec3::new(n[i], n[i + 1], n[i + 2]));
-    let m = kit::Camera::look_at(eye, interest, up).map_err(|why| {
+    let m = kit::Camera::look_at(eye, interest, up).map_err(|error| {
         doc.on(
             element,
-            format!("<lookat> does not say where to look: {why}"),
-            "eye, interest, up",
+            format!("<lookat> has no valid direction: {error}"),
+            "expected eye, point of interest, up",
         )
         .help("correct the nine numbers")
     })?;

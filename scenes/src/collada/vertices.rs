@@ -1,4 +1,4 @@
-//! `<vertices>`: what a mesh binds together under one index; and the sources that inputs refer to.
+//! `<vertices>`: the inputs that share one index; and the sources that inputs refer to.
 
 use super::document::{Document, Element, children, describe, tag};
 use super::source::{pairs, vectors};
@@ -8,16 +8,16 @@ use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Points, directions or texture coordinates, and the element they were read from.
+/// Points, directions or texture coordinates, and the element from which they were read.
 pub(super) struct Vectors<'a, T = Vec3> {
     pub(super) element: Element<'a>,
     pub(super) values: Vec<T>,
 }
 
-/// The sources that were read so far: several inputs may refer to one.
+/// The sources that were read so far. Several inputs may refer to the same source.
 #[derive(Default)]
 pub(super) struct Sources<'a> {
-    read: HashMap<NodeId, Rc<Vectors<'a>>>,
+    vectors: HashMap<NodeId, Rc<Vectors<'a>>>,
     pairs: HashMap<NodeId, Rc<Vectors<'a, Vec2>>>,
 }
 
@@ -29,7 +29,7 @@ impl<'a> Sources<'a> {
         input: Element<'a>,
     ) -> Result<Rc<Vectors<'a>>, SceneError> {
         let element = doc.target(input, "source", "source")?;
-        once(&mut self.read, element, || vectors(doc, element))
+        get_or_read(&mut self.vectors, element, || vectors(doc, element))
     }
 
     /// The texture coordinates that an `<input>` refers to.
@@ -39,22 +39,22 @@ impl<'a> Sources<'a> {
         input: Element<'a>,
     ) -> Result<Rc<Vectors<'a, Vec2>>, SceneError> {
         let element = doc.target(input, "source", "source")?;
-        once(&mut self.pairs, element, || pairs(doc, element))
+        get_or_read(&mut self.pairs, element, || pairs(doc, element))
     }
 }
 
-/// What was read of `element` before, else what `read` gives now.
-fn once<'a, T>(
-    so_far: &mut HashMap<NodeId, Rc<Vectors<'a, T>>>,
+/// The cached values of `element`, or the result of `read`, which is then cached.
+fn get_or_read<'a, T>(
+    cache: &mut HashMap<NodeId, Rc<Vectors<'a, T>>>,
     element: Element<'a>,
     read: impl FnOnce() -> Result<Vec<T>, SceneError>,
 ) -> Result<Rc<Vectors<'a, T>>, SceneError> {
-    if let Some(vectors) = so_far.get(&element.id()) {
+    if let Some(vectors) = cache.get(&element.id()) {
         return Ok(Rc::clone(vectors));
     }
     let values = read()?;
     let vectors = Rc::new(Vectors { element, values });
-    so_far.insert(element.id(), Rc::clone(&vectors));
+    cache.insert(element.id(), Rc::clone(&vectors));
     Ok(vectors)
 }
 
@@ -92,7 +92,7 @@ impl<'a> Vertices<'a> {
                     format!("{} has no positions", describe(element)),
                     "expected <input semantic=\"POSITION\" source=\"#...\"/>",
                 )
-                .help("name the source that holds the vertices' coordinates")
+                .help("refer to the source with the coordinates of the vertices")
                 .into()),
         }
     }

@@ -1,4 +1,4 @@
-//! Broken files: each gives one error that says where, what was expected and what to do.
+//! Invalid files. Each gives one error with the position, what was expected, and what to do.
 
 use crate::small::{self, SMALL, load_edited};
 use scenes::SceneError;
@@ -6,12 +6,12 @@ use scenes::SceneError;
 /// The error of the small file with `from` replaced by `to`.
 fn error(from: &str, to: &str) -> SceneError {
     match load_edited(from, to) {
-        Ok(_) => panic!("`{to}` in place of `{from}` is no error"),
+        Ok(_) => panic!("`{to}` in place of `{from}` gives no error"),
         Err(error) => error,
     }
 }
 
-/// Checks head line, line of the file and that the error says what was expected and what to do.
+/// Checks the title, the line in the file, and that the error has an expectation and advice.
 fn assert_error(error: &SceneError, title: &str, line: usize) {
     assert_eq!(error.0.title(), title, "\n{error}");
     assert_eq!(error.0.line_and_column().unwrap().0, line, "\n{error}");
@@ -30,7 +30,7 @@ fn assert_error(error: &SceneError, title: &str, line: usize) {
 }
 
 #[test]
-fn the_small_file_itself_is_right() {
+fn small_file_is_valid() {
     let loaded = scenes::parse("small.dae", SMALL).unwrap_or_else(|e| panic!("{e}"));
     assert!(loaded.warnings.is_empty(), "{}", loaded.warnings[0]);
     assert_eq!(
@@ -40,7 +40,7 @@ fn the_small_file_itself_is_right() {
 }
 
 #[test]
-fn a_report_shows_the_line_and_marks_the_place() {
+fn report_shows_the_line_and_marks_the_position() {
     let report = error("0 1 2 0 2 3", "0 1 2 0 2 7").to_string();
     let expected = "\
 error: index 7 is out of range: <source id=\"points\"> has 4 entries
@@ -54,14 +54,14 @@ error: index 7 is out of range: <source id=\"points\"> has 4 entries
 }
 
 #[test]
-fn a_report_for_a_terminal_has_colours_and_a_plain_one_has_none() {
+fn styled_report_has_colours_and_plain_report_has_none() {
     let error = error("0 1 2 0 2 3", "0 1 2 0 2 7");
     assert!(error.styled().contains('\u{1b}'));
     assert!(!error.to_string().contains('\u{1b}'));
 }
 
 #[test]
-fn lines_of_a_megabyte_are_shown_in_part() {
+fn very_long_lines_are_truncated_in_reports() {
     let many = "0 1 2 ".repeat(100_000);
     let text = small::edited("0 1 2 0 2 3", &format!("{many} 0 1 9 {many}"))
         .replace("count=\"2\"", "count=\"200001\"");
@@ -70,8 +70,8 @@ fn lines_of_a_megabyte_are_shown_in_part() {
     assert!(report.len() < 1000, "{} bytes", report.len());
 }
 
-/// What is broken, by what, the head line of the error and its line in the file.
-const BROKEN: &[(&str, &str, &str, usize)] = &[
+/// Text to replace, its replacement, the title of the error, and its line in the file.
+const INVALID: &[(&str, &str, &str, usize)] = &[
     // Missing parts.
     (
         "<vertices id=\"square-vertices\"><input semantic=\"POSITION\" source=\"#points\"/></vertices>",
@@ -118,7 +118,7 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
         "<perspective> has no angle of view",
         6,
     ),
-    // References that name nothing, or the wrong thing.
+    // References to missing elements, or to elements with another tag.
     (
         "url=\"#square\"",
         "url=\"#sqare\"",
@@ -128,7 +128,7 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "url=\"#square\"",
         "url=\"#points\"",
-        "`#points` names a <source>",
+        "`#points` is the id of a <source>",
         48,
     ),
     (
@@ -184,13 +184,13 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "count=\"12\"",
         "count=\"13\"",
-        "<float_array id=\"points-array\"> says count=\"13\" but holds 12 numbers",
+        "<float_array id=\"points-array\"> has count=\"13\", but contains 12 numbers",
         26,
     ),
     (
         "count=\"12\"",
         "count=\"4000000000\"",
-        "<float_array id=\"points-array\"> says count=\"4000000000\" but holds 12 numbers",
+        "<float_array id=\"points-array\"> has count=\"4000000000\", but contains 12 numbers",
         26,
     ),
     (
@@ -202,43 +202,43 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "count=\"4\"",
         "count=\"4000000000\"",
-        "<accessor> reads 4000000000 entries, but <float_array id=\"points-array\"> holds 4",
+        "<accessor> reads 4000000000 entries, but <float_array id=\"points-array\"> contains 4",
         28,
     ),
     (
         "stride=\"3\"",
         "stride=\"2\"",
-        "<accessor> does not read three numbers an entry",
+        "<accessor> does not read three numbers per entry",
         28,
     ),
     (
         "stride=\"3\"",
         "stride=\"0\"",
-        "<accessor> does not read three numbers an entry",
+        "<accessor> does not read three numbers per entry",
         28,
     ),
     (
         "stride=\"3\"",
         "stride=\"4000000000000000000\"",
-        "<accessor> reads 4 entries, but <float_array id=\"points-array\"> holds 1",
+        "<accessor> reads 4 entries, but <float_array id=\"points-array\"> contains 1",
         28,
     ),
     (
         "stride=\"3\"",
         "stride=\"3\" offset=\"18446744073709551615\"",
-        "<accessor> reads 4 entries, but <float_array id=\"points-array\"> holds 0",
+        "<accessor> reads 4 entries, but <float_array id=\"points-array\"> contains 0",
         28,
     ),
     (
         "<param name=\"Y\"/>",
         "",
-        "<accessor> does not read three numbers an entry",
+        "<accessor> does not read three numbers per entry",
         28,
     ),
     (
         "count=\"2\"",
         "count=\"3\"",
-        "<triangles> says count=\"3\" but holds 2 triangles",
+        "<triangles> has count=\"3\", but contains 2 triangles",
         34,
     ),
     (
@@ -327,7 +327,7 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "1 1 0",
         "1 <b/> 0",
-        "<b> stands in <float_array id=\"points-array\">",
+        "<b> is inside <float_array id=\"points-array\">",
         26,
     ),
     ("<radius>0.5", "<radius>-0.5", "the radius is -0.5", 41),
@@ -349,13 +349,13 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "<translate>3 0 0</translate>",
         "<rotate>0 0 0 90</rotate>",
-        "<rotate> turns about an axis without length",
+        "<rotate> has a rotation axis of length 0",
         53,
     ),
     (
         "<translate>3 0 0</translate>",
         "<lookat>1 1 1 1 1 1 0 1 0</lookat>",
-        "<lookat> does not say where to look: the camera stands on its target, so it looks nowhere: move one of them",
+        "<lookat> has no valid direction: the camera is at its target, so it has no viewing direction: move one of them",
         53,
     ),
     (
@@ -373,7 +373,7 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
     (
         "<translate>3 0 0</translate>",
         "<scale>1e308 1e308 1e308</scale><scale>10 10 10</scale>",
-        "<node id=\"ball-node\"> is placed too far out",
+        "<node id=\"ball-node\"> is too far from the origin",
         52,
     ),
     ("Y_UP", "UP", "`UP` is not an axis", 3),
@@ -393,14 +393,14 @@ const BROKEN: &[(&str, &str, &str, usize)] = &[
 ];
 
 #[test]
-fn every_broken_file_says_where_and_what() {
-    for (from, to, title, line) in BROKEN {
+fn invalid_files_give_an_error_with_title_and_line() {
+    for (from, to, title, line) in INVALID {
         assert_error(&error(from, to), title, *line);
     }
 }
 
 #[test]
-fn malformed_xml_is_shown_where_it_breaks() {
+fn malformed_xml_is_an_error_with_its_position() {
     let cut = scenes::parse("small.dae", &SMALL[..SMALL.len() / 2]).unwrap_err();
     assert!(
         cut.0.title().starts_with("the file is not well-formed XML"),
@@ -428,7 +428,7 @@ fn malformed_xml_is_shown_where_it_breaks() {
 }
 
 #[test]
-fn thousands_of_attributes_or_namespaces_are_an_error_not_a_hang() {
+fn thousands_of_attributes_or_namespaces_are_an_error() {
     let many = |attribute: &str| -> String {
         (0..50_000)
             .map(|i| attribute.replace('N', &i.to_string()))
@@ -447,7 +447,7 @@ fn thousands_of_attributes_or_namespaces_are_an_error_not_a_hang() {
 }
 
 #[test]
-fn equals_signs_in_comments_and_values_are_no_attributes() {
+fn equals_signs_in_comments_and_values_are_not_counted() {
     let banner = "=".repeat(5000);
     let text = format!(
         "<!-- <a {banner} > -->{}",
@@ -458,29 +458,29 @@ fn equals_signs_in_comments_and_values_are_no_attributes() {
 }
 
 #[test]
-fn doctypes_are_refused_so_entities_cannot_blow_up() {
+fn doctypes_are_an_error() {
     let bomb = "<!DOCTYPE x [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]><COLLADA>&b;</COLLADA>";
     let error = scenes::parse("small.dae", bomb).unwrap_err();
     assert!(error.0.what_to_do().unwrap().contains("DOCTYPE"), "{error}");
 }
 
 #[test]
-fn other_xml_is_not_taken_for_a_scene() {
+fn other_xml_is_an_error() {
     let error = scenes::parse("small.dae", "<svg/>").unwrap_err();
     assert_error(&error, "the file is not COLLADA but <svg>", 1);
 }
 
 #[test]
-fn empty_scenes_are_errors_not_empty_pictures() {
+fn empty_scenes_are_an_error() {
     let error = scenes::parse("small.dae", "<COLLADA/>").unwrap_err();
-    assert_error(&error, "no <scene> says what to show", 1);
-    let nothing = error_of_scene("<visual_scene id=\"scene\"/>");
-    assert_error(&nothing, "the scene is empty", 2);
+    assert_error(&error, "no <scene> selects a visual scene", 1);
+    let empty = error_of_scene("<visual_scene id=\"scene\"/>");
+    assert_error(&empty, "the scene is empty", 2);
     let light_only = error_of_scene("<visual_scene id=\"scene\"><node id=\"a\"/></visual_scene>");
     assert_error(&light_only, "the scene is empty", 2);
 }
 
-/// The error of a file that has nothing but a visual scene.
+/// The error of a file that contains only a visual scene.
 fn error_of_scene(visual_scene: &str) -> SceneError {
     let text = format!(
         "<COLLADA><library_visual_scenes>\n{visual_scene}\n</library_visual_scenes>\
@@ -490,17 +490,17 @@ fn error_of_scene(visual_scene: &str) -> SceneError {
 }
 
 #[test]
-fn deep_nesting_is_an_error_not_a_stack_overflow() {
+fn deep_nesting_is_an_error() {
     let deep = 200_000;
     let nested = "<node>".repeat(deep) + &"</node>".repeat(deep);
     let error = error_of_scene(&format!(
         "<visual_scene id=\"scene\">{nested}</visual_scene>"
     ));
-    assert_error(&error, "nodes are nested more than 256 deep", 2);
+    assert_error(&error, "nodes are nested more than 256 levels deep", 2);
 }
 
 #[test]
-fn long_chains_of_instances_are_an_error_not_a_stack_overflow() {
+fn long_chains_of_instances_are_an_error() {
     let chain: String = (0..50_000)
         .map(|i| {
             format!(
@@ -512,12 +512,12 @@ fn long_chains_of_instances_are_an_error_not_a_stack_overflow() {
     let error = error_of_scene(&format!(
         "<visual_scene id=\"scene\">{chain}<node id=\"n50000\"/></visual_scene>"
     ));
-    assert_error(&error, "nodes are nested more than 256 deep", 2);
+    assert_error(&error, "nodes are nested more than 256 levels deep", 2);
 }
 
 #[test]
-fn instances_that_multiply_are_stopped() {
-    // Sixty nodes, each holding the next one twice: 2^60 instances.
+fn exponentially_many_instances_are_an_error() {
+    // Sixty nodes, each with two instances of the next one: 2^60 instances.
     let nodes: String = (0..60)
         .map(|i| format!("<node id=\"n{i}\"><instance_node url=\"#n{0}\"/><instance_node url=\"#n{0}\"/></node>", i + 1))
         .collect();
@@ -526,13 +526,13 @@ fn instances_that_multiply_are_stopped() {
     ));
     assert_error(
         &error,
-        "the scene places more than 1048576 nodes, shapes and lights",
+        "the scene has more than 1048576 instances of nodes, shapes and lights",
         2,
     );
 }
 
 #[test]
-fn meshes_that_multiply_are_stopped_before_memory_is() {
+fn too_many_triangles_over_all_instances_are_an_error() {
     let triangles = "0 1 2 ".repeat(20_000);
     let instances = "<instance_geometry url=\"#square\"/>".repeat(1000);
     let text = small::edited("0 1 2 0 2 3", &triangles)
@@ -550,7 +550,7 @@ fn meshes_that_multiply_are_stopped_before_memory_is() {
 }
 
 #[test]
-fn cycles_over_several_nodes_are_found() {
+fn cycles_over_several_nodes_are_detected() {
     let error = error_of_scene(
         "<visual_scene id=\"scene\"><node id=\"a\"><instance_node url=\"#b\"/></node>\
          <node id=\"b\"><node id=\"c\"><instance_node url=\"#a\"/></node></node></visual_scene>",
@@ -559,7 +559,7 @@ fn cycles_over_several_nodes_are_found() {
 }
 
 #[test]
-fn files_that_cannot_be_read_say_so() {
+fn unreadable_files_are_an_error() {
     let missing = scenes::load("no/such/file.dae").unwrap_err();
     assert!(
         missing.0.title().starts_with("the file cannot be read"),
@@ -575,17 +575,14 @@ fn files_that_cannot_be_read_say_so() {
     let path = folder.path().join("utf16.dae");
     std::fs::write(&path, b"\xff\xfe<\0C\0").unwrap();
     let error = scenes::load(&path).unwrap_err();
-    assert_eq!(
-        error.0.title(),
-        "the file is not text in UTF-8: byte 0 is none of it"
-    );
+    assert_eq!(error.0.title(), "the file is not valid UTF-8 at byte 0");
     std::fs::write(&path, b"").unwrap();
     assert!(scenes::load(&path).is_err());
 }
 
 #[test]
-fn winding_polygons_beyond_all_measure_are_an_error_not_a_hang() {
-    // A comb of 20,000 teeth: the deeper corners make clipping ears slow.
+fn polygons_too_complex_to_triangulate_are_an_error() {
+    // A comb with 20,000 teeth. Its reflex corners make ear clipping slow.
     let teeth = 20_000;
     let points: String = (0..teeth)
         .map(|i| format!("{i} 1 0 {i}.5 {} 0 ", if i % 2 == 0 { -3 } else { 0 }))
@@ -607,7 +604,7 @@ fn winding_polygons_beyond_all_measure_are_an_error_not_a_hang() {
     let error = scenes::parse("small.dae", &text).unwrap_err();
     assert_error(
         &error,
-        "the polygons of <polygons> are too winding to be cut into triangles",
+        "the polygons of <polygons> are too complex to triangulate",
         34,
     );
 }

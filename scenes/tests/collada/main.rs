@@ -1,7 +1,7 @@
-//! The COLLADA reader: what files mean, what is mended, what is refused.
+//! The COLLADA reader: the meaning of valid files, warnings, and errors.
 
 mod errors;
 mod meaning;
-mod mended;
 mod small;
 mod textures;
+mod warnings;

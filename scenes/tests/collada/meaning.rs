@@ -1,4 +1,4 @@
-//! What the elements of a right file mean.
+//! The meaning of the elements of a valid file.
 
 use crate::small::{SMALL, edited};
 use kit::{Camera, Light, Material, Scene, Spectrum, Triangle, Vec3};
@@ -18,23 +18,27 @@ fn points(t: &Triangle) -> [Vec3; 3] {
     [t.p0, t.p1, t.p2]
 }
 
-/// Results of a few multiplications, so a few roundings.
+/// Tolerance for results of a few multiplications.
 const ROUNDING: f64 = 1e-14;
 
 fn assert_near(found: Vec3, expected: Vec3) {
     assert!(
         found.distance(expected) <= ROUNDING,
-        "{found} is not {expected}"
+        "found {found}, expected {expected}"
     );
 }
 
 #[test]
-fn primitives_know_their_object_and_material() {
+fn primitives_have_objects_and_materials() {
     let scene = read(SMALL);
     assert_eq!(scene.object_of, [0, 0, 1]);
     assert_eq!(scene.objects[0].name, "square-node");
     assert_eq!(scene.objects[1].name, "ball-node");
-    assert_eq!(scene.materials.len(), 1, "one material for both");
+    assert_eq!(
+        scene.materials.len(),
+        1,
+        "both objects have the same material"
+    );
     assert_eq!(scene.materials[0].name, "Red");
     let red = Material::Diffuse {
         reflectance: Spectrum::new(0.8, 0.1, 0.1),
@@ -42,7 +46,7 @@ fn primitives_know_their_object_and_material() {
     assert_eq!(*scene.material_of(kit::PrimId(2)), red);
 }
 
-/// The world position of what stands at (1, 2, 3) in a file with this up axis.
+/// The world position of the point (1, 2, 3) in a file with the given up axis.
 fn with_up_axis(axis: &str) -> Vec3 {
     let text = edited("Y_UP", axis).replace(
         "<translate>3 0 0</translate>",
@@ -52,7 +56,7 @@ fn with_up_axis(axis: &str) -> Vec3 {
 }
 
 #[test]
-fn every_axis_can_be_up() {
+fn all_up_axes_are_supported() {
     assert_eq!(with_up_axis("Y_UP"), v(1.0, 2.0, 3.0));
     assert_eq!(with_up_axis("Z_UP"), v(-1.0, 3.0, 2.0));
     assert_eq!(with_up_axis("X_UP"), v(-2.0, 1.0, 3.0));
@@ -63,27 +67,27 @@ fn every_axis_can_be_up() {
     assert_eq!(read(&silent).spheres[0].center, v(1.0, 2.0, 3.0));
 }
 
-/// Where the transform elements take the ball.
-fn ball_under(transforms: &str) -> kit::Sphere {
+/// The sphere under the given transform elements.
+fn sphere_under(transforms: &str) -> kit::Sphere {
     read(&edited("<translate>3 0 0</translate>", transforms)).spheres[0]
 }
 
 #[test]
 fn transforms_apply_from_the_last_to_the_first() {
-    let ball = ball_under(
+    let ball = sphere_under(
         "<translate>1 0 0</translate><rotate>0 0 1 90</rotate><translate>1 0 0</translate>",
     );
     assert_near(ball.center, v(1.0, 1.0, 0.0));
-    let ball = ball_under("<scale>2 2 2</scale><translate>1 0 0</translate>");
+    let ball = sphere_under("<scale>2 2 2</scale><translate>1 0 0</translate>");
     assert_near(ball.center, v(2.0, 0.0, 0.0));
     assert_eq!(ball.radius, 1.0);
 }
 
 #[test]
 fn matrices_are_written_row_by_row() {
-    let ball = ball_under("<matrix>1 0 0 7  0 1 0 8  0 0 1 9  0 0 0 1</matrix>");
+    let ball = sphere_under("<matrix>1 0 0 7  0 1 0 8  0 0 1 9  0 0 0 1</matrix>");
     assert_eq!(ball.center, v(7.0, 8.0, 9.0));
-    // A quarter turn about z takes x to y.
+    // A rotation by 90 degrees about z maps x to y.
     let turned = square_under("0 -1 0 0  1 0 0 0  0 0 1 0  0 0 0 1")[0];
     assert_eq!(turned.p1, Vec3::Y);
 }
@@ -91,19 +95,19 @@ fn matrices_are_written_row_by_row() {
 #[test]
 fn rotations_are_right_handed_and_in_degrees() {
     assert_near(
-        ball_under("<rotate>1 0 0 90</rotate><translate>0 1 0</translate>").center,
+        sphere_under("<rotate>1 0 0 90</rotate><translate>0 1 0</translate>").center,
         v(0.0, 0.0, 1.0),
     );
     assert_near(
-        ball_under("<rotate>0 5 0 90</rotate><translate>0 0 1</translate>").center,
+        sphere_under("<rotate>0 5 0 90</rotate><translate>0 0 1</translate>").center,
         v(1.0, 0.0, 0.0),
     );
 }
 
 #[test]
-fn spheres_turn_mirror_and_scale_evenly() {
-    assert_eq!(ball_under("<scale>-3 3 3</scale>").radius, 1.5);
-    let turned = ball_under("<rotate>1 2 3 40</rotate><scale>3 3 3</scale>").radius;
+fn spheres_can_be_rotated_mirrored_and_scaled_uniformly() {
+    assert_eq!(sphere_under("<scale>-3 3 3</scale>").radius, 1.5);
+    let turned = sphere_under("<rotate>1 2 3 40</rotate><scale>3 3 3</scale>").radius;
     assert!((turned - 1.5).abs() <= ROUNDING);
 }
 
@@ -122,13 +126,13 @@ fn nodes_inside_nodes_and_instances_of_nodes_compose() {
     assert_eq!(twice.objects.len(), 3);
 }
 
-/// The two triangles of the square under a matrix.
+/// The two triangles of the square under the given matrix.
 fn square_under(matrix: &str) -> Vec<Triangle> {
     read(&edited("1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1", matrix)).triangles
 }
 
 #[test]
-fn mirrored_triangles_keep_winding_and_normals_together() {
+fn mirrored_triangles_have_consistent_winding_and_normals() {
     for matrix in [
         "-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1",
         "0 1 0 0  1 0 0 0  0 0 1 0  0 0 0 1",
@@ -140,7 +144,7 @@ fn mirrored_triangles_keep_winding_and_normals_together() {
             assert_near(t.n2, ng);
         }
     }
-    // Mirrored in x the square still faces +z; mirrored in z it faces -z.
+    // Mirrored in x the square still faces +z. Mirrored in z it faces -z.
     assert_near(
         square_under("-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1")[0].n0,
         Vec3::Z,
@@ -152,8 +156,8 @@ fn mirrored_triangles_keep_winding_and_normals_together() {
 }
 
 #[test]
-fn normals_go_by_the_inverse_transpose() {
-    // The square turned to face (1, 0, 1), then flattened in z: its normal leans towards z.
+fn normals_use_the_inverse_transpose() {
+    // The square is rotated to face (1, 0, 1), then scaled in z: its normal tilts towards z.
     let [[a, b], [c, d]] = [[1.0, 1.0], [-0.5, 0.5]];
     let t = square_under(&format!("{a} 0 {b} 0  0 1 0 0  {c} 0 {d} 0  0 0 0 1"))[0];
     let plane = (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
@@ -161,7 +165,7 @@ fn normals_go_by_the_inverse_transpose() {
 }
 
 #[test]
-fn flattened_meshes_keep_finite_normals() {
+fn normals_are_finite_under_singular_transforms() {
     for t in square_under("1 0 0 0  0 1 0 0  0 0 0 0  0 0 0 1") {
         assert_near(t.n0, Vec3::Z);
     }
@@ -173,7 +177,7 @@ fn flattened_meshes_keep_finite_normals() {
     }
 }
 
-/// The triangles of the square's four points in another primitive element.
+/// The triangles of the square's four points with another primitive element.
 fn primitive(element: &str) -> Vec<[Vec3; 3]> {
     let from = SMALL.find("<triangles").unwrap();
     let to = SMALL.find("</triangles>").unwrap() + "</triangles>".len();
@@ -216,7 +220,7 @@ fn every_primitive_element_gives_the_square() {
         primitive("<trifans material=\"paint\" count=\"1\">INPUT<p>0 1 2 3</p></trifans>"),
         two
     );
-    // Every second triangle of a strip winds the other way round: here both face +z.
+    // The winding order of a strip alternates. Here both triangles must face +z.
     let strip =
         primitive("<tristrips material=\"paint\" count=\"1\">INPUT<p>0 1 3 2</p></tristrips>");
     let faces_up = |t: &[Vec3; 3]| (t[1] - t[0]).cross(t[2] - t[0]) == Vec3::Z;
@@ -225,7 +229,7 @@ fn every_primitive_element_gives_the_square() {
 }
 
 #[test]
-fn concave_polygons_are_cut_inside() {
+fn concave_polygons_are_triangulated_inside() {
     // An arrow head: a fan from the first corner would cover the notch.
     let text = edited(
         "0 0 0  1 0 0  1 1 0  0 1 0",
@@ -249,7 +253,7 @@ fn concave_polygons_are_cut_inside() {
 }
 
 #[test]
-fn normals_of_the_file_are_used_and_made_unit() {
+fn normals_of_the_file_are_used_and_normalised() {
     let text = edited(
         "<vertices id=",
         "<source id=\"normals\"><float_array id=\"n\" count=\"6\">0 3 4 0 0 0</float_array><technique_common>\
@@ -260,12 +264,12 @@ fn normals_of_the_file_are_used_and_made_unit() {
     let t = read(&text).triangles[0];
     assert_near(t.n0, v(0.0, 0.6, 0.8));
     assert_near(t.n1, v(0.0, 0.6, 0.8));
-    // A normal without length is that of the plane.
+    // A zero normal is replaced by the geometric normal.
     assert_near(t.n2, Vec3::Z);
 }
 
 #[test]
-fn normals_may_stand_with_the_vertices() {
+fn normals_may_be_an_input_of_the_vertices() {
     let text = edited(
         "<vertices id=\"square-vertices\">",
         "<source id=\"normals\"><float_array id=\"n\" count=\"12\">1 0 0 0 1 0 0 0 1 1 0 0</float_array><technique_common>\
@@ -277,12 +281,13 @@ fn normals_may_stand_with_the_vertices() {
 }
 
 #[test]
-fn without_normals_they_are_weighted_by_area() {
-    // Two triangles at a right angle over the edge from 0 to 1, one with twice the area of the other.
+fn missing_normals_are_area_weighted_means() {
+    // Two triangles at a right angle with a common edge from 0 to 1. One has twice the area of the
+    // other.
     let text = edited("0 0 0  1 0 0  1 1 0  0 1 0", "0 0 0  1 0 0  0 2 0  0 0 1")
         .replace("0 1 2 0 2 3", "0 1 2 1 0 3");
     let [first, second] = read(&text).triangles[..] else {
-        panic!("two triangles")
+        panic!("expected two triangles")
     };
     let expected = v(0.0, 1.0, 2.0).normalize();
     assert_near(first.n0, expected);
@@ -292,7 +297,7 @@ fn without_normals_they_are_weighted_by_area() {
 }
 
 #[test]
-fn sources_can_have_strides_offsets_and_unnamed_numbers() {
+fn sources_can_have_strides_offsets_and_unnamed_params() {
     let text = edited(
         "count=\"12\">0 0 0  1 0 0  1 1 0  0 1 0",
         "count=\"21\">9  8 0 0 0 8  8 1 0 0 8  8 1 1 0 8  8 0 1 0 8",
@@ -309,7 +314,7 @@ fn sources_can_have_strides_offsets_and_unnamed_numbers() {
 }
 
 #[test]
-fn comments_line_ends_and_cdata_do_not_matter() {
+fn comments_line_ends_and_cdata_do_not_change_the_scene() {
     let expected = read(SMALL);
     for (from, to) in [
         ("1 1 0", "1 <!-- half way --> 1 0"),
@@ -329,7 +334,7 @@ fn comments_line_ends_and_cdata_do_not_matter() {
     }
 }
 
-/// What the course's profile says of the material.
+/// The material of an effect with the given element in the course's profile.
 fn material(course: &str) -> Material {
     let extra = |profile: &str| {
         format!(
@@ -338,7 +343,7 @@ fn material(course: &str) -> Material {
     };
     let [a, b] = ["CGL", "CMU462"]
         .map(|profile| read(&edited("</profile_COMMON>", &extra(profile))).materials[0].material);
-    assert_eq!(a, b, "both profiles mean the same");
+    assert_eq!(a, b, "both profiles must give the same material");
     a
 }
 
@@ -386,7 +391,7 @@ fn course_materials() {
 }
 
 #[test]
-fn other_profiles_are_passed_over() {
+fn other_profiles_are_ignored() {
     let text = edited(
         "</profile_COMMON>",
         "</profile_COMMON><extra><technique profile=\"blender\"><mirror/></technique></extra>",
@@ -394,7 +399,7 @@ fn other_profiles_are_passed_over() {
     assert_eq!(read(&text), read(SMALL));
 }
 
-/// The lamp, which stands at (0, 5, 0), with another light in it and another transform behind.
+/// The lamp at (0, 5, 0) with the given light and an additional transform.
 fn lamp(light: &str, transform: &str) -> Light {
     let text = edited(
         "<technique_common><point><color>1 2 3</color></point></technique_common>",
@@ -408,7 +413,7 @@ fn lamp(light: &str, transform: &str) -> Light {
 }
 
 #[test]
-fn lights_shine_along_minus_z_of_their_node() {
+fn lights_emit_along_minus_z_of_their_node() {
     let color = Spectrum::new(1.0, 2.0, 3.0);
     let down = "<rotate>1 0 0 -90</rotate>";
     let position = v(0.0, 5.0, 0.0);
@@ -432,7 +437,7 @@ fn lights_shine_along_minus_z_of_their_node() {
         down,
     )
     else {
-        panic!("a sun");
+        panic!("expected a directional light");
     };
     assert_near(direction, Vec3::NEG_Y);
     assert_eq!(irradiance, color);
@@ -444,14 +449,14 @@ fn lights_shine_along_minus_z_of_their_node() {
         ..
     } = lamp(&common(spot), down)
     else {
-        panic!("a spot")
+        panic!("expected a spot light")
     };
     assert_near(direction, Vec3::NEG_Y);
     assert_eq!((falloff_angle, falloff_exponent), (40.0, 2.0));
 }
 
 #[test]
-fn area_lights_are_unit_squares_under_their_node() {
+fn area_lights_are_transformed_unit_squares() {
     let area = "<technique_common><point><color>5 5 5</color></point></technique_common>\
         <extra><technique profile=\"CGL\"><area><color>1 2 3</color></area></technique></extra>";
     let size = "<rotate>1 0 0 -90</rotate><scale>2 3 4</scale>";
@@ -467,18 +472,18 @@ fn area_lights_are_unit_squares_under_their_node() {
             radiance,
         } = lamp(area, &transform)
         else {
-            panic!("an area light")
+            panic!("expected an area light")
         };
         assert_eq!(center, v(0.0, 5.0, 0.0));
         assert_near(edge_x, v(if mirrored { -2.0 } else { 2.0 }, 0.0, 0.0));
         assert_near(edge_y, v(0.0, 0.0, -3.0));
-        // Mirrored in x it still shines along its -z.
+        // Mirrored in x it still emits along its -z.
         assert_near(direction, Vec3::NEG_Y);
         assert_eq!(radiance, Spectrum::new(1.0, 2.0, 3.0));
     }
 }
 
-/// The camera, which stands at (0, 0, 5), with other optics.
+/// The camera at (0, 0, 5) with the given optics.
 fn camera(angles: &str) -> Camera {
     read(&edited(
         "<xfov>50</xfov><aspect_ratio>1.5</aspect_ratio>",
@@ -493,7 +498,7 @@ fn aspect(camera: &Camera) -> f64 {
 }
 
 #[test]
-fn cameras_frame_what_their_angles_say() {
+fn cameras_have_the_angles_of_the_file() {
     let both = camera("<xfov>50</xfov><yfov>20</yfov><aspect_ratio>9</aspect_ratio>");
     assert_eq!((both.h_fov, both.v_fov), (50.0, 20.0));
     let wide = camera("<xfov>50</xfov><aspect_ratio>1.5</aspect_ratio>");
@@ -508,7 +513,7 @@ fn cameras_frame_what_their_angles_say() {
 }
 
 #[test]
-fn scale_and_mirroring_do_not_bend_the_camera() {
+fn scale_and_mirroring_do_not_change_the_camera() {
     for transform in [
         "<scale>0.3 0.3 0.3</scale>",
         "<scale>-1 1 1</scale>",

@@ -1,8 +1,8 @@
-//! A small valid file that tests break in one place each.
+//! A small valid file. Each test changes it in one place.
 
 use scenes::{Loaded, SceneError};
 
-/// A square of two triangles and a sphere, a light and a camera.
+/// A square of two triangles, a sphere, a light and a camera.
 pub(crate) const SMALL: &str = r##"<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><up_axis>Y_UP</up_axis></asset>
@@ -68,7 +68,7 @@ pub(crate) const SMALL: &str = r##"<?xml version="1.0"?>
 </COLLADA>
 "##;
 
-/// The small file with `from` replaced by `to`; `from` must be there.
+/// The small file with `from` replaced by `to`. Panics if `from` is not in the file.
 pub(crate) fn edited(from: &str, to: &str) -> String {
     assert!(SMALL.contains(from), "`{from}` is not in the small file");
     SMALL.replace(from, to)

@@ -1,4 +1,4 @@
-//! Pictures on surfaces: which file, and where on it.
+//! Textures: their image files and texture coordinates.
 
 use crate::small::SMALL;
 use kit::{Hit, PrimId, Scene, Vec2, Vec3};
@@ -6,8 +6,8 @@ use kit::{Hit, PrimId, Scene, Vec2, Vec3};
 const COLOR: &str = "<color>0.8 0.1 0.1 1</color>";
 const INPUT: &str = "<input semantic=\"VERTEX\" source=\"#square-vertices\" offset=\"0\"/>";
 
-/// The small file, its square textured: with these parameters in the effect, an image library, and pairs of texture
-/// coordinates for the corners, which `<p>` indexes beside the positions.
+/// The small file with a texture on its square: with these parameters in the effect, an image
+/// library, and texture coordinates, which `<p>` indexes in addition to the positions.
 fn textured(parameters: &str, texture: &str, images: &str) -> String {
     let source = "<source id=\"uv\"><float_array id=\"uv-array\" count=\"8\">0 0 2 0 2 1 0 1</float_array>\
                   <technique_common><accessor source=\"#uv-array\" count=\"4\" stride=\"2\">\
@@ -45,7 +45,8 @@ fn read(text: &str) -> Scene {
     loaded.scene
 }
 
-/// Where the middle of the edge from the second to the third vertex of triangle `i` is on the picture.
+/// The texture coordinates at the midpoint of the edge from the second to the third vertex of
+/// triangle `i`.
 fn middle(scene: &Scene, i: u32) -> Vec2 {
     let hit = Hit {
         t: 1.0,
@@ -59,17 +60,17 @@ fn middle(scene: &Scene, i: u32) -> Vec2 {
 }
 
 #[test]
-fn samplers_surfaces_and_images_lead_to_the_file() {
+fn file_is_found_through_sampler_surface_and_image() {
     let scene = read(&textured(PARAMETERS, "t", IMAGES));
     assert_eq!(scene.textures.files, ["my tiles.png"]);
     assert_eq!(scene.textures.of_material(0), Some(0));
-    // From (2, 0) to (2, 1), and from (2, 1) to (0, 1).
+    // The first edge is from (2, 0) to (2, 1), the second from (2, 1) to (0, 1).
     assert_eq!(middle(&scene, 0), Vec2::new(2.0, 0.5));
     assert_eq!(middle(&scene, 1), Vec2::new(1.0, 1.0));
 }
 
 #[test]
-fn newer_files_and_short_cuts_lead_there_too() {
+fn file_is_found_in_collada_1_5_and_by_direct_reference() {
     let newer =
         "<newparam sid=\"t\"><sampler2D><instance_image url=\"#tiles\"/></sampler2D></newparam>";
     let by_ref = IMAGES.replace("my%20tiles.png", "<ref>tiles.png</ref>");
@@ -84,7 +85,7 @@ fn newer_files_and_short_cuts_lead_there_too() {
 }
 
 #[test]
-fn mirrored_surfaces_keep_their_picture() {
+fn mirrored_surfaces_keep_their_texture_coordinates() {
     let text = textured(PARAMETERS, "t", IMAGES);
     let mirrored = text.replace("1 0 0 0  0 1 0 0  0 0 1 0", "-1 0 0 0  0 1 0 0  0 0 1 0");
     let (plain, mirrored) = (read(&text), read(&mirrored));
@@ -103,7 +104,7 @@ fn mirrored_surfaces_keep_their_picture() {
 }
 
 #[test]
-fn without_a_picture_texture_coordinates_are_not_even_read() {
+fn texture_coordinates_are_not_read_without_a_texture() {
     let text = textured(PARAMETERS, "t", IMAGES);
     let plain = text.replace("<texture texture=\"t\" texcoord=\"UV\"/>", COLOR);
     let damaged = plain.replace("0 0 2 0 2 1 0 1", "");
@@ -111,17 +112,17 @@ fn without_a_picture_texture_coordinates_are_not_even_read() {
 }
 
 #[test]
-fn damaged_texture_coordinates_are_told() {
+fn invalid_texture_coordinates_are_an_error() {
     let text = textured(PARAMETERS, "t", IMAGES);
-    let told = |from: &str, to: &str| {
+    let error_text = |from: &str, to: &str| {
         let error = scenes::parse("small.dae", &text.replacen(from, to, 1)).expect_err("damaged");
         error.to_string()
     };
-    let stride = told("count=\"4\" stride=\"2\"", "count=\"4\" stride=\"1\"");
+    let stride = error_text("count=\"4\" stride=\"2\"", "count=\"4\" stride=\"1\"");
     assert!(
-        stride.contains("does not read two numbers an entry"),
+        stride.contains("does not read two numbers per entry"),
         "{stride}"
     );
-    let index = told("2 2 3 3</p>", "2 2 3 9</p>");
+    let index = error_text("2 2 3 3</p>", "2 2 3 9</p>");
     assert!(index.contains("index 9 is out of range"), "{index}");
 }

@@ -1,8 +1,7 @@
-//! Part 5: as many samples as a pixel needs.
+//! Part 5: adaptive sampling.
 //!
-//! Read in this order: [`stop`] (task 1, the rule that says when a pixel is done; task 2, the same rule without
-//! its blind spots), [`pixel`] (task 1, the sample loop that asks it), [`rate`] (the picture of how many samples went
-//! where).
+//! Reading order: [`stop`] (task 1, the stopping criterion; task 2, the same without its bias),
+//! [`pixel`] (task 1, the sampling loop that uses it), [`rate`] (the image of the sampling rate).
 
 pub mod pixel;
 pub mod rate;

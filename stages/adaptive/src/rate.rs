@@ -1,11 +1,12 @@
-//! The picture of how many samples went where.
+//! The image of the sampling rate.
 
 use kit::Spectrum;
 
-/// The colour of a pixel that took `samples` of at most `ns_aa` samples: blue for few, green in the middle, red for all,
-/// blended in between. The values are bytes over 255, to be written as they are, without a tone curve.
+/// The colour of a pixel with `samples` of at most `ns_aa` samples: blue for 0, green for half, red
+/// for all of them, interpolated linearly. The values are written as bytes (times 255) without a
+/// tone curve.
 ///
-/// Given: this is how the original program colours `NAME_rate.png`.
+/// This function is given. The original program colours `NAME_rate.png` in the same way.
 pub fn rate_colour(samples: u32, ns_aa: u32) -> Spectrum {
     let rate = (f64::from(samples) / f64::from(ns_aa.max(1))).min(1.0);
     let (blue, green, red) = (
@@ -26,7 +27,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn blue_is_few_green_is_half_red_is_all() {
+    fn colour_goes_from_blue_over_green_to_red() {
         assert_eq!(rate_colour(0, 64), Spectrum::new(0.0, 0.0, 1.0));
         assert_eq!(rate_colour(16, 64), Spectrum::new(0.0, 0.5, 0.5));
         assert_eq!(rate_colour(32, 64), Spectrum::new(0.0, 1.0, 0.0));

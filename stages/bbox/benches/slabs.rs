@@ -1,7 +1,7 @@
-//! What one box test costs: rays that hit, rays that miss, and both in turns; and one ray at many boxes,
-//! where its inverse direction need be found only once.
+//! Benchmarks of the box test: rays that hit, rays that miss, and a random mix; and one ray against
+//! many boxes, where the inverse direction can be computed once.
 //!
-//! `cargo bench -p bbox`. Times are for 1024 tests.
+//! Run with `cargo bench -p bbox`. A measured time is that of 1024 tests.
 
 use criterion::{Criterion, Throughput};
 use kit::{Aabb, PixelSampler, Ray, Vec3};
@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 const PAIRS: u32 = 1024;
 
-/// A point in the cube from -1 to 1.
+/// A uniform random point in the cube [-1, 1)³.
 fn point(random: &mut PixelSampler) -> Vec3 {
     let mut coordinate = || 2.0 * random.next_1d() - 1.0;
     Vec3::new(coordinate(), coordinate(), coordinate())
@@ -24,11 +24,11 @@ fn main() {
         let bounds = Aabb::of([p, q]);
         let origin = 5.0 * point(&mut random).normalize();
         let towards = |target: Vec3| Ray::new(origin, (target - origin).normalize());
-        let (through, beside) = (towards(0.6 * p + 0.4 * q), towards(2.5 * p - 1.5 * q));
-        hits.push((bounds, through));
-        misses.push((bounds, beside));
+        let (hit, miss) = (towards(0.6 * p + 0.4 * q), towards(2.5 * p - 1.5 * q));
+        hits.push((bounds, hit));
+        misses.push((bounds, miss));
         let coin = random.next_1d() < 0.5;
-        mixed.push((bounds, if coin { through } else { beside }));
+        mixed.push((bounds, if coin { hit } else { miss }));
     }
 
     let mut group = c.benchmark_group("box");

@@ -1,4 +1,4 @@
-//! Part 2, task 2: where a ray is inside a box.
+//! Part 2, task 2: ray/box intersection.
 
 // BEGIN SOLUTION(part2.task2)
 use kit::Vec3;
@@ -6,24 +6,25 @@ use kit::Vec3;
 
 use kit::{Aabb, Interval, Ray};
 
-/// The part of `ray` that lies inside `b`: the `t` in the ray's range with `b.min <= o + t·d <= b.max` on
-/// every axis. `None` if there is no such `t`.
+/// Intersects `ray` with the box `b`: returns the interval of all `t` in the ray's range with
+/// `b.min <= o + t·d <= b.max` on every axis, or `None` if there is no such `t`.
 ///
-/// A box is three slabs, each the space between two parallel planes. On one axis the ray crosses the planes
-/// at `t = (plane - o) / d`; it is inside the box from the last of the three entries to the first of the
-/// three exits. The odd cases:
+/// A box is the intersection of three slabs. A slab is the space between two parallel planes, which
+/// the ray crosses at `t = (plane - o) / d` on one axis. The ray is inside the box from the last of
+/// the three entries to the first of the three exits. Special cases:
 ///
-/// - Faces, edges and corners count, and so do both ends of the ray's range. A flat box (a wall) and a
-///   box of one point are hit.
-/// - The ray starts inside: the interval starts at `min_t`.
-/// - A component of `d` is 0 (of either sign): the ray never leaves that slab, or never enters it. If all are
-///   0 the ray is a point, inside or outside.
-/// - The answer is never a false miss, which would be a hole in the picture: the exit is widened by the
-///   rounding error of the division. So a ray that passes a corner within a few units in the last place is
-///   a hit, and the interval can end that little late. (Holds while `t` is neither denormal nor infinite.)
-/// - An empty box, a box or a ray with a NaN: no hit.
-// Always: a traversal tests one ray against many boxes, and only within its loop is `1/d` seen to stay
-// the same.
+/// - Faces, edges and corners belong to the box, and both ends of the ray's range count. A flat box
+///   and a box of a single point can be hit.
+/// - If the ray starts inside, the interval starts at `min_t`.
+/// - If a component of `d` is 0 (of either sign), the whole ray is inside that slab or outside. If
+///   all are 0 the ray is a point, inside the box or outside.
+/// - There are no false misses, which would be holes in the image. For this, the exit is increased
+///   by the rounding error of the division. So a ray that passes a corner within a few units in the
+///   last place can be a hit, and the interval can end that much late. (This holds while `t` is
+///   neither denormal nor infinite.)
+/// - An empty box and a box or a ray with a NaN are misses.
+// Always inlined: a traversal tests one ray against many boxes, and only then does the compiler
+// compute `1/d` once outside of the loop.
 #[inline(always)]
 pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     // BEGIN SOLUTION(part2.task2)
@@ -34,7 +35,7 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     let to_min = b.min - ray.o;
     let to_max = b.max - ray.o;
     let (t_min, t_max) = (to_min * inv_d, to_max * inv_d);
-    // On each axis the smaller one is the entry.
+    // On each axis the smaller of the two is the entry.
     let entry = later(earlier(t_min.x, t_max.x), ray.min_t);
     let entry = later(earlier(t_min.y, t_max.y), entry);
     let entry = later(earlier(t_min.z, t_max.z), entry);
@@ -43,8 +44,8 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
     let exit = earlier(later(t_min.z, t_max.z), exit);
     let exit = widened(exit);
     if entry <= exit && entry <= ray.max_t {
-        // Asked last, because most tests end in a miss: the comparisons above let NaN and turned-round
-        // boxes pass.
+        // Tested last, because most tests are misses. The comparisons above accept NaN and inverted
+        // boxes.
         let is_box = !b.is_empty() && !ray.o.is_nan();
         return is_box.then_some(Interval {
             min: entry,
@@ -57,45 +58,49 @@ pub fn intersect_bbox(b: &Aabb, ray: &Ray) -> Option<Interval> {
 }
 
 // BEGIN SOLUTION(part2.task2)
-/// How much later the exit is taken to be, relative to itself: 8u, with u = 2^-53.
+/// Relative amount by which the exit is increased: 8u, with u = 2^-53.
 ///
-/// Entry and exit are each off by up to three roundings (subtract, invert, multiply), so they can swap
-/// places by twice that, 2·γ(3) = 6u/(1 - 3u); widening rounds once more; and a power of two is free of
-/// a rounding of its own. Thiago Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013; the bound is that of
-/// Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.2.
+/// Entry and exit each have up to three roundings (subtract, invert, multiply), so their order can
+/// be wrong by twice that error, 2·γ(3) = 6u/(1 - 3u). The increase itself rounds once more, and a
+/// multiplication by a power of two is exact. Thiago Ize, "Robust BVH Ray Traversal", JCGT 2(2),
+/// 2013; the bound is from Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition,
+/// section 6.8.2.
 const EXIT_WIDENING: f64 = 4.0 * f64::EPSILON;
 
-/// The exit, later by [`EXIT_WIDENING`] whatever its sign. +∞ stays; -∞ becomes NaN, before which
-/// nothing enters.
+/// The exit, increased by [`EXIT_WIDENING`], whatever its sign. +∞ stays +∞. -∞ becomes NaN, which
+/// no entry is below.
 #[inline]
 fn widened(exit: f64) -> f64 {
     exit + exit.abs() * EXIT_WIDENING
 }
 
-/// The larger of two; `so_far` if `t` is NaN. One machine instruction, which `f64::max` is not.
+/// The larger of the two; `so_far` if `t` is NaN. It compiles to a single instruction, unlike
+/// `f64::max`.
 #[inline]
 fn later(t: f64, so_far: f64) -> f64 {
     if t > so_far { t } else { so_far }
 }
 
-/// The smaller of two; `so_far` if `t` is NaN.
+/// The smaller of the two; `so_far` if `t` is NaN.
 #[inline]
 fn earlier(t: f64, so_far: f64) -> f64 {
     if t < so_far { t } else { so_far }
 }
 
-/// Whether every component of the direction has a finite inverse: none is 0, denormal or NaN.
+/// Whether every component of the direction has a finite inverse: none is 0, NaN or too close to 0.
 #[inline]
 fn has_inverse(inv_d: Vec3) -> bool {
     inv_d.x.abs() + inv_d.y.abs() + inv_d.z.abs() < f64::INFINITY
 }
 
-/// The same test, slower, for rays along a slab or nearly so. Which plane comes first is read off the
-/// direction's sign, not found by comparing: so NaN, from 0/0 for an origin on a plane and a ray along
-/// it, stays on its own side and can be ignored there.
+/// Computes [`intersect_bbox`] for rays that are parallel to a slab, or nearly so, more slowly.
 ///
-/// The ray comes by value: a reference would keep the caller's ray in memory, and `1/d` in its loop
-/// over boxes.
+/// The order of the two planes is determined by the sign of the direction, not by a comparison. So
+/// a NaN (0/0, for an origin on a plane and a parallel ray) stays an entry or an exit, and can be
+/// ignored there.
+///
+/// The ray is passed by value: a reference would force the caller to keep the ray in memory, and to
+/// compute `1/d` again for each box.
 #[cold]
 #[inline(never)]
 fn intersect_by_division(b: &Aabb, ray: Ray) -> Option<Interval> {
@@ -115,7 +120,7 @@ fn intersect_by_division(b: &Aabb, ray: Ray) -> Option<Interval> {
         exit = earlier((last - o) / d, exit);
     }
     let exit = widened(exit);
-    // An entry at infinity is a slab that a ray along it never enters.
+    // An infinite entry belongs to a ray that is parallel to a slab and outside of it.
     let is_inside = entry <= exit && entry <= ray.max_t && entry < f64::INFINITY;
     is_inside.then_some(Interval {
         min: entry,

@@ -1,6 +1,8 @@
-//! What a tree costs to build, and what it saves: rays at the generated meshes, for the closest and for any hit.
+//! Benchmarks of the tree: construction, and traversal for the closest hit and for any hit, on the
+//! generated meshes.
 //!
-//! `cargo bench -p bvh`. Building is timed a triangle, walking a ray.
+//! Run with `cargo bench -p bvh`. Throughput is in triangles for the construction and in rays for
+//! the traversal.
 
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use criterion::{Criterion, Throughput};
@@ -28,7 +30,7 @@ impl World for Mesh<'_> {
     }
 }
 
-/// Rays from a sphere around the box towards points in it: neighbours have nothing in common.
+/// Rays from a sphere around the box to points in it. Successive rays are independent.
 fn rays_at(bounds: &Aabb) -> Vec<Ray> {
     let mut random = PixelSampler::new(0, 0, 1);
     let mut in_cube = || {

@@ -1,4 +1,4 @@
-//! Task 1: building the tree, top down, by splitting space in the middle.
+//! Part 2, task 1: top-down construction of the tree by spatial midpoint splits.
 
 // BEGIN SOLUTION(part2.task1)
 use kit::{BvhNode, NodeKind, PrimId, Vec3};
@@ -8,36 +8,38 @@ use kit::{Aabb, Bvh};
 
 /// Builds a tree over the boxes of primitives `0..bounds.len()`, in world space.
 ///
-/// A node with at most `max_leaf_size` primitives is a leaf (0 counts as 1). A larger one is split in two: along
-/// the axis on which the primitives' centroids spread most, at the middle of that spread, centroids below the
-/// middle to the left. The middle of the *centroids* leaves a side empty only if all centroids are equal, where
-/// the middle of the *boxes* also does so for one large primitive among small ones.
+/// A node with at most `max_leaf_size` primitives becomes a leaf (0 counts as 1). A larger node is
+/// split at the midpoint of the bounds of its primitives' centroids, along their longest axis.
+/// Primitives with centroids below the midpoint go to the left child. One side is empty only if all
+/// centroids are equal; a split at the midpoint of the *boxes* would also leave one side empty for
+/// a large primitive among small ones.
 ///
-/// The odd cases:
-/// - No primitives: no nodes.
-/// - One side of the split empty (equal centroids), or more than 64 splits on the way down (centroids that halve
-///   their distance again and again): the median primitive along the axis splits instead, lower ids first among
-///   equals. So the tree is never deeper than 64 + log2(n).
-/// - An empty box (also one with a NaN corner): adds nothing to its node's box, so no ray need find it; it still
-///   stands in `order`.
-/// - Boxes of any size up to infinite ones: nothing overflows.
+/// Special cases:
+/// - Without primitives there are no nodes.
+/// - If one side of the split is empty (equal centroids), or after more than 64 splits on the path
+///   from the root (centroids whose distances halve again and again), the node is split at the
+///   median primitive along the axis; equal centroids are sorted by id. So the depth is at most 64
+///   + log2(n).
+/// - An empty box (also one with a NaN coordinate) does not extend the box of its node, so a ray
+///   need not find it. It is still part of `order`.
+/// - Boxes can be arbitrarily large, and even infinite: nothing overflows.
 ///
-/// The tree depends on the boxes alone. The ids within a leaf ascend.
+/// The tree depends only on the boxes. The ids within a leaf are ascending.
 pub fn construct_bvh(bounds: &[Aabb], max_leaf_size: usize) -> Bvh {
     // BEGIN SOLUTION(part2.task1)
     assert!(
         bounds.len() < MAX_PRIMITIVES,
-        "a tree over {} primitives needs node numbers beyond 32 bits",
+        "a tree over {} primitives needs node indices of more than 32 bits",
         bounds.len()
     );
     if bounds.is_empty() {
         return Bvh::default();
     }
-    let mut items: Vec<Item> = (0..).zip(bounds).map(Item::new).collect();
+    let mut items: Vec<BvhPrimitive> = (0..).zip(bounds).map(BvhPrimitive::new).collect();
     let mut builder = Builder {
         bounds,
         max_leaf_size: max_leaf_size.max(1),
-        nodes: vec![UNBUILT],
+        nodes: vec![PLACEHOLDER],
     };
     builder.build(0, &mut items, 0, 0);
     Bvh {
@@ -52,40 +54,41 @@ pub fn construct_bvh(bounds: &[Aabb], max_leaf_size: usize) -> Bvh {
 }
 
 // BEGIN SOLUTION(part2.task1)
-/// A binary tree over `n` primitives has at most `2n - 1` nodes, and a node's number has 32 bits.
+/// A binary tree over `n` primitives has at most `2n - 1` nodes, and a node index has 32 bits.
 const MAX_PRIMITIVES: usize = 1 << 31;
 
-/// Splits at the middle on the way down, before the median takes over: more than any mesh of ordinary
-/// proportions needs (each split halves a space), few enough for the recursion.
+/// Number of midpoint splits on a path from the root, after which nodes are split at the median. It
+/// is more than any ordinary mesh needs (each split halves a space), and small enough for the
+/// recursion.
 const MAX_MIDDLE_SPLITS: u32 = 64;
 
-/// Holds a node's place until its subtree is built.
-const UNBUILT: BvhNode = BvhNode {
+/// A node whose subtree is not built yet.
+const PLACEHOLDER: BvhNode = BvhNode {
     bounds: Aabb::EMPTY,
     kind: NodeKind::Leaf { first: 0, count: 0 },
 };
 
-/// A primitive on its way into the tree. Splitting looks at nothing else.
+/// A primitive during construction: the data that splits use.
 #[derive(Clone, Copy)]
-struct Item {
-    /// Middle of the primitive's box; NaN on an axis without one.
+struct BvhPrimitive {
+    /// Centre of the primitive's box; NaN if the box is empty.
     centroid: Vec3,
     id: u32,
 }
 
-impl Item {
-    fn new((id, bounds): (u32, &Aabb)) -> Item {
+impl BvhPrimitive {
+    fn new((id, bounds): (u32, &Aabb)) -> BvhPrimitive {
         let centroid = if bounds.is_empty() {
             Vec3::NAN
         } else {
-            // A box that reaches to infinity counts as very far away, so that a split can still tell it apart.
+            // An infinite box counts as very far away, so that a split can still separate it.
             bounds.centroid().clamp(Vec3::MIN, Vec3::MAX)
         };
-        Item { centroid, id }
+        BvhPrimitive { centroid, id }
     }
 }
 
-/// The boxes, and the tree so far.
+/// The input boxes and the nodes built so far.
 struct Builder<'a> {
     bounds: &'a [Aabb],
     max_leaf_size: usize,
@@ -93,9 +96,9 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Builds the subtree over `items`, which start at `first` in the tree's order, into place `node`. Puts `items`
-    /// into the order of the leaves and returns the subtree's box.
-    fn build(&mut self, node: usize, items: &mut [Item], first: u32, depth: u32) -> Aabb {
+    /// Builds the subtree over `items` at index `node`. `items` start at position `first` of the
+    /// tree's order. Sorts `items` into the order of the leaves and returns the box of the subtree.
+    fn build(&mut self, node: usize, items: &mut [BvhPrimitive], first: u32, depth: u32) -> Aabb {
         let (bounds, kind) = if items.len() <= self.max_leaf_size {
             self.leaf(items, first)
         } else {
@@ -114,7 +117,7 @@ impl Builder<'_> {
         bounds
     }
 
-    fn leaf(&self, items: &mut [Item], first: u32) -> (Aabb, NodeKind) {
+    fn leaf(&self, items: &mut [BvhPrimitive], first: u32) -> (Aabb, NodeKind) {
         items.sort_unstable_by_key(|item| item.id);
         let bounds = items
             .iter()
@@ -125,16 +128,17 @@ impl Builder<'_> {
         (bounds, NodeKind::Leaf { first, count })
     }
 
-    /// The first `count` items go left. The two children stand side by side, as a ray asks for both at once.
+    /// Builds an interior node with the first `count` items on the left. The two children are
+    /// adjacent in memory, because a traversal tests both boxes together.
     fn interior(
         &mut self,
-        items: &mut [Item],
+        items: &mut [BvhPrimitive],
         count: usize,
         first: u32,
         depth: u32,
     ) -> (Aabb, NodeKind) {
         let children = self.nodes.len();
-        self.nodes.extend([UNBUILT; 2]);
+        self.nodes.extend([PLACEHOLDER; 2]);
         let (low, high) = items.split_at_mut(count);
         let low_bounds = self.build(children, low, first, depth + 1);
         let high_bounds = self.build(children + 1, high, first + count as u32, depth + 1);
@@ -147,18 +151,18 @@ impl Builder<'_> {
     }
 }
 
-/// The axis on which the centroids spread most, and the middle of that spread. Passes over centroids with a NaN.
-fn widest_axis(items: &[Item]) -> (usize, f64) {
+/// The longest axis of the bounds of all centroids, and the midpoint on it. Ignores NaN centroids.
+fn widest_axis(items: &[BvhPrimitive]) -> (usize, f64) {
     let centroids = items.iter().map(|item| item.centroid);
     let spread = Aabb::of(centroids.filter(|c| !c.is_nan()));
-    // Half the extent: the whole one may overflow.
+    // Half the extent, because the full extent may overflow.
     let half = 0.5 * spread.max - 0.5 * spread.min;
     let axis = half.max_position();
     (axis, spread.centroid()[axis])
 }
 
-/// Moves the items that `goes_left` to the front, in place; returns how many they are.
-fn partition(items: &mut [Item], goes_left: impl Fn(&Item) -> bool) -> usize {
+/// Moves the items for which `goes_left` is true to the front, in place. Returns their number.
+fn partition(items: &mut [BvhPrimitive], goes_left: impl Fn(&BvhPrimitive) -> bool) -> usize {
     let mut count = 0;
     for i in 0..items.len() {
         if goes_left(&items[i]) {

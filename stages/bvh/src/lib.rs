@@ -1,7 +1,8 @@
-//! Part 2, tasks 1 and 3: a tree of boxes, so that a ray meets few primitives instead of all.
+//! Part 2, tasks 1 and 3: a bounding volume hierarchy, so that a ray is tested against few
+//! primitives instead of all.
 //!
-//! Read in this order: `kit::bvh` (what a tree is), [`construct`] (task 1, how it is built), `kit::world` (what
-//! a traversal may ask) and [`traverse`] (task 3, how a ray walks it).
+//! Reading order: `kit::bvh` (the tree as data), [`construct`] (task 1, construction), `kit::world`
+//! (the tests that a traversal calls) and [`traverse`] (task 3, traversal).
 
 pub mod construct;
 pub mod traverse;

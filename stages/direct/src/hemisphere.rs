@@ -1,4 +1,4 @@
-//! Part 3, task 2: light that a surface gives by itself, and direct light by looking around at random.
+//! Part 3, task 2: emitted light, and direct light by uniform hemisphere sampling.
 
 // BEGIN SOLUTION(part3.task2)
 use kit::warp;
@@ -6,7 +6,8 @@ use kit::warp;
 
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
-/// Light that bounces nowhere: what the surface itself emits along `wo`, the unit world direction to the viewer.
+/// Radiance without a bounce: the emission of the surface along `wo`, the unit world direction to
+/// the viewer.
 pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
     // BEGIN SOLUTION(part3.task2)
     surface.emitted(wo)
@@ -14,17 +15,19 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
     // END SOLUTION(part3.task2)
 }
 
-/// Direct light by uniform hemisphere sampling: the mean of `f · Li · |cos θi| · 2π` over `samples` directions that are
-/// uniform over the hemisphere on the side of `wo`.
+/// Estimates direct light by uniform hemisphere sampling: the mean of `f · Li · |cos θi| · 2π` over
+/// `samples` directions, uniform over the hemisphere on the side of `wo`.
 ///
-/// `wo` is the unit world direction to the viewer. `Li` is what the first surface along the direction emits towards
-/// here, or [`LitScene::background`] where there is none. Rays start with [`Surface::leave`] and are traced by `trace`,
-/// which answers with the closest hit. `scattering` gives `f` of directions in the local space of `surface.frame`. Each
-/// direction takes numbers of its own from the sampler, one `next_2d` if it can.
+/// `wo` is the unit world direction to the viewer. `Li` is the emission of the first surface along
+/// the direction, or [`LitScene::background`] if there is none. Rays start with [`Surface::leave`];
+/// `trace` returns their closest hit. `scattering` evaluates `f` for directions in the local space
+/// of `surface.frame`. Each direction uses its own numbers of the sampler, preferably one
+/// `next_2d`.
 ///
-/// Lights without extent (points, spots, suns) are never found this way: with them alone all is black. Mirrors and
-/// smooth glass ([`Material::is_delta`](kit::Material::is_delta)) get nothing either, and cast no ray: no direction chosen
-/// at random is theirs. 0 samples give black.
+/// Random directions never hit delta lights (point, spot and directional lights): with these lights
+/// alone the result is black. Mirrors and smooth glass
+/// ([`Material::is_delta`](kit::Material::is_delta)) are black too, and trace no rays, because a
+/// random direction is never their reflected or refracted direction. 0 samples give black.
 pub fn estimate_direct_lighting_hemisphere(
     lit: &LitScene,
     surface: &Surface,

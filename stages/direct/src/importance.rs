@@ -1,19 +1,22 @@
-//! Part 3, task 3: direct light by looking at the lights.
+//! Part 3, task 3: direct light by sampling the lights.
 
 use kit::{LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
-/// Direct light by sampling every light: the sum over [`LitScene::emitters`] of the mean of `f · L · |cos θi| / pdf`.
+/// Estimates direct light by sampling every light: the sum over [`LitScene::emitters`] of the mean
+/// of `f · L · |cos θi| / pdf`.
 ///
-/// A light with an extent gets `ns_area_light` samples (the flag `-l`), a light without one
-/// ([`Emitter::is_delta`](kit::Emitter::is_delta)) a single one, since every further one would be the same.
-/// [`Emitter::sample`](kit::Emitter::sample) draws a direction from [`Surface::p`] and gives the radiance `L` as if
-/// nothing were in between; `occluded` says whether something is, for the ray that [`Surface::shadow_ray`] makes. `wo`
-/// is the unit world direction to the viewer; `scattering` gives `f` of directions in the local space of `surface.frame`.
-/// Each sample takes one `next_2d` of the sampler. In which order samples are taken makes no difference.
+/// A light with an area gets `ns_area_light` samples (the flag `-l`). A delta light
+/// ([`Emitter::is_delta`](kit::Emitter::is_delta)) gets a single one, because all its samples are
+/// equal. [`Emitter::sample`](kit::Emitter::sample) samples a direction from [`Surface::p`] and
+/// returns the radiance `L` of the unblocked light. `occluded` returns whether the ray of
+/// [`Surface::shadow_ray`] is blocked. `wo` is the unit world direction to the viewer; `scattering`
+/// evaluates `f` for directions in the local space of `surface.frame`. Each sample uses one
+/// `next_2d` of the sampler. The order of the samples does not matter.
 ///
-/// A sample that the light does not send (`None`) or the surface does not scatter (`f` black) counts as 0 in the mean,
-/// and no shadow ray is cast for it. Mirrors and smooth glass ([`Material::is_delta`](kit::Material::is_delta)) cast none
-/// at all; rough glass is lit like a matte surface. With `ns_area_light` 0, lights with an extent give nothing.
+/// A sample without light (`None`) or without scattering (`f` black) counts as 0 in the mean, and
+/// no shadow ray is traced for it. Mirrors and smooth glass
+/// ([`Material::is_delta`](kit::Material::is_delta)) trace none at all; rough glass is lit like a
+/// diffuse surface. With `ns_area_light` 0, lights with an area contribute nothing.
 pub fn estimate_direct_lighting_importance(
     lit: &LitScene,
     surface: &Surface,

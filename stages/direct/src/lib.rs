@@ -1,20 +1,21 @@
-//! Part 3: light that reaches a surface straight from its source.
+//! Part 3: direct light.
 //!
-//! Read in this order: [`lambert`] (task 1, how matte surfaces scatter), [`hemisphere`] (task 2, what emits by itself,
-//! and direct light by looking around at random), [`importance`] (task 3, direct light by looking at the lights), and
-//! beyond the course [`mis`] (both at once).
+//! Reading order: [`lambert`] (task 1, diffuse surfaces), [`hemisphere`] (task 2, emission, and
+//! direct light by hemisphere sampling), [`importance`] (task 3, direct light by light sampling),
+//! and beyond the course [`mis`] (a combination of both).
 //!
-//! Tasks 2 and 3 estimate the same integral, over the unit directions `wi` above a surface with the normal `n`:
+//! Tasks 2 and 3 estimate the same integral, over the unit directions `wi` above a surface with the
+//! normal `n`:
 //!
 //! ```text
 //! Lo(wo) = Le(wo) + ∫ f(wo, wi) · Li(wi) · |cos θi| dwi
 //! ```
 //!
-//! where `Li` is what lights send straight here. Every estimate is the mean of `f · Li · |cos θi| / pdf` over directions
-//! that were drawn with the density `pdf`: with any density that is nowhere 0 where there is light, the mean is right
-//! in the long run; how noisy it is depends on the density. What surfaces do with light comes in as
-//! [`Scattering`](kit::Scattering) and rays are traced by closures, so that each task can be tried when the others
-//! are still to be written.
+//! where `Li` is the radiance that arrives directly from lights. Every estimate is the mean of
+//! `f · Li · |cos θi| / pdf` over directions sampled with the density `pdf`. It is unbiased for any
+//! density that is not 0 where there is light; its noise depends on the density. The materials come
+//! as [`Scattering`](kit::Scattering) and rays are traced by closures, so that each task can be
+//! tested before the others are written.
 
 pub mod hemisphere;
 pub mod importance;

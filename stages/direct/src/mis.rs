@@ -1,9 +1,10 @@
-//! Beyond the course: both ways of looking for light at once.
+//! Beyond the course: multiple importance sampling.
 //!
-//! Sampling a light is poor where the surface is nearly a mirror, sampling the surface is poor where the light is small.
-//! Multiple importance sampling does both and weighs each sample by how likely its own strategy was to draw it against
-//! the other: the mean stays right, since the weights of a direction add up to 1, and each strategy only counts where it
-//! is good (Veach and Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
+//! Light sampling is noisy if the surface is nearly a mirror, and BSDF sampling is noisy if the
+//! light is small. Multiple importance sampling uses both, and weights each sample by the density
+//! of its own strategy relative to that of the other. The weights of a direction add up to 1, so
+//! the estimate is unbiased, and each strategy has a large weight only where it is good (Veach and
+//! Guibas, "Optimally combining sampling techniques for Monte Carlo rendering", SIGGRAPH 1995).
 
 // BEGIN SOLUTION(part3.task3)
 use kit::Emitter;
@@ -11,26 +12,27 @@ use kit::Emitter;
 
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
-/// The power heuristic with exponent 2: how much a sample counts that was drawn with the density `own` where the other
+/// The power heuristic with exponent 2: the weight of a sample with the density `own`, if the other
 /// strategy has the density `other` and as many samples. 0 if `own` is 0.
 pub fn power_heuristic(own: f64, other: f64) -> f64 {
     if own == 0.0 {
         return 0.0;
     }
-    // A ratio cannot overflow where squares would.
+    // The ratio does not overflow where squares would.
     let ratio = other / own;
     1.0 / (1.0 + ratio * ratio)
 }
 
-/// Direct light by sampling every light and the surface's own scattering, `ns_area_light` times each.
+/// Estimates direct light by sampling every light and the BSDF of the surface, with `ns_area_light`
+/// samples each.
 ///
 /// Arguments and conventions are those of
 /// [`estimate_direct_lighting_importance`](crate::estimate_direct_lighting_importance) and
-/// [`estimate_direct_lighting_hemisphere`](crate::estimate_direct_lighting_hemisphere). Lights without extent are sampled
-/// as there, with full weight: no ray finds them.
+/// [`estimate_direct_lighting_hemisphere`](crate::estimate_direct_lighting_hemisphere). Delta
+/// lights are sampled in the same way, with weight 1, because no ray hits them.
 #[allow(
     clippy::too_many_arguments,
-    reason = "the neighbours of both strategies come in as arguments"
+    reason = "the functions of both strategies come in as arguments"
 )]
 pub fn estimate_direct_lighting_mis(
     lit: &LitScene,
@@ -101,7 +103,8 @@ pub fn estimate_direct_lighting_mis(
 }
 
 // BEGIN SOLUTION(part3.task3)
-/// What skies and environments send along `d`, each weighed against its own sampling.
+/// The radiance of skies and environment maps along `d`, each with the weight against its own
+/// sampling density.
 fn weighted_background(lit: &LitScene, p: Vec3, d: Vec3, own: f64) -> Spectrum {
     lit.emitters
         .iter()

@@ -1,9 +1,9 @@
-//! Direct light where mathematics knows the answer, estimated in both ways.
+//! Direct light in scenes with known solutions, estimated by all methods.
 //!
-//! A matte floor lies in the plane y = 0 and is looked at from above; the point of interest is the origin. Each test is
-//! a z-test: a right estimate fails it with a chance of at most [`FAMILY`] for all of them together, and a bias of
-//! [`WORST_SURE_BIAS`] is sure to be seen. What a mutant does to the estimate is tried as well, so that the tests
-//! are known to be able to fail.
+//! A diffuse floor lies in the plane y = 0 and is seen from above; the shading point is the origin.
+//! Each test is a z-test: the probability that a correct estimate fails is at most [`FAMILY`] for
+//! all tests together, and a bias of [`WORST_SURE_BIAS`] is detected. The tests also assert that an
+//! estimate with a known error fails.
 
 // BEGIN SOLUTION(part3.task3)
 mod floor;
@@ -11,38 +11,41 @@ mod floor;
 use floor::{Floor, RHO};
 use kit::scene::{NamedLight, NamedMaterial, Object};
 use kit::{Environment, Light, LitScene, Material, Scene, Spectrum, Sphere, Tally, Vec3};
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 use std::f64::consts::{FRAC_1_PI, PI};
 
-/// Chance that any of the tests of this file accuses a right estimate.
+/// Significance level of all tests of this file together.
 const FAMILY: f64 = 1e-6;
-/// How many estimates this file compares.
+/// Number of estimates that this file compares.
 const TESTS: usize = 24;
-/// Samples for an estimate: enough for [`WORST_SURE_BIAS`] in the noisiest scene.
+/// Number of samples of an estimate, sufficient for [`WORST_SURE_BIAS`] in the noisiest scene.
 const SAMPLES: u32 = 400_000;
-/// No estimate here is so noisy that a relative bias as large as this one could hide.
+/// Every relative bias of at least this size is detected.
 const WORST_SURE_BIAS: f64 = 0.04;
-/// Rounding of an estimate that has no noise: a dozen operations.
+/// Tolerance for an estimate without noise: a dozen rounding errors.
 const ROUNDING: f64 = 1e-13;
 
 fn assert_estimates(what: &str, estimate: &Tally, truth: f64) {
-    let alarm = sidak(FAMILY, TESTS);
+    let significance = sidak(FAMILY, TESTS);
     let p = two_sided(estimate.z_against(truth));
     assert!(
-        p > alarm,
-        "{what}: estimated {} ± {}, should be {truth}: p = {p:e}",
+        p > significance,
+        "{what}: estimated {} ± {}, expected {truth}: p = {p:e}",
         estimate.mean(),
         estimate.standard_error()
     );
-    let sure = smallest_sure_bias(estimate.standard_error(), alarm) / truth;
+    let sure = detectable_bias(estimate.standard_error(), significance) / truth;
     assert!(
         sure < WORST_SURE_BIAS,
-        "{what} is too noisy to tell: ±{sure}"
+        "{what} is too noisy: a bias below ±{sure} is not detected"
     );
-    // What is off by as much is caught, whichever way.
+    // A bias of this size is detected in both directions.
     for off in [1.0 + WORST_SURE_BIAS, 1.0 - WORST_SURE_BIAS] {
         let p = two_sided(estimate.z_against(off * truth));
-        assert!(p < alarm, "{what}: off by {off}, p = {p:e}");
+        assert!(
+            p < significance,
+            "{what}: a factor of {off} is not detected, p = {p:e}"
+        );
     }
 }
 
@@ -56,7 +59,7 @@ fn scene_with(light: Light) -> Scene {
     }
 }
 
-/// A 2 x 1 lamp at height 0.75 above the origin, its centre straight above.
+/// A lamp of 2 x 1 at height 0.75, with its centre above the origin.
 fn area(direction: Vec3) -> Scene {
     scene_with(Light::Area {
         center: Vec3::new(0.0, 0.75, 0.0),
@@ -67,28 +70,29 @@ fn area(direction: Vec3) -> Scene {
     })
 }
 
-/// The share of the light of a hemisphere that comes from a parallel rectangle, a corner of which is straight above the point,
-/// `a` by `b` heights large (any catalogue of view factors: differential area to finite rectangle).
+/// The form factor of a rectangle parallel to a surface element, with a corner exactly above it and
+/// edges of `a` and `b` times its height (see any catalogue of view factors: differential area to
+/// finite rectangle).
 fn corner_form_factor(a: f64, b: f64) -> f64 {
     let (ra, rb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
     (a / ra * (b / ra).atan() + b / rb * (a / rb).atan()) / (2.0 * PI)
 }
 
 #[test]
-fn a_rectangle_above_the_floor() {
+fn rectangular_lamp_above_the_floor() {
     let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
     let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), truth);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), truth);
     assert_estimates("both", &floor.mis(SAMPLES), truth);
-    // Four samples a light, a quarter of the estimates.
+    // Four samples per light, and a quarter of the estimates.
     assert_estimates("4 directions", &floor.hemisphere_of(SAMPLES / 4, 4), truth);
     assert_estimates("lights, -l 4", &floor.lights(SAMPLES / 4, 4), truth);
 }
 
-/// Both sides of the floor are matte, and each gets the light of its own side.
+/// Both sides of the floor are diffuse, and each is lit from its own side.
 #[test]
-fn the_other_side_gets_the_light_below() {
+fn lower_side_is_lit_from_below() {
     let mut scene = area(Vec3::Y);
     if let Light::Area { center, .. } = &mut scene.lights[0].light {
         *center = -*center;
@@ -99,24 +103,28 @@ fn the_other_side_gets_the_light_below() {
     assert_estimates("lights, below", &below.lights(SAMPLES, 1), truth);
 }
 
-/// Where nothing can be scattered, no ray is worth casting.
+/// No rays are traced if nothing can be scattered.
 #[test]
-fn no_ray_is_cast_in_vain() {
+fn no_ray_is_traced_without_scattering() {
     let lamp = || LitScene::new(area(-Vec3::Y), None);
     let behind = Floor::under(lamp()).seen_from_below();
     assert_eq!(behind.lights(100, 1).mean(), 0.0);
-    assert_eq!(behind.rays_of_last_estimate(), 0, "the lamp is behind");
+    assert_eq!(
+        behind.rays_of_last_estimate(),
+        0,
+        "the lamp is behind the surface"
+    );
     let mirror = Floor::under(lamp()).made_of(Material::Mirror {
         reflectance: Spectrum::WHITE,
     });
     for estimate in [mirror.lights(100, 4), mirror.hemisphere_of(100, 4)] {
         assert_eq!(estimate.mean(), 0.0);
-        assert_eq!(mirror.rays_of_last_estimate(), 0, "a mirror");
+        assert_eq!(mirror.rays_of_last_estimate(), 0, "a mirror needs no rays");
     }
 }
 
 #[test]
-fn no_samples_are_black() {
+fn zero_samples_are_black() {
     let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
     assert_eq!(floor.hemisphere_of(3, 0).mean(), 0.0);
     assert_eq!(floor.lights(3, 0).mean(), 0.0);
@@ -124,15 +132,15 @@ fn no_samples_are_black() {
 
 /// Hard case 90.
 #[test]
-fn a_lamp_that_faces_away_gives_nothing() {
+fn lamp_that_faces_away_contributes_nothing() {
     let floor = Floor::under(LitScene::new(area(Vec3::Y), None));
     assert_eq!(floor.hemisphere(1000).mean(), 0.0);
     assert_eq!(floor.lights(1000, 1).mean(), 0.0);
 }
 
-/// Hard case 90: every direction to the lamp lies in its plane.
+/// Hard case 90: all directions to the lamp are in its plane.
 #[test]
-fn a_lamp_seen_edge_on_gives_nothing() {
+fn lamp_seen_edge_on_contributes_nothing() {
     let edge_on = scene_with(Light::Area {
         center: Vec3::new(0.0, 2.0, 0.0),
         edge_x: Vec3::Y,
@@ -144,9 +152,9 @@ fn a_lamp_seen_edge_on_gives_nothing() {
     assert_eq!(floor.lights(1000, 1).mean(), 0.0);
 }
 
-/// A sphere gives the irradiance π L (r/d)² cos θ as long as all of it is above the horizon.
+/// The irradiance of a sphere is π L (r/d)² cos θ if all of it is above the horizon.
 #[test]
-fn a_glowing_sphere() {
+fn emitting_sphere() {
     let center = Vec3::new(0.6, 1.2, -0.3);
     let scene = Scene {
         spheres: vec![Sphere {
@@ -174,9 +182,9 @@ fn a_glowing_sphere() {
     assert_estimates("both", &floor.mis(SAMPLES), truth);
 }
 
-/// Half of all directions are sky, so all light that a matte floor can get: it looks ρ L.
+/// The sky fills the whole hemisphere, so the radiance of the diffuse floor is ρ L.
 #[test]
-fn a_sky() {
+fn uniform_sky() {
     let sky = scene_with(Light::Hemisphere {
         radiance: Spectrum::grey(1.5),
     });
@@ -187,17 +195,18 @@ fn a_sky() {
 }
 
 #[test]
-fn an_environment_that_is_the_same_all_around() {
-    let all_around = Environment::uniform(Spectrum::grey(0.7));
-    let floor = Floor::under(LitScene::new(Scene::default(), Some(all_around)));
+fn uniform_environment() {
+    let environment = Environment::uniform(Spectrum::grey(0.7));
+    let floor = Floor::under(LitScene::new(Scene::default(), Some(environment)));
     assert_estimates("hemisphere", &floor.hemisphere(SAMPLES), RHO * 0.7);
     assert_estimates("lights", &floor.lights(SAMPLES, 1), RHO * 0.7);
     assert_estimates("both", &floor.mis(SAMPLES), RHO * 0.7);
 }
 
-/// Four rows: the upper two are seen, and give `∫ L cos θ dw / π = Σ L (cos² θ_top - cos² θ_bottom)`.
+/// An environment map with four rows. The upper two are visible:
+/// `∫ L cos θ dw / π = Σ L (cos² θ_top - cos² θ_bottom)`.
 #[test]
-fn an_environment_of_bands() {
+fn environment_of_horizontal_bands() {
     let bands = [4.0, 0.5, 9.0, 2.0];
     let texels = bands.iter().flat_map(|&b| [Spectrum::grey(b); 3]).collect();
     let environment = Environment::new(3, 4, texels).unwrap();
@@ -209,7 +218,7 @@ fn an_environment_of_bands() {
 }
 
 #[test]
-fn lights_without_extent_have_no_noise() {
+fn delta_lights_have_no_noise() {
     let position = Vec3::new(1.0, 2.0, 2.0);
     let cases = [
         (
@@ -227,7 +236,7 @@ fn lights_without_extent_have_no_noise() {
                 falloff_angle: 90.0,
                 falloff_exponent: 2.0,
             },
-            // The cosine to the axis is 8/√(9·8), its square 8/9.
+            // The cosine of the angle to the axis is 8/√(9·8), its square 8/9.
             2.0 / 3.0 * (8.0 / 9.0),
         ),
         (
@@ -244,17 +253,21 @@ fn lights_without_extent_have_no_noise() {
         let truth = RHO * FRAC_1_PI * irradiance;
         assert!(
             (estimate.mean() / truth - 1.0).abs() < ROUNDING,
-            "{light:?}: {} should be {truth}",
+            "{light:?}: {} expected {truth}",
             estimate.mean()
         );
-        assert_eq!(floor.rays_of_last_estimate(), 10, "one shadow ray each");
-        // Hemisphere sampling never finds them.
+        assert_eq!(
+            floor.rays_of_last_estimate(),
+            10,
+            "one shadow ray for each estimate"
+        );
+        // Random directions never hit delta lights.
         assert_eq!(floor.hemisphere(100).mean(), 0.0);
     }
 }
 
 #[test]
-fn outside_the_cone_of_a_spot_it_is_dark() {
+fn outside_of_the_cone_of_a_spot_light_is_dark() {
     let spot = scene_with(Light::Spot {
         position: Vec3::Y,
         direction: Vec3::X,
@@ -267,9 +280,9 @@ fn outside_the_cone_of_a_spot_it_is_dark() {
     assert_eq!(floor.rays_of_last_estimate(), 0);
 }
 
-/// Hard case 80: irradiance grows without end, but stays a number.
+/// Hard case 80: the irradiance becomes very large, but stays finite.
 #[test]
-fn a_light_close_by_is_finite() {
+fn very_close_light_gives_a_finite_estimate() {
     for height in [1e-3, 1e-100, 1e-160, 0.0] {
         let light = Light::Point {
             position: Vec3::new(0.0, height, 0.0),
@@ -286,15 +299,21 @@ fn a_light_close_by_is_finite() {
     assert!(floor.lights(1000, 1).mean().is_finite());
 }
 
-/// What typical mistakes do to an estimate is far beyond what the tests above let pass.
+/// Typical mistakes change the estimate by more than the tests accept.
 #[test]
-fn mistakes_would_be_seen() {
+fn typical_mistakes_are_detected() {
     let floor = Floor::under(LitScene::new(area(-Vec3::Y), None));
     let estimate = floor.lights(SAMPLES, 1);
-    let sure = smallest_sure_bias(estimate.standard_error(), sidak(FAMILY, TESTS));
+    let sure = detectable_bias(estimate.standard_error(), sidak(FAMILY, TESTS));
     let truth = RHO * 3.0 * 4.0 * corner_form_factor(1.0 / 0.75, 0.5 / 0.75);
     let without_cosine = floor.lights_without_cosine(SAMPLES).mean();
-    assert!((without_cosine - truth).abs() > sure, "cosine forgotten");
-    assert!(estimate.mean() > sure, "pdf off by 2");
+    assert!(
+        (without_cosine - truth).abs() > sure,
+        "a missing cosine is not detected"
+    );
+    assert!(
+        estimate.mean() > sure,
+        "a factor of 2 in the pdf is not detected"
+    );
 }
 // END SOLUTION(part3.task3)

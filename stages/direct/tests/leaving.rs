@@ -1,6 +1,7 @@
-//! Rays that leave surfaces: they do not meet the place they left, nor a lamp its own light, and they jump over nothing.
+//! Rays that leave a surface. They do not hit the surface that they left, a light does not block
+//! itself, and no thin gap is skipped.
 //!
-//! The hits are those of the course's kernels, so these tests are about how the two fit together.
+//! The hits come from the course's kernels, so these tests check that both work together.
 
 // BEGIN SOLUTION(part3.task3)
 use intersect::{intersect_sphere, intersect_triangle};
@@ -11,16 +12,16 @@ use kit::{
     Vec3, warp,
 };
 
-const MATTE: Material = Material::Diffuse {
+const DIFFUSE: Material = Material::Diffuse {
     reflectance: Spectrum::WHITE,
 };
 
-/// Random numbers, one after the other.
-struct Dice(PixelSampler);
+/// A sequence of random numbers.
+struct Random(PixelSampler);
 
-impl Dice {
-    fn new(seed: u64) -> Dice {
-        Dice(PixelSampler::new(0, 0, seed))
+impl Random {
+    fn new(seed: u64) -> Random {
+        Random(PixelSampler::new(0, 0, seed))
     }
     fn square(&mut self) -> Vec2 {
         self.0.next_2d()
@@ -30,8 +31,8 @@ impl Dice {
     }
 }
 
-/// Scenes of ordinary size, a speck far from the origin, and a planet.
-const PLACES: [(Vec3, f64); 4] = [
+/// Centre and size of scenes: of ordinary size, very small and far from the origin, and very large.
+const SCENES: [(Vec3, f64); 4] = [
     (Vec3::ZERO, 1.0),
     (Vec3::new(1e4, -300.0, 7.0), 1e-3),
     (Vec3::new(-2e6, 5e6, 1e6), 1e6),
@@ -40,18 +41,21 @@ const PLACES: [(Vec3, f64); 4] = [
 
 fn assert_leaves(
     surface: &Surface,
-    dice: &mut Dice,
-    mut again: impl FnMut(&mut Ray) -> Option<Hit>,
+    random: &mut Random,
+    mut intersect: impl FnMut(&mut Ray) -> Option<Hit>,
 ) {
     for _ in 0..20 {
-        let w = dice.direction();
-        // Both ways: what is reflected leaves on one side, what is refracted on the other.
+        let w = random.direction();
+        // Both directions: reflected rays leave on one side, refracted rays on the other.
         for w in [w, -w] {
             let mut ray = surface.leave(w);
             let side = (ray.o - surface.p).dot(surface.ng);
-            assert!(side * w.dot(surface.ng) > 0.0, "on the wrong side: {ray:?}");
-            if let Some(hit) = again(&mut ray) {
-                panic!("{ray:?} left {surface:?} and met it at {hit:?}");
+            assert!(
+                side * w.dot(surface.ng) > 0.0,
+                "the origin is on the wrong side: {ray:?}"
+            );
+            if let Some(hit) = intersect(&mut ray) {
+                panic!("{ray:?} left {surface:?} and hit it again: {hit:?}");
             }
         }
     }
@@ -59,55 +63,58 @@ fn assert_leaves(
 
 /// Hard case 82.
 #[test]
-fn a_ray_does_not_meet_the_triangle_it_left() {
-    let mut dice = Dice::new(1);
-    for (center, size) in PLACES {
+fn ray_does_not_hit_the_triangle_that_it_left() {
+    let mut random = Random::new(1);
+    for (center, size) in SCENES {
         for _ in 0..500 {
-            let mut corner = || center + size * dice.direction();
+            let mut corner = || center + size * random.direction();
             let tri = Triangle::flat(corner(), corner(), corner());
             let middle = (tri.p0 + tri.p1 + tri.p2) / 3.0;
-            let inside = middle + 0.9 * dice.square().x * (tri.p1 - middle);
-            let o = inside + 5.0 * size * dice.direction();
+            let inside = middle + 0.9 * random.square().x * (tri.p1 - middle);
+            let o = inside + 5.0 * size * random.direction();
             let mut ray = Ray::new(o, (inside - o).normalize());
             let Some(hit) = intersect_triangle(&tri, PrimId(0), &mut ray) else {
                 continue;
             };
-            let surface = Surface::new(&hit, Primitive::Triangle(&tri), &MATTE);
-            assert_leaves(&surface, &mut dice, |ray| {
+            let surface = Surface::new(&hit, Primitive::Triangle(&tri), &DIFFUSE);
+            assert_leaves(&surface, &mut random, |ray| {
                 intersect_triangle(&tri, PrimId(0), ray)
             });
         }
     }
 }
 
-/// Hard case 82, and the way through a ball of glass: outwards the sphere is not met again, inwards its far side is.
+/// Hard case 82, and the path through a glass sphere: outward rays miss the sphere, inward rays hit
+/// the far side.
 #[test]
-fn a_ray_meets_a_sphere_again_only_from_inside() {
-    let mut dice = Dice::new(2);
-    for (center, size) in PLACES {
+fn ray_hits_the_sphere_that_it_left_only_from_inside() {
+    let mut random = Random::new(2);
+    for (center, size) in SCENES {
         let s = Sphere {
             center,
             radius: size,
         };
         for _ in 0..500 {
-            let o = center + 3.0 * size * dice.direction();
-            let aim = center + 0.95 * size * dice.direction();
+            let o = center + 3.0 * size * random.direction();
+            let aim = center + 0.95 * size * random.direction();
             let mut ray = Ray::new(o, (aim - o).normalize());
-            let hit = intersect_sphere(&s, PrimId(0), &mut ray).expect("aimed at the inside");
-            let surface = Surface::new(&hit, Primitive::Sphere(&s), &MATTE);
+            let hit =
+                intersect_sphere(&s, PrimId(0), &mut ray).expect("the target is inside the sphere");
+            let surface = Surface::new(&hit, Primitive::Sphere(&s), &DIFFUSE);
             for _ in 0..20 {
-                let w = dice.direction();
+                let w = random.direction();
                 let again = intersect_sphere(&s, PrimId(0), &mut surface.leave(w));
                 let cos = w.dot(surface.ng);
                 if cos > 0.0 {
-                    assert_eq!(again, None, "outwards");
+                    assert_eq!(again, None, "outward rays must miss");
                 } else {
-                    // The chord of a circle: 2 r |cos θ|.
-                    let t = again.expect("inwards").t;
+                    // The length of a chord of a circle: 2 r |cos θ|.
+                    let t = again.expect("inward rays hit").t;
                     let chord = 2.0 * size * -cos;
-                    // The offset is a share of the largest coordinate, and flat angles magnify it.
-                    let slack = 10.0 * surface.error.length() / -cos;
-                    assert!((t - chord).abs() <= slack + 1e-9 * size, "{t} {chord}");
+                    // The offset is relative to the largest coordinate, and its effect grows at
+                    // grazing angles.
+                    let tolerance = 10.0 * surface.error.length() / -cos;
+                    assert!((t - chord).abs() <= tolerance + 1e-9 * size, "{t} {chord}");
                 }
             }
         }
@@ -126,7 +133,7 @@ fn lamp(height: f64) -> (Triangle, Emitter) {
         }],
         Spectrum::WHITE,
     );
-    (tri, Emitter::Mesh(mesh.expect("it has an area")))
+    (tri, Emitter::Mesh(mesh.expect("the triangle has an area")))
 }
 
 fn floor_at(p: Vec3) -> Surface<'static> {
@@ -143,36 +150,37 @@ fn floor_at(p: Vec3) -> Surface<'static> {
         uv: Vec2::ZERO,
         prim: PrimId(0),
     };
-    Surface::new(&hit, Primitive::Triangle(&floor), &MATTE)
+    Surface::new(&hit, Primitive::Triangle(&floor), &DIFFUSE)
 }
 
-/// Hard case 79, from below the lamp and from far beside it, where shadow rays graze it.
+/// Hard case 79: from below the lamp and from far beside it, where shadow rays reach it at grazing
+/// angles.
 #[test]
-fn a_lamp_is_not_in_its_own_light() {
-    let mut dice = Dice::new(3);
+fn triangle_lamp_does_not_block_itself() {
+    let mut random = Random::new(3);
     for height in [1e-3, 0.75, 40.0] {
         let (tri, emitter) = lamp(height);
         for x in [0.0, 1.0, 10.0, 300.0] {
             let surface = floor_at(Vec3::new(x, 0.0, 0.3));
             for _ in 0..2000 {
-                let Some(light) = emitter.sample(surface.p, dice.square()) else {
+                let Some(light) = emitter.sample(surface.p, random.square()) else {
                     continue;
                 };
                 let mut ray = surface.shadow_ray(&light);
                 assert_eq!(
                     intersect_triangle(&tri, PrimId(0), &mut ray),
                     None,
-                    "height {height}, {x} beside"
+                    "height {height}, distance {x}"
                 );
             }
         }
     }
 }
 
-/// Hard case 79 for a round lamp, whose limb is grazed by every other shadow ray.
+/// Hard case 79 for a spherical lamp: many shadow rays are nearly tangent to it.
 #[test]
-fn a_round_lamp_is_not_in_its_own_light() {
-    let mut dice = Dice::new(4);
+fn spherical_lamp_does_not_block_itself() {
+    let mut random = Random::new(4);
     let sphere = Sphere {
         center: Vec3::new(0.3, 2.0, 0.1),
         radius: 0.5,
@@ -184,31 +192,35 @@ fn a_round_lamp_is_not_in_its_own_light() {
     };
     let surface = floor_at(Vec3::ZERO);
     for _ in 0..100_000 {
-        let light = emitter.sample(surface.p, dice.square()).expect("outside");
+        let light = emitter
+            .sample(surface.p, random.square())
+            .expect("the point is outside the sphere");
         let mut ray = surface.shadow_ray(&light);
         assert_eq!(intersect_sphere(&sphere, PrimId(0), &mut ray), None);
     }
 }
 
-/// Hard case 81: what hangs a hundred-thousandth before the lamp, or lies as much above the floor, casts its shadow.
+/// Hard case 81: an occluder 1e-5 in front of the lamp or above the floor casts a shadow.
 #[test]
-fn thin_gaps_do_not_leak() {
-    let mut dice = Dice::new(5);
+fn occluders_near_lamp_and_floor_cast_shadows() {
+    let mut random = Random::new(5);
     let (_, emitter) = lamp(2.0);
     let surface = floor_at(Vec3::ZERO);
     for height in [1e-5, 2.0 - 1e-5] {
         let far = 5.0;
-        let shade = Triangle::flat(
+        let occluder = Triangle::flat(
             Vec3::new(-far, height, -far),
             Vec3::new(far, height, -far),
             Vec3::new(0.0, height, 2.0 * far),
         );
         for _ in 0..10_000 {
-            let light = emitter.sample(surface.p, dice.square()).expect("in front");
+            let light = emitter
+                .sample(surface.p, random.square())
+                .expect("the point is in front of the lamp");
             let mut ray = surface.shadow_ray(&light);
             assert!(
-                intersect_triangle(&shade, PrimId(0), &mut ray).is_some(),
-                "leaks through the shade at {height}"
+                intersect_triangle(&occluder, PrimId(0), &mut ray).is_some(),
+                "no hit with the occluder at height {height}"
             );
         }
     }

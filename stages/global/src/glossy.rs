@@ -1,28 +1,29 @@
-//! Beyond the course: rough mirrors.
+//! Beyond the course: glossy (rough) mirrors.
 //!
-//! A rough surface is made of `microfacets`, mirrors too small to see. One that faces the half-way direction of
-//! `wo` and `wi` sends one to the other:
+//! A rough surface consists of microfacets, tiny mirrors. A facet whose normal is the half vector
+//! of `wo` and `wi` reflects one into the other:
 //!
 //! ```text
 //! f = ρ · D(h) · G(wo, wi) / (4 · |cos θo| · |cos θi|)      h = (wo + wi) / |wo + wi|
 //! ```
 //!
-//! Light that is reflected more than once between the mirrors is lost: seen head-on a fortieth with a shininess of 100, a
-//! quarter with 10, two thirds with 0. Both sides of the surface are the same. Directions are unit vectors in the local space of the surface, the
-//! normal is +z.
+//! Light that is reflected more than once between facets is lost: at normal incidence 1/40 with a
+//! shininess of 100, 1/4 with 10, 2/3 with 0. Both sides of the surface are the same. Directions
+//! are unit vectors in the local space of the surface; the normal is +z.
 
-use crate::microfacets::{self, SMOOTHEST};
+use crate::microfacets::{self, MIN_ALPHA};
 use kit::{BsdfSample, Spectrum, Vec2, Vec3};
 
-/// The roughness α of a surface with the Phong exponent `shininess`: `α² = 2 / (shininess + 2)`, which gives both
-/// highlights the same width at their peak (Walter and others 2007, section 5.2, equation for Beckmann's α, to which
-/// that of GGX is equal at the peak). 0 is as rough as can be, α = 1.
+/// The roughness α of a surface with the Phong exponent `shininess`: `α² = 2 / (shininess + 2)`.
+/// This gives both highlights the same width at their peak (Walter and others 2007, section 5.2,
+/// equation for Beckmann's α, which equals that of GGX at the peak). The largest value is α = 1,
+/// for a shininess of 0.
 pub fn roughness_of(shininess: f64) -> f64 {
-    (2.0 / (shininess.max(0.0) + 2.0)).sqrt().max(SMOOTHEST)
+    (2.0 / (shininess.max(0.0) + 2.0)).sqrt().max(MIN_ALPHA)
 }
 
-/// Whether both directions are on one side, and the half-way direction on that of +z.
-fn half_way(wo: Vec3, wi: Vec3) -> Option<Vec3> {
+/// The half vector on the side of +z; `None` if the directions are on different sides.
+fn half_vector(wo: Vec3, wi: Vec3) -> Option<Vec3> {
     if wo.z * wi.z <= 0.0 {
         return None;
     }
@@ -32,26 +33,27 @@ fn half_way(wo: Vec3, wi: Vec3) -> Option<Vec3> {
 
 /// The BSDF in 1/sr; black if `wo` and `wi` are not on the same side.
 pub fn glossy_f(reflectance: Spectrum, shininess: f64, wo: Vec3, wi: Vec3) -> Spectrum {
-    let Some(h) = half_way(wo, wi) else {
+    let Some(h) = half_vector(wo, wi) else {
         return Spectrum::BLACK;
     };
     let a = roughness_of(shininess);
-    let seen = 1.0 / (1.0 + microfacets::hidden(wo, a) + microfacets::hidden(wi, a));
-    reflectance * (microfacets::facing(h, a) * seen / (4.0 * wo.z * wi.z))
+    let masking = 1.0 / (1.0 + microfacets::lambda(wo, a) + microfacets::lambda(wi, a));
+    reflectance * (microfacets::distribution(h, a) * masking / (4.0 * wo.z * wi.z))
 }
 
-/// The density with which [`glossy_sample`] draws `wi`, in 1/sr.
+/// The density with which [`glossy_sample`] samples `wi`, in 1/sr.
 pub fn glossy_pdf(shininess: f64, wo: Vec3, wi: Vec3) -> f64 {
     let a = roughness_of(shininess);
-    half_way(wo, wi).map_or(0.0, |h| {
-        microfacets::facing(h, a) / ((1.0 + microfacets::hidden(wo, a)) * 4.0 * wo.z.abs())
+    half_vector(wo, wi).map_or(0.0, |h| {
+        microfacets::distribution(h, a) / ((1.0 + microfacets::lambda(wo, a)) * 4.0 * wo.z.abs())
     })
 }
 
-/// Draws a direction on the side of `wo`: a small mirror among those that are seen from `wo`, and what it reflects.
+/// Samples a direction on the side of `wo`: samples a facet that is visible from `wo`, and reflects
+/// `wo` at it.
 ///
-/// `u` is uniform in [0, 1)². `None` if `wo` lies in the plane of the surface, or if the mirror sends the light into the
-/// surface: that light is lost.
+/// `u` is uniform in [0, 1)². `None` if `wo` is in the plane of the surface, or if the reflected
+/// direction points into the surface: that light is lost.
 pub fn glossy_sample(
     reflectance: Spectrum,
     shininess: f64,
@@ -63,7 +65,7 @@ pub fn glossy_sample(
     }
     let a = roughness_of(shininess);
     let up = if wo.z < 0.0 { -wo } else { wo };
-    let h = microfacets::visible(up, a, u)?;
+    let h = microfacets::sample_visible(up, a, u)?;
     let up_wi = 2.0 * up.dot(h) * h - up;
     if up_wi.z <= 0.0 {
         return None;
@@ -95,11 +97,11 @@ mod tests {
         ]
     }
 
-    /// Hard case 89. All false alarms together have a chance of 1e-6; a deviation of 10 % (root mean square) is sure to be
-    /// seen, as that of another shininess is.
+    /// Hard case 89. The significance level of all tests together is 1e-6. They detect every
+    /// deviation of 10 % (root mean square), so also another shininess.
     #[test]
-    fn samples_fall_where_the_pdf_says() {
-        let alarm = sidak(1e-6, 12);
+    fn samples_follow_the_pdf() {
+        let significance = sidak(1e-6, 12);
         for shininess in [0.0, 3.0, 20.0] {
             for wo in views() {
                 let fit_to = |other: f64| {
@@ -108,34 +110,35 @@ mod tests {
                     chi_square::fit_samples(50_000, 7, sample, |wi| glossy_pdf(other, wo, wi))
                 };
                 let fit = fit_to(shininess);
-                assert!(fit.p > alarm, "shininess {shininess}, {wo}: {fit:?}");
-                assert!(fit.smallest_sure_deviation(alarm) < 0.1, "{fit:?}");
-                assert!(fit_to(1.3 * shininess + 0.3).p < alarm);
+                assert!(fit.p > significance, "shininess {shininess}, {wo}: {fit:?}");
+                assert!(fit.detectable_deviation(significance) < 0.1, "{fit:?}");
+                assert!(fit_to(1.3 * shininess + 0.3).p < significance);
             }
         }
     }
 
     #[test]
-    fn light_runs_both_ways() {
-        let mut numbers = PixelSampler::new(0, 0, 1);
+    fn bsdf_is_reciprocal() {
+        let mut sampler = PixelSampler::new(0, 0, 1);
         for _ in 0..1000 {
-            let [a, b] = [numbers.get_sample(), numbers.next_2d()].map(kit::warp::uniform_sphere);
-            let (there, back) = (
+            let [a, b] = [sampler.get_sample(), sampler.next_2d()].map(kit::warp::uniform_sphere);
+            let (forward, reverse) = (
                 glossy_f(Spectrum::WHITE, 10.0, a, b).g,
                 glossy_f(Spectrum::WHITE, 10.0, b, a).g,
             );
-            assert!((there - back).abs() <= 1e-12 * there.abs());
+            assert!((forward - reverse).abs() <= 1e-12 * forward.abs());
         }
     }
 
-    /// Hard case 83 for rough mirrors: never more light than comes in, and all of it as they get smooth.
+    /// Hard case 83 for rough mirrors: the albedo is at most 1, and approaches 1 for smooth
+    /// surfaces.
     #[test]
-    fn a_furnace_is_not_outshone() {
+    fn albedo_is_at_most_one() {
         let albedo = |shininess: f64, wo: Vec3| {
-            let mut numbers = PixelSampler::new(0, 0, 2);
+            let mut sampler = PixelSampler::new(0, 0, 2);
             (0..20_000)
                 .map(|_| {
-                    glossy_sample(Spectrum::WHITE, shininess, wo, numbers.get_sample())
+                    glossy_sample(Spectrum::WHITE, shininess, wo, sampler.get_sample())
                         .map_or(0.0, |s| s.weight().g)
                 })
                 .collect::<Tally>()
@@ -150,30 +153,29 @@ mod tests {
         }
     }
 
-    /// The estimate by samples equals the integral by uniform directions: f and pdf belong together.
+    /// The estimate with samples equals the integral with uniform directions, so `f` and the pdf
+    /// are consistent.
     #[test]
-    fn the_weight_of_samples_is_the_integral_of_f() {
+    fn mean_sample_weight_is_the_integral_of_f() {
         let wo = views()[1];
-        let mut numbers = PixelSampler::new(0, 0, 3);
-        let (mut by_samples, mut uniformly) = (Tally::default(), Tally::default());
+        let mut sampler = PixelSampler::new(0, 0, 3);
+        let (mut by_samples, mut uniform) = (Tally::default(), Tally::default());
         for _ in 0..200_000 {
-            let u = numbers.get_sample();
+            let u = sampler.get_sample();
             let s = glossy_sample(Spectrum::WHITE, 5.0, wo, u);
             by_samples.push(s.map_or(0.0, |s| s.weight().g));
-            let wi = kit::warp::uniform_hemisphere(numbers.next_2d());
-            uniformly.push(glossy_f(Spectrum::WHITE, 5.0, wo, wi).g * wi.z * TAU);
+            let wi = kit::warp::uniform_hemisphere(sampler.next_2d());
+            uniform.push(glossy_f(Spectrum::WHITE, 5.0, wo, wi).g * wi.z * TAU);
         }
-        let error = by_samples
-            .standard_error()
-            .hypot(uniformly.standard_error());
-        let z = (by_samples.mean() - uniformly.mean()) / error;
-        // Five standard errors: a chance of 6e-7. A bias of 3 % is sure to be seen.
-        assert!(z.abs() < 5.0, "{} {}", by_samples.mean(), uniformly.mean());
+        let error = by_samples.standard_error().hypot(uniform.standard_error());
+        let z = (by_samples.mean() - uniform.mean()) / error;
+        // Five standard errors: a probability of 6e-7. A bias of 3 % is detected.
+        assert!(z.abs() < 5.0, "{} {}", by_samples.mean(), uniform.mean());
         assert!(10.0 * error < 0.03, "{error}");
     }
 
     #[test]
-    fn odd_directions_are_no_nan() {
+    fn special_directions_give_no_nan() {
         assert_eq!(
             glossy_sample(Spectrum::WHITE, 5.0, Vec3::X, Vec2::ZERO),
             None

@@ -1,11 +1,11 @@
-//! Part 4: mirrors, glass and light that bounces.
+//! Part 4: mirrors, glass and indirect light.
 //!
-//! Read in this order: [`fresnel`] and [`specular`] (task 1, surfaces that send light in one or two directions only),
-//! [`path`] (task 2, light that took several bounces), [`roulette`] (task 3, when to give up on a path), and beyond the
-//! course [`glossy`] (rough mirrors) and [`rough_glass`].
+//! Reading order: [`fresnel`] and [`specular`] (task 1, delta materials: mirrors and smooth glass),
+//! [`path`] (task 2, path tracing), [`roulette`] (task 3, Russian roulette), and beyond the course
+//! [`glossy`] (rough mirrors) and [`rough_glass`].
 //!
-//! What surfaces do with light comes in as [`Scattering`](kit::Scattering), and direct light, roulette and rays as
-//! closures, so that each task can be tried when the others are still to be written.
+//! The materials come as [`Scattering`](kit::Scattering), and direct light, roulette and ray
+//! tracing as closures, so that each task can be tested before the others are written.
 
 pub mod fresnel;
 pub mod glossy;

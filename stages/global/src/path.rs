@@ -1,34 +1,38 @@
-//! Part 4, task 2: light that took any number of bounces.
+//! Part 4, task 2: path tracing.
 
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
-/// Radiance that arrives along `ray`, by following one path of at most `max_depth` rays (the flag `-m`).
+/// Estimates the radiance along `ray` with one path of at most `max_depth` rays (the flag `-m`).
 ///
 /// ```text
-/// Lo = Le + ∫ f · Li · |cos θi| dwi        and Li is the Lo of the surface that is seen along wi
+/// Lo = Le + ∫ f · Li · |cos θi| dwi        where Li is the Lo of the surface that is hit along wi
 /// ```
 ///
-/// so light is followed backwards: from each surface, [`Scattering::sample`] draws one direction, `trace` finds the next
-/// surface, and what is seen there counts by the product of the weights `f · |cos θi| / pdf` so far, the *throughput*.
+/// Light is traced backwards: at each surface [`Scattering::sample`] samples one direction, `trace`
+/// finds the next surface, and its radiance is multiplied by the product of all weights
+/// `f · |cos θi| / pdf` so far, the *throughput*.
 ///
-/// A path has at most `max_depth` rays, of which the first is `ray`. With 0 only what emits is seen, with 1 also what is
-/// lit directly, with 2 what is lit by that and what a mirror shows, and so on: passing through a glass ball takes two
-/// more. On the way:
+/// A path has at most `max_depth` rays, of which the first is `ray`. With 0, only emission is
+/// visible; with 1, also directly lit surfaces; with 2, also what these light and what mirrors
+/// reflect, and so on. Passing through a glass sphere takes two more rays. The rules are:
 ///
-/// - What a surface emits counts where the eye sees it: at the first hit, and behind mirrors and glass
-///   ([`BsdfSample::delta`](kit::BsdfSample::delta)), where no direct light was asked for. The same holds for
-///   [`LitScene::background`] where nothing is hit. Anywhere else the direct light of the surface before has counted it
-///   already.
-/// - Unless `max_depth` is 0, `direct` gives the direct light of each surface that is no mirror and no smooth glass
-///   ([`Material::is_delta`](kit::Material::is_delta)), towards the unit world direction `wo` (part 3).
-/// - While rays are left, `next_2d` and `next_1d` of the sampler, in this order, choose where to go on.
-/// - `roulette` (task 3) gets the new throughput, how many bounces the path has made (1 after the first) and a `next_1d` of
-///   the sampler, and answers with the throughput to go on with, or ends the path.
+/// - The emission of a surface counts at the first hit, and after a sample of a delta distribution
+///   ([`BsdfSample::delta`](kit::BsdfSample::delta): mirrors and smooth glass), where no direct
+///   light was estimated. The same holds for [`LitScene::background`] if nothing is hit. Elsewhere
+///   the direct light of the previous surface already contains it.
+/// - Unless `max_depth` is 0, `direct` returns the direct light of each surface that is not a
+///   mirror or smooth glass ([`Material::is_delta`](kit::Material::is_delta)), towards the unit
+///   world direction `wo` (part 3).
+/// - While rays are left, `next_2d` and `next_1d` of the sampler, in this order, sample the next
+///   direction.
+/// - `roulette` (task 3) gets the new throughput, the number of bounces so far (1 after the first)
+///   and a `next_1d` of the sampler. It returns the throughput to continue with, or `None` to end
+///   the path.
 ///
 /// A ray that leaves a surface starts with [`Surface::leave`].
 #[allow(
     clippy::too_many_arguments,
-    reason = "neighbours come in as arguments, so that each task can be tried alone"
+    reason = "the functions of other tasks come in as arguments, so that each task can be tested alone"
 )]
 pub fn estimate_radiance(
     lit: &LitScene,

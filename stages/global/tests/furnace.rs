@@ -1,4 +1,5 @@
-//! Paths in scenes whose light is known: the inside of a glowing ball, and a furnace with glass in it.
+//! Paths in scenes with known solutions: the inside of a sphere with uniform direct light, and
+//! furnaces with objects.
 
 // BEGIN SOLUTION(part4.task2)
 use global::{estimate_radiance, glass_sample, mirror_sample, play_roulette, refraction_sample};
@@ -7,20 +8,21 @@ use kit::{
     BsdfSample, Environment, Hit, LitScene, Material, PixelSampler, PrimId, Ray, Scattering, Scene,
     Spectrum, Sphere, Surface, Tally, Vec2, Vec3, math,
 };
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
-/// Chance that any of the z-tests of this file accuses a right estimate.
+/// Significance level of all z-tests of this file together.
 const FAMILY: f64 = 1e-6;
-/// How many there are.
+/// Number of z-tests.
 const TESTS: usize = 12;
-/// Rounding of a path of a few dozen bounces.
+/// Tolerance for a path of a few dozen bounces.
 const ROUNDING: f64 = 1e-12;
 
-/// The scattering functions of parts 3 and 4. The matte one is written out, since a stage knows no other stage.
-struct Everything;
+/// The scattering functions of parts 3 and 4. The diffuse one is copied, because a stage imports no
+/// other stage.
+struct AllMaterials;
 
-impl Scattering for Everything {
+impl Scattering for AllMaterials {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {
             Material::Diffuse { reflectance } if wo.z * wi.z > 0.0 => *reflectance * FRAC_1_PI,
@@ -29,7 +31,7 @@ impl Scattering for Everything {
     }
 
     fn pdf(&self, _: &Material, _: Vec3, _: Vec3) -> f64 {
-        unreachable!("paths do not ask for it")
+        unreachable!("the path tracer does not call `pdf`")
     }
 
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
@@ -84,7 +86,8 @@ fn spheres(list: &[(Vec3, f64, Material)]) -> Scene {
     }
 }
 
-/// The closest sphere: a plain test, independent of the course's kernels. Normals point outwards.
+/// The closest sphere, by a simple test that is independent of the course's kernels. Normals point
+/// outwards.
 fn closest(scene: &Scene, ray: &Ray) -> Option<Hit> {
     let hit = |(i, s): (usize, &Sphere)| {
         let f = ray.o - s.center;
@@ -116,12 +119,12 @@ fn closest(scene: &Scene, ray: &Ray) -> Option<Hit> {
         .min_by(|a, b| a.t.total_cmp(&b.t))
 }
 
-fn never(throughput: Spectrum, _: u32, _: f64) -> Option<Spectrum> {
+fn no_roulette(throughput: Spectrum, _: u32, _: f64) -> Option<Spectrum> {
     Some(throughput)
 }
 
-/// The red channel of `paths` paths that follow `ray`.
-fn follow(
+/// The red channels of `paths` paths that start with `ray`.
+fn trace_paths(
     lit: &LitScene,
     ray: &Ray,
     max_depth: u32,
@@ -138,7 +141,7 @@ fn follow(
                 ray,
                 max_depth,
                 &mut sampler,
-                &Everything,
+                &AllMaterials,
                 &mut |ray| closest(&lit.scene, ray),
                 direct,
                 roulette,
@@ -154,23 +157,32 @@ fn no_direct(_: &Surface, _: Vec3, _: &mut PixelSampler) -> Spectrum {
 }
 
 fn assert_mean(what: &str, estimate: &Tally, truth: f64, worst_sure_bias: f64) {
-    let alarm = sidak(FAMILY, TESTS);
+    let significance = sidak(FAMILY, TESTS);
     let p = two_sided(estimate.z_against(truth));
     let (mean, error) = (estimate.mean(), estimate.standard_error());
-    assert!(p > alarm, "{what}: {mean} ± {error}, should be {truth}");
-    let sure = smallest_sure_bias(error, alarm);
-    assert!(sure <= worst_sure_bias, "{what}: too noisy to tell ±{sure}");
-    // What is off by as much is caught, whichever way.
+    assert!(
+        p > significance,
+        "{what}: {mean} ± {error}, expected {truth}"
+    );
+    let sure = detectable_bias(error, significance);
+    assert!(
+        sure <= worst_sure_bias,
+        "{what}: too noisy, a bias below ±{sure} is not detected"
+    );
+    // A bias of this size is detected in both directions.
     for off in [sure, -sure] {
         let p = two_sided(estimate.z_against(truth + off));
-        assert!(error == 0.0 || p < alarm, "{what}: off by {off}, p = {p:e}");
+        assert!(
+            error == 0.0 || p < significance,
+            "{what}: a bias of {off} is not detected, p = {p:e}"
+        );
     }
 }
 
-/// Hard case 83. Inside a matte ball where every place is lit directly with radiance 1, each further bounce adds its share:
-/// 1 + ρ + ρ² + ... With ρ = 1/2 that is 2 - 2^(1-m); with ρ = 1 it is m.
+/// Hard case 83. In a diffuse sphere whose direct light is 1 everywhere, the radiance is the
+/// geometric series 1 + ρ + ρ² + ... With ρ = 1/2 that is 2 - 2^(1-m); with ρ = 1 it is m.
 #[test]
-fn a_white_furnace_sums_its_bounces() {
+fn bounces_in_a_furnace_add_up_to_a_geometric_series() {
     let ray = Ray::new(Vec3::new(0.1, 0.2, 0.3), Vec3::X);
     for rho in [0.5, 1.0] {
         let wall = Material::Diffuse {
@@ -179,13 +191,13 @@ fn a_white_furnace_sums_its_bounces() {
         let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, wall)]), None);
         for max_depth in [0, 1, 2, 5, 30] {
             let sum: f64 = (0..max_depth).map(|k| f64::powi(rho, k as i32)).sum();
-            let ball = follow(
+            let ball = trace_paths(
                 &lit,
                 &ray,
                 max_depth,
                 20,
                 &mut |_, _, _| Spectrum::WHITE,
-                &mut never,
+                &mut no_roulette,
             );
             assert!((ball.mean() - sum).abs() < ROUNDING * (1.0 + sum));
             assert!(ball.standard_error() < ROUNDING * (1.0 + sum));
@@ -193,7 +205,7 @@ fn a_white_furnace_sums_its_bounces() {
     }
 }
 
-/// Hard case 84. The same ball with roulette: noisier, as bright.
+/// Hard case 84. The same sphere with roulette: noisier, but without a bias.
 #[test]
 fn roulette_on_and_off_agree() {
     let ray = Ray::new(Vec3::new(0.1, 0.2, 0.3), Vec3::X);
@@ -203,17 +215,17 @@ fn roulette_on_and_off_agree() {
     let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, wall)]), None);
     let lamp = &mut |_: &Surface, _: Vec3, _: &mut PixelSampler| Spectrum::WHITE;
     let truth = (1.0 - f64::powi(0.7, 60)) / 0.3;
-    let on = follow(&lit, &ray, 60, 100_000, lamp, &mut play_roulette);
+    let on = trace_paths(&lit, &ray, 60, 100_000, lamp, &mut play_roulette);
     assert_mean("roulette", &on, truth, 0.07);
-    // Survivors that do not make up for the dead are seen: their light is too little.
-    let unpaid = &mut |throughput: Spectrum, bounces: u32, u: f64| {
+    // The test detects survivors without compensation: the estimate is too dark.
+    let uncompensated = &mut |throughput: Spectrum, bounces: u32, u: f64| {
         play_roulette(throughput, bounces, u).map(|_| throughput)
     };
-    let dark = follow(&lit, &ray, 60, 100_000, lamp, unpaid);
+    let dark = trace_paths(&lit, &ray, 60, 100_000, lamp, uncompensated);
     assert!(truth - dark.mean() > 0.07, "{}", dark.mean());
 }
 
-/// What emits is seen at depth 0, directly lit surfaces from depth 1 on.
+/// Emission is visible at depth 0, directly lit surfaces from depth 1 on.
 #[test]
 fn depth_counts_bounces() {
     let lamp = Material::Emission {
@@ -222,55 +234,63 @@ fn depth_counts_bounces() {
     let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, lamp)]), None);
     let at_the_lamp = Ray::new(3.0 * Vec3::Z, -Vec3::Z);
     for max_depth in [0, 1, 7] {
-        let seen = follow(&lit, &at_the_lamp, max_depth, 1, &mut no_direct, &mut never);
+        let seen = trace_paths(
+            &lit,
+            &at_the_lamp,
+            max_depth,
+            1,
+            &mut no_direct,
+            &mut no_roulette,
+        );
         assert_eq!(seen.mean(), 5.0);
     }
     let past_the_lamp = Ray::new(3.0 * Vec3::Z, Vec3::Y);
-    let nothing = follow(&lit, &past_the_lamp, 7, 1, &mut no_direct, &mut never);
+    let nothing = trace_paths(&lit, &past_the_lamp, 7, 1, &mut no_direct, &mut no_roulette);
     assert_eq!(nothing.mean(), 0.0);
-    // From inside, the back of the lamp: black.
+    // From inside, the back of the lamp is visible: black.
     let inside = Ray::new(Vec3::ZERO, Vec3::Y);
-    let back = follow(&lit, &inside, 7, 1, &mut no_direct, &mut never);
+    let back = trace_paths(&lit, &inside, 7, 1, &mut no_direct, &mut no_roulette);
     assert_eq!(back.mean(), 0.0);
 }
 
-/// A mirror shows something from the second ray on: the lamp, and what is lit.
+/// A mirror reflects its environment only from the second ray on.
 #[test]
-fn a_mirror_needs_a_second_ray() {
+fn mirror_needs_a_second_ray() {
     let mirror = Material::Mirror {
         reflectance: Spectrum::grey(0.5),
     };
-    let all_around = Environment::uniform(Spectrum::WHITE);
-    let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, mirror)]), Some(all_around));
+    let environment = Environment::uniform(Spectrum::WHITE);
+    let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, mirror)]), Some(environment));
     let ray = Ray::new(3.0 * Vec3::Z, -Vec3::Z);
     let direct = &mut |_: &Surface, _: Vec3, _: &mut PixelSampler| -> Spectrum {
         panic!("mirrors have no direct light")
     };
     for (max_depth, seen) in [(0, 0.0), (1, 0.0), (2, 0.5), (9, 0.5)] {
-        let mirror = follow(&lit, &ray, max_depth, 1, direct, &mut never);
+        let mirror = trace_paths(&lit, &ray, max_depth, 1, direct, &mut no_roulette);
         assert_eq!(mirror.mean(), seen, "at depth {max_depth}");
     }
 }
 
-/// Light that `direct` has counted already must not count again when a random ray finds it.
+/// Light that `direct` already contains must not be added again when a random ray hits it.
 #[test]
-fn a_lamp_counts_once() {
+fn light_is_counted_only_once() {
     let matte = Material::Diffuse {
         reflectance: Spectrum::WHITE,
     };
-    let all_around = Environment::uniform(Spectrum::WHITE);
-    let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, matte)]), Some(all_around));
+    let environment = Environment::uniform(Spectrum::WHITE);
+    let lit = LitScene::new(spheres(&[(Vec3::ZERO, 1.0, matte)]), Some(environment));
     let ray = Ray::new(3.0 * Vec3::Z, -Vec3::Z);
     let direct = &mut |_: &Surface, _: Vec3, _: &mut PixelSampler| Spectrum::WHITE;
-    // A white ball in a white furnace cannot be seen. It is convex, so direct light is all.
-    let ball = follow(&lit, &ray, 9, 100, direct, &mut never);
+    // A white sphere is invisible in a white furnace. It is convex, so there is only direct light.
+    let ball = trace_paths(&lit, &ray, 9, 100, direct, &mut no_roulette);
     assert_eq!(ball.mean(), 1.0);
 }
 
-/// Hard case 78 and the furnace for glass: whatever is clear cannot be seen in a furnace. Mirrors, refraction, glass and a
-/// ball of air in a ball of glass, with rays that enter, leave and are trapped for a while.
+/// Hard case 78 and the furnace test for glass: objects without absorption are invisible in a
+/// furnace. Mirrors, refraction, glass, and a sphere of air in a sphere of glass, with rays that
+/// enter, leave and are reflected inside.
 #[test]
-fn clear_balls_are_invisible_in_a_furnace() {
+fn spheres_without_absorption_are_invisible_in_a_furnace() {
     let one = Spectrum::WHITE;
     let glass = |ior| Material::Glass {
         reflectance: one,
@@ -302,16 +322,16 @@ fn clear_balls_are_invisible_in_a_furnace() {
         );
         for x in [0.0, 0.3, 0.7, 0.99, 0.999_999] {
             let ray = Ray::new(Vec3::new(x, 0.0, 3.0), -Vec3::Z);
-            let ball = follow(&lit, &ray, 1000, 500, &mut no_direct, &mut never);
+            let ball = trace_paths(&lit, &ray, 1000, 500, &mut no_direct, &mut no_roulette);
             assert!((ball.mean() - 0.75).abs() < 1e-9, "{}", ball.mean());
         }
     }
 }
 
-/// Tinted glass is as bright as Airy's sum says: a ball seen through its centre reflects R, and passes (1-R)² t² Σ (R t)^2k
-/// and reflects the rest. Only what arrives is counted: the furnace is 1.
+/// Tinted glass follows Airy's sum. A sphere seen through its centre reflects R and transmits
+/// (1-R)² t² Σ (R t)^2k; the rest leaves after internal reflections. The furnace has radiance 1.
 #[test]
-fn tinted_glass_has_the_sum_of_its_reflections() {
+fn tinted_glass_is_the_sum_of_its_reflections() {
     let t = 0.8;
     let ball = Material::Glass {
         reflectance: Spectrum::WHITE,
@@ -323,17 +343,18 @@ fn tinted_glass_has_the_sum_of_its_reflections() {
         spheres(&[(Vec3::ZERO, 1.0, ball)]),
         Some(Environment::uniform(Spectrum::WHITE)),
     );
-    // In and out, however often it is reflected inside, light passes the boundary twice.
+    // Light passes the boundary twice, in and out, whatever the number of internal reflections.
     let r = 0.04;
     let truth = r + (1.0 - r) * t * t;
     let ray = Ray::new(3.0 * Vec3::Z, -Vec3::Z);
-    let seen = follow(&lit, &ray, 200, 200_000, &mut no_direct, &mut never);
+    let seen = trace_paths(&lit, &ray, 200, 200_000, &mut no_direct, &mut no_roulette);
     assert_mean("tinted glass", &seen, truth, 0.003);
 }
 
-/// Hard case 82, and a mirror inside out: thousands of bounces in a mirror ball, none of which escapes or sticks.
+/// Hard case 82 from inside: in thousands of bounces inside a mirror sphere, no ray escapes or gets
+/// stuck.
 #[test]
-fn nothing_escapes_from_a_closed_mirror() {
+fn no_ray_escapes_from_a_closed_mirror() {
     let mirror = Material::Mirror {
         reflectance: Spectrum::WHITE,
     };
@@ -350,8 +371,12 @@ fn nothing_escapes_from_a_closed_mirror() {
             center + 0.3 * radius * Vec3::Y,
             Vec3::new(0.6, 0.64, 0.48).normalize(),
         );
-        let seen = follow(&lit, &ray, 5000, 1, &mut no_direct, &mut never);
-        assert_eq!(seen.mean(), 0.0, "a ray got out of {radius}");
+        let seen = trace_paths(&lit, &ray, 5000, 1, &mut no_direct, &mut no_roulette);
+        assert_eq!(
+            seen.mean(),
+            0.0,
+            "a ray escaped from the sphere of radius {radius}"
+        );
     }
 }
 // END SOLUTION(part4.task2)

@@ -1,7 +1,8 @@
-//! What one test of a triangle or a sphere costs: rays that hit, rays that miss, and both in turns.
+//! Benchmarks of the triangle and sphere tests: rays that hit, rays that miss, and a random mix of
+//! both.
 //!
-//! `cargo bench -p intersect`. Each ray has a shape of its own, so nothing can be worked out once for
-//! many tests; times are for 1024 of them.
+//! Run with `cargo bench -p intersect`. Each ray has its own shape, so no result can be reused. A
+//! measured time is that of 1024 tests.
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use kit::{PixelSampler, Ray, Sphere, Triangle, Vec3};
@@ -9,46 +10,47 @@ use std::hint::black_box;
 
 const PAIRS: u32 = 1024;
 
-/// One shape and one ray, many times.
+/// Shapes, each with its own ray.
 type Pairs<S> = Vec<(S, Ray)>;
 
-/// A point in the cube from -1 to 1.
+/// A uniform random point in the cube [-1, 1)³.
 fn point(random: &mut PixelSampler) -> Vec3 {
     let mut coordinate = || 2.0 * random.next_1d() - 1.0;
     Vec3::new(coordinate(), coordinate(), coordinate())
 }
 
-/// Named lists of pairs: shapes from `shape`, which also says where to aim for a hit and for a miss.
+/// Three named lists of pairs. `shape` returns a shape, a point inside its outline and a point
+/// outside.
 fn workloads<S: Clone>(
     shape: impl Fn(&mut PixelSampler) -> (S, Vec3, Vec3),
 ) -> [(&'static str, Pairs<S>); 3] {
     let mut random = PixelSampler::new(0, 0, 1);
     let (mut hits, mut misses, mut mixed) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..PAIRS {
-        let (shape, on_it, beside_it) = shape(&mut random);
+        let (shape, inside, outside) = shape(&mut random);
         let origin = 5.0 * point(&mut random).normalize();
         let towards = |target: Vec3| Ray::new(origin, (target - origin).normalize());
-        hits.push((shape.clone(), towards(on_it)));
-        misses.push((shape.clone(), towards(beside_it)));
+        hits.push((shape.clone(), towards(inside)));
+        misses.push((shape.clone(), towards(outside)));
         let coin = random.next_1d() < 0.5;
-        mixed.push((shape, towards(if coin { on_it } else { beside_it })));
+        mixed.push((shape, towards(if coin { inside } else { outside })));
     }
     [("hit", hits), ("miss", misses), ("mixed", mixed)]
 }
 
 fn triangles(random: &mut PixelSampler) -> (Triangle, Vec3, Vec3) {
     let (p0, p1, p2) = (point(random), point(random), point(random));
-    let on_it = 0.4 * p0 + 0.3 * p1 + 0.3 * p2;
-    let beside_it = -0.6 * p0 + 0.8 * p1 + 0.8 * p2;
-    (Triangle::flat(p0, p1, p2), on_it, beside_it)
+    let inside = 0.4 * p0 + 0.3 * p1 + 0.3 * p2;
+    let outside = -0.6 * p0 + 0.8 * p1 + 0.8 * p2;
+    (Triangle::flat(p0, p1, p2), inside, outside)
 }
 
 fn spheres(random: &mut PixelSampler) -> (Sphere, Vec3, Vec3) {
     let (center, radius) = (point(random), 0.1 + random.next_1d());
     let off_center = point(random).normalize();
-    let on_it = center + 0.3 * radius * off_center;
-    let beside_it = center + 2.0 * radius * off_center;
-    (Sphere { center, radius }, on_it, beside_it)
+    let inside = center + 0.3 * radius * off_center;
+    let outside = center + 2.0 * radius * off_center;
+    (Sphere { center, radius }, inside, outside)
 }
 
 fn bench<S: Clone, H>(
@@ -72,8 +74,8 @@ fn bench<S: Clone, H>(
 }
 
 // BEGIN SOLUTION(part1.task3)
-/// The textbook test, for comparison: Möller, Trumbore, "Fast, minimum storage ray-triangle
-/// intersection", 1997.
+/// The textbook test, for comparison (Möller, Trumbore, "Fast, minimum storage ray-triangle
+/// intersection", 1997).
 #[inline]
 fn moller_trumbore(tri: &Triangle, ray: &Ray) -> Option<kit::TriangleHit> {
     let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);

@@ -1,24 +1,25 @@
 // BEGIN SOLUTION(part1.task3)
-//! Arithmetic for the close calls: what plain `f64` rounds away, kept.
+//! Accurate arithmetic for the cases in which plain `f64` loses too many digits.
 //!
-//! `mul_add` rounds once, on every machine, but where the hardware has no such instruction it is slow. So
-//! the kernels come here only when the plain formula cannot decide.
+//! `mul_add` has a single rounding on every machine, but it is slow without hardware support. So
+//! the kernels use this module only when the plain formula is not reliable.
 
 use kit::Vec3;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// `a·b - c·d`, off by at most 1.5 ulp, where the plain formula can lose every digit.
+/// `a·b - c·d` with an error of at most 1.5 ulp. The plain formula can lose every digit.
 ///
-/// Kahan's algorithm; the bound is in Jeannerod, Louvet, Muller, "Further analysis of Kahan's algorithm for
-/// the accurate computation of 2x2 determinants", Math. Comp. 82, 2013. The sign is right, and 0 means 0,
-/// as long as no product is so small (below 1e-290) that its rounding error underflows.
+/// Kahan's algorithm; the bound is in Jeannerod, Louvet, Muller, "Further analysis of Kahan's
+/// algorithm for the accurate computation of 2x2 determinants", Math. Comp. 82, 2013. The sign is
+/// exact, and the result is 0 only if the exact value is 0, unless a product is so small (below
+/// 1e-290) that its rounding error underflows.
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let cd = c * d;
     let rounding_of_cd = (-c).mul_add(d, cd);
     a.mul_add(b, -cd) + rounding_of_cd
 }
 
-/// `a x b` with every component off by at most 1.5 ulp.
+/// `a x b` with an error of at most 1.5 ulp in every component.
 pub(crate) fn accurate_cross(a: Vec3, b: Vec3) -> Vec3 {
     Vec3::new(
         difference_of_products(a.y, b.z, a.z, b.y),
@@ -27,9 +28,10 @@ pub(crate) fn accurate_cross(a: Vec3, b: Vec3) -> Vec3 {
     )
 }
 
-/// A number as an unevaluated sum of two floats, `hi` the sum rounded: about 106 bits.
+/// An unevaluated sum of two floats, where `hi` is the rounded sum: about 106 bits.
 ///
-/// Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18, 1971.
+/// Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18,
+/// 1971.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DoubleDouble {
     pub(crate) hi: f64,
@@ -37,7 +39,7 @@ pub(crate) struct DoubleDouble {
 }
 
 impl DoubleDouble {
-    /// `a + b` without rounding (Knuth's TwoSum).
+    /// `a + b` without rounding error (Knuth's TwoSum).
     pub(crate) fn sum(a: f64, b: f64) -> DoubleDouble {
         let hi = a + b;
         let b_in_hi = hi - a;
@@ -46,7 +48,7 @@ impl DoubleDouble {
         DoubleDouble { hi, lo }
     }
 
-    /// `a·b` without rounding.
+    /// `a·b` without rounding error.
     pub(crate) fn product(a: f64, b: f64) -> DoubleDouble {
         let hi = a * b;
         DoubleDouble {
@@ -55,7 +57,7 @@ impl DoubleDouble {
         }
     }
 
-    /// `hi + lo` with `hi` again the sum rounded; needs `|hi| >= |lo|`.
+    /// `hi + lo` as a pair whose `hi` is the rounded sum. Requires `|hi| >= |lo|`.
     fn renormalized(hi: f64, lo: f64) -> DoubleDouble {
         let sum = hi + lo;
         DoubleDouble {
@@ -109,9 +111,11 @@ impl Mul<f64> for DoubleDouble {
     }
 }
 
-/// The power of two that brings `x` into [1, 2) by division; `x` must be positive and finite.
-/// Multiplying by powers of two does not round, so a kernel may work at a size where nothing overflows
-/// or underflows.
+/// The power of two that scales `x` into [1, 2) when `x` is divided by it. `x` must be positive and
+/// finite.
+///
+/// Multiplication by a power of two does not round. So a kernel can compute at a scale at which
+/// nothing overflows or underflows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Scale {
     exponent: i32,
@@ -119,7 +123,8 @@ pub(crate) struct Scale {
 
 impl Scale {
     pub(crate) fn of(x: f64) -> Scale {
-        // Denormals count as the smallest normal number: brought into [0, 1) they are small, not lost.
+        // Denormal numbers use the smallest normal exponent: they are scaled into [0, 1), without
+        // loss.
         let biased = (x.to_bits() >> 52 & 0x7ff).max(1) as i32;
         Scale {
             exponent: biased - 1023,
@@ -131,7 +136,7 @@ impl Scale {
         v * power_of_two(-self.exponent / 2) * power_of_two(-self.exponent - -self.exponent / 2)
     }
 
-    /// `x` times this scale, over `other`.
+    /// `x` times this scale, divided by `other`.
     pub(crate) fn restore(self, x: f64, other: Scale) -> f64 {
         let exponent = self.exponent - other.exponent;
         let third = exponent / 3;
@@ -139,7 +144,7 @@ impl Scale {
     }
 }
 
-/// 2 to the power `exponent`, which must be that of a normal float.
+/// 2 to the power `exponent`, which must be the exponent of a normal float.
 fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }

@@ -7,16 +7,19 @@ use kit::{Vec2, Vec3};
 
 use kit::{Hit, PrimId, Ray, Sphere};
 
-/// The smallest `t` in the ray's range at which `ray` crosses the surface of `s`; `None` if it does not.
+/// The smallest `t` in the ray's range at which `ray` intersects the surface of `s`; `None` on a
+/// miss.
 ///
-/// With `f = o - center` the crossings are the roots of `a·t² - 2·b·t + c = 0`, where `a = d·d`, `b =
-/// -f·d` and `c = f·f - r²`. The formula from school, `(b ± sqrt(b² - a·c)) / a`, loses its digits in
-/// two places: in `b² - a·c` when the sphere is small and far or hardly touched, and in `b - sqrt(..)`
-/// when the origin is near the surface.
+/// With `f = o - center` the intersections are the roots of `a·t² - 2·b·t + c = 0`, where
+/// `a = d·d`, `b = -f·d` and `c = f·f - r²`. The textbook formula, `(b ± sqrt(b² - a·c)) / a`,
+/// loses digits by cancellation in two places: in `b² - a·c` if the sphere is small and far away or
+/// the ray is nearly tangent, and in `b - sqrt(..)` if the origin is near the surface.
 ///
-/// - The far crossing counts when the near one is out of range: the ray starts inside, or `min_t` is past it.
-/// - A tangent line meets the sphere, once. An origin on the surface meets it at `t = 0`.
-/// - `r = 0` is a point: hit by a ray that goes exactly through it. `r < 0` or NaN, `d = 0`: no hit.
+/// - If the near root is out of range, the far root counts: the ray starts inside, or `min_t` is
+///   beyond the near root.
+/// - A tangent ray hits the sphere once. A ray that starts on the surface hits it at `t = 0`.
+/// - `r = 0` is a point, which is hit by a ray that passes exactly through it. `r < 0`, `r` NaN and
+///   `d = 0` are misses.
 #[inline]
 pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
     // BEGIN SOLUTION(part1.task4)
@@ -26,12 +29,12 @@ pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
     // END SOLUTION(part1.task4)
 }
 
-/// The hit of `ray` with `s`, which is primitive `id`, if there is one in the ray's range; `ray.max_t`
-/// becomes its `t`.
+/// Intersects `ray` with `s`, which is primitive `id`. On a hit within the ray's range, sets
+/// `ray.max_t` to its `t`.
 ///
-/// `n` and `ng` are the unit vector from the centre to the hit point: outward, also when the ray comes
-/// from inside. `p` is the centre plus `r` times that, which brings `o + t·d` back onto the surface.
-/// `uv` is (0, 0). On a sphere that is a point the normal is `-d`.
+/// `n` and `ng` are the unit vector from the centre to the hit point: outward, also if the ray
+/// starts inside. `p` is the centre plus `r` times that vector, which projects `o + t·d` back onto
+/// the surface. `uv` is (0, 0). For `r = 0` the normal is `-d`, normalised.
 pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task4)
     let t = test_sphere(s, ray)?;
@@ -53,11 +56,12 @@ pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
 }
 
 // BEGIN SOLUTION(part1.task4)
-/// The two crossings of the line, nearer first (equal for a tangent).
+/// The two intersections of the line with the sphere, near one first. Both are equal for a tangent.
 ///
-/// Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing
-/// Gems, 2019, chapter 7: `b² - a·c = a·(r² - |f + (b/a)·d|²)`, which compares the radius with the
-/// distance between centre and line and does not cancel for a sphere that is merely far.
+/// Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
+/// Tracing Gems, 2019, chapter 7: `b² - a·c = a·(r² - |f + (b/a)·d|²)`. This form compares the
+/// radius with the distance between centre and line, and does not cancel for a sphere that is only
+/// far away.
 #[inline]
 fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let (d, r2) = (ray.d, s.radius * s.radius);
@@ -66,24 +70,24 @@ fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let b = -f.dot(d);
     let f2 = f.dot(f);
     let c = f2 - r2;
-    // The discriminant over a: r² less the square of the line's distance from the centre.
+    // The discriminant divided by a: r² minus the squared distance of the line from the centre.
     let disc = r2 - (f + (b / a) * d).length_squared();
-    let is_sound = disc.abs() > CLOSE_CALL * r2
-        && c.abs() > CLOSE_CALL * r2
-        && f2 < FAR * r2
+    let is_reliable = disc.abs() > CANCELLATION * r2
+        && c.abs() > CANCELLATION * r2
+        && f2 < MAX_DISTANCE2 * r2
         && SMALLEST < r2
         && r2 < LARGEST
         && SMALLEST < a
         && a < LARGEST
         && s.radius > 0.0;
-    if !is_sound {
-        return crossings_carefully(s, ray);
+    if !is_reliable {
+        return robust_crossings(s, ray);
     }
     (disc >= 0.0).then(|| roots(a, b, c, (a * disc).sqrt()))
 }
 
-/// The roots of `a·t² - 2·b·t + c`, smaller first, given the root of `b² - a·c`: first the one whose
-/// terms have equal signs, then the other from their product.
+/// The roots of `a·t² - 2·b·t + c`, smaller first, given `sqrt_disc = sqrt(b² - a·c)`. Computes the
+/// root that adds terms of equal sign, then the other one from their product `c / a`.
 #[inline]
 fn roots(a: f64, b: f64, c: f64, sqrt_disc: f64) -> [f64; 2] {
     if b < 0.0 {
@@ -91,30 +95,33 @@ fn roots(a: f64, b: f64, c: f64, sqrt_disc: f64) -> [f64; 2] {
         [q / a, c / q]
     } else {
         let q = b + sqrt_disc;
-        // If both roots are 0, a tangent from its own point, c/q is NaN: in no range, so that q/a is the hit.
+        // If both roots are 0 (a tangent at its own origin), c/q is NaN. It is in no range, and q/a
+        // is the hit.
         [c / q, q / a]
     }
 }
 
-/// Below this share of r² a difference has lost ten bits to cancellation, and is computed again.
-const CLOSE_CALL: f64 = 1.0 / 1024.0;
+/// A difference smaller than this fraction of r² has lost ten bits to cancellation, and is computed
+/// again.
+const CANCELLATION: f64 = 1.0 / 1024.0;
 
-/// The square of the distance in radii (2^20) from which rounding moves the line noticeably sideways.
-const FAR: f64 = (1_u64 << 40) as f64;
+/// Squared distance of the origin, in radii, from which rounding moves the line noticeably (2^20
+/// radii).
+const MAX_DISTANCE2: f64 = (1_u64 << 40) as f64;
 
-/// Squares between these bounds can be multiplied with each other without underflow or overflow.
+/// Squares between [`SMALLEST`] and [`LARGEST`] can be multiplied without underflow or overflow.
 const SMALLEST: f64 = 1e-100;
 /// See [`SMALLEST`].
 const LARGEST: f64 = 1e100;
 
-/// The same crossings, slower: at a scale where nothing overflows or underflows, with b, c and the
-/// discriminant in double-double arithmetic.
+/// Computes [`crossings`] for all remaining cases, more slowly: at a scale without overflow and
+/// underflow, with b, c and the discriminant in double-double arithmetic.
 ///
-/// The discriminant is `a·r² - |f x d|²`, by Lagrange's identity `(f·d)² + |f x d|² = (f·f)(d·d)`. For
-/// whole numbers up to 2^25 it is exact, so that a tangent is told from a miss by one.
+/// The discriminant is `a·r² - |f x d|²`, by Lagrange's identity `(f·d)² + |f x d|² = (f·f)(d·d)`.
+/// For integers up to 2^25 it is exact, so a tangent is distinguished from a miss.
 #[cold]
 #[inline(never)]
-fn crossings_carefully(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
+fn robust_crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let finite = ray.o.is_finite() && ray.d.is_finite() && s.center.is_finite();
     if !finite || ray.d == Vec3::ZERO || !(s.radius >= 0.0 && s.radius.is_finite()) {
         return None;
@@ -140,7 +147,7 @@ fn crossings_carefully(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     Some(scaled.map(|t| space.restore(t, speed)))
 }
 
-/// `d` brought to unit length, however short or long it is.
+/// `d` normalised without overflow or underflow.
 fn unit_direction(d: Vec3) -> Vec3 {
     Scale::of(d.abs().max_element()).shrink(d).normalize()
 }

@@ -7,20 +7,22 @@ use kit::{Vec2, Vec3};
 
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 
-/// Where `ray` meets `tri`, if it does at a `t` in its range; both faces, edges and vertices count.
+/// Intersects `ray` with `tri` within the ray's range. Both faces, all edges and all vertices
+/// count.
 ///
-/// The point that is hit is `o + t·d = b0·p0 + b1·p1 + b2·p2` with `b0 + b1 + b2 = 1` and no weight
-/// negative: equations for `t`, `b1` and `b2`. There are many ways to solve them. The assignment
-/// recommends that of Möller and Trumbore; a watertight one lets no ray slip through between two
-/// triangles of a closed mesh.
+/// The hit point is `o + t·d = b0·p0 + b1·p1 + b2·p2` with `b0 + b1 + b2 = 1` and no negative
+/// weight. These are equations for `t`, `b1` and `b2`, which can be solved in many ways. The
+/// assignment recommends Möller and Trumbore's algorithm. A watertight algorithm lets no ray pass
+/// between two adjacent triangles of a closed mesh.
 ///
-/// - A triangle without area is not hit, nor is one that the ray lies in the plane of.
-/// - A vertex or a ray with a NaN or an infinite coordinate: no hit. `d = 0`: no hit.
+/// - A triangle without area and a ray in the plane of the triangle are misses.
+/// - A vertex or a ray with a NaN or an infinite coordinate is a miss. `d = 0` is a miss.
 #[inline]
 pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     // BEGIN SOLUTION(part1.task3)
-    // Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, without its divisions.
-    // Seen from the origin of the ray, with axes named so that it goes mostly along z.
+    // Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, without the
+    // divisions. Coordinates are relative to the origin of the ray, with the axes permuted so that
+    // z is the largest component of d.
     let axes = Axes::of(ray.d);
     let (o, d) = (axes.of_vec(&ray.o), axes.of_vec(&ray.d));
     let [a, b, c] = [&tri.p0, &tri.p1, &tri.p2].map(|p| axes.of_vec(p) - o);
@@ -31,19 +33,19 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
         v: ac - a_xy.y * c_xy.x,
         w: ba - b_xy.y * a_xy.x,
     };
-    // Rounding is monotonic: a difference of two rounded products has the right sign, or it is 0. So
-    // when two signs differ, the ray misses for certain.
+    // Rounding is monotonic: a difference of two rounded products has the exact sign, or it is 0.
+    // So the ray certainly misses if two signs differ.
     let agreement = weights.agreement();
     if agreement < 0.0 {
         return None;
     }
     let det = weights.sum();
     let scale_is_ordinary = is_ordinary(weights.of(a.z, b.z, c.z)) & is_ordinary(det * d.z);
-    let is_sound = (agreement > 0.0)
+    let is_reliable = (agreement > 0.0)
         & (det.abs() > CANCELLATION * (cb.abs() + ac.abs() + ba.abs()))
         & scale_is_ordinary;
-    if !is_sound {
-        return test_carefully(tri, ray);
+    if !is_reliable {
+        return robust_test(tri, ray);
     }
     let t = weights.of(a.z, b.z, c.z) / (det * d.z);
     ray.in_range(t).then(|| TriangleHit {
@@ -55,14 +57,14 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     // END SOLUTION(part1.task3)
 }
 
-/// The hit of `ray` with `tri`, which is primitive `id`, if there is one in the ray's range;
-/// `ray.max_t` becomes its `t`.
+/// Intersects `ray` with `tri`, which is primitive `id`. On a hit within the ray's range, sets
+/// `ray.max_t` to its `t`.
 ///
-/// - `p` is `p0 + b1·(p1 - p0) + b2·(p2 - p0)`. That is on the triangle however far away the ray started,
-///   where `o + t·d` is off by a rounding error that grows with `t`.
+/// - `p` is `p0 + b1·(p1 - p0) + b2·(p2 - p0)`. This point is on the triangle even if the origin is
+///   far away. The rounding error of `o + t·d` grows with `t`.
 /// - `ng` is the unit vector along `(p1 - p0) x (p2 - p0)`.
-/// - `n` is `b0·n0 + b1·n1 + b2·n2` brought to unit length; where the three cancel (or one is not
-///   finite), `ng`. Neither normal is turned towards the ray.
+/// - `n` is `b0·n0 + b1·n1 + b2·n2`, normalised. If the three cancel, or one is not finite, it is
+///   `ng`. Neither normal is flipped towards the ray.
 /// - `uv` is `(b1, b2)`.
 pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task3)
@@ -72,8 +74,10 @@ pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<H
     // END SOLUTION(part1.task3)
 }
 
-/// Records what [`test_triangle`] said of `ray` and `tri`, which is primitive `id`; `ray.max_t` becomes the hit's `t`. For
-/// who has tested many triangles and wants the record of one.
+/// Records a hit that [`test_triangle`] found between `ray` and `tri`, which is primitive `id`, and
+/// sets `ray.max_t` to its `t`.
+///
+/// This is for callers that test many triangles first and need the record of only one of them.
 pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Hit {
     // BEGIN SOLUTION(part1.task3)
     let TriangleHit { t, b1, b2 } = hit;
@@ -92,22 +96,23 @@ pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleH
 }
 
 // BEGIN SOLUTION(part1.task3)
-/// Below this share of the triangle's extent, the determinant is what is left after most digits
-/// cancelled, and the weights are computed again: a needle of 1000:1, or a ray within a thousandth of
-/// its plane. Above it they are good to about 2^-42.
+/// If the determinant is smaller than this fraction of its terms, it has lost many digits to
+/// cancellation, and the weights are computed again. The triangle is then a needle of 1000:1, or
+/// the ray is within a thousandth of its plane. Otherwise the weights are accurate to about 2^-42.
 const CANCELLATION: f64 = 1.0 / 1024.0;
 
-/// Whether a product of several factors has neither underflowed nor overflowed on the way, with some
-/// room left for the digits of its terms. (The weights need no such test: their agreement underflows
-/// long before they do.)
+/// Whether a product of several factors has neither underflowed nor overflowed in an intermediate
+/// step, with a margin for the digits of its terms. The weights need no such test: their agreement
+/// underflows long before they do.
 #[inline]
 fn is_ordinary(x: f64) -> bool {
     const SMALLEST: f64 = 1e-290;
     (SMALLEST < x.abs()) & (x.abs() < f64::INFINITY)
 }
 
-/// The edge functions: twice the signed areas of the triangles that the ray's line makes with each
-/// edge, seen along the ray. They are the barycentric weights times the determinant, their sum.
+/// The edge functions: for each edge, twice the signed area of the triangle that the edge forms
+/// with the ray, projected along the ray. They are the barycentric weights times their sum, the
+/// determinant.
 struct Weights {
     u: f64,
     v: f64,
@@ -115,12 +120,12 @@ struct Weights {
 }
 
 impl Weights {
-    /// Negative if two of them differ in sign, positive if all have the same sign; 0 if one is 0 and
-    /// the others do not differ, or if they are too small to tell.
+    /// Negative if two weights have different signs, positive if all have the same sign. 0 if one
+    /// weight is 0 and the others do not differ in sign, or if the product underflows.
     #[inline]
     fn agreement(&self) -> f64 {
-        // A product, not a chain of comparisons: which of the three is negative is anyone's guess, and
-        // a branch predictor's wrong guesses would cost more than all the rest.
+        // A product instead of a chain of comparisons: which weight is negative is unpredictable,
+        // and branch mispredictions would cost more than the rest of the test.
         let smaller = |a: f64, b: f64| if a < b { a } else { b };
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         smaller(self.u, smaller(self.v, self.w)) * larger(self.u, larger(self.v, self.w))
@@ -131,14 +136,15 @@ impl Weights {
         self.u + self.v + self.w
     }
 
-    /// The weighted sum of the vertices' values.
+    /// Interpolates the values of the three vertices, without division by the determinant.
     #[inline]
     fn of(&self, a: f64, b: f64, c: f64) -> f64 {
         self.u * a + self.v * b + self.w * c
     }
 }
 
-/// Axes renamed in a circle, so that z is the one along which a direction is longest.
+/// A cyclic permutation of the axes, such that z is the axis of the largest component of a
+/// direction.
 #[derive(Clone, Copy)]
 struct Axes {
     x: usize,
@@ -158,7 +164,7 @@ impl Axes {
         Axes { x, y: after(x), z }
     }
 
-    /// `v` with its axes renamed.
+    /// `v` with permuted axes.
     #[inline]
     fn of_vec(self, v: &Vec3) -> Vec3 {
         let v: &[f64; 3] = v.as_ref();
@@ -166,21 +172,22 @@ impl Axes {
     }
 }
 
-/// Where the line through `p` along `d` crosses the plane z = 0, times `d.z`. In that plane the ray is the
-/// origin and the triangle is flat; no division, so that small whole numbers stay exact.
+/// The shear transformation: the point where the line through `p` along `d` intersects the plane
+/// `z = 0`, times `d.z`. In this plane the ray is the origin and the triangle is two-dimensional.
+/// There is no division, so small integers stay exact.
 ///
-/// Neighbours that share a vertex get the same two numbers for it, whatever was rounded: the mesh in
-/// the plane has no gaps, and from here on only exact signs are needed.
+/// Adjacent triangles compute the same two numbers for a shared vertex, rounding errors included.
+/// So the projected mesh has no gaps, and from here on only the signs must be exact.
 #[inline]
 fn sheared(p: Vec3, d: Vec3) -> Vec2 {
     Vec2::new(p.x * d.z - d.x * p.z, p.y * d.z - d.y * p.z)
 }
 
-/// The same test, slower: at a scale where nothing overflows or underflows, with edge functions whose
-/// signs are exact and which keep all their digits when products cancel.
+/// Computes [`test_triangle`] for all remaining cases, more slowly: at a scale without overflow and
+/// underflow, with edge functions that have exact signs and stay accurate when products cancel.
 #[cold]
 #[inline(never)]
-fn test_carefully(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
+fn robust_test(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     let points = [ray.o, tri.p0, tri.p1, tri.p2];
     if !ray.d.is_finite() || points.iter().any(|p| !p.is_finite()) || ray.d == Vec3::ZERO {
         return None;
@@ -212,12 +219,12 @@ fn test_carefully(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     })
 }
 
-/// The unit normal of the triangle's plane, `p0 p1 p2` counter-clockwise around it.
+/// The unit geometric normal: `p0 p1 p2` are counter-clockwise around it.
 fn geometric_normal(tri: &Triangle) -> Vec3 {
     let (e1, e2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
     let normal = e1.cross(e2);
     let length2 = normal.length_squared();
-    // Squares: a root is dearer than all the rest here.
+    // Compares squares, because a square root costs more than the rest of this test.
     let extent2 = e1.length_squared() * e2.length_squared();
     if length2 > CANCELLATION * CANCELLATION * extent2 && is_ordinary(length2) {
         return normal / length2.sqrt();
@@ -228,13 +235,13 @@ fn geometric_normal(tri: &Triangle) -> Vec3 {
     size.shrink(normal).normalize_or_zero()
 }
 
-/// The interpolated normal, if the three do not cancel.
+/// The interpolated vertex normal, normalised. `None` if the three normals cancel.
 fn shading_normal(tri: &Triangle, b1: f64, b2: f64) -> Option<Vec3> {
     let normal = (1.0 - b1 - b2) * tri.n0 + b1 * tri.n1 + b2 * tri.n2;
     let length = normal.length();
     (length > CANCELLED_NORMAL && length.is_finite()).then(|| normal / length)
 }
 
-/// Of three unit normals, a weighted sum this short points where rounding errors say.
+/// The direction of a shorter weighted sum of three unit normals is mostly rounding error.
 const CANCELLED_NORMAL: f64 = 1e-12;
 // END SOLUTION(part1.task3)

@@ -2,7 +2,9 @@
 
 use crate::Vec3;
 
-/// The points `p` with `min <= p <= max` on every axis, in world space. Faces count.
+/// Axis-aligned box: the points `p` with `min <= p <= max` on every axis, in world space.
+///
+/// Points on the faces belong to the box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// Corner with the smallest coordinates.
@@ -12,18 +14,18 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box that holds no point: `min` is +∞, `max` is -∞. Growing it by a point gives that point.
+    /// The empty box: `min` is +∞ and `max` is -∞. Its union with a point is the box of that point.
     pub const EMPTY: Aabb = Aabb {
         min: Vec3::INFINITY,
         max: Vec3::NEG_INFINITY,
     };
 
-    /// The smallest box that holds all of `points`; [`Aabb::EMPTY`] for none.
+    /// The smallest box that contains all of `points`; [`Aabb::EMPTY`] if there are none.
     pub fn of(points: impl IntoIterator<Item = Vec3>) -> Aabb {
         points.into_iter().fold(Aabb::EMPTY, Aabb::grown_by)
     }
 
-    /// The smallest box that holds this one and `p`.
+    /// The smallest box that contains this one and the point `p`.
     #[must_use]
     #[inline]
     pub fn grown_by(self, p: Vec3) -> Aabb {
@@ -33,7 +35,7 @@ impl Aabb {
         }
     }
 
-    /// The smallest box that holds this one and `other`.
+    /// The smallest box that contains this one and `other`.
     #[must_use]
     #[inline]
     pub fn union(self, other: Aabb) -> Aabb {
@@ -43,25 +45,26 @@ impl Aabb {
         }
     }
 
-    /// Whether the box holds no point. A box with a NaN corner counts as empty.
+    /// Whether the box contains no point. A box with a NaN coordinate counts as empty.
     #[inline]
     pub fn is_empty(&self) -> bool {
         !(self.min.x <= self.max.x && self.min.y <= self.max.y && self.min.z <= self.max.z)
     }
 
-    /// The middle. Halves before adding, so that coordinates near the largest float do not overflow.
+    /// The centre. Halves before it adds, so that coordinates near the largest float do not
+    /// overflow.
     #[inline]
     pub fn centroid(&self) -> Vec3 {
         0.5 * self.min + 0.5 * self.max
     }
 
-    /// Edge lengths, `max - min`.
+    /// Edge lengths, `max - min`, one for each axis.
     #[inline]
     pub fn extent(&self) -> Vec3 {
         self.max - self.min
     }
 
-    /// Area of the six faces; 0 for an empty box.
+    /// Total area of the six faces; 0 for an empty box.
     #[inline]
     pub fn surface_area(&self) -> f64 {
         if self.is_empty() {
@@ -71,7 +74,7 @@ impl Aabb {
         2.0 * (e.x * e.y + e.y * e.z + e.z * e.x)
     }
 
-    /// Whether `other` lies inside this box (touching faces count). Every box holds an empty one.
+    /// Whether `other` lies inside this box. Touching faces count; every box contains an empty one.
     #[inline]
     pub fn contains(&self, other: &Aabb) -> bool {
         other.is_empty() || (self.min.cmple(other.min).all() && self.max.cmpge(other.max).all())

@@ -1,47 +1,50 @@
-//! How light scatters at a surface: the words in which stages speak of it. The formulas are theirs.
+//! The interface between integrators and scattering functions (BSDFs).
 //!
-//! Directions are unit vectors in the local space of the surface's [`Frame`](crate::Frame) (the normal is +z)
-//! and point away from the surface: `wo` to where the light goes, the viewer; `wi` to where it comes from.
-//! The radiance that leaves is `Lo(wo) = ∫ f(wo, wi) · Li(wi) · |wi.z| dwi`.
+//! Directions are unit vectors in the local space of the surface's [`Frame`](crate::Frame), where
+//! the normal is +z. Both point away from the surface: `wo` towards the viewer, `wi` towards the
+//! incoming light. The reflected radiance is `Lo(wo) = ∫ f(wo, wi) · Li(wi) · |wi.z| dwi`.
 
 use crate::{Material, Spectrum, Vec2, Vec3};
 
-/// A direction drawn for incoming light.
+/// A sampled direction of incoming light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BsdfSample {
-    /// Where light comes from: unit, in local space.
+    /// Direction towards the incoming light: unit, in local space.
     pub wi: Vec3,
-    /// Value of the BSDF, in 1/sr. If `delta` is set the factor in front of the delta function, such that
-    /// `f · |wi.z| / pdf` is the share of the light that arrives.
+    /// Value of the BSDF, in 1/sr. If `delta` is set: the factor in front of the delta function,
+    /// scaled so that `f · |wi.z| / pdf` is the fraction of the incoming light that is scattered.
     pub f: Spectrum,
-    /// Probability density of `wi` with respect to solid angle, in 1/sr; if `delta` is set the probability
-    /// of having chosen this direction among the few possible ones.
+    /// Probability density of `wi` with respect to solid angle, in 1/sr. If `delta` is set: the
+    /// probability with which this direction was chosen among the possible ones.
     pub pdf: f64,
-    /// Whether `wi` is one of finitely many directions, as with a mirror.
+    /// Whether `wi` comes from a delta distribution (one of finitely many directions), as with a
+    /// mirror.
     pub delta: bool,
 }
 
 impl BsdfSample {
-    /// `f · |cos θ| / pdf`: the factor by which the radiance from `wi` counts in an estimate.
+    /// `f · |cos θ| / pdf`: the weight of the radiance from `wi` in an estimate.
     #[inline]
     pub fn weight(&self) -> Spectrum {
         self.f * (self.wi.z.abs() / self.pdf)
     }
 }
 
-/// What surfaces do with light, material by material.
+/// The scattering functions of all materials.
 ///
-/// An integrator gets every answer from here: this is where the scattering functions of a scene come together,
-/// and where they are counted.
+/// Integrators evaluate and sample BSDFs only through this trait. Implementations combine the
+/// functions of the stages and count the calls.
 pub trait Scattering {
-    /// The BSDF `f(wo, wi)` in 1/sr. Black for mirrors and smooth glass: there is no chance that a direction
-    /// chosen without them is the right one.
+    /// Evaluates the BSDF `f(wo, wi)`, in 1/sr. Black for mirrors and smooth glass: the probability
+    /// that an independently chosen `wi` is the reflected or refracted direction is 0.
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum;
 
-    /// The density with which [`Scattering::sample`] draws `wi`, in 1/sr. 0 for mirrors and smooth glass.
+    /// The density with which [`Scattering::sample`] samples `wi`, in 1/sr. 0 for mirrors and
+    /// smooth glass.
     fn pdf(&self, material: &Material, wo: Vec3, wi: Vec3) -> f64;
 
-    /// Draws a direction for incoming light from `u`, uniform in [0, 1)², and `choice`, uniform in [0, 1), which
-    /// decides between reflection and refraction. `None` if the surface lets no light leave along `wo`.
+    /// Samples a direction of incoming light from `u`, uniform in [0, 1)², and `choice`, uniform in
+    /// [0, 1), which selects reflection or refraction. `None` if the surface scatters no light into
+    /// `wo`.
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample>;
 }

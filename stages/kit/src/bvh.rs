@@ -1,49 +1,51 @@
-//! The tree: given, so that it can be built by hand, walked by the grader and drawn by a viewer.
+//! The bounding volume hierarchy as data. It is not part of a task: the grader builds trees by
+//! hand, and the viewer draws them.
 
 use crate::{Aabb, PrimId};
 
-/// A bounding volume hierarchy. `nodes[0]` is the root; a tree over nothing has no nodes.
+/// A bounding volume hierarchy. `nodes[0]` is the root; the tree of an empty scene has no nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bvh {
-    /// The nodes, in any order but for the root.
+    /// The nodes. Only the position of the root is fixed.
     pub nodes: Vec<BvhNode>,
-    /// Every primitive once. A leaf names a run of this list.
+    /// A permutation of all primitives. A leaf refers to a range of this list.
     pub order: Vec<PrimId>,
 }
 
-/// A box around everything below it, and what is below.
+/// A node: the bounding box of a subtree, and its children or primitives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BvhNode {
-    /// Holds the boxes of all primitives below.
+    /// Contains the boxes of all primitives in the subtree.
     pub bounds: Aabb,
-    /// Two children, or a run of primitives.
+    /// Interior node or leaf.
     pub kind: NodeKind,
 }
 
-/// What lies below a node.
+/// The two kinds of nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NodeKind {
-    /// Two child nodes.
+    /// An interior node with two children.
     Interior {
         /// Index in [`Bvh::nodes`].
         left: u32,
         /// Index in [`Bvh::nodes`].
         right: u32,
     },
-    /// The primitives `order[first .. first + count]`.
+    /// A leaf with the primitives `order[first .. first + count]`.
     Leaf {
         /// Index in [`Bvh::order`].
         first: u32,
-        /// How many.
+        /// Number of primitives.
         count: u32,
     },
 }
 
 impl Bvh {
-    /// The tree with a single leaf that holds everything: every ray is tested against every primitive.
+    /// The tree with a single leaf that contains all primitives: every ray is tested against each
+    /// of them.
     pub fn one_leaf(bounds: &[Aabb]) -> Bvh {
         let all = bounds.iter().fold(Aabb::EMPTY, |all, b| all.union(*b));
-        let count = u32::try_from(bounds.len()).expect("fewer than 2^32 primitives");
+        let count = u32::try_from(bounds.len()).expect("there are fewer than 2^32 primitives");
         let root = BvhNode {
             bounds: all,
             kind: NodeKind::Leaf { first: 0, count },
@@ -54,7 +56,7 @@ impl Bvh {
         }
     }
 
-    /// The primitives of a leaf, given its `first` and `count`.
+    /// The primitives of a leaf with the given `first` and `count`.
     #[inline]
     pub fn leaf(&self, first: u32, count: u32) -> &[PrimId] {
         &self.order[first as usize..first as usize + count as usize]

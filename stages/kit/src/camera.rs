@@ -1,28 +1,29 @@
-//! The pinhole camera: where it stands and what it sees.
+//! The pinhole camera.
 
 use crate::{Mat3, Vec3, math};
 
-/// A pinhole camera. In camera space it sits at the origin, looks along -z and has +y up.
+/// A pinhole camera. In camera space it is at the origin, looks along -z and has +y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Position in world space.
     pub pos: Vec3,
-    /// Camera space to world space: a rotation, its columns the camera's right, up and backward directions.
+    /// Rotation from camera space to world space. Its columns are the camera's right, up and
+    /// backward directions.
     pub c2w: Mat3,
     /// Horizontal field of view in degrees, in (0, 180).
     pub h_fov: f64,
     /// Vertical field of view in degrees, in (0, 180).
     pub v_fov: f64,
-    /// Nearest `t` that is seen, measured along the unit ray.
+    /// Near clip distance: the smallest visible `t`, measured along the unit ray.
     pub n_clip: f64,
-    /// Farthest `t` that is seen, measured along the unit ray.
+    /// Far clip distance: the largest visible `t`, measured along the unit ray.
     pub f_clip: f64,
 }
 
-/// Why a camera could not be placed.
+/// Error of [`Camera::look_at`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaceError {
-    /// The camera stands on its target, or a coordinate is not finite.
+    /// The camera is at its target, or a coordinate is not finite.
     NoDirection,
     /// The up direction is parallel to the viewing direction.
     UpAlongView,
@@ -32,7 +33,7 @@ impl std::fmt::Display for PlaceError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             PlaceError::NoDirection => {
-                "the camera stands on its target, so it looks nowhere: move one of them"
+                "the camera is at its target, so it has no viewing direction: move one of them"
             }
             PlaceError::UpAlongView => {
                 "the up direction is parallel to the viewing direction: choose another up"
@@ -44,14 +45,16 @@ impl std::fmt::Display for PlaceError {
 impl std::error::Error for PlaceError {}
 
 impl Camera {
-    /// The rotation of a camera at `pos` that looks at `target` with `up` as close to +y as it can be.
+    /// The rotation `c2w` of a camera at `pos` that looks at `target`, with its up direction as
+    /// close to `up` as possible.
     pub fn look_at(pos: Vec3, target: Vec3, up: Vec3) -> Result<Mat3, PlaceError> {
         let backward = (pos - target)
             .try_normalize()
             .ok_or(PlaceError::NoDirection)?;
         let up = up.try_normalize().ok_or(PlaceError::UpAlongView)?;
         let right = up.cross(backward);
-        // Under a millionth of a radian apart the cross product is mostly rounding error.
+        // If the angle between them is below 1e-6 radians, the cross product is mostly rounding
+        // error.
         if right.length() < 1e-6 {
             return Err(PlaceError::UpAlongView);
         }

@@ -1,34 +1,34 @@
-//! What a scene asks of a renderer, and who in it asks.
+//! Which effects of light transport a scene calls for, and which object, light or setting does so.
 //!
-//! Only what is called for need be simulated. The rest costs nothing, and leaving it out changes no picture.
+//! A renderer has to simulate only these. Leaving out the others changes no picture.
 
-use crate::{LitScene, Material};
+use crate::{Light, LitScene, Material};
 
-/// A part of light transport that a scene may or may not need.
+/// An effect of light transport that a scene may call for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Effect {
-    /// Shadow rays and hemisphere rays: light that comes straight from its source.
+    /// Direct light: shadow rays and hemisphere rays.
     DirectLight,
-    /// Light from where nothing is hit: skies and environment maps.
+    /// Light along rays that miss everything: skies and environment maps.
     Background,
-    /// Rays that go on from a surface.
+    /// Indirect light: rays that leave a surface in a direction drawn from its BSDF.
     Bounces,
     /// Perfect mirrors.
     Mirror,
-    /// Boundaries that bend light without reflecting any.
+    /// Boundaries that refract light and reflect none.
     Refraction,
-    /// Fresnel's equations: glass.
+    /// Glass, which reflects and refracts by Fresnel's equations.
     Fresnel,
     /// Rough mirrors.
     Glossy,
-    /// Pictures on surfaces.
+    /// Textures on surfaces.
     Texture,
-    /// Depth of field.
+    /// Depth of field: a thin lens instead of a pinhole.
     Lens,
 }
 
 impl Effect {
-    /// All of them, in the order in which they are listed.
+    /// All effects, in the order of a table.
     pub const ALL: [Effect; 9] = [
         Effect::DirectLight,
         Effect::Background,
@@ -41,7 +41,7 @@ impl Effect {
         Effect::Lens,
     ];
 
-    /// What it is called in a table.
+    /// The effect's name in a table.
     pub fn name(self) -> &'static str {
         match self {
             Effect::DirectLight => "direct light",
@@ -56,7 +56,7 @@ impl Effect {
         }
     }
 
-    /// What is counted when it is simulated.
+    /// The name of the operation that is counted when the effect is simulated.
     pub fn operation(self) -> &'static str {
         match self {
             Effect::DirectLight => "rays towards light",
@@ -72,19 +72,19 @@ impl Effect {
     }
 }
 
-/// How often each effect was simulated.
+/// The number of operations of each effect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EffectCounts([u64; Effect::ALL.len()]);
 
 impl From<[u64; Effect::ALL.len()]> for EffectCounts {
-    /// In the order of [`Effect::ALL`].
+    /// From the counts in the order of [`Effect::ALL`].
     fn from(counts: [u64; Effect::ALL.len()]) -> EffectCounts {
         EffectCounts(counts)
     }
 }
 
 impl EffectCounts {
-    /// How many operations there were.
+    /// The number of operations of `effect`.
     pub fn of(&self, effect: Effect) -> u64 {
         self.0[effect as usize]
     }
@@ -103,111 +103,133 @@ impl std::iter::Sum for EffectCounts {
     }
 }
 
-/// Whether an effect is called for, and by what.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Call {
-    /// The effect.
-    pub effect: Effect,
-    /// What calls for it: objects, lights and flags by name. Empty if nothing does.
-    pub because: Vec<String>,
+/// What calls for an effect.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cause {
+    /// An object of the scene, by name.
+    Object(String),
+    /// A light of the scene, by name.
+    Light(String),
+    /// A setting of the renderer.
+    Setting(Setting),
 }
 
-impl Call {
-    /// Whether anything calls for it.
+/// A setting of the renderer that calls for an effect, with its value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting {
+    /// [`EffectSettings::max_depth`].
+    MaxDepth(u32),
+    /// [`EffectSettings::lens_radius`].
+    LensRadius(f64),
+    /// [`EffectSettings::environment`].
+    Environment,
+}
+
+/// An effect and what calls for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Requirement {
+    /// The effect.
+    pub effect: Effect,
+    /// What calls for it. Empty if nothing does.
+    pub causes: Vec<Cause>,
+}
+
+impl Requirement {
+    /// Whether anything calls for the effect.
     pub fn is_called_for(&self) -> bool {
-        !self.because.is_empty()
+        !self.causes.is_empty()
     }
 }
 
-/// What was asked for beside the scene: flags that call for effects.
+/// The settings of a renderer that may call for effects.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Asked {
-    /// The ray depth, `-m`.
+pub struct EffectSettings {
+    /// The largest number of rays on a path: 0 is emission only, 1 is direct light.
     pub max_depth: u32,
-    /// Radius of the lens; 0 is a pinhole.
+    /// Radius of the lens in scene units; 0 is a pinhole.
     pub lens_radius: f64,
-    /// Whether the environment comes from a flag, `-e`.
+    /// Whether there is an environment map that is not from the scene file.
     pub environment: bool,
 }
 
 impl LitScene {
-    /// For every effect, in the order of [`Effect::ALL`], what in the scene or among the flags calls for it.
-    pub fn effects(&self, asked: Asked) -> Vec<Call> {
+    /// For every effect, in the order of [`Effect::ALL`], what in the scene or the settings calls
+    /// for it.
+    pub fn effects(&self, settings: EffectSettings) -> Vec<Requirement> {
         Effect::ALL
             .into_iter()
-            .map(|effect| Call {
+            .map(|effect| Requirement {
                 effect,
-                because: self.callers(effect, asked),
+                causes: self.causes(effect, settings),
             })
             .collect()
     }
 
-    fn callers(&self, effect: Effect, asked: Asked) -> Vec<String> {
+    fn causes(&self, effect: Effect, settings: EffectSettings) -> Vec<Cause> {
         let objects =
             |calls: fn(&Material) -> bool| self.objects_with(|_, material| calls(material));
-        let lights = |calls: fn(&crate::Light) -> bool| {
+        let lights = |calls: fn(&Light) -> bool| {
             let lights = self
                 .scene
                 .lights
                 .iter()
                 .filter(move |named| calls(&named.light));
-            lights.map(|named| format!("light {}", named.name))
+            lights.map(|named| Cause::Light(named.name.clone()))
         };
-        let environment = asked.environment.then(|| "flag -e".to_owned());
+        let environment = settings
+            .environment
+            .then_some(Cause::Setting(Setting::Environment));
+        let depth = settings.max_depth;
         match effect {
-            Effect::DirectLight if asked.max_depth == 0 => Vec::new(),
-            Effect::DirectLight => lights(|light| !matches!(light, crate::Light::Area { .. }))
+            Effect::DirectLight if depth == 0 => Vec::new(),
+            Effect::DirectLight => lights(|light| !matches!(light, Light::Area { .. }))
                 .chain(objects(|m| !m.emission().is_black()))
                 .chain(environment)
                 .collect(),
-            Effect::Background => lights(|light| matches!(light, crate::Light::Hemisphere { .. }))
+            Effect::Background => lights(|light| matches!(light, Light::Hemisphere { .. }))
                 .chain(environment)
                 .collect(),
-            Effect::Bounces if asked.max_depth >= 2 && self.has_light() => {
-                vec![format!("flag -m {}", asked.max_depth)]
+            Effect::Lens if settings.lens_radius > 0.0 => {
+                vec![Cause::Setting(Setting::LensRadius(settings.lens_radius))]
             }
-            // Without light or a second ray no bounce finds anything.
-            Effect::Mirror if asked.max_depth < 2 || !self.has_light() => Vec::new(),
-            Effect::Bounces => Vec::new(),
+            Effect::Lens => Vec::new(),
+            // Surfaces show something only if they are lit.
+            _ if depth == 0 || !self.has_light() => Vec::new(),
+            Effect::Bounces if depth == 1 => Vec::new(),
+            Effect::Bounces => vec![Cause::Setting(Setting::MaxDepth(depth))],
+            Effect::Mirror if depth == 1 => Vec::new(),
             Effect::Mirror => objects(|m| matches!(m, Material::Mirror { .. })),
-            Effect::Refraction | Effect::Fresnel | Effect::Glossy
-                if asked.max_depth == 0 || !self.has_light() =>
-            {
-                Vec::new()
-            }
-            // Direct light shows rough glass, and only a second ray what smooth glass shows.
-            Effect::Refraction if asked.max_depth == 1 => {
+            // Direct light shows rough glass; smooth glass needs a second ray.
+            Effect::Refraction if depth == 1 => {
                 objects(|m| matches!(m, Material::Refraction { .. }) && !m.is_delta())
             }
-            Effect::Fresnel if asked.max_depth == 1 => {
+            Effect::Refraction => objects(|m| matches!(m, Material::Refraction { .. })),
+            Effect::Fresnel if depth == 1 => {
                 objects(|m| matches!(m, Material::Glass { .. }) && !m.is_delta())
             }
-            Effect::Refraction => objects(|m| matches!(m, Material::Refraction { .. })),
             Effect::Fresnel => objects(|m| matches!(m, Material::Glass { .. })),
             Effect::Glossy => objects(|m| matches!(m, Material::Glossy { .. })),
-            Effect::Texture if asked.max_depth == 0 || !self.has_light() => Vec::new(),
             Effect::Texture => {
                 let textures = &self.scene.textures;
                 self.objects_with(|material, _| textures.of_material(material).is_some())
             }
-            Effect::Lens if asked.lens_radius > 0.0 => vec!["flag --lens-radius".to_owned()],
-            Effect::Lens => Vec::new(),
         }
     }
 
-    /// The names of the objects whose material calls: its number, and what it is.
-    fn objects_with(&self, calls: impl Fn(u32, &Material) -> bool) -> Vec<String> {
+    /// The objects with at least one primitive whose material, given by number and value, `calls`
+    /// for an effect.
+    fn objects_with(&self, calls: impl Fn(u32, &Material) -> bool) -> Vec<Cause> {
         let scene = &self.scene;
-        let mut shown = vec![false; scene.objects.len()];
+        let mut has_primitives = vec![false; scene.objects.len()];
         for &object in &scene.object_of {
-            shown[object as usize] = true;
+            has_primitives[object as usize] = true;
         }
-        let objects = scene.objects.iter().zip(shown);
+        let objects = scene.objects.iter().zip(has_primitives);
         objects
-            .filter(|(o, shown)| {
-                *shown && calls(o.material, &scene.materials[o.material as usize].material)
+            .filter(|(o, has_primitives)| {
+                *has_primitives && calls(o.material, &scene.materials[o.material as usize].material)
             })
-            .map(|(o, _)| format!("object {}", o.name))
+            .map(|(o, _)| Cause::Object(o.name.clone()))
             .collect()
     }
 }

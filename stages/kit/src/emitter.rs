@@ -1,23 +1,26 @@
-//! What light comes from, ready to be sampled.
+//! Light sources that can be sampled.
 //!
-//! A [`Light`](crate::Light) is what a file says; an [`Emitter`] is what a renderer aims shadow rays at: the points,
-//! cones and suns of the file, and the surfaces that emit. [`LitScene`](crate::LitScene) makes the one from the other.
+//! A [`Light`](crate::Light) is the description of a light in a scene file. An [`Emitter`] is what
+//! a renderer samples: the point, spot, directional and sky lights of the file, and the surfaces
+//! that emit. [`LitScene`](crate::LitScene) creates the emitters of a scene.
 
 use crate::emitting_sphere;
 use crate::math;
 use crate::warp;
 use crate::{EmittingMesh, Environment, PrimId, Spectrum, Sphere, Vec2, Vec3};
 
-/// A direction drawn towards a light, seen from a point.
+/// A direction sampled towards a light from a given point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
     /// Unit direction to the light, in world space.
     pub wi: Vec3,
-    /// How far the light is along `wi`; infinite for suns and skies.
+    /// Distance to the light along `wi`; infinite for directional lights, skies and environment
+    /// maps.
     pub distance: f64,
-    /// Density of `wi` with respect to solid angle, in 1/sr; 1 for lights without extent.
+    /// Density of `wi` with respect to solid angle, in 1/sr; 1 for delta lights (lights without
+    /// area).
     pub pdf: f64,
-    /// Radiance that arrives along `wi` if nothing is in between. For lights without extent, the irradiance on a
+    /// Radiance that arrives along `wi` if nothing blocks it. For delta lights: the irradiance on a
     /// surface that faces the light.
     pub radiance: Spectrum,
 }
@@ -25,14 +28,15 @@ pub struct LightSample {
 /// A source of light.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Emitter {
-    /// A point that shines the same everywhere: irradiance falls with the squared distance.
+    /// A point light that is the same in all directions. Irradiance falls with the squared
+    /// distance.
     Point {
         /// Position.
         position: Vec3,
         /// Radiant intensity, in W/sr.
         intensity: Spectrum,
     },
-    /// A point that shines into a cone.
+    /// A point light that is restricted to a cone.
     Spot {
         /// Position.
         position: Vec3,
@@ -40,19 +44,19 @@ pub enum Emitter {
         direction: Vec3,
         /// Radiant intensity on the axis, in W/sr.
         intensity: Spectrum,
-        /// Cosine of half the opening angle. The edge of the cone is lit.
+        /// Cosine of half the opening angle. A direction on the edge of the cone is lit.
         cos_edge: f64,
-        /// Exponent of the cosine to the axis.
+        /// Exponent of the cosine of the angle to the axis.
         falloff_exponent: f64,
     },
-    /// A sun infinitely far away.
+    /// A light at infinite distance.
     Directional {
-        /// Unit direction in which the light travels.
+        /// Unit direction of propagation, away from the light.
         direction: Vec3,
         /// Irradiance on a surface that faces the light.
         irradiance: Spectrum,
     },
-    /// Triangles that emit the same radiance from their front sides. One light, however many triangles.
+    /// Triangles that emit the same radiance from their front sides. Together they are one light.
     Mesh(EmittingMesh),
     /// A sphere that emits outwards.
     Sphere {
@@ -60,21 +64,21 @@ pub enum Emitter {
         sphere: Sphere,
         /// Emitted radiance.
         radiance: Spectrum,
-        /// Its number in the scene.
+        /// Id of the sphere in the scene.
         prim: PrimId,
     },
-    /// A sky: the same radiance from every direction of the upper half (+y).
+    /// A sky: the same radiance from every direction with `y >= 0`.
     Sky {
         /// Radiance of the sky.
         radiance: Spectrum,
     },
-    /// A picture all around.
+    /// An environment map.
     Environment(Environment),
 }
 
 impl Emitter {
-    /// Whether light comes from a single direction at every point, so that one sample says it all and no ray
-    /// that is cast at random ever finds it.
+    /// Whether the direction to this light is unique at every point (a delta distribution). One
+    /// sample is then exact, and a ray in a random direction hits the light with probability 0.
     #[inline]
     pub fn is_delta(&self) -> bool {
         matches!(
@@ -83,11 +87,11 @@ impl Emitter {
         )
     }
 
-    /// Draws a direction from the point `p` to this light, from `u` uniform in [0, 1)². Lights without extent do
-    /// not use `u`.
+    /// Samples a direction from the point `p` to this light from `u`, uniform in [0, 1)². Delta
+    /// lights do not use `u`.
     ///
-    /// `None` where the drawn part of the light shines nothing to `p`: seen from behind or edge-on, outside the cone
-    /// of a spot, or from the very place of the light.
+    /// `None` if the sampled point of the light sends nothing to `p`: `p` is behind it, in its
+    /// plane or at the same position, or outside the cone of a spot light.
     #[inline]
     pub fn sample(&self, p: Vec3, u: Vec2) -> Option<LightSample> {
         match self {
@@ -152,9 +156,10 @@ impl Emitter {
         }
     }
 
-    /// The density with which [`Emitter::sample`] draws `wi` from `p`, given that the ray along `wi` meets this
-    /// emitter at `distance` on a surface with the unit normal `normal` (its front side). For skies and
-    /// environments distance and normal say nothing. 0 for lights without extent.
+    /// The density with which [`Emitter::sample`] samples `wi` from `p`, in 1/sr, given that the
+    /// ray along `wi` hits this emitter at `distance`. `normal` is the unit normal of the front
+    /// side at that point. Skies and environment maps ignore `distance` and `normal`. 0 for delta
+    /// lights.
     pub fn pdf(&self, p: Vec3, wi: Vec3, distance: f64, normal: Vec3) -> f64 {
         match self {
             Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => 0.0,
@@ -199,8 +204,8 @@ pub(crate) mod tests {
     use crate::emitting_mesh::EmittingTriangle;
     use statistics::chi_square;
 
-    /// Chance of a false alarm of one χ² test of light sampling: four of them, 1e-6 for all.
-    const ALARM: f64 = 2.5e-7;
+    /// Significance level of each χ² test of light sampling: 1e-6 for the four tests together.
+    const SIGNIFICANCE: f64 = 2.5e-7;
     pub(crate) const P: Vec3 = Vec3::new(0.1, -0.2, 0.3);
 
     fn lamp() -> EmittingMesh {
@@ -219,8 +224,8 @@ pub(crate) mod tests {
         EmittingMesh::new(triangles, Spectrum::WHITE).unwrap()
     }
 
-    /// Distance and normal of what the ray from `P` meets on the lamp.
-    fn meet(w: Vec3) -> Option<(f64, Vec3)> {
+    /// Distance and normal of the point where the ray from `P` along `w` hits the lamp.
+    fn hit_lamp(w: Vec3) -> Option<(f64, Vec3)> {
         let t = (1.1 - P.z) / w.z;
         let q = P + t * w;
         let first = q.x >= -1.0 && q.y >= -1.0 && (q.x + 1.0) / 3.0 + (q.y + 1.0) / 1.5 <= 1.0;
@@ -231,17 +236,18 @@ pub(crate) mod tests {
     pub(crate) fn assert_follows_pdf(emitter: &Emitter, pdf: impl Fn(Vec3) -> f64) {
         let sample = |u, _| emitter.sample(P, u).map(|s| s.wi);
         let fit = chi_square::fit_samples(20_000, 5, sample, &pdf);
-        assert!(fit.p > ALARM, "{emitter:?}: {fit:?}");
-        // A deviation of 14 % (root mean square) is sure to be seen, as a density off by 2 is.
-        assert!(fit.smallest_sure_deviation(ALARM) < 0.14, "{fit:?}");
+        assert!(fit.p > SIGNIFICANCE, "{emitter:?}: {fit:?}");
+        // The test detects every deviation of 14 % (root mean square), so also a density that is
+        // wrong by a factor of 2.
+        assert!(fit.detectable_deviation(SIGNIFICANCE) < 0.14, "{fit:?}");
         let half = chi_square::fit_samples(20_000, 5, sample, |w| 0.5 * pdf(w));
         assert!(half.p < 1e-30, "{half:?}");
-        let mut numbers = PixelSampler::new(0, 0, 1);
+        let mut sampler = PixelSampler::new(0, 0, 1);
         for _ in 0..1000 {
-            let Some(s) = emitter.sample(P, numbers.get_sample()) else {
+            let Some(s) = emitter.sample(P, sampler.get_sample()) else {
                 continue;
             };
-            let normal = meet(s.wi).map_or(Vec3::ZERO, |(_, n)| n);
+            let normal = hit_lamp(s.wi).map_or(Vec3::ZERO, |(_, n)| n);
             let pdf = emitter.pdf(P, s.wi, s.distance, normal);
             assert!((s.pdf / pdf - 1.0).abs() < 1e-9, "{} {pdf}", s.pdf);
             assert!((s.wi.length() - 1.0).abs() < 1e-14);
@@ -249,19 +255,19 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn a_mesh_is_sampled_by_its_pdf() {
+    fn mesh_samples_follow_the_pdf() {
         assert!((lamp().area() - 2.75).abs() < 1e-12);
         let emitter = Emitter::Mesh(lamp());
-        let pdf = |w: Vec3| meet(w).map_or(0.0, |(t, n)| emitter.pdf(P, w, t, n));
+        let pdf = |w: Vec3| hit_lamp(w).map_or(0.0, |(t, n)| emitter.pdf(P, w, t, n));
         assert_follows_pdf(&emitter, pdf);
     }
 
     #[test]
-    fn a_sky_and_an_environment_are_sampled_by_their_pdf() {
+    fn sky_and_environment_samples_follow_the_pdf() {
         let sky = Emitter::Sky {
             radiance: Spectrum::WHITE,
         };
-        // The upper half is +y; the cells of the test are around z.
+        // The upper hemisphere is around +y; the cells of the test are arranged around z.
         assert_follows_pdf(&sky, |w| sky.pdf(P, w, 0.0, Vec3::ZERO));
         let texels = [1.0, 0.0, 5.0, 2.0, 0.5, 0.5, 0.0, 0.0, 0.0, 9.0, 1.0, 3.0];
         let environment =

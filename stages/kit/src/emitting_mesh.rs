@@ -1,21 +1,21 @@
-//! Surfaces that emit, as one light: triangles chosen by their area.
+//! Meshes of emitting triangles, sampled by area.
 
 use crate::warp;
 use crate::{Spectrum, Triangle, Vec2, Vec3};
 
-/// Triangles that emit, and their areas summed up.
+/// Emitting triangles as one light, with the running sums of their areas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EmittingMesh {
     triangles: Vec<EmittingTriangle>,
-    /// Area of the triangles up to and with this one.
-    area_up_to: Vec<f64>,
-    /// For each triangle, one over its area.
+    /// For each triangle, the area of all triangles up to and including it.
+    cumulative_areas: Vec<f64>,
+    /// For each triangle, the inverse of its area.
     inverse_areas: Vec<f64>,
     /// Emitted radiance.
     pub radiance: Spectrum,
 }
 
-/// One of them.
+/// A triangle of an emitting mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EmittingTriangle {
     /// First vertex.
@@ -24,23 +24,23 @@ pub struct EmittingTriangle {
     pub e1: Vec3,
     /// Edge to the third vertex.
     pub e2: Vec3,
-    /// Unit normal of the side that shines.
+    /// Unit normal of the emitting side.
     pub front: Vec3,
 }
 
-/// A triangle of a mesh that emits.
+/// A triangle of an emitting mesh, with the numbers that sampling needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EmittingPart {
     /// The triangle.
     pub triangle: EmittingTriangle,
-    /// Area of the triangles before it: it is chosen from there on.
+    /// Total area of the triangles before it. It is sampled for areas from here on.
     pub before: f64,
-    /// One over its own area.
+    /// The inverse of its area.
     pub inverse_area: f64,
 }
 
 impl EmittingTriangle {
-    /// The triangle as a light: the side that shines is the side of its vertex normals.
+    /// The emitting triangle of `t`. The emitting side is the side of the vertex normals.
     pub(crate) fn of(t: &Triangle) -> EmittingTriangle {
         let (e1, e2) = (t.p1 - t.p0, t.p2 - t.p0);
         let ng = e1.cross(e2).normalize_or_zero();
@@ -58,13 +58,14 @@ impl EmittingTriangle {
 }
 
 impl EmittingMesh {
-    /// A light made of `triangles`; those without area are left out. `None` if no area is left.
+    /// A light made of `triangles`, without those of zero area. `None` if the total area is 0 or
+    /// infinite.
     pub fn new(triangles: Vec<EmittingTriangle>, radiance: Spectrum) -> Option<EmittingMesh> {
         let area = |t: &EmittingTriangle| 0.5 * t.e1.cross(t.e2).length();
         let triangles: Vec<EmittingTriangle> =
             triangles.into_iter().filter(|t| area(t) > 0.0).collect();
         let mut sum = 0.0;
-        let area_up_to: Vec<f64> = triangles
+        let cumulative_areas: Vec<f64> = triangles
             .iter()
             .map(|t| {
                 sum += area(t);
@@ -75,40 +76,51 @@ impl EmittingMesh {
         (sum > 0.0 && sum.is_finite()).then_some(EmittingMesh {
             inverse_areas,
             triangles,
-            area_up_to,
+            cumulative_areas,
             radiance,
         })
     }
 
-    /// Area of all triangles.
+    /// Total area of all triangles.
     #[inline]
     pub fn area(&self) -> f64 {
-        *self.area_up_to.last().expect("a light has a triangle")
+        *self
+            .cumulative_areas
+            .last()
+            .expect("a mesh light has at least one triangle")
     }
 
-    /// How many triangles there are.
-    #[expect(clippy::len_without_is_empty, reason = "a light has a triangle")]
+    /// Number of triangles.
+    #[expect(
+        clippy::len_without_is_empty,
+        reason = "a mesh light has at least one triangle"
+    )]
     #[inline]
     pub fn len(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Triangle number `i`, and what it takes to know whether and where it is chosen.
+    /// Triangle `i`, with the numbers that sampling needs.
     #[inline]
     pub fn part(&self, i: usize) -> EmittingPart {
         EmittingPart {
             triangle: self.triangles[i],
-            before: if i == 0 { 0.0 } else { self.area_up_to[i - 1] },
+            before: if i == 0 {
+                0.0
+            } else {
+                self.cumulative_areas[i - 1]
+            },
             inverse_area: self.inverse_areas[i],
         }
     }
 
-    /// A point uniform over the area and the normal there, from `u` in [0, 1)².
+    /// Samples a point uniformly over the area from `u` in [0, 1)². Returns the point and its front
+    /// normal.
     #[inline]
     pub(crate) fn sample(&self, u: Vec2) -> (Vec3, Vec3) {
         let target = u.x * self.area();
         let i = self
-            .area_up_to
+            .cumulative_areas
             .partition_point(|&a| a <= target)
             .min(self.triangles.len() - 1);
         let EmittingPart {

@@ -1,11 +1,14 @@
-//! A sphere that emits, as a light.
+//! Sampling of emitting spheres.
 
 use crate::emitter::towards;
 use crate::{Frame, LightSample, Spectrum, Sphere, Vec2, Vec3, math};
 use std::f64::consts::TAU;
 
-/// What a sphere shows to a point outside: a cone, sampled uniformly (Shirley, Wang, Zimmerman: "Monte Carlo
-/// techniques for direct lighting calculations", 1996). Nothing to a point inside or on it.
+/// Samples a direction from `p` to the sphere.
+///
+/// Seen from outside, the sphere fills a cone, which is sampled uniformly in solid angle (Shirley,
+/// Wang, Zimmerman: "Monte Carlo techniques for direct lighting calculations", 1996). `None` if `p`
+/// is inside the sphere or on it.
 pub(crate) fn sample(s: &Sphere, radiance: Spectrum, p: Vec3, u: Vec2) -> Option<LightSample> {
     let (axis, d) = towards(p, s.center)?;
     let sin2_max = (s.radius / d) * (s.radius / d);
@@ -13,7 +16,7 @@ pub(crate) fn sample(s: &Sphere, radiance: Spectrum, p: Vec3, u: Vec2) -> Option
         return None;
     }
     let share = cone_height(sin2_max);
-    // 1 - cos θ uniform in [0, share): written so that a small cone keeps its digits.
+    // 1 - cos θ is uniform in [0, share). This form avoids cancellation for a small cone.
     let one_minus_cos = u.x * share;
     let cos = 1.0 - one_minus_cos;
     let sin2 = (one_minus_cos * (2.0 - one_minus_cos)).max(0.0);
@@ -32,7 +35,8 @@ pub(crate) fn sample(s: &Sphere, radiance: Spectrum, p: Vec3, u: Vec2) -> Option
     })
 }
 
-/// The density with which [`sample`] draws any direction from `p` that meets the sphere, in 1/sr; 0 inside and on it.
+/// The density with which [`sample`] samples any direction from `p` that hits the sphere, in 1/sr;
+/// 0 if `p` is inside the sphere or on it.
 pub(crate) fn pdf(s: &Sphere, p: Vec3) -> f64 {
     let sin2 = s.radius * s.radius / p.distance_squared(s.center);
     if sin2 < 1.0 {
@@ -54,7 +58,7 @@ mod tests {
     use crate::{Emitter, PrimId};
 
     #[test]
-    fn a_sphere_is_sampled_by_its_pdf() {
+    fn sphere_samples_follow_the_pdf() {
         let center = P + Vec3::new(0.4, 0.5, 0.9);
         let emitter = Emitter::Sphere {
             sphere: Sphere {
@@ -74,19 +78,19 @@ mod tests {
             }
         };
         assert_follows_pdf(&emitter, pdf);
-        // The sampled point is on the sphere, on the near side.
+        // The sampled point is on the sphere, on the side that faces `P`.
         let s = emitter.sample(P, Vec2::new(0.3, 0.6)).unwrap();
         let q = P + s.distance * s.wi;
         assert!((q.distance(center) - 0.7).abs() < 1e-12);
         assert!((q - center).dot(s.wi) < 0.0);
-        // From inside and from the surface it shows nothing.
+        // A point inside the sphere or on it receives nothing.
         assert_eq!(emitter.sample(center, Vec2::ZERO), None);
         assert_eq!(emitter.sample(center + 0.7 * Vec3::Y, Vec2::ZERO), None);
         assert_eq!(emitter.pdf(center, Vec3::X, 0.7, Vec3::X), 0.0);
     }
 
     #[test]
-    fn a_small_far_sphere_keeps_its_digits() {
+    fn small_distant_sphere_has_an_accurate_pdf() {
         let emitter = Emitter::Sphere {
             sphere: Sphere {
                 center: P + 1e9 * Vec3::Z,

@@ -1,16 +1,17 @@
-//! Light from a picture all around.
+//! Environment maps: light from an image at infinite distance.
 
 use crate::math;
 use crate::{LightSample, Spectrum, Vec2, Vec3};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-/// A picture of everything that is infinitely far away, by longitude and latitude.
+/// An environment map: radiance from infinite distance as a latitude-longitude image.
 ///
-/// Row 0 is the top. The column at `u` of the width shows the direction at the angle `φ = 2π·u` and the row at `v` of
-/// the height the one at `θ = π·v` from straight up: `(x, y, z) = (-sin θ sin φ, cos θ, sin θ cos φ)`, so the middle of
-/// the picture is along -z, where a camera looks by default, and right in the picture is right of it. Between texels
-/// nothing is blended: a texel is a patch of constant radiance, which makes its sampling exact.
+/// Row 0 is the top. The point `(u, v)` of the image, in fractions of width and height from the top
+/// left, shows the direction with the azimuth `φ = 2π·u` and the polar angle `θ = π·v` from +y:
+/// `(x, y, z) = (-sin θ sin φ, cos θ, sin θ cos φ)`. So the centre of the image shows -z, where a
+/// camera looks by default, and +x is to the right of it. Texels are not interpolated: each has
+/// constant radiance, so that the samples follow the radiance exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Environment {
     map: Arc<Map>,
@@ -21,18 +22,18 @@ struct Map {
     width: usize,
     height: usize,
     radiance: Vec<Spectrum>,
-    /// Weight of the rows up to and with this one.
-    rows_up_to: Vec<f64>,
-    /// For each row, weight of its texels up to and with this one.
-    texels_up_to: Vec<f64>,
+    /// For each row, the total weight of all rows up to and including it.
+    cumulative_rows: Vec<f64>,
+    /// For each row, the total luminance of its texels up to and including this one.
+    cumulative_texels: Vec<f64>,
 }
 
-/// Why a picture cannot light a scene.
+/// Why an image cannot be used as an environment map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnvironmentError {
     /// There are no texels, or not `width · height` of them.
     WrongSize,
-    /// A texel is negative, infinite or not a number: its column and row.
+    /// A texel is negative, infinite or NaN.
     BadTexel {
         /// Column from the left.
         x: usize,
@@ -47,12 +48,12 @@ impl std::fmt::Display for EnvironmentError {
             EnvironmentError::WrongSize => {
                 write!(
                     f,
-                    "the picture has no pixels, or not width x height of them"
+                    "the environment map has no pixels, or not width x height of them"
                 )
             }
             EnvironmentError::BadTexel { x, y } => write!(
                 f,
-                "the pixel in column {x}, row {y} is negative, infinite or not a number: radiance is 0 or more"
+                "the pixel in column {x}, row {y} is negative, infinite or not a number: expected a radiance of 0 or more"
             ),
         }
     }
@@ -61,7 +62,7 @@ impl std::fmt::Display for EnvironmentError {
 impl std::error::Error for EnvironmentError {}
 
 impl Environment {
-    /// The environment with these texels, row by row from the top left.
+    /// The environment map with the given texels, row by row from the top left.
     pub fn new(
         width: usize,
         height: usize,
@@ -77,32 +78,33 @@ impl Environment {
                 y: i / width,
             });
         }
-        let mut rows_up_to = Vec::with_capacity(height);
-        let mut texels_up_to = Vec::with_capacity(radiance.len());
-        let mut all = 0.0;
+        let mut cumulative_rows = Vec::with_capacity(height);
+        let mut cumulative_texels = Vec::with_capacity(radiance.len());
+        let mut total = 0.0;
         for (y, row) in radiance.chunks(width).enumerate() {
             let mut sum = 0.0;
             for texel in row {
                 sum += texel.luminance();
-                texels_up_to.push(sum);
+                cumulative_texels.push(sum);
             }
-            all += sum * row_solid_angle(y, height) / width as f64;
-            rows_up_to.push(all);
+            total += sum * row_solid_angle(y, height) / width as f64;
+            cumulative_rows.push(total);
         }
         Ok(Environment {
             map: Arc::new(Map {
                 width,
                 height,
                 radiance,
-                rows_up_to,
-                texels_up_to,
+                cumulative_rows,
+                cumulative_texels,
             }),
         })
     }
 
-    /// The same radiance from everywhere.
+    /// An environment map with the same radiance from every direction.
     pub fn uniform(radiance: Spectrum) -> Environment {
-        Environment::new(1, 1, vec![radiance]).expect("one texel of a finite colour")
+        Environment::new(1, 1, vec![radiance])
+            .expect("one texel is enough, and the radiance is finite and not negative")
     }
 
     /// Radiance that arrives from the unit world direction `w`.
@@ -116,18 +118,19 @@ impl Environment {
         let turns = math::atan2(-w.x, w.z) / TAU;
         let u = if turns < 0.0 { turns + 1.0 } else { turns };
         let v = math::acos(w.y.clamp(-1.0, 1.0)) / PI;
-        // A cast of a float below 0 gives 0: NaN, too.
+        // A cast clamps: values below 0 and NaN become 0.
         let x = (u * self.map.width as f64) as usize;
         let y = (v * self.map.height as f64) as usize;
         (x.min(self.map.width - 1), y.min(self.map.height - 1))
     }
 
-    /// Draws a direction in proportion to the luminance of the texels: a row by its light and its solid angle, a texel
-    /// of that row, a place in that texel, uniform in solid angle. `None` if all is black.
+    /// Samples a direction with a density in proportion to the luminance: first a row by its total
+    /// luminance and solid angle, then a texel of the row, then a point of the texel, uniform in
+    /// solid angle. `None` if all texels are black.
     pub fn sample(&self, u: Vec2) -> Option<LightSample> {
         let map = &*self.map;
-        let (y, v) = pick(&map.rows_up_to, u.y)?;
-        let (x, s) = pick(self.row(y), u.x)?;
+        let (y, v) = sample_discrete(&map.cumulative_rows, u.y)?;
+        let (x, s) = sample_discrete(self.cumulative_row(y), u.x)?;
         let phi = TAU * (x as f64 + s) / map.width as f64;
         let (top, bottom) = row_cosines(y, map.height);
         let cos = top + v * (bottom - top);
@@ -141,16 +144,18 @@ impl Environment {
         })
     }
 
-    /// The density with which [`Environment::sample`] draws the unit world direction `w`, in 1/sr.
+    /// The density with which [`Environment::sample`] samples the unit world direction `w`, in
+    /// 1/sr.
     pub fn pdf(&self, w: Vec3) -> f64 {
         let (x, y) = self.texel(w);
         self.texel_pdf(x, y)
     }
 
-    /// Luminance over the integral of luminance: the row's solid angle cancels.
+    /// The luminance of the texel divided by the integral of luminance. The solid angle of the row
+    /// cancels.
     fn texel_pdf(&self, x: usize, y: usize) -> f64 {
         let map = &*self.map;
-        let total = map.rows_up_to[map.height - 1];
+        let total = map.cumulative_rows[map.height - 1];
         if total > 0.0 {
             map.radiance[y * map.width + x].luminance() / total
         } else {
@@ -158,12 +163,12 @@ impl Environment {
         }
     }
 
-    fn row(&self, y: usize) -> &[f64] {
-        &self.map.texels_up_to[y * self.map.width..(y + 1) * self.map.width]
+    fn cumulative_row(&self, y: usize) -> &[f64] {
+        &self.map.cumulative_texels[y * self.map.width..(y + 1) * self.map.width]
     }
 }
 
-/// Cosines of the polar angle at the top and the bottom of row `y`.
+/// Cosines of the polar angle at the top and the bottom edge of row `y`.
 fn row_cosines(y: usize, height: usize) -> (f64, f64) {
     let cos = |y: usize| math::cos(PI * y as f64 / height as f64);
     (cos(y), cos(y + 1))
@@ -175,19 +180,21 @@ fn row_solid_angle(y: usize, height: usize) -> f64 {
     TAU * (top - bottom)
 }
 
-/// Which of the entries with these running sums `u` falls into, and how far into it, in [0, 1). `None` if all are 0.
-fn pick(up_to: &[f64], u: f64) -> Option<(usize, f64)> {
-    let total = *up_to.last()?;
+/// Samples an entry in proportion to its weight, given the running sums of the weights.
+///
+/// Returns the index and `u` rescaled to [0, 1) within the entry. `None` if all weights are 0.
+fn sample_discrete(cumulative: &[f64], u: f64) -> Option<(usize, f64)> {
+    let total = *cumulative.last()?;
     if total <= 0.0 {
         return None;
     }
     let target = u * total;
-    let i = up_to
+    let i = cumulative
         .partition_point(|&sum| sum <= target)
-        .min(up_to.len() - 1);
-    let before = if i == 0 { 0.0 } else { up_to[i - 1] };
-    let within = (target - before) / (up_to[i] - before);
-    // The division may round up to 1, which is the next entry's.
+        .min(cumulative.len() - 1);
+    let before = if i == 0 { 0.0 } else { cumulative[i - 1] };
+    let within = (target - before) / (cumulative[i] - before);
+    // The division may round up to 1, which belongs to the next entry.
     Some((i, within.min(1.0 - f64::EPSILON)))
 }
 
@@ -195,15 +202,15 @@ fn pick(up_to: &[f64], u: f64) -> Option<(usize, f64)> {
 mod tests {
     use super::*;
 
-    fn numbered() -> Environment {
+    fn numbered_texels() -> Environment {
         let texels = (0..8).map(|i| Spectrum::grey(f64::from(i))).collect();
         Environment::new(4, 2, texels).unwrap()
     }
 
-    /// The middle of the picture is along -z; right of it is +x.
+    /// The centre of the image is -z; +x is to the right of it.
     #[test]
-    fn texels_are_where_the_doc_says() {
-        let map = numbered();
+    fn directions_map_to_the_documented_texels() {
+        let map = numbered_texels();
         let d = |x: f64, y: f64, z: f64| Vec3::new(x, y, z).normalize();
         assert_eq!(map.radiance(d(-0.1, 0.1, -1.0)).g, 1.0);
         assert_eq!(map.radiance(d(0.1, 0.1, -1.0)).g, 2.0);
@@ -212,8 +219,8 @@ mod tests {
     }
 
     #[test]
-    fn every_sample_falls_into_the_texel_it_was_drawn_from() {
-        let map = numbered();
+    fn samples_agree_with_radiance_and_pdf() {
+        let map = numbered_texels();
         for i in 0..64 {
             for j in 0..64 {
                 let u = Vec2::new(f64::from(i), f64::from(j)) / 64.0 + 1.0 / 128.0;
@@ -228,14 +235,14 @@ mod tests {
     }
 
     #[test]
-    fn a_black_picture_is_never_sampled() {
+    fn black_environment_returns_no_sample() {
         let black = Environment::uniform(Spectrum::BLACK);
         assert_eq!(black.sample(Vec2::splat(0.5)), None);
         assert_eq!(black.pdf(Vec3::Y), 0.0);
     }
 
     #[test]
-    fn bad_pictures_are_refused() {
+    fn invalid_texels_are_errors() {
         assert_eq!(
             Environment::new(2, 2, vec![Spectrum::WHITE; 3]),
             Err(EnvironmentError::WrongSize)

@@ -1,8 +1,6 @@
-//! The film: pixels with their origin at the bottom left, filled tile by tile in parallel.
+//! The film: an array of pixels with the origin at the bottom left, divided into tiles.
 
-use crate::sampler::Sampling;
-use crate::{PixelSampler, Spectrum};
-use rayon::prelude::*;
+use crate::Spectrum;
 
 /// Width and height of a film in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,12 +11,12 @@ pub struct FilmSize {
     pub h: u32,
 }
 
-/// What sampling one pixel gave.
+/// The result of sampling one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PixelEstimate {
     /// Mean radiance over the pixel.
     pub radiance: Spectrum,
-    /// How many camera samples went into it.
+    /// Number of camera samples.
     pub samples: u32,
 }
 
@@ -35,14 +33,14 @@ pub struct Cell {
     pub y1: u32,
 }
 
-/// A picture in the making: one estimate a pixel, row by row from the bottom left.
+/// A rendered image: one estimate for each pixel, row by row from the bottom left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     size: FilmSize,
     pixels: Vec<PixelEstimate>,
 }
 
-/// Edge of a tile in pixels: small enough to keep all threads busy to the end.
+/// Edge of a tile in pixels. Small enough to keep all threads busy until the end.
 const TILE: u32 = 16;
 
 impl Film {
@@ -54,7 +52,7 @@ impl Film {
         }
     }
 
-    /// Its width and height.
+    /// Width and height.
     pub fn size(&self) -> FilmSize {
         self.size
     }
@@ -78,7 +76,7 @@ impl Film {
     fn index(&self, x: u32, y: u32) -> usize {
         assert!(
             x < self.size.w && y < self.size.h,
-            "pixel ({x}, {y}) is not on a {:?}",
+            "pixel ({x}, {y}) is outside of the film, which has {:?}",
             self.size
         );
         y as usize * self.size.w as usize + x as usize
@@ -112,69 +110,13 @@ impl Cell {
             .collect()
     }
 
-    /// Its pixels, row by row from the bottom left.
+    /// The pixels, row by row from the bottom left.
     pub fn pixels(self) -> impl Iterator<Item = (u32, u32)> {
         (self.y0..self.y1).flat_map(move |y| (self.x0..self.x1).map(move |x| (x, y)))
     }
 
-    /// How many pixels it has.
+    /// Number of pixels.
     pub fn area(self) -> u64 {
         u64::from(self.x1 - self.x0) * u64::from(self.y1 - self.y0)
     }
-}
-
-/// Fills the pixels of `cell` in parallel on rayon's current thread pool.
-///
-/// Each tile gets itself a `state` (counters, say) with `new_state`; `pixel` gets it with the column, the
-/// row and that pixel's own sampler; `tile_done` hears of each finished tile and its state. Pixels do not
-/// depend on threads or on the order of tiles. Returns the film and the states.
-pub fn render<S: Send>(
-    size: FilmSize,
-    cell: Cell,
-    sampling: impl Into<Sampling>,
-    new_state: impl Fn() -> S + Sync,
-    pixel: impl Fn(&mut S, u32, u32, &mut PixelSampler) -> PixelEstimate + Sync,
-    tile_done: impl Fn(Cell, &S) + Sync,
-) -> (Film, Vec<S>) {
-    let sampling = sampling.into();
-    let tile = |state: &mut S, tile: Cell| {
-        tile.pixels()
-            .map(|(x, y)| pixel(state, x, y, &mut PixelSampler::new(x, y, sampling)))
-            .collect()
-    };
-    render_tiles(size, cell, new_state, tile, tile_done)
-}
-
-/// As [`render`], but `tile` fills a whole tile: it gives one estimate for each of its pixels, in their order.
-pub fn render_tiles<S: Send>(
-    size: FilmSize,
-    cell: Cell,
-    new_state: impl Fn() -> S + Sync,
-    tile: impl Fn(&mut S, Cell) -> Vec<PixelEstimate> + Sync,
-    tile_done: impl Fn(Cell, &S) + Sync,
-) -> (Film, Vec<S>) {
-    let tiles: Vec<(Cell, Vec<PixelEstimate>, S)> = cell
-        .tiles()
-        .into_par_iter()
-        .map(|cell| {
-            let mut state = new_state();
-            let pixels = tile(&mut state, cell);
-            assert_eq!(
-                pixels.len() as u64,
-                cell.area(),
-                "an estimate for each pixel of {cell:?}"
-            );
-            tile_done(cell, &state);
-            (cell, pixels, state)
-        })
-        .collect();
-    let mut film = Film::new(size);
-    let mut states = Vec::with_capacity(tiles.len());
-    for (tile, pixels, state) in tiles {
-        for ((x, y), estimate) in tile.pixels().zip(pixels) {
-            film.set(x, y, estimate);
-        }
-        states.push(state);
-    }
-    (film, states)
 }

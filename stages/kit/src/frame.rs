@@ -1,11 +1,11 @@
-//! A coordinate system on a surface, so that scattering is written with the normal along z.
+//! Orthonormal bases around surface normals.
 
 use crate::Vec3;
 
-/// Three unit vectors at right angles, in world space; `n` is the surface normal.
+/// An orthonormal basis in world space; `n` is the surface normal.
 ///
-/// In the local space of a frame the normal is `(0, 0, 1)`, so the cosine between a unit direction `w`
-/// and the normal is simply `w.z`.
+/// In the local space of the frame the normal is `(0, 0, 1)`, so the cosine between a unit
+/// direction `w` and the normal is `w.z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// Local x axis.
@@ -17,11 +17,12 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A frame around the unit vector `n`, finite for every `n`.
+    /// A right-handed frame around the unit vector `n`, finite for every `n`.
     ///
-    /// Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin: "Building an orthonormal basis, revisited"
-    /// (JCGT 2017). The older formula of Frisvad divides by `1 + n.z` and loses all its digits for normals
-    /// near -z; taking the sign of `n.z` along keeps the divisor at 1 or more.
+    /// Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin: "Building an orthonormal basis,
+    /// revisited" (JCGT 2017). Frisvad's older formula divides by `1 + n.z` and loses all
+    /// significant digits for normals near -z. Here the divisor is `sign(n.z) + n.z`, whose
+    /// magnitude is at least 1.
     #[inline]
     pub fn around(n: Vec3) -> Frame {
         let sign = 1.0_f64.copysign(n.z);
@@ -34,13 +35,13 @@ impl Frame {
         }
     }
 
-    /// A direction in world space as seen from the frame.
+    /// Transforms a direction from world space to local space.
     #[inline]
     pub fn to_local(&self, w: Vec3) -> Vec3 {
         Vec3::new(w.dot(self.s), w.dot(self.t), w.dot(self.n))
     }
 
-    /// A direction of the frame in world space.
+    /// Transforms a direction from local space to world space.
     #[inline]
     pub fn to_world(&self, w: Vec3) -> Vec3 {
         w.x * self.s + w.y * self.t + w.z * self.n
@@ -51,7 +52,7 @@ impl Frame {
 mod tests {
     use super::*;
 
-    /// Four roundings of numbers up to 1 a component.
+    /// Four rounding errors of numbers up to 1 in each component.
     const ROUNDING: f64 = 1e-15;
 
     fn assert_orthonormal(f: Frame) {
@@ -70,7 +71,7 @@ mod tests {
         );
     }
 
-    /// Hard case 74: the naive formula divides by `1 + n.z`.
+    /// Hard case 74: the older formula divides by `1 + n.z`.
     #[test]
     fn normals_near_minus_z_have_a_finite_basis() {
         for k in 0..60 {
@@ -84,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn to_local_undoes_to_world() {
+    fn to_local_inverts_to_world() {
         let f = Frame::around(Vec3::new(0.6, -0.48, 0.64));
         let w = Vec3::new(0.36, 0.48, -0.8);
         assert!((f.to_local(f.to_world(w)) - w).length() < ROUNDING);

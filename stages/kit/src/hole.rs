@@ -1,12 +1,12 @@
-//! Holes: tasks that are not written yet.
+//! Placeholders for tasks that are not written yet.
 //!
-//! [`hole!`](crate::hole!) stands where a solution is to go. It unwinds with a [`Hole`] as its payload, so the
-//! grader can say *not attempted*. [`untouched!`](crate::untouched!) stands where the course gives a slow but
-//! working start: it leaves a mark and goes on.
+//! [`hole!`](crate::hole!) stands in place of a solution. It unwinds with a [`Hole`] as its
+//! payload, and the grader reports the task as *not attempted*. [`untouched!`](crate::untouched!)
+//! marks a slow but working start that the course provides: it records the task and continues.
 
 use std::cell::RefCell;
 
-/// What a hole unwinds with: the key of the task, such as `part1.task3`.
+/// The payload with which a hole unwinds: the key of the task, such as `part1.task3`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hole {
     /// Key of the task in `course.toml`.
@@ -19,7 +19,7 @@ impl std::fmt::Display for Hole {
     }
 }
 
-/// Stops here because the task is not written yet. What [`hole!`](crate::hole!) calls.
+/// Unwinds with the [`Hole`] of `task`. Called by [`hole!`](crate::hole!).
 #[cold]
 pub fn stop(task: &'static str) -> ! {
     std::panic::panic_any(Hole { task })
@@ -29,7 +29,8 @@ thread_local! {
     static UNTOUCHED: RefCell<Vec<&'static str>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Notes that the given start of a task ran on this thread. What [`untouched!`](crate::untouched!) calls.
+/// Records that the provided start of a task ran on this thread. Called by
+/// [`untouched!`](crate::untouched!).
 pub fn mark(task: &'static str) {
     UNTOUCHED.with_borrow_mut(|marks| {
         if !marks.contains(&task) {
@@ -38,13 +39,13 @@ pub fn mark(task: &'static str) {
     });
 }
 
-/// The tasks whose given start ran on this thread since the last call.
+/// Returns and clears the tasks whose provided start ran on this thread since the last call.
 pub fn take_marks() -> Vec<&'static str> {
     UNTOUCHED.take()
 }
 
-/// `hole!("part1.task3", tri, ray)`: a task that is not written yet. Takes its arguments, so that
-/// the compiler does not call them unused, and never returns.
+/// `hole!("part1.task3", tri, ray)`: marks a task that is not written yet. Never returns. Uses its
+/// arguments, so that the compiler does not report them as unused.
 #[macro_export]
 macro_rules! hole {
     ($task:literal $(, $argument:expr)* $(,)?) => {{
@@ -53,7 +54,7 @@ macro_rules! hole {
     }};
 }
 
-/// `untouched!("part2.task1")`: the code below is the start that the course gives.
+/// `untouched!("part2.task1")`: marks the code below as the start that the course provides.
 #[macro_export]
 macro_rules! untouched {
     ($task:literal) => {

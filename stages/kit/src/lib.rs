@@ -1,17 +1,22 @@
-//! What every stage is given.
+//! The types and helper functions that all stages share.
 //!
-//! Read in this order: [`ray`] and [`hit`] (what goes in and what comes out), [`shapes`]
-//! and [`aabb`] (what is hit), [`camera`], [`sampler`] and [`film`] (where rays come from
-//! and where their colours go), [`budget`] (how many samples a pixel may take), [`bvh`] and [`world`] (the tree and what it hangs in),
-//! [`scene`], [`material`], [`texture`] and [`light`] (what a file describes), [`lit`], [`emitter`], [`emitting_mesh`] and [`environment`]
-//! (where light comes from), [`surface`], [`frame`] and [`bsdf`] (where it is scattered), [`warp`]
-//! (uniform points), [`effects`] (what of all this a scene needs), [`statistics`] and [`chi_square`] (how random answers are judged), and [`mod@hole`]
-//! (how a task that is not written yet says so).
+//! Reading order:
 //!
-//! The kit knows vectors and threads and nothing else of the course: it holds no formula
-//! that a student is asked to find.
+//! - [`ray`], [`hit`]: the input and the result of an intersection test.
+//! - [`shapes`], [`aabb`]: primitives and bounding boxes.
+//! - [`camera`], [`sampler`], [`film`], [`budget`]: camera, random numbers, pixels, samples per
+//!   pixel.
+//! - [`bvh`], [`world`]: the tree, and the tests that its traversal calls.
+//! - [`scene`], [`material`], [`texture`], [`light`]: the contents of a scene file.
+//! - [`lit`], [`emitter`], [`emitting_mesh`], [`environment`]: light sources that can be sampled.
+//! - [`surface`], [`frame`], [`bsdf`], [`warp`]: shading points, scattering, uniform sampling.
+//! - [`effects`]: which effects a scene needs.
+//! - [`mod@hole`]: placeholders for tasks that are not written yet.
+//!
+//! The kit depends on `glam` and `libm` only. It contains no formula that a task asks for.
 
 pub mod aabb;
+mod area_lights;
 pub mod bsdf;
 pub mod budget;
 pub mod bvh;
@@ -33,7 +38,6 @@ pub mod ray;
 pub mod sampler;
 pub mod scene;
 pub mod shapes;
-mod shown_light;
 mod sobol;
 pub mod spectrum;
 mod stratified;

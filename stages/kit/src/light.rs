@@ -1,31 +1,31 @@
-//! The lights that a scene file names, in world space. Surfaces that emit are materials, not lights.
+//! The lights of a scene file, in world space. Emitting surfaces are materials, not lights.
 
 use crate::{Spectrum, Vec3};
 
-/// A light source.
+/// A light source as described in a scene file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// A parallelogram that shines to one side.
+    /// A parallelogram that emits from one side.
     Area {
         /// Centre.
         center: Vec3,
-        /// First edge, whole length.
+        /// First edge, full length.
         edge_x: Vec3,
-        /// Second edge, whole length.
+        /// Second edge, full length.
         edge_y: Vec3,
-        /// Unit direction of the side that shines.
+        /// Unit normal of the emitting side.
         direction: Vec3,
         /// Emitted radiance.
         radiance: Spectrum,
     },
-    /// A point that shines the same everywhere.
+    /// A point light that is the same in all directions.
     Point {
         /// Position.
         position: Vec3,
         /// Radiant intensity (power per solid angle).
         intensity: Spectrum,
     },
-    /// A point that shines into a cone.
+    /// A point light that is restricted to a cone.
     Spot {
         /// Position.
         position: Vec3,
@@ -35,17 +35,17 @@ pub enum Light {
         intensity: Spectrum,
         /// Full opening angle in degrees, in (0, 180].
         falloff_angle: f64,
-        /// Exponent of the cosine to the axis, `>= 0`.
+        /// Exponent of the cosine of the angle to the axis, `>= 0`.
         falloff_exponent: f64,
     },
-    /// A sun infinitely far away.
+    /// A light at infinite distance.
     Directional {
-        /// Unit direction in which the light travels.
+        /// Unit direction of propagation, away from the light.
         direction: Vec3,
         /// Irradiance on a surface that faces the light.
         irradiance: Spectrum,
     },
-    /// A sky that shines the same from every direction of the upper half (+y).
+    /// A sky that emits the same radiance from every direction with `y >= 0`.
     Hemisphere {
         /// Radiance of the sky.
         radiance: Spectrum,

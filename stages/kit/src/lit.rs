@@ -1,35 +1,37 @@
-//! A scene with its light.
+//! A scene with its light sources.
 
+use crate::area_lights::add_area_lights;
 use crate::emitting_mesh::{EmittingMesh, EmittingTriangle};
 use crate::math;
-use crate::shown_light::show_area_lights;
 use crate::{Emitter, Environment, Hit, Light, Material, PrimId, Scene, Spectrum, Surface, Vec3};
 
-/// A scene and all that it is lit by.
+/// A scene and its light sources.
 ///
-/// Every light that has an extent is a surface here, so that what is seen, what a random ray finds and what is
-/// sampled are one and the same light, and estimates by hemisphere and by light sampling agree:
+/// Every light with an area is a surface of this scene. So camera rays, random rays and light
+/// samples see the same light, and hemisphere sampling and light sampling estimate the same value:
 ///
-/// - An object whose material emits is one emitter, however many triangles it has; an emitting sphere is one.
-/// - An area light of the file whose centre lies on an emitting surface that faces its way is that surface: the
-///   course's scenes describe their lamp twice, as a mesh that is seen and as a light that is sampled, and the two do
-///   not even have the same outline (0.8 x 0.6 and 0.6 x 0.8). The mesh counts, with its radiance.
-/// - Any other area light becomes two triangles, appended to the scene's triangles as an object of its own. So it is
-///   seen, too, and casts a shadow; its back is black.
+/// - An object whose material emits is one emitter, whatever its number of triangles. An emitting
+///   sphere is one emitter.
+/// - An area light of the file whose centre lies on an emitting surface that faces the same way is
+///   the same light as that surface. The course's scenes describe their lamp twice, as a visible
+///   mesh and as an area light, and even their outlines differ (0.8 x 0.6 and 0.6 x 0.8). The mesh
+///   is used, with its radiance.
+/// - Any other area light becomes two triangles, appended to the scene's triangles as a new object.
+///   So it is visible and casts a shadow; its back is black.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LitScene {
-    /// The geometry, with the area lights in it.
+    /// The geometry, including the area lights.
     pub scene: Scene,
-    /// Everything that light comes from, in the order of the file: lights first, then emitting objects.
+    /// All light sources: lights in the order of the file, then emitting objects.
     pub emitters: Vec<Emitter>,
-    /// For each primitive, its emitter's index, if it emits.
+    /// For each primitive, the index of its emitter, if it emits.
     emitter_of: Vec<Option<u32>>,
 }
 
 impl LitScene {
-    /// Collects the light of `scene`, with an `environment` around it or none.
+    /// Collects the light sources of `scene` and of its `environment` map, if there is one.
     pub fn new(mut scene: Scene, environment: Option<Environment>) -> LitScene {
-        show_area_lights(&mut scene);
+        add_area_lights(&mut scene);
         let mut emitters: Vec<Emitter> = scene
             .lights
             .iter()
@@ -45,7 +47,7 @@ impl LitScene {
         lit
     }
 
-    /// What shading asks about the place of `hit`.
+    /// The surface data for shading at `hit`.
     #[inline]
     pub fn surface(&self, hit: &Hit) -> Surface<'_> {
         Surface::new(
@@ -55,7 +57,7 @@ impl LitScene {
         )
     }
 
-    /// The radiance of what a ray along the unit direction `d` sees if it hits nothing.
+    /// The radiance of a ray along the unit direction `d` that hits nothing.
     pub fn background(&self, d: Vec3) -> Spectrum {
         self.emitters
             .iter()
@@ -67,19 +69,19 @@ impl LitScene {
             .sum()
     }
 
-    /// Whether a ray that hits nothing may see light.
+    /// Whether a ray that hits nothing can have radiance: there is a sky or an environment map.
     pub fn has_background(&self) -> bool {
         let is_background =
             |e: &Emitter| matches!(e, Emitter::Sky { .. } | Emitter::Environment(_));
         self.emitters.iter().any(is_background)
     }
 
-    /// Whether there is any light at all.
+    /// Whether there is any light source.
     pub fn has_light(&self) -> bool {
         !self.emitters.is_empty()
     }
 
-    /// The emitter that primitive `id` is part of, if it emits.
+    /// The emitter that primitive `id` belongs to, if it emits.
     pub fn emitter_of(&self, id: PrimId) -> Option<&Emitter> {
         self.emitter_of[id.0 as usize].map(|i| &self.emitters[i as usize])
     }
@@ -121,7 +123,8 @@ impl LitScene {
     }
 }
 
-/// The emitter of a light of the file. Area lights have none: by now they are surfaces.
+/// The emitter of a light of the file. Area lights have none: [`add_area_lights`] has turned them
+/// into surfaces.
 fn emitter(light: &Light) -> Option<Emitter> {
     match *light {
         Light::Area { .. } => None,
@@ -160,37 +163,37 @@ fn emitter(light: &Light) -> Option<Emitter> {
 mod tests {
     use super::*;
     use crate::Vec2;
+    use crate::area_lights::tests::scene_with_lamp;
     use crate::scene::NamedLight;
-    use crate::shown_light::tests::room;
 
     #[test]
-    fn no_light_is_no_emitter() {
-        let mut dark = room(vec![]);
+    fn black_emission_is_not_an_emitter() {
+        let mut dark = scene_with_lamp(vec![]);
         dark.materials[0].material = Material::Emission {
             radiance: Spectrum::BLACK,
         };
         assert!(!LitScene::new(dark, None).has_light());
-        assert!(LitScene::new(room(vec![]), None).has_light());
+        assert!(LitScene::new(scene_with_lamp(vec![]), None).has_light());
     }
 
     #[test]
-    fn the_background_is_the_sky_above_and_the_environment_all_around() {
+    fn background_is_the_sum_of_sky_and_environment() {
         let sky = NamedLight {
             name: "sky".into(),
             light: Light::Hemisphere {
                 radiance: Spectrum::grey(2.0),
             },
         };
-        let all_around = Environment::uniform(Spectrum::grey(0.5));
-        let lit = LitScene::new(room(vec![sky]), Some(all_around));
+        let environment = Environment::uniform(Spectrum::grey(0.5));
+        let lit = LitScene::new(scene_with_lamp(vec![sky]), Some(environment));
         assert_eq!(lit.background(Vec3::Y), Spectrum::grey(2.5));
         assert_eq!(lit.background(-Vec3::Y), Spectrum::grey(0.5));
     }
 
-    /// The front of a surface is the side of its vertex normals, however it is wound.
+    /// The front of a surface is the side of its vertex normals, whatever its winding order.
     #[test]
-    fn a_lamp_wound_the_wrong_way_shines_where_its_normals_point() {
-        let mut scene = room(vec![]);
+    fn lamp_with_reversed_winding_emits_along_its_vertex_normals() {
+        let mut scene = scene_with_lamp(vec![]);
         for t in &mut scene.triangles {
             std::mem::swap(&mut t.p1, &mut t.p2);
         }

@@ -1,60 +1,60 @@
-//! What surfaces are made of: the numbers of a scene file, no light transport.
+//! Materials: the parameters from a scene file, without light transport.
 
 use crate::Spectrum;
 
-/// A surface's way of scattering light.
+/// How a surface scatters or emits light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Material {
-    /// Matte: the same radiance in every direction (Lambert).
+    /// Diffuse (Lambertian): the same radiance in every direction.
     Diffuse {
-        /// Share of light that leaves again, per channel, in [0, 1].
+        /// Fraction of the light that is reflected, per channel, in [0, 1].
         reflectance: Spectrum,
     },
-    /// Gives light and reflects none.
+    /// Emits light and reflects none.
     Emission {
         /// Emitted radiance, the same in every direction of the front side.
         radiance: Spectrum,
     },
     /// A perfect mirror.
     Mirror {
-        /// Share of light that leaves again, per channel, in [0, 1].
+        /// Fraction of the light that is reflected, per channel, in [0, 1].
         reflectance: Spectrum,
     },
-    /// A rough mirror.
+    /// A glossy (rough) mirror.
     Glossy {
-        /// Share of light that leaves again, per channel, in [0, 1].
+        /// Fraction of the light that is reflected, per channel, in [0, 1].
         reflectance: Spectrum,
-        /// Phong exponent, `>= 0`: larger is sharper.
+        /// Phong exponent, `>= 0`. Larger values give sharper reflections.
         shininess: f64,
     },
-    /// A boundary that refracts without reflecting.
+    /// A dielectric boundary that refracts and does not reflect.
     Refraction {
-        /// Share of light that passes, per channel, in [0, 1].
+        /// Fraction of the light that is transmitted, per channel, in [0, 1].
         transmittance: Spectrum,
-        /// Microfacet roughness, `>= 0`; 0 is smooth.
+        /// Microfacet roughness, `>= 0`; 0 is a smooth boundary.
         roughness: f64,
-        /// Index of refraction of the inside over that of the outside.
+        /// Index of refraction of the inside divided by that of the outside.
         ior: f64,
     },
-    /// A boundary that reflects and refracts by Fresnel's equations.
+    /// A dielectric boundary that reflects and refracts by the Fresnel equations.
     Glass {
-        /// Tint of what is reflected, per channel, in [0, 1].
+        /// Colour of the reflection, per channel, in [0, 1].
         reflectance: Spectrum,
-        /// Tint of what passes, per channel, in [0, 1].
+        /// Colour of the transmission, per channel, in [0, 1].
         transmittance: Spectrum,
-        /// Microfacet roughness, `>= 0`; 0 is smooth.
+        /// Microfacet roughness, `>= 0`; 0 is a smooth boundary.
         roughness: f64,
-        /// Index of refraction of the inside over that of the outside.
+        /// Index of refraction of the inside divided by that of the outside.
         ior: f64,
     },
 }
 
-/// From this roughness on glass is rough: less spreads light by less than a pixel of any camera here shows, a twentieth of a
-/// degree. Glass of index 1 is not there, however rough.
-const ROUGH: f64 = 1e-3;
+/// Smallest roughness of rough glass. A smaller one spreads light by less than a twentieth of a
+/// degree, which is less than a pixel of any camera here.
+const MIN_ROUGHNESS: f64 = 1e-3;
 
 impl Material {
-    /// The radiance that the surface gives by itself.
+    /// The emitted radiance; black if the material does not emit.
     pub fn emission(&self) -> Spectrum {
         match self {
             Material::Emission { radiance } => *radiance,
@@ -62,18 +62,21 @@ impl Material {
         }
     }
 
-    /// Whether light goes from one side of the surface to the other.
+    /// Whether light passes from one side of the surface to the other.
     pub fn lets_light_through(&self) -> bool {
         matches!(self, Material::Refraction { .. } | Material::Glass { .. })
     }
 
-    /// Whether light leaves in finitely many directions only, so that no direction chosen without the surface is
-    /// ever the right one: [`Scattering::f`](crate::Scattering::f) is black and only sampling finds them.
+    /// Whether the BSDF is a delta distribution: light leaves in finitely many directions only.
+    /// [`Scattering::f`](crate::Scattering::f) is then black, and only
+    /// [`Scattering::sample`](crate::Scattering::sample) finds these directions. Glass with an
+    /// index of refraction of 1 counts as such whatever its roughness, because light passes it
+    /// unchanged.
     pub fn is_delta(&self) -> bool {
         match *self {
             Material::Mirror { .. } => true,
             Material::Refraction { roughness, ior, .. }
-            | Material::Glass { roughness, ior, .. } => roughness < ROUGH || ior == 1.0,
+            | Material::Glass { roughness, ior, .. } => roughness < MIN_ROUGHNESS || ior == 1.0,
             _ => false,
         }
     }

@@ -1,13 +1,13 @@
-//! Vectors, matrices, angles.
+//! Vectors, matrices and elementary functions.
 //!
-//! Everything is `f64`. Sines and the like come from `libm`, not from the platform, so that
-//! pictures and counts are the same on every machine.
+//! All numbers are `f64`. Transcendental functions come from `libm`, not from the platform, so that
+//! images and operation counts are the same on every machine.
 
-/// Two numbers: a point on the film, a pair of barycentric weights.
+/// Two numbers, such as a point on the film or a pair of barycentric weights.
 pub type Vec2 = glam::DVec2;
-/// A point or a direction. World space is right-handed with +y up.
+/// A point or a direction in space. World space is right-handed with +y up.
 pub type Vec3 = glam::DVec3;
-/// A 3x3 matrix, stored by columns; `m * v` applies it.
+/// A 3x3 matrix, stored by columns. `m * v` multiplies it by a column vector.
 pub type Mat3 = glam::DMat3;
 
 /// Sine of an angle in radians.
@@ -30,7 +30,7 @@ pub fn acos(cosine: f64) -> f64 {
     libm::acos(cosine)
 }
 
-/// Angle in radians, in [-π, π], of the point `(x, y)` seen from the origin.
+/// Angle in radians, in [-π, π], between the +x axis and the direction to the point `(x, y)`.
 pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)
 }

@@ -2,9 +2,9 @@
 
 use crate::Vec3;
 
-/// The points `o + t·d` with `min_t <= t <= max_t`, in world space.
+/// A ray: the points `o + t·d` with `min_t <= t <= max_t`, in world space.
 ///
-/// Both ends of the range count. `d` need not have unit length: `t` is measured in lengths
+/// Both ends of the range count. `d` need not have unit length: `t` counts multiples of the length
 /// of `d`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
@@ -12,14 +12,15 @@ pub struct Ray {
     pub o: Vec3,
     /// Direction.
     pub d: Vec3,
-    /// Nearest `t` that counts.
+    /// Smallest `t` of the range.
     pub min_t: f64,
-    /// Farthest `t` that counts; a hit shortens it, so that what lies behind is skipped.
+    /// Largest `t` of the range. A hit reduces it to its own `t`, so that farther primitives are
+    /// skipped.
     pub max_t: f64,
 }
 
 impl Ray {
-    /// The ray from `o` along `d` with `t` in [0, ∞].
+    /// The ray from `o` along `d` with the range [0, ∞].
     pub fn new(o: Vec3, d: Vec3) -> Ray {
         Ray {
             o,
@@ -35,7 +36,7 @@ impl Ray {
         self.o + t * self.d
     }
 
-    /// Whether `t` lies in `min_t..=max_t`. False for NaN.
+    /// Whether `min_t <= t <= max_t`. False if `t` is NaN.
     #[inline]
     pub fn in_range(&self, t: f64) -> bool {
         self.min_t <= t && t <= self.max_t

@@ -1,32 +1,32 @@
-//! A scene: everything in world space, ready to be traced.
+//! The scene: all geometry in world space.
 
 use crate::texture::TextureMap;
 use crate::{Aabb, Camera, Light, Material, PrimId, Sphere, Triangle};
 
-/// Geometry, materials, lights and the camera of one file.
+/// Geometry, materials, lights and the camera of one scene file.
 ///
-/// Primitives are numbered through: triangles first, then spheres.
+/// The ids of primitives count triangles first, then spheres.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// All triangles, instances baked in.
+    /// All triangles, with instances transformed to world space.
     pub triangles: Vec<Triangle>,
-    /// All spheres, instances baked in.
+    /// All spheres, with instances transformed to world space.
     pub spheres: Vec<Sphere>,
-    /// For each primitive, its object's index in [`Scene::objects`].
+    /// For each primitive, the index of its object in [`Scene::objects`].
     pub object_of: Vec<u32>,
-    /// What the file calls its parts.
+    /// The objects of the file.
     pub objects: Vec<Object>,
-    /// The materials that objects name.
+    /// The materials that the objects refer to.
     pub materials: Vec<NamedMaterial>,
-    /// Which surfaces carry pictures.
+    /// The textures of the materials.
     pub textures: TextureMap,
     /// The lights.
     pub lights: Vec<NamedLight>,
-    /// The camera that the file places, if it has a usable one.
+    /// The camera of the file, if it has a usable one.
     pub camera: Option<Camera>,
 }
 
-/// A part of the scene with one material.
+/// A part of the scene with a single material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// Name of the node in the file.
@@ -35,21 +35,21 @@ pub struct Object {
     pub material: u32,
 }
 
-/// A material and what the file calls it.
+/// A material and its name in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedMaterial {
     /// Name in the file.
     pub name: String,
-    /// What it does.
+    /// The material.
     pub material: Material,
 }
 
-/// A light and what the file calls it.
+/// A light and its name in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedLight {
     /// Name of the node in the file.
     pub name: String,
-    /// What it does.
+    /// The light.
     pub light: Light,
 }
 
@@ -63,17 +63,17 @@ pub enum Primitive<'a> {
 }
 
 impl Scene {
-    /// How many primitives there are.
+    /// Number of primitives.
     pub fn len(&self) -> usize {
         self.triangles.len() + self.spheres.len()
     }
 
-    /// Whether there is nothing to hit.
+    /// Whether there are no primitives.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The primitive with number `id`. Panics if there is none.
+    /// The primitive `id`. Panics if there is none.
     #[inline]
     pub fn primitive(&self, id: PrimId) -> Primitive<'_> {
         let i = id.0 as usize;
@@ -83,13 +83,13 @@ impl Scene {
         }
     }
 
-    /// All primitives, by number.
+    /// All primitives, in the order of their ids.
     pub fn primitives(&self) -> impl Iterator<Item = Primitive<'_>> {
         let triangles = self.triangles.iter().map(Primitive::Triangle);
         triangles.chain(self.spheres.iter().map(Primitive::Sphere))
     }
 
-    /// The boxes of all primitives, by number.
+    /// The bounding boxes of all primitives, in the order of their ids.
     pub fn primitive_bounds(&self) -> Vec<Aabb> {
         let triangles = self.triangles.iter().map(Triangle::bounds);
         triangles
@@ -97,7 +97,7 @@ impl Scene {
             .collect()
     }
 
-    /// The box around everything.
+    /// The bounding box of the scene.
     pub fn bounds(&self) -> Aabb {
         self.primitive_bounds()
             .into_iter()
@@ -110,7 +110,7 @@ impl Scene {
         &self.materials[self.material_number(id)].material
     }
 
-    /// Which of the materials that is.
+    /// The index of the material of primitive `id` in [`Scene::materials`].
     #[inline]
     pub fn material_number(&self, id: PrimId) -> usize {
         self.objects[self.object_of[id.0 as usize] as usize].material as usize

@@ -1,11 +1,11 @@
-//! The two primitives: triangles and spheres.
+//! The primitives: triangles and spheres.
 
 use crate::{Aabb, Vec3};
 
 /// A triangle in world space with a normal at each vertex.
 ///
-/// The assignment calls the vertices `p1 p2 p3` and their normals `n1 n2 n3`; here they
-/// count from 0, as the barycentric weights do.
+/// The assignment calls the vertices `p1 p2 p3` and their normals `n1 n2 n3`. Here they count from
+/// 0, like the barycentric weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Triangle {
     /// First vertex, with barycentric weight `1 - b1 - b2`.
@@ -23,7 +23,8 @@ pub struct Triangle {
 }
 
 impl Triangle {
-    /// The flat triangle `p0 p1 p2`: its normals are those of its plane (zero if it has no area).
+    /// The flat triangle `p0 p1 p2`: all vertex normals are its geometric normal (zero if it has no
+    /// area).
     pub fn flat(p0: Vec3, p1: Vec3, p2: Vec3) -> Triangle {
         let n = (p1 - p0).cross(p2 - p0).normalize_or_zero();
         Triangle {
@@ -36,7 +37,7 @@ impl Triangle {
         }
     }
 
-    /// The smallest box around the triangle; empty if a coordinate is NaN.
+    /// The bounding box; empty if a coordinate is NaN.
     pub fn bounds(&self) -> Aabb {
         if self.p0.is_nan() || self.p1.is_nan() || self.p2.is_nan() {
             return Aabb::EMPTY;
@@ -50,12 +51,12 @@ impl Triangle {
 pub struct Sphere {
     /// Centre.
     pub center: Vec3,
-    /// Radius, `>= 0`; a file with a negative one is refused.
+    /// Radius, `>= 0`. A scene file with a negative radius is an error.
     pub radius: f64,
 }
 
 impl Sphere {
-    /// The smallest box around the sphere.
+    /// The bounding box.
     pub fn bounds(&self) -> Aabb {
         Aabb {
             min: self.center - self.radius,

@@ -1,30 +1,34 @@
-//! Points that cover the square evenly, and still at random: Sobol's sequence in two dimensions, scrambled.
+//! The Sobol sequence in two dimensions, with Owen scrambling.
 //!
-//! Among the first 2ᵏ points every elementary interval (a rectangle of 2⁻ⁱ by 2ⁱ⁻ᵏ) holds exactly one point, where
-//! independent points clump and leave gaps: the error of a mean falls nearly like 1/n on smooth integrands instead of
-//! 1/√n. Owen's scrambling ("Randomly permuted (t,m,s)-nets", 1995) keeps that and makes every point uniform, so
-//! estimates stay right on average. It is done by hashing, as in Burley, "Practical hash-based Owen scrambling" (JCGT
-//! 2020), with the hash of Laine and Karras in the form that Vegdahl mended.
+//! Each elementary interval (a rectangle of 2⁻ⁱ by 2ⁱ⁻ᵏ) contains exactly one of the first 2ᵏ
+//! points. Independent points form clusters and gaps instead. So for smooth integrands the error of
+//! a mean falls nearly like 1/n instead of 1/√n. Owen's scrambling ("Randomly permuted
+//! (t,m,s)-nets", 1995) keeps this property and makes every point uniform, so that estimates are
+//! unbiased. It is computed with a hash, as in Burley, "Practical hash-based Owen scrambling" (JCGT
+//! 2020); the hash is Vegdahl's corrected version of the one by Laine and Karras.
 //!
-//! More dimensions are made of such pairs, each with its own scrambling and its points in an order of its own, so that
-//! pairs know nothing of each other. The order shuffles blocks of 2ᵏ points within themselves: the first 2ᵏ samples
-//! of every pair are still even.
+//! Higher dimensions use further two-dimensional sequences (padding). Each has its own scrambling
+//! and visits its points in its own order, so that different pairs are independent. The order
+//! permutes the points within blocks of 2ᵏ, so the first 2ᵏ samples of every pair are still well
+//! distributed.
 
-/// Point number `index` of the scrambled sequence number `key`: two numbers in units of 2⁻³².
+/// Point `index` of the sequence that `key` scrambles: two numbers in units of 2⁻³².
 #[inline]
 pub(crate) fn point(index: u32, key: u64) -> [u32; 2] {
     let (low, high) = (key as u32, (key >> 32) as u32);
-    // Scrambling an index moves blocks of 2ᵏ points as a whole: any such block is as even as the first.
+    // Scrambling the index maps blocks of 2ᵏ points to such blocks, and each of them is as well
+    // distributed as the first.
     let index = scramble(index.reverse_bits(), low).reverse_bits();
     // The first dimension of the sequence is the index with its bits reversed (van der Corput).
     let x = scramble(index, high);
     let y = scramble(second_dimension(index), second_seed(low, high));
-    // Both are turned round at once: that is what costs most here.
+    // Reverses the bits of both numbers at once, because this is the most expensive step.
     let xy = (u64::from(x) << 32 | u64::from(y)).reverse_bits();
     [xy as u32, (xy >> 32) as u32]
 }
 
-/// [`point`] for each of several indices and keys: all first numbers, all second ones.
+/// Computes [`point`] for several indices and keys. Returns all first numbers, then all second
+/// ones.
 #[inline(always)]
 pub(crate) fn points<const N: usize>(indices: &[u32; N], keys: &[u64; N]) -> [[u32; N]; 2] {
     let (mut low, mut high, mut index) = ([0; N], [0; N], *indices);
@@ -60,11 +64,12 @@ fn second_seed(low: u32, high: u32) -> u32 {
     high.wrapping_mul(0x9e37_79b1) ^ low
 }
 
-/// The second dimension, its highest digit in the lowest bit: each bit of the index adds, without carry, a row of Pascal's
-/// triangle modulo 2.
+/// The second dimension of the sequence, with the most significant digit in the lowest bit.
 ///
-/// There a number is odd if the digits of its column are among those of its row (Lucas, 1878). So bit `j` of the sum is
-/// the sum of the index's bits whose numbers have all the digits of `j`, and five steps add up all 32, a digit each.
+/// Each set bit `i` of the index adds (without carry) row `i` of Pascal's triangle modulo 2. The
+/// entry in column `j` of this row is odd if the binary digits of `j` are a subset of those of `i`
+/// (Lucas, 1878). So bit `j` of the sum adds up all bits `i` of the index for which `i` has all the
+/// digits of `j`. Five steps compute this for all 32 bits, one binary digit each.
 #[inline]
 fn second_dimension(index: u32) -> u32 {
     let mut sum = index;
@@ -76,11 +81,11 @@ fn second_dimension(index: u32) -> u32 {
     sum
 }
 
-/// Owen's scrambling of a fraction whose highest digit is the lowest bit of `x`: flips every digit or not, depending on
-/// `seed` and the digits before it, and on nothing after it.
+/// Owen scrambling of a fraction whose most significant digit is the lowest bit of `x`: flips each
+/// digit depending on `seed` and on the more significant digits only.
 #[inline]
 fn scramble(mut x: u32, seed: u32) -> u32 {
-    // Every step lets a bit change only bits above it, which are the digits after it.
+    // In each step a bit affects only higher bits of `x`, which are less significant digits.
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(seed);
     x = x.wrapping_mul((seed >> 16) | 1);
@@ -93,32 +98,32 @@ fn scramble(mut x: u32, seed: u32) -> u32 {
 mod tests {
     use super::*;
 
-    /// The property that makes the sequence what it is, for several keys and every shape of interval.
+    /// The defining property of the sequence, for several keys and all shapes of intervals.
     #[test]
-    fn every_elementary_interval_holds_one_point() {
+    fn every_elementary_interval_contains_one_point() {
         for key in [0, 1, 0x1234_5678_9abc_def0, u64::MAX] {
             for k in 0..=10_u32 {
                 let points: Vec<[u32; 2]> = (0..1 << k).map(|i| point(i, key)).collect();
                 for i in 0..=k {
-                    let mut seen = vec![false; 1 << k];
+                    let mut occupied = vec![false; 1 << k];
                     for [x, y] in &points {
                         let column = (u64::from(*x) << i) >> 32;
                         let row = (u64::from(*y) << (k - i)) >> 32;
                         let cell = (row << i | column) as usize;
                         assert!(
-                            !seen[cell],
+                            !occupied[cell],
                             "key {key:x}: two of 2^{k} points in cell {cell}"
                         );
-                        seen[cell] = true;
+                        occupied[cell] = true;
                     }
                 }
             }
         }
     }
 
-    /// The first points of the plain sequence, from Sobol's paper.
+    /// The first points of the sequence without scrambling, from Sobol's paper.
     #[test]
-    fn the_second_dimension_is_sobols() {
+    fn second_dimension_is_the_sobol_sequence() {
         let eighths: Vec<u32> = (0..8)
             .map(|i| second_dimension(i).reverse_bits() >> 29)
             .collect();
@@ -126,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rows_are_those_of_pascals_triangle() {
+    fn second_dimension_sums_rows_of_pascals_triangle() {
         for index in [1, 2, 3, 0x8000_0000, 0xdead_beef, 0x0123_4567, u32::MAX] {
             let (mut row, mut sum) = (1_u32 << 31, 0);
             for bit in 0..32 {
@@ -140,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_give_different_points() {
+    fn different_keys_give_different_points() {
         assert_ne!(point(3, 1), point(3, 2));
         assert_ne!(point(3, 1), point(3, 1 << 32));
     }

@@ -3,7 +3,7 @@
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
 
-/// Radiance, reflectance or any other quantity per colour channel: linear sRGB, no upper end.
+/// Radiance, reflectance or another quantity per colour channel: linear sRGB, without upper limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spectrum {
     /// Red.
@@ -15,18 +15,18 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// No light.
+    /// 0 in every channel.
     pub const BLACK: Spectrum = Spectrum::grey(0.0);
-    /// One in every channel.
+    /// 1 in every channel.
     pub const WHITE: Spectrum = Spectrum::grey(1.0);
 
-    /// From its three channels.
+    /// A spectrum with the given channels.
     #[inline]
     pub const fn new(r: f64, g: f64, b: f64) -> Spectrum {
         Spectrum { r, g, b }
     }
 
-    /// The same in every channel.
+    /// The value `v` in every channel.
     #[inline]
     pub const fn grey(v: f64) -> Spectrum {
         Spectrum { r: v, g: v, b: v }
@@ -38,13 +38,13 @@ impl Spectrum {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
-    /// Whether every channel is exactly 0.
+    /// Whether all channels are exactly 0.
     #[inline]
     pub fn is_black(self) -> bool {
         self == Spectrum::BLACK
     }
 
-    /// Whether no channel is NaN or infinite.
+    /// Whether all channels are finite.
     #[inline]
     pub fn is_finite(self) -> bool {
         self.r.is_finite() && self.g.is_finite() && self.b.is_finite()

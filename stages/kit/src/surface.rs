@@ -1,35 +1,37 @@
-//! A point on a surface as shading sees it, and how rays leave it.
+//! The shading point: the surface data at a hit, and the rays that start there.
 
 use crate::{Frame, Hit, LightSample, Material, PrimId, Primitive, Ray, Spectrum, Vec3};
 
-/// Where a ray hit, with all that shading asks for. World space unless it says otherwise.
+/// The surface at a hit, with the data that shading needs. In world space unless stated otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<'a> {
-    /// The point.
+    /// The hit point.
     pub p: Vec3,
-    /// The shading normal and two tangents: the space in which scattering is written.
+    /// The frame of the shading normal: the local space in which BSDFs are evaluated.
     pub frame: Frame,
-    /// Geometric normal: unit, on the side of the vertex normals (of a sphere: outwards).
+    /// Geometric normal: unit, on the side of the vertex normals (outwards for a sphere).
     pub ng: Vec3,
-    /// No coordinate of `p` is farther than this from the true surface.
+    /// Bound on the rounding error of each coordinate of `p`.
     pub error: Vec3,
-    /// What the surface is made of.
+    /// The material of the surface.
     pub material: &'a Material,
-    /// The primitive it is part of.
+    /// The primitive that the surface belongs to.
     pub prim: PrimId,
 }
 
-/// How far the coordinates of a hit point may be off, in units of the largest coordinate of its primitive.
+/// Bound on the error of the coordinates of a hit point, relative to the largest coordinate of its
+/// primitive.
 ///
-/// A barycentric combination `b0·p0 + b1·p1 + b2·p2` rounds 7 times, and a point put back on a sphere about as
-/// often, so `7·2⁻⁵³` would do (Higham's γ₇; PBRT 4th ed., section 6.8). Nine times as much leaves room for
-/// the rounding of [`Surface::leave`] itself and for kernels that are less careful than the reference.
+/// A barycentric combination `b0·p0 + b1·p1 + b2·p2` has 7 roundings, and a point projected onto a
+/// sphere about as many, so `7·2⁻⁵³` would suffice (Higham's γ₇; PBRT 4th ed., section 6.8). Nine
+/// times as much also covers the rounding of [`Surface::leave`] and kernels that are less accurate
+/// than the reference.
 pub const POSITION_ERROR: f64 = 64.0 * (0.5 * f64::EPSILON);
 
-/// A shadow ray ends this share of its length before the light, so that the light does not block itself.
+/// Relative length by which a shadow ray is shortened, so that the light does not block itself.
 ///
-/// Well above the rounding error of any `t` (about 1e-15) and well below any gap that a scene has: ten units
-/// away it is one billionth of a unit.
+/// It is well above the rounding error of any `t` (about 1e-15) and well below any gap in a scene:
+/// one billionth of a unit at a distance of ten units.
 pub const SHADOW_GAP: f64 = 1e-10;
 
 impl<'a> Surface<'a> {
@@ -57,8 +59,8 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The radiance that the surface itself sends along the world direction `wo`: its emission on the front
-    /// side (the side of `ng`), black behind and edge-on.
+    /// The radiance that the surface emits along the world direction `wo`: the emission of its
+    /// material on the front side (the side of `ng`), black behind it and in its plane.
     #[inline]
     pub fn emitted(&self, wo: Vec3) -> Spectrum {
         match self.material {
@@ -67,12 +69,12 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The ray that leaves along the unit world direction `w`.
+    /// A ray that leaves the surface along the unit world direction `w`.
     ///
-    /// Its origin is moved off the surface, to the side that `w` points to, just far enough that it is on that
-    /// side for sure whatever the rounding of `p` (Wächter and Binder, "A fast and robust method for avoiding
-    /// self-intersection", Ray Tracing Gems, 2019, chapter 6; here with PBRT's error bound). No scene is too small
-    /// or too large for it, as it is for a fixed epsilon.
+    /// Its origin is moved off the surface, to the side that `w` points to, just far enough to be
+    /// on that side whatever the rounding error of `p` (Wächter and Binder, "A fast and robust
+    /// method for avoiding self-intersection", Ray Tracing Gems, 2019, chapter 6; here with PBRT's
+    /// error bound). Unlike a fixed epsilon this works for scenes of any size.
     #[inline]
     pub fn leave(&self, w: Vec3) -> Ray {
         let distance = self.error.dot(self.ng.abs());
@@ -81,12 +83,12 @@ impl<'a> Surface<'a> {
         } else {
             distance * self.ng
         };
-        // The sum rounds, too, by a 64th of the offset at most: see POSITION_ERROR.
+        // The rounding error of the sum is at most 1/64 of the offset: see POSITION_ERROR.
         Ray::new(self.p + offset, w)
     }
 
-    /// The ray from here to the sampled point of a light. Something lies between if anything is in its range;
-    /// the light itself is not.
+    /// The ray from this point to a sampled point of a light. Its range ends just before the light,
+    /// so any hit in the range means that the light is blocked.
     #[inline]
     pub fn shadow_ray(&self, light: &LightSample) -> Ray {
         Ray {

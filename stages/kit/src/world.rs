@@ -1,19 +1,20 @@
-//! What a tree hangs in.
+//! The tests that a traversal calls.
 
 use crate::{Aabb, Hit, Interval, PrimId, Ray};
 
-/// The boxes and primitives that a traversal asks about.
+/// Box and primitive tests, as called by a traversal.
 ///
-/// A traversal gets every answer from here: this is where tests are counted, kernels chosen
-/// and triangles and spheres mixed.
+/// A traversal calls all tests through this trait. Implementations count the tests, choose the
+/// kernels, and mix triangles and spheres.
 pub trait World {
-    /// Where `ray` is inside `b`, cut to the ray's range; `None` if nowhere.
+    /// Intersects `ray` with the box `b`. Returns the part of the ray's range inside the box;
+    /// `None` on a miss.
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval>;
 
-    /// The hit of `ray` with primitive `id`, if there is one in the ray's range. On a hit
-    /// `ray.max_t` is shortened to it.
+    /// Intersects `ray` with primitive `id`. On a hit within the ray's range, reduces `ray.max_t`
+    /// to it.
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit>;
 
-    /// Whether primitive `id` blocks `ray` anywhere in its range.
+    /// Whether `ray` hits primitive `id` anywhere in its range (any hit).
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool;
 }

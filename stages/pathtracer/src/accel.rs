@@ -1,63 +1,72 @@
-//! How the closest hit is found: by asking every primitive, or through a tree. All ways find the same, bit for bit.
+//! Finding hits: brute force or a tree. Every way finds the same hits, bit for bit.
 
-use crate::SceneWorld;
+use crate::Counters;
+use crate::world::{SceneWorld, record_hit, test_primitive};
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Bvh, Hit, PrimId, Ray, Scene, TriangleHit, World};
-use simd_bvh::{WideBvh, Work};
+use simd_bvh::{TestCounts, WideBvh};
 
-/// Primitives in a leaf at most: the assignment's choice.
+/// The largest number of primitives in a leaf: the assignment's choice.
 pub const MAX_LEAF_SIZE: usize = 4;
 
 /// The ways to find a hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AccelKind {
-    /// Every ray asks every primitive.
+    /// Every ray tests every primitive.
     Brute,
-    /// The tree of stage `bvh`.
+    /// The binary tree of stage `bvh`.
     Bvh,
-    /// The tree of stage `simd_bvh`; and light is followed along eight paths at a time, by stage `simd_paths`, unless
-    /// light is looked for around, effects are forced, or one or two samples are asked for at a time (`-a 2`).
+    /// The wide tree of stage `simd_bvh`. Paths are traced in packets of eight by stage
+    /// `simd_paths`, unless direct light samples the hemisphere or uses multiple importance
+    /// sampling, effects are forced, or batches have one or two samples (`-a 2`).
     Simd,
 }
 
-/// A way to find a hit, ready for one scene.
+/// A way to find a hit, built for one scene.
 #[derive(Clone, Debug)]
 pub enum Accel {
-    /// Every ray asks every primitive.
-    Brute {
-        /// How many there are.
-        primitives: u32,
-    },
-    /// The tree of stage `bvh`.
+    /// Every ray tests every primitive.
+    Brute,
+    /// The binary tree of stage `bvh`.
     Bvh(Bvh),
-    /// The tree of stage `simd_bvh`.
+    /// The wide tree of stage `simd_bvh`.
     Simd(WideBvh),
 }
 
 impl Accel {
-    /// Gets ready for `scene`: builds the tree, if it takes one.
+    /// Builds the tree over `scene`, if `kind` uses one.
     pub fn build(kind: AccelKind, scene: &Scene) -> Accel {
         match kind {
-            AccelKind::Brute => Accel::Brute {
-                primitives: u32::try_from(scene.len()).expect("fewer than 2^32 primitives"),
-            },
+            AccelKind::Brute => Accel::Brute,
             AccelKind::Bvh => Accel::Bvh(construct_bvh(&scene.primitive_bounds(), MAX_LEAF_SIZE)),
             AccelKind::Simd => Accel::Simd(WideBvh::build(&scene.triangles, &scene.spheres)),
         }
     }
 
-    /// The closest hit of `ray` in `world`, the one with the lowest id at equal `t`; shortens the ray to it.
-    pub fn closest(&self, ray: &mut Ray, world: &mut SceneWorld<'_>) -> Option<Hit> {
-        match self {
-            Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
+    /// The closest hit of `ray` in `scene`, which the tree was built over; at equal `t` the hit
+    /// with the lowest id. Shortens the ray to the hit. Primitive `skip` is never hit.
+    ///
+    /// Adds the tests to `counters`, but not the ray.
+    #[inline]
+    pub fn closest(
+        &self,
+        scene: &Scene,
+        ray: &mut Ray,
+        skip: Option<PrimId>,
+        counters: &mut Counters,
+    ) -> Option<Hit> {
+        let mut world = SceneWorld::new(scene, skip);
+        let hit = match self {
+            Accel::Bvh(tree) => intersect_bvh(tree, ray, &mut world),
             Accel::Simd(tree) => {
-                let (id, hit) = closest_in(tree, ray, world)?;
-                world.record(id, ray, hit)
+                let (id, hit) = closest_in(tree, scene, ray, skip, counters)?;
+                return record_hit(scene, id, ray, hit);
             }
-            Accel::Brute { primitives } => {
+            Accel::Brute => {
                 let mut closest: Option<Hit> = None;
-                for id in (0..*primitives).map(PrimId) {
-                    // Equal `t` is in range once more: the first one, with the lowest id, stays.
+                for id in prims(scene) {
+                    // A hit at equal `t` is in range, too: the first one, with the lowest id,
+                    // stays.
                     if let Some(hit) = world.hit_prim(id, ray)
                         && closest.is_none_or(|c| hit.t < c.t)
                     {
@@ -66,41 +75,67 @@ impl Accel {
                 }
                 closest
             }
-        }
+        };
+        *counters += world.counters();
+        hit
     }
 
-    /// Whether anything in `world` is in the range of `ray`.
-    pub fn occluded(&self, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
-        match self {
-            Accel::Bvh(tree) => occludes_bvh(tree, ray, world),
-            Accel::Simd(tree) => occluded_in(tree, ray, world),
-            Accel::Brute { primitives } => (0..*primitives)
-                .map(PrimId)
-                .any(|id| world.blocked(id, ray)),
-        }
+    /// Whether any primitive of `scene` but `skip` is hit in the range of `ray`.
+    ///
+    /// Adds the tests to `counters`, but not the ray.
+    #[inline]
+    pub fn occluded(
+        &self,
+        scene: &Scene,
+        ray: &Ray,
+        skip: Option<PrimId>,
+        counters: &mut Counters,
+    ) -> bool {
+        let mut world = SceneWorld::new(scene, skip);
+        let blocked = match self {
+            Accel::Bvh(tree) => occludes_bvh(tree, ray, &mut world),
+            Accel::Simd(tree) => return occluded_in(tree, scene, ray, skip, counters),
+            Accel::Brute => prims(scene).any(|id| world.blocked(id, ray)),
+        };
+        *counters += world.counters();
+        blocked
     }
 }
 
-/// The closest hit of `ray` in `world`, whose wide tree is `tree`, before it is recorded.
+fn prims(scene: &Scene) -> impl Iterator<Item = PrimId> {
+    let count = u32::try_from(scene.len()).expect("fewer than 2^32 primitives");
+    (0..count).map(PrimId)
+}
+
+/// The closest hit of `ray` in `scene`, whose wide tree is `tree`, before it is recorded.
 #[inline]
 pub(crate) fn closest_in(
     tree: &WideBvh,
+    scene: &Scene,
     ray: &Ray,
-    world: &mut SceneWorld<'_>,
+    skip: Option<PrimId>,
+    counters: &mut Counters,
 ) -> Option<(PrimId, TriangleHit)> {
-    let mut work = Work::default();
-    let exact = &mut |id, ray: &Ray| world.test(id, ray);
-    let found = tree.closest(ray, world.left, exact, &mut work);
-    world.counters.add_work(work);
-    found
+    let mut tests = TestCounts::default();
+    let exact = &mut |id, ray: &Ray| test_primitive(scene, id, ray);
+    let hit = tree.closest(ray, skip, exact, &mut tests);
+    *counters += tests;
+    hit
 }
 
-/// Whether anything in `world`, whose wide tree is `tree`, is in the range of `ray`.
+/// Whether any primitive of `scene` but `skip`, whose wide tree is `tree`, is hit in the range of
+/// `ray`.
 #[inline]
-pub(crate) fn occluded_in(tree: &WideBvh, ray: &Ray, world: &mut SceneWorld<'_>) -> bool {
-    let mut work = Work::default();
-    let exact = &mut |id, ray: &Ray| world.test(id, ray);
-    let blocked = tree.occluded(ray, world.left, exact, &mut work);
-    world.counters.add_work(work);
+pub(crate) fn occluded_in(
+    tree: &WideBvh,
+    scene: &Scene,
+    ray: &Ray,
+    skip: Option<PrimId>,
+    counters: &mut Counters,
+) -> bool {
+    let mut tests = TestCounts::default();
+    let exact = &mut |id, ray: &Ray| test_primitive(scene, id, ray);
+    let blocked = tree.occluded(ray, skip, exact, &mut tests);
+    *counters += tests;
     blocked
 }

@@ -1,4 +1,4 @@
-//! Reading environment maps.
+//! Reads environment maps.
 
 use image::ImageError;
 use kit::environment::EnvironmentError;
@@ -6,15 +6,15 @@ use kit::{Environment, Spectrum};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Why a file cannot light a scene.
+/// Why an environment map cannot be read.
 #[derive(Debug)]
 pub enum EnvironmentFileError {
-    /// The file name ends in none of the known ways.
+    /// The file extension is unknown.
     UnknownFormat(PathBuf),
-    /// The file cannot be read, or is not what its name says.
+    /// The file cannot be read, or its content does not match its extension.
     Unreadable(PathBuf, ImageError),
-    /// What is in it is no light.
-    NoLight(PathBuf, EnvironmentError),
+    /// Its values are no radiances.
+    Invalid(PathBuf, EnvironmentError),
 }
 
 impl fmt::Display for EnvironmentFileError {
@@ -22,7 +22,7 @@ impl fmt::Display for EnvironmentFileError {
         match self {
             EnvironmentFileError::UnknownFormat(path) => write!(
                 f,
-                "{}: the name of an environment map ends in .exr or .hdr: other pictures do not say how bright they are",
+                "{}: an environment map needs a name that ends in .exr or .hdr: other formats do not store radiance",
                 path.display()
             ),
             EnvironmentFileError::Unreadable(path, why) => write!(
@@ -30,17 +30,18 @@ impl fmt::Display for EnvironmentFileError {
                 "cannot read the environment map {}: {why}",
                 path.display()
             ),
-            EnvironmentFileError::NoLight(path, why) => write!(f, "{}: {why}", path.display()),
+            EnvironmentFileError::Invalid(path, why) => write!(f, "{}: {why}", path.display()),
         }
     }
 }
 
 impl std::error::Error for EnvironmentFileError {}
 
-/// Reads an environment map: an `.exr` or `.hdr` picture by longitude and latitude, its middle along -z.
+/// Reads an environment map: an `.exr` or `.hdr` picture in longitude-latitude format, with -z in
+/// the centre.
 pub fn load_environment(path: &Path) -> Result<Environment, EnvironmentFileError> {
-    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    if !["exr", "hdr"].contains(&ending.to_ascii_lowercase().as_str()) {
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    if !["exr", "hdr"].contains(&extension.to_ascii_lowercase().as_str()) {
         return Err(EnvironmentFileError::UnknownFormat(path.to_owned()));
     }
     let picture = image::open(path)
@@ -52,5 +53,5 @@ pub fn load_environment(path: &Path) -> Result<Environment, EnvironmentFileError
         .map(|p| Spectrum::from(p.0.map(f64::from)))
         .collect();
     Environment::new(width, height, texels)
-        .map_err(|why| EnvironmentFileError::NoLight(path.to_owned(), why))
+        .map_err(|why| EnvironmentFileError::Invalid(path.to_owned(), why))
 }

@@ -1,27 +1,28 @@
-//! Pictures of what a scene is, beside what it looks like: for denoisers and for looking closer.
+//! Layers beside the picture (albedo, normal, depth, ...), for denoisers and for inspection.
 
 use crate::textures::Textures;
-use crate::{Accel, Job, Rendered, SceneWorld};
+use crate::{Accel, Counters, Job, Rendered};
 use kit::{Hit, Material, Scene, Spectrum, Vec2, Vec3};
 use raygen::generate_ray;
 use rayon::prelude::*;
 
-/// What the ray through a pixel's centre meets first. All zero, with `prim` [`Feature::NOTHING`], where it meets nothing.
+/// The first hit of the ray through a pixel's centre. For a miss all fields are zero, but `prim` is
+/// [`Feature::NO_PRIMITIVE`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Feature {
-    /// The share of light that the surface sends on; black for lamps.
+    /// Reflectance or transmittance; black for emitters.
     pub albedo: Spectrum,
     /// Unit shading normal.
     pub normal: Vec3,
     /// Distance from the camera along the ray.
     pub depth: f64,
-    /// Number of the primitive.
+    /// The number of the primitive.
     pub prim: u32,
 }
 
 impl Feature {
     /// The number that stands for no primitive.
-    pub const NOTHING: u32 = u32::MAX;
+    pub const NO_PRIMITIVE: u32 = u32::MAX;
 
     fn of(scene: &Scene, textures: &Textures, hit: Option<Hit>) -> Feature {
         match hit {
@@ -36,7 +37,7 @@ impl Feature {
                 albedo: Spectrum::BLACK,
                 normal: Vec3::ZERO,
                 depth: 0.0,
-                prim: Feature::NOTHING,
+                prim: Feature::NO_PRIMITIVE,
             },
         }
     }
@@ -54,7 +55,7 @@ fn albedo(material: &Material) -> Spectrum {
     }
 }
 
-/// The features of the pixels of `job.cell`, row by row from the top left, as files have them.
+/// The features of the pixels of `job.cell`, row by row from the top left.
 pub fn features(scene: &Scene, textures: &Textures, accel: &Accel, job: &Job) -> Vec<Feature> {
     let cell = job.cell;
     let size = Vec2::new(f64::from(job.film.w), f64::from(job.film.h));
@@ -62,20 +63,21 @@ pub fn features(scene: &Scene, textures: &Textures, accel: &Accel, job: &Job) ->
         .into_par_iter()
         .rev()
         .flat_map_iter(|y| {
-            let mut world = SceneWorld::new(scene);
+            let mut counters = Counters::default();
             (cell.x0..cell.x1).map(move |x| {
                 let center = Vec2::new(f64::from(x), f64::from(y)) + 0.5;
                 let mut ray = generate_ray(&job.camera, center / size);
-                Feature::of(scene, textures, accel.closest(&mut ray, &mut world))
+                let hit = accel.closest(scene, &mut ray, None, &mut counters);
+                Feature::of(scene, textures, hit)
             })
         })
         .collect()
 }
 
-/// A channel of a picture file.
+/// A channel of an `.exr` file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
-    /// Its name, `layer.channel` as other programs expect it; `R`, `G`, `B` for the picture itself.
+    /// Its name: `layer.channel`, as other programs expect; `R`, `G`, `B` for the picture itself.
     pub name: &'static str,
     /// Its values, row by row from the top left.
     pub values: Values,
@@ -84,13 +86,14 @@ pub struct Channel {
 /// The values of a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
-    /// Numbers.
-    Real(Vec<f32>),
-    /// Names of things.
+    /// Floating-point values.
+    Float(Vec<f32>),
+    /// Numbers of primitives.
     Id(Vec<u32>),
 }
 
-/// The picture, its features, and the variance of the samples' luminances in each pixel.
+/// The channels of the picture, its features, and the variance of the luminances of each pixel's
+/// samples.
 pub fn channels(rendered: &Rendered, features: &[Feature], job: &Job) -> Vec<Channel> {
     let cell = job.cell;
     let pixels: Vec<(u32, u32)> = (cell.y0..cell.y1)
@@ -99,7 +102,7 @@ pub fn channels(rendered: &Rendered, features: &[Feature], job: &Job) -> Vec<Cha
         .collect();
     let picture = |c: fn(Spectrum) -> f64| {
         let value = |&(x, y): &(u32, u32)| c(rendered.film.get(x, y).radiance) as f32;
-        Values::Real(pixels.iter().map(value).collect())
+        Values::Float(pixels.iter().map(value).collect())
     };
     let variance = |&(x, y): &(u32, u32)| {
         let i = y as usize * job.film.w as usize + x as usize;
@@ -109,7 +112,7 @@ pub fn channels(rendered: &Rendered, features: &[Feature], job: &Job) -> Vec<Cha
             .map_or(0.0, |tally| tally.variance()) as f32
     };
     let feature =
-        |c: fn(&Feature) -> f64| Values::Real(features.iter().map(|f| c(f) as f32).collect());
+        |c: fn(&Feature) -> f64| Values::Float(features.iter().map(|f| c(f) as f32).collect());
     let channel = |name, values| Channel { name, values };
     vec![
         channel("R", picture(|c| c.r)),
@@ -128,7 +131,7 @@ pub fn channels(rendered: &Rendered, features: &[Feature], job: &Job) -> Vec<Cha
         ),
         channel(
             "variance.Y",
-            Values::Real(pixels.iter().map(variance).collect()),
+            Values::Float(pixels.iter().map(variance).collect()),
         ),
     ]
 }

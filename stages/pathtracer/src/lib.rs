@@ -1,33 +1,34 @@
-//! The renderer: the stages put together.
+//! The renderer: the stages, connected to a scene, a camera and picture files.
 //!
-//! Read in this order: [`world`] (a scene as the tree sees it, and what is counted), [`accel`] (brute force or
-//! the tree), [`normals`] and [`lit`] (from pixel to colour), [`materials`] (how surfaces scatter), [`textures`] (the
-//! pictures on them), [`lens`] and [`environment_file`] (what the flags add to a scene), [`rendered`] (a picture and its noise), [`layers`]
-//! (what else is known of it), [`tone`], [`output`] and [`part_file`] (from colour to file), [`mitsuba`] (the scene for another
-//! renderer). The program
-//! around it is in `src/bin/pathtracer`.
+//! Reading order: [`world`] (the scene as a ray tests it, and the counters), [`accel`] (brute force
+//! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
+//! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
+//! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
+//! [`layers`] (albedo, normal, depth), [`tone`], [`output`] and [`part_file`] (picture files),
+//! [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
 
 pub mod accel;
 pub mod environment_file;
+mod integrator;
 pub mod layers;
 pub mod lens;
 pub mod lit;
-pub mod materials;
+mod materials;
 pub mod mitsuba;
 pub mod normals;
-mod octet;
 pub mod output;
+mod packet;
 pub mod part_file;
 pub mod rendered;
 pub mod textures;
+mod tiles;
 pub mod tone;
-mod walk;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};
 pub use environment_file::{EnvironmentFileError, load_environment};
 pub use lens::Lens;
-pub use lit::{LightSettings, Looking, render_lit};
+pub use lit::{DirectSampling, LightSettings, render_lit};
 pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};

@@ -1,49 +1,52 @@
 //! Lit shading: each pixel shows the light that reaches it.
 //!
-//! One camera sample goes like this: `raygen` makes its ray, and a walk follows it with the stage `global`, which
-//! asks the stage `direct` for the light at each surface on the way. With a depth of 0 or 1 there is no way to follow,
-//! and `direct` alone does it.
+//! A camera sample with scalar paths: `raygen` generates its ray, and `PathIntegrator` traces it
+//! with the stage `global`, which calls the stage `direct` for the direct light at each surface. A
+//! ray depth of 0 or 1 needs `direct` only. With `--accel simd`, `PacketRenderer` traces most
+//! pictures instead, in packets of eight paths.
 
-use crate::octet::Octet;
+use crate::integrator::PathIntegrator;
+use crate::packet::PacketRenderer;
 use crate::textures::Textures;
-use crate::walk::Walk;
+use crate::tiles;
 use crate::{Accel, Job, Lens, Rendered};
 use adaptive::{has_converged, has_surely_converged, raytrace_pixel_adaptive};
-use kit::effects::{Asked, Call};
-use kit::film::{self, Cell as Tile};
+use kit::effects::{EffectSettings, Requirement};
+use kit::film::Cell as Tile;
 use kit::{Budget, Film, LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
 use raygen::{generate_ray, raytrace_pixel};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// How direct light is looked for.
+/// How direct light is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Looking {
-    /// At the lights (part 3, task 3).
+pub enum DirectSampling {
+    /// Sample the lights (part 3, task 3).
     Lights,
-    /// Around, at random (part 3, task 2; the flag `-H`).
+    /// Sample the hemisphere uniformly (part 3, task 2; the flag `-H`).
     Hemisphere,
-    /// Both, weighed by how good each is.
-    Both,
+    /// Sample the lights and the BSDF, combined by multiple importance sampling (`--mis`).
+    Mis,
 }
 
-/// How light is simulated.
+/// How light transport is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSettings {
-    /// Samples per light with an extent (`-l`); also directions per light when looking around.
+    /// Samples per area light (`-l`); with [`DirectSampling::Hemisphere`] directions per area
+    /// light.
     pub light_samples: u32,
     /// Ray depth (`-m`): 0 is emission only, 1 is direct light.
     pub max_depth: u32,
-    /// How direct light is looked for.
-    pub looking: Looking,
-    /// Whether dim paths play roulette for their life.
+    /// How direct light is sampled.
+    pub direct_sampling: DirectSampling,
+    /// Whether Russian roulette ends dim paths.
     pub roulette: bool,
-    /// Samples per batch and tolerance (`-a`).
+    /// Adaptive sampling: samples per batch and tolerance (`-a`).
     pub adaptive: Option<(u32, f64)>,
     /// The camera's lens.
     pub lens: Lens,
-    /// Whether effects run that the scene does not call for. It changes no picture, only the counts.
+    /// Whether effects run that the scene does not call for. Changes the counts, but no picture.
     pub force_effects: bool,
-    /// Whether the environment was asked for by a flag.
+    /// Whether there is an environment map that is not from the scene file.
     pub environment: bool,
 }
 
@@ -53,7 +56,7 @@ impl Default for LightSettings {
         LightSettings {
             light_samples: 1,
             max_depth: 1,
-            looking: Looking::Lights,
+            direct_sampling: DirectSampling::Lights,
             roulette: true,
             adaptive: None,
             lens: Lens {
@@ -67,9 +70,9 @@ impl Default for LightSettings {
 }
 
 impl LightSettings {
-    /// What `lit` calls for under these settings.
-    pub fn effects(&self, lit: &LitScene) -> Vec<Call> {
-        lit.effects(Asked {
+    /// Which effects `lit` calls for with these settings, and why.
+    pub fn effects(&self, lit: &LitScene) -> Vec<Requirement> {
+        lit.effects(EffectSettings {
             max_depth: self.max_depth,
             lens_radius: self.lens.radius,
             environment: self.environment,
@@ -77,10 +80,12 @@ impl LightSettings {
     }
 }
 
-/// Renders light on rayon's current thread pool.
+/// Renders a lit picture on rayon's current thread pool.
 ///
-/// The picture depends on `lit`, `job` and `settings` alone, not on threads. `tile_done` hears of each finished tile and its rays. Once
-/// `stop` is set, the pixels that are left stay black. `accel` is built over `lit.scene`, whose pictures are `textures`.
+/// The picture depends on `lit`, `job` and `settings` only, not on the threads. `accel` has to be
+/// built over `lit.scene`; `textures` are the textures of that scene. `tile_done` is called with
+/// each finished tile and the number of rays traced for it. Once `stop` is set, the remaining
+/// pixels stay black.
 pub fn render_lit(
     lit: &LitScene,
     textures: &Textures,
@@ -90,34 +95,34 @@ pub fn render_lit(
     stop: &AtomicBool,
     tile_done: &(dyn Fn(Tile, u64) + Sync),
 ) -> Rendered {
-    if let Some(octet) = Octet::new(lit, textures, accel, job, settings) {
-        return octet.render(stop, tile_done);
+    if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings) {
+        return renderer.render(stop, tile_done);
     }
-    let (film, walks) = film::render(
+    let (film, integrators) = tiles::render(
         job.film,
         job.cell,
         job.sampling,
-        || Walk::new(lit, textures, accel, settings),
-        |walk, x, y, sampler| {
+        || PathIntegrator::new(lit, textures, accel, settings),
+        |integrator, x, y, sampler| {
             if stop.load(Ordering::Relaxed) {
                 return PixelEstimate::default();
             }
             let camera_ray = &mut |sensor| generate_ray(&job.camera, sensor);
             let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
-                let ray = walk.through_lens(&job.camera, ray, sampler);
-                walk.radiance(&ray, sampler)
+                let ray = integrator.through_lens(&job.camera, ray, sampler);
+                integrator.radiance(&ray, sampler)
             };
             let (estimate, luminance) =
                 sample_pixel(job, settings, (x, y), sampler, camera_ray, trace_ray);
-            walk.luminance.push(((x, y), luminance));
+            integrator.luminance.push(((x, y), luminance));
             estimate
         },
-        |cell, walk| tile_done(cell, walk.rays()),
+        |cell, integrator| tile_done(cell, integrator.counters().rays),
     );
-    put_together(film, &walks)
+    assemble(film, &integrators)
 }
 
-/// The pixel `(x, y)` from samples that `trace_ray` traces, and the tally of their luminances.
+/// Estimates the pixel `(x, y)` with samples that `trace_ray` traces, and tallies their luminances.
 pub(crate) fn sample_pixel(
     job: &Job,
     settings: &LightSettings,
@@ -153,17 +158,17 @@ pub(crate) fn sample_pixel(
     (estimate, luminance)
 }
 
-/// The picture of several threads' work.
-pub(crate) fn put_together(film: Film, walks: &[Walk<'_>]) -> Rendered {
+/// Combines the film with what the integrator of each tile counted.
+pub(crate) fn assemble(film: Film, integrators: &[PathIntegrator<'_>]) -> Rendered {
     let width = film.size().w as usize;
     let mut luminance = vec![Tally::default(); film.pixels().len()];
-    for ((x, y), tally) in walks.iter().flat_map(|walk| &walk.luminance) {
+    for ((x, y), tally) in integrators.iter().flat_map(|i| &i.luminance) {
         luminance[*y as usize * width + *x as usize] = *tally;
     }
     Rendered {
         film,
         luminance,
-        counters: walks.iter().map(|walk| walk.world.borrow().counters).sum(),
-        effects: walks.iter().map(|walk| walk.materials.counts()).sum(),
+        counters: integrators.iter().map(PathIntegrator::counters).sum(),
+        effects: integrators.iter().map(|i| i.materials.counts()).sum(),
     }
 }

@@ -1,4 +1,4 @@
-//! What each material does with light: the scattering functions of the stages, put together and counted.
+//! Scattering at surfaces: the BSDFs of the stages by material, with their operations counted.
 
 use direct::{lambert_f, lambert_pdf, lambert_sample};
 use global::{
@@ -9,55 +9,66 @@ use kit::{BsdfSample, Material, Scattering, Spectrum, Vec2, Vec3};
 use std::cell::Cell;
 use std::hint::black_box;
 
-/// The scattering functions of parts 3 and 4, and those beyond the course.
+/// Counts the operations of each effect in one tile.
 #[derive(Debug)]
-pub struct Materials {
+pub(crate) struct Materials {
     counts: [Cell<u64>; Effect::ALL.len()],
-    /// What the texture of the surface at hand shows there; white without one.
-    tint: Cell<Spectrum>,
-    /// Whether effects run that nothing calls for. Their results are thrown away.
+    /// Whether every effect runs, called for or not. The results of the others are discarded.
     forced: bool,
 }
 
+/// The materials at one point of a surface: the BSDFs of parts 3 and 4, and those beyond the
+/// course.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MaterialsAt<'a> {
+    materials: &'a Materials,
+    /// The texture colour there, which matte surfaces multiply their reflectance by; else white.
+    tint: Spectrum,
+}
+
+/// The materials along one path: at the last hit, whose texture colour the owner of `tint` sets.
+pub(crate) struct PathMaterials<'a> {
+    pub(crate) materials: &'a Materials,
+    pub(crate) tint: &'a Cell<Spectrum>,
+}
+
 impl Materials {
-    /// Materials that have not been asked anything yet; with `forced`, every sample runs every effect.
-    pub fn new(forced: bool) -> Materials {
+    /// Counts from 0. With `forced`, every sample runs every effect.
+    pub(crate) fn new(forced: bool) -> Materials {
         Materials {
             counts: Default::default(),
-            tint: Cell::new(Spectrum::WHITE),
             forced,
         }
     }
 
-    /// What was asked so far.
-    pub fn counts(&self) -> EffectCounts {
+    /// The materials where the texture has the colour `tint`.
+    #[inline]
+    pub(crate) fn at(&self, tint: Spectrum) -> MaterialsAt<'_> {
+        MaterialsAt {
+            materials: self,
+            tint,
+        }
+    }
+
+    /// The operations so far.
+    pub(crate) fn counts(&self) -> EffectCounts {
         EffectCounts::from(std::array::from_fn(|i| self.counts[i].get()))
     }
 
     /// Counts an operation of `effect`.
     #[inline]
-    pub fn count(&self, effect: Effect) {
+    pub(crate) fn count(&self, effect: Effect) {
         self.count_more(effect, 1);
     }
 
     /// Counts `more` operations of `effect`.
     #[inline]
-    pub fn count_more(&self, effect: Effect, more: u64) {
+    pub(crate) fn count_more(&self, effect: Effect, more: u64) {
         self.counts[effect as usize].update(|count| count + more);
     }
 
-    /// How matte surfaces are tinted now.
-    pub(crate) fn tint(&self) -> Spectrum {
-        self.tint.get()
-    }
-
-    /// From now on matte surfaces are tinted so, until they are told otherwise.
-    #[inline]
-    pub fn set_tint(&self, tint: Spectrum) {
-        self.tint.set(tint);
-    }
-
-    /// The material as rough glass, if it is, which counts as an operation of its effect.
+    /// The parameters of rough glass; `None` for other materials. Counts an operation of its
+    /// effect.
     #[inline]
     fn rough(&self, material: &Material) -> Option<RoughGlass> {
         let (reflectance, transmittance, roughness, ior, effect) = match *material {
@@ -89,7 +100,7 @@ impl Materials {
         })
     }
 
-    /// Runs what other materials would do, for nothing.
+    /// Samples the other materials for the counts only.
     fn run_all(&self, wo: Vec3, u: Vec2, choice: f64) {
         let white = Spectrum::WHITE;
         self.count(Effect::Mirror);
@@ -103,20 +114,21 @@ impl Materials {
     }
 }
 
-impl Scattering for Materials {
+impl Scattering for MaterialsAt<'_> {
     #[inline]
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match *material {
-            Material::Diffuse { reflectance } => lambert_f(self.tint.get() * reflectance, wo, wi),
+            Material::Diffuse { reflectance } => lambert_f(self.tint * reflectance, wo, wi),
             Material::Glossy {
                 reflectance,
                 shininess,
             } => {
-                self.count(Effect::Glossy);
+                self.materials.count(Effect::Glossy);
                 glossy_f(reflectance, shininess, wo, wi)
             }
             Material::Emission { .. } | Material::Mirror { .. } => Spectrum::BLACK,
             Material::Refraction { .. } | Material::Glass { .. } => self
+                .materials
                 .rough(material)
                 .map_or(Spectrum::BLACK, |glass| glass.f(wo, wi)),
         }
@@ -127,44 +139,43 @@ impl Scattering for Materials {
         match *material {
             Material::Diffuse { .. } => lambert_pdf(wo, wi),
             Material::Glossy { shininess, .. } => {
-                self.count(Effect::Glossy);
+                self.materials.count(Effect::Glossy);
                 glossy_pdf(shininess, wo, wi)
             }
             Material::Emission { .. } | Material::Mirror { .. } => 0.0,
-            Material::Refraction { .. } | Material::Glass { .. } => {
-                self.rough(material).map_or(0.0, |glass| glass.pdf(wo, wi))
-            }
+            Material::Refraction { .. } | Material::Glass { .. } => self
+                .materials
+                .rough(material)
+                .map_or(0.0, |glass| glass.pdf(wo, wi)),
         }
     }
 
     #[inline]
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
-        if self.forced {
-            self.run_all(wo, u, choice);
+        if self.materials.forced {
+            self.materials.run_all(wo, u, choice);
         }
-        if let Some(glass) = self.rough(material) {
+        if let Some(glass) = self.materials.rough(material) {
             return glass.sample(wo, u, choice);
         }
         match *material {
-            Material::Diffuse { reflectance } => {
-                lambert_sample(self.tint.get() * reflectance, wo, u)
-            }
+            Material::Diffuse { reflectance } => lambert_sample(self.tint * reflectance, wo, u),
             Material::Emission { .. } => None,
             Material::Mirror { reflectance } => {
-                self.count(Effect::Mirror);
+                self.materials.count(Effect::Mirror);
                 mirror_sample(reflectance, wo)
             }
             Material::Glossy {
                 reflectance,
                 shininess,
             } => {
-                self.count(Effect::Glossy);
+                self.materials.count(Effect::Glossy);
                 glossy_sample(reflectance, shininess, wo, u)
             }
             Material::Refraction {
                 transmittance, ior, ..
             } => {
-                self.count(Effect::Refraction);
+                self.materials.count(Effect::Refraction);
                 refraction_sample(transmittance, ior, wo)
             }
             Material::Glass {
@@ -173,9 +184,27 @@ impl Scattering for Materials {
                 ior,
                 ..
             } => {
-                self.count(Effect::Fresnel);
+                self.materials.count(Effect::Fresnel);
                 glass_sample(reflectance, transmittance, ior, wo, choice)
             }
         }
+    }
+}
+
+impl Scattering for PathMaterials<'_> {
+    #[inline]
+    fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
+        self.materials.at(self.tint.get()).f(material, wo, wi)
+    }
+
+    #[inline]
+    fn pdf(&self, material: &Material, wo: Vec3, wi: Vec3) -> f64 {
+        self.materials.at(self.tint.get()).pdf(material, wo, wi)
+    }
+
+    #[inline]
+    fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
+        let materials = self.materials.at(self.tint.get());
+        materials.sample(material, wo, u, choice)
     }
 }

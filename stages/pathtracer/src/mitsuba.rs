@@ -1,7 +1,7 @@
-//! Scenes in the words of Mitsuba 3, a renderer that nobody here wrote: to check pictures against its own.
+//! Exports scenes for Mitsuba 3, an independent renderer, to compare pictures.
 //!
-//! What Mitsuba cannot say in the same way is refused, not approximated: a comparison should have one cause of
-//! differences only.
+//! What Mitsuba does not support in the same way is an error, not approximated: pictures should
+//! differ by noise only.
 
 use crate::{Job, LightSettings};
 use kit::{Emitter, Light, LitScene, Material, Scene, Spectrum, Triangle, Vec3};
@@ -10,20 +10,25 @@ use std::fmt::Write;
 /// A file of an exported scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MitsubaFile {
-    /// What is added to the name of the scene file, `.xml` or `.3.ply`.
-    pub ending: String,
-    /// What is in it.
+    /// The suffix after the stem of the file name, such as `.xml` or `.3.ply`.
+    pub suffix: String,
+    /// The content.
     pub text: String,
 }
 
-/// Width over height of a pixel may differ from 1 by this much: Mitsuba's pixels are square.
-const SQUARE: f64 = 1e-6;
+/// The largest difference of a pixel's aspect ratio from 1: Mitsuba's pixels are square.
+const SQUARE_TOLERANCE: f64 = 1e-6;
 
-/// The scene as an `.xml` file and one `.ply` for the triangles of each object, or a sentence for everything that
-/// Mitsuba has no equal for. `stem` is the name of the file without its ending.
+/// Exports the scene as an `.xml` file and one `.ply` for the triangles of each object. `stem` is
+/// the file name without its extension.
 ///
-/// Mitsuba counts the edges of a path, so the ray depth m becomes m + 1: the same for matte surfaces, while mirrors and
-/// glass show lamps one depth earlier there. Compare those with a depth that cuts nothing off.
+/// Mitsuba counts the edges of a path, so a ray depth of m becomes m + 1. This is equal for matte
+/// surfaces; mirrors and glass show emitters one depth earlier in Mitsuba, so compare them at a
+/// depth that truncates no path.
+///
+/// # Errors
+///
+/// One message for each part of the scene that Mitsuba does not support in the same way.
 pub fn to_mitsuba(
     lit: &LitScene,
     job: &Job,
@@ -42,9 +47,7 @@ pub fn to_mitsuba(
     );
     push(&mut xml, &camera(job, settings, &mut problems));
     for file in &scene.textures.files {
-        problems.push(format!(
-            "the texture {file}: pictures on surfaces are not exported"
-        ));
+        problems.push(format!("the texture {file}: textures are not exported"));
     }
     for (i, named) in scene.materials.iter().enumerate() {
         match bsdf(&named.material) {
@@ -64,8 +67,8 @@ pub fn to_mitsuba(
         if triangles.is_empty() {
             continue;
         }
-        let ending = format!(".{o}.ply");
-        let file = format!("<string name=\"filename\" value=\"{stem}{ending}\"/>");
+        let suffix = format!(".{o}.ply");
+        let file = format!("<string name=\"filename\" value=\"{stem}{suffix}\"/>");
         push(
             &mut xml,
             &shape(
@@ -76,7 +79,7 @@ pub fn to_mitsuba(
             ),
         );
         files.push(MitsubaFile {
-            ending,
+            suffix,
             text: ply(&triangles),
         });
     }
@@ -89,7 +92,7 @@ pub fn to_mitsuba(
     files.insert(
         0,
         MitsubaFile {
-            ending: ".xml".into(),
+            suffix: ".xml".into(),
             text: xml,
         },
     );
@@ -115,14 +118,14 @@ fn camera(job: &Job, settings: &LightSettings, problems: &mut Vec<String>) -> St
     let camera = &job.camera;
     let tan = |degrees: f64| kit::math::tan((0.5 * degrees).to_radians());
     let aspect = f64::from(job.film.w) / f64::from(job.film.h);
-    if (tan(camera.h_fov) / tan(camera.v_fov) / aspect - 1.0).abs() > SQUARE {
+    if (tan(camera.h_fov) / tan(camera.v_fov) / aspect - 1.0).abs() > SQUARE_TOLERANCE {
         problems.push(
-            "the camera: its pixels are not square: choose -r in the proportion of its angles"
+            "the camera: its pixels are not square: choose -r with the aspect ratio of its angles"
                 .into(),
         );
     }
     if settings.lens.radius > 0.0 {
-        problems.push("the lens: leave out --lens-radius".into());
+        problems.push("the lens: omit --lens-radius".into());
     }
     let (forward, up) = (-camera.c2w.z_axis, camera.c2w.y_axis);
     format!(
@@ -142,7 +145,7 @@ fn camera(job: &Job, settings: &LightSettings, problems: &mut Vec<String>) -> St
     )
 }
 
-/// A material, with `ID` where its id goes.
+/// A material, with `ID` as a placeholder for its id.
 fn bsdf(material: &Material) -> Result<String, &'static str> {
     match *material {
         Material::Diffuse { reflectance } => Ok(format!(
@@ -178,13 +181,13 @@ fn bsdf(material: &Material) -> Result<String, &'static str> {
             rgb("specular_transmittance", transmittance)
         )),
         Material::Glossy { .. } => {
-            Err("Mitsuba hides small mirrors by another formula, so glossy surfaces differ")
+            Err("Mitsuba uses another microfacet shadowing term, so glossy surfaces differ")
         }
-        Material::Refraction { .. } => Err("Mitsuba has no boundary that does not reflect"),
+        Material::Refraction { .. } => Err("Mitsuba has no boundary without reflection"),
     }
 }
 
-/// A shape with its material, and the light that it emits.
+/// A shape with its material and its emission.
 fn shape(kind: &str, geometry: &str, material: u32, what: &Material) -> String {
     let emitter = match what {
         Material::Emission { radiance } => {
@@ -222,7 +225,7 @@ fn push_spheres(xml: &mut String, scene: &Scene) {
 fn push_lights(xml: &mut String, lit: &LitScene, problems: &mut Vec<String>) {
     for named in &lit.scene.lights {
         match named.light {
-            // A surface by now.
+            // Exported as an emitting surface.
             Light::Area { .. } => {}
             Light::Point {
                 position,
@@ -247,11 +250,11 @@ fn push_lights(xml: &mut String, lit: &LitScene, problems: &mut Vec<String>) {
                 ),
             ),
             Light::Spot { .. } => problems.push(format!(
-                "light {}: the edge of a spot is softer in Mitsuba",
+                "light {}: Mitsuba has another falloff for spot lights",
                 named.name
             )),
             Light::Hemisphere { .. } => problems.push(format!(
-                "light {}: Mitsuba's constant light comes from below, too",
+                "light {}: Mitsuba's constant light also comes from below",
                 named.name
             )),
         }
@@ -261,11 +264,11 @@ fn push_lights(xml: &mut String, lit: &LitScene, problems: &mut Vec<String>) {
         .iter()
         .any(|e| matches!(e, Emitter::Environment(_)))
     {
-        problems.push("the environment: Mitsuba blends its pixels: leave out -e".into());
+        problems.push("the environment: Mitsuba interpolates its pixels: omit -e".into());
     }
 }
 
-/// Triangles with the normals of their corners, as text.
+/// Triangles with their vertex normals, as text.
 fn ply(triangles: &[&Triangle]) -> String {
     let mut text = format!(
         "ply\nformat ascii 1.0\nelement vertex {}\n",
@@ -286,7 +289,8 @@ fn ply(triangles: &[&Triangle]) -> String {
         }
     }
     for i in 0..triangles.len() {
-        writeln!(text, "3 {} {} {}", 3 * i, 3 * i + 1, 3 * i + 2).expect("a string takes all");
+        writeln!(text, "3 {} {} {}", 3 * i, 3 * i + 1, 3 * i + 2)
+            .expect("writing to a string succeeds");
     }
     text
 }

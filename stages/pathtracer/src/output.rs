@@ -1,4 +1,4 @@
-//! Picture files: PNG as a screen shows it, EXR with linear radiance.
+//! Picture files: tone-mapped PNG, EXR and HDR with linear radiance.
 
 use crate::layers::{Channel, Values};
 use crate::part_file::PartFile;
@@ -17,7 +17,7 @@ use std::fmt;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// The kinds of picture file.
+/// The formats of picture files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Png,
@@ -25,7 +25,7 @@ enum Format {
     Hdr,
 }
 
-/// A picture file to be, which appears when it is whole.
+/// A picture file, which appears under its name when it is complete.
 #[derive(Debug)]
 pub struct Output {
     format: Format,
@@ -35,13 +35,13 @@ pub struct Output {
 /// Why a picture cannot be written.
 #[derive(Debug)]
 pub enum OutputError {
-    /// The file name ends in none of the known ways.
+    /// The file extension is unknown.
     UnknownFormat(PathBuf),
-    /// There is a folder of that name.
+    /// The path is a folder.
     IsFolder(PathBuf),
-    /// The file cannot be made.
+    /// The file cannot be created.
     NotWritable(PathBuf, io::Error),
-    /// Writing failed half-way.
+    /// Writing the file failed.
     Failed(PathBuf, ImageError),
 }
 
@@ -50,18 +50,18 @@ impl fmt::Display for OutputError {
         match self {
             OutputError::UnknownFormat(path) => write!(
                 f,
-                "{}: the name of a picture ends in .png, .exr or .hdr: choose one of them",
+                "{}: unknown picture format: use a name that ends in .png, .exr or .hdr",
                 path.display()
             ),
             OutputError::IsFolder(path) => write!(
                 f,
-                "{} is a folder: add the picture's name, as in {}",
+                "{} is a folder: add a file name, as in {}",
                 path.display(),
                 path.join("picture.png").display()
             ),
             OutputError::NotWritable(path, why) => write!(
                 f,
-                "cannot write {}: {why}: choose a place that exists and that you may write to",
+                "cannot write {}: {why}: choose an existing folder with write permission",
                 path.display()
             ),
             OutputError::Failed(path, why) => {
@@ -74,14 +74,14 @@ impl fmt::Display for OutputError {
 impl std::error::Error for OutputError {}
 
 impl Output {
-    /// Makes sure, before any rendering, that a picture can be written to `path`. Its ending says which kind:
-    /// `.png`, `.exr` or `.hdr`.
+    /// Creates the file, before any rendering. The extension selects the format: `.png`, `.exr` or
+    /// `.hdr`.
     pub fn create(path: &Path) -> Result<Output, OutputError> {
         if path.is_dir() {
             return Err(OutputError::IsFolder(path.to_owned()));
         }
-        let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-        let format = match ending.to_ascii_lowercase().as_str() {
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+        let format = match extension.to_ascii_lowercase().as_str() {
             "png" => Format::Png,
             "exr" => Format::Exr,
             "hdr" => Format::Hdr,
@@ -92,18 +92,18 @@ impl Output {
         Ok(Output { format, part })
     }
 
-    /// Writes the pixels of `cell`. The file is complete and in its place when this returns without an error.
+    /// Writes the pixels of `cell`. On success the file is complete and has its name.
     pub fn write(self, film: &Film, cell: Cell) -> Result<(), OutputError> {
         self.encode(film, cell)
             .and_then(|()| Ok(self.part.finish()?))
             .map_err(|why| OutputError::Failed(self.part.path().to_owned(), why))
     }
 
-    /// Writes the channels of a picture `w` by `h` pixels large as one `.exr`.
+    /// Writes the channels of a picture of `w` x `h` pixels as one `.exr`.
     pub fn write_channels(self, channels: Vec<Channel>, w: u32, h: u32) -> Result<(), OutputError> {
         let channels = channels.into_iter().map(|channel| {
             let samples = match channel.values {
-                Values::Real(values) => FlatSamples::F32(values),
+                Values::Float(values) => FlatSamples::F32(values),
                 Values::Id(values) => FlatSamples::U32(values),
             };
             AnyChannel::new(channel.name, samples)
@@ -113,7 +113,8 @@ impl Output {
             .map_err(|why| OutputError::NotWritable(self.part.path().to_owned(), why))
     }
 
-    /// Writes how many of at most `ns_aa` samples the pixels of `cell` took, as colours: blue few, green half, red all.
+    /// Writes the number of samples of each pixel of `cell`, of at most `ns_aa`, as a colour: blue
+    /// for few, green for half, red for all.
     pub fn write_rate(self, film: &Film, cell: Cell, ns_aa: u32) -> Result<(), OutputError> {
         let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
         let bytes: Vec<u8> = (cell.y0..cell.y1)
@@ -130,7 +131,7 @@ impl Output {
 
     fn encode(&self, film: &Film, cell: Cell) -> Result<(), ImageError> {
         let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
-        // Files start at the top, films at the bottom.
+        // Rows of a file start at the top, rows of a film at the bottom.
         let radiance = (cell.y0..cell.y1)
             .rev()
             .flat_map(|y| (cell.x0..cell.x1).map(move |x| film.get(x, y).radiance));
@@ -157,7 +158,7 @@ impl Output {
         Ok(file.flush()?)
     }
 
-    /// Its blocks one after the other, so that the same picture is the same bytes.
+    /// Encodes the blocks in order, on one thread, so that equal pictures are equal files.
     fn encode_exr(
         &self,
         w: u32,
@@ -168,7 +169,7 @@ impl Output {
         Image::from_channels(size, AnyChannels::sort(channels))
             .write()
             .non_parallel()
-            // The encoder goes back to write where its blocks are.
+            // The encoder seeks back to write the offsets of the blocks.
             .to_buffered(self.part.file())
             .map_err(|why| io::Error::other(why.to_string()))
     }

@@ -1,11 +1,12 @@
-//! Files that appear when they are whole.
+//! Files that appear under their name when they are complete.
 
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file to be. It is written beside its place and moved there when it is whole, so that whoever reads it never sees half
-/// of it, and an old one stays until then. Dropped before, it leaves nothing.
+/// A file in progress. It is written under a temporary name in the same folder and renamed when it
+/// is complete: readers never see a part of it, and an old file stays until then. Dropping it
+/// before removes the temporary file.
 #[derive(Debug)]
 pub struct PartFile {
     path: PathBuf,
@@ -14,7 +15,7 @@ pub struct PartFile {
 }
 
 impl PartFile {
-    /// Makes sure that a file can be written beside `path`.
+    /// Creates the temporary file for `path`.
     pub fn create(path: &Path) -> io::Result<PartFile> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let temporary = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
@@ -25,17 +26,17 @@ impl PartFile {
         })
     }
 
-    /// Where it is to be.
+    /// The final path.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// What is in it so far.
+    /// The file to write to.
     pub fn file(&self) -> &File {
         &self.file
     }
 
-    /// Puts it in its place, once all of it is on the disk.
+    /// Writes everything to disk and renames the file to its final path.
     pub fn finish(&self) -> io::Result<()> {
         self.file.sync_all()?;
         fs::rename(&self.temporary, &self.path)
@@ -43,9 +44,9 @@ impl PartFile {
 }
 
 impl Drop for PartFile {
-    /// Takes the unfinished file away; after [`PartFile::finish`] there is none.
+    /// Removes the temporary file, which no longer exists after [`PartFile::finish`].
     fn drop(&mut self) {
-        // It may be gone already, and there is nobody to tell.
+        // It may be gone already, and an error cannot be returned from here.
         let _ = fs::remove_file(&self.temporary);
     }
 }

@@ -1,4 +1,4 @@
-//! What is rendered, and what came of it.
+//! A render job and its result.
 
 use crate::Counters;
 use kit::effects::EffectCounts;
@@ -9,33 +9,34 @@ use kit::{Camera, Film, FilmSize, PixelEstimate, Tally};
 /// What to render.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Job {
-    /// From where.
+    /// The camera.
     pub camera: Camera,
-    /// The whole picture's size.
+    /// The size of the whole picture.
     pub film: FilmSize,
-    /// The part of it that is rendered.
+    /// The part of the picture that is rendered.
     pub cell: Cell,
-    /// Camera rays a pixel.
+    /// Camera rays per pixel.
     pub samples: u32,
-    /// Where the random numbers come from.
+    /// The source of random numbers.
     pub sampling: Sampling,
 }
 
-/// A picture and what it took.
+/// A picture and its statistics.
 #[derive(Clone, Debug)]
 pub struct Rendered {
     /// The whole film; black outside the cell.
     pub film: Film,
-    /// The samples' luminances for each pixel of the film, as [`Film::pixels`] has them; empty for normals.
+    /// Tallies of the luminances of each pixel's samples, in the order of [`Film::pixels`]; empty
+    /// for normals.
     pub luminance: Vec<Tally>,
-    /// What was counted.
+    /// Rays and tests.
     pub counters: Counters,
-    /// What light transport took.
+    /// Operations of each effect.
     pub effects: EffectCounts,
 }
 
 impl Rendered {
-    /// Pixels with a NaN in them. There should be none.
+    /// The number of pixels with a NaN. There should be none.
     pub fn nan_pixels(&self) -> usize {
         let pixels = self.film.pixels().iter();
         pixels
@@ -43,13 +44,14 @@ impl Rendered {
             .count()
     }
 
-    /// All camera samples of the picture.
+    /// The number of camera samples of the whole picture.
     pub fn samples(&self) -> u64 {
         let pixels = self.film.pixels().iter();
         pixels.map(|pixel| u64::from(pixel.samples)).sum()
     }
 
-    /// Takes in another picture of the same job, made with other samples: every sample counts the same.
+    /// Averages with another picture of the same job that was rendered with other samples. Every
+    /// sample has the same weight.
     pub fn add(&mut self, other: &Rendered) {
         let size = self.film.size();
         for (x, y) in size.whole().pixels() {
@@ -61,16 +63,16 @@ impl Rendered {
                 self.film.set(x, y, PixelEstimate { radiance, samples });
             }
         }
-        for (mine, theirs) in self.luminance.iter_mut().zip(&other.luminance) {
-            mine.merge(theirs);
+        for (tally, other) in self.luminance.iter_mut().zip(&other.luminance) {
+            tally.merge(other);
         }
-        self.counters = self.counters + other.counters;
+        self.counters += other.counters;
         self.effects = self.effects + other.effects;
     }
 
-    /// How noisy the picture is: the standard error of a pixel's luminance (root mean square over the pixels that have at
-    /// least two samples: one knows no spread) as a share of the mean luminance. `None` without such a pixel, 0 for a
-    /// black picture. For Sobol samples it is an upper bound.
+    /// The noise of the picture: the root mean square of the standard errors of the pixels'
+    /// luminances, relative to the mean luminance, over the pixels with at least two samples.
+    /// `None` without such a pixel, 0 for a black picture. An upper bound for Sobol samples.
     pub fn relative_error(&self) -> Option<f64> {
         let mut mean = Tally::default();
         let mut squared = Tally::default();

@@ -1,4 +1,4 @@
-//! The pictures that surfaces carry, read from their files.
+//! Loads the textures of a scene and looks them up.
 
 use image::{DynamicImage, ImageError};
 use kit::math::pow;
@@ -6,21 +6,21 @@ use kit::{Hit, Scene, Spectrum, Texture, Vec2};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// More texels than this in one picture are refused: with 24 bytes each, 1.6 GB.
+/// The largest number of texels of one texture: with 24 bytes each, 1.6 GB.
 const MAX_TEXELS: u64 = 1 << 26;
 
-/// The pictures of a scene, in the order of [`TextureMap::files`](kit::texture::TextureMap::files).
+/// The textures of a scene, in the order of [`TextureMap::files`](kit::texture::TextureMap::files).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Textures {
     list: Vec<Texture>,
 }
 
-/// A picture that cannot be read. Its surfaces are grey instead.
+/// A texture that cannot be read. Its surfaces are grey instead.
 #[derive(Debug)]
 pub struct MissingTexture {
-    /// Where it was looked for.
+    /// The path of the file.
     pub path: PathBuf,
-    /// Why it is not there.
+    /// Why it cannot be read.
     pub why: String,
 }
 
@@ -36,14 +36,14 @@ impl fmt::Display for MissingTexture {
 }
 
 impl From<Vec<Texture>> for Textures {
-    /// Pictures in the order of the scene's files.
+    /// Textures in the order of the scene's files.
     fn from(list: Vec<Texture>) -> Textures {
         Textures { list }
     }
 }
 
 impl Textures {
-    /// Reads the pictures of `scene`; their paths count from `folder`, the scene file's own.
+    /// Reads the textures of `scene`. Their paths are relative to `folder`, that of the scene file.
     pub fn load(scene: &Scene, folder: &Path) -> (Textures, Vec<MissingTexture>) {
         let mut missing = Vec::new();
         let files = scene.textures.files.iter();
@@ -57,12 +57,12 @@ impl Textures {
         (Textures::from(list.collect::<Vec<_>>()), missing)
     }
 
-    /// Whether there is nothing to look up.
+    /// Whether the scene has no textures.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// What the picture on the surface shows where it was hit. `None` if the surface carries none.
+    /// The colour of the texture at `hit`; `None` if the surface has no texture.
     #[inline]
     pub fn at(&self, scene: &Scene, hit: &Hit) -> Option<Spectrum> {
         if self.is_empty() {
@@ -70,32 +70,32 @@ impl Textures {
         }
         let object = &scene.objects[scene.object_of[hit.prim.0 as usize] as usize];
         let file = scene.textures.of_material(object.material)?;
-        // A surface without coordinates shows one point of its picture, as if all its vertices had none.
+        // A surface without texture coordinates has (0, 0) everywhere.
         let uv = scene.textures.uv(hit).unwrap_or(Vec2::ZERO);
         Some(self.list[file as usize].at(uv))
     }
 }
 
 fn load_texture(path: &Path) -> Result<Texture, String> {
-    let readable = |why: ImageError| match why {
+    let describe = |why: ImageError| match why {
         ImageError::IoError(why) => why.to_string(),
         other => format!("{other} (png, jpg, exr and hdr can be read)"),
     };
     let reader = image::ImageReader::open(path)
         .and_then(|reader| reader.with_guessed_format())
         .map_err(|why| why.to_string())?;
-    let (width, height) = reader.into_dimensions().map_err(readable)?;
+    let (width, height) = reader.into_dimensions().map_err(describe)?;
     if u64::from(width) * u64::from(height) > MAX_TEXELS {
         return Err(format!(
             "it has {width} x {height} texels, more than {MAX_TEXELS}: make it smaller"
         ));
     }
-    let picture = image::open(path).map_err(readable)?;
+    let picture = image::open(path).map_err(describe)?;
     Texture::new(width as usize, texels(&picture)).ok_or_else(|| "it is empty".to_owned())
 }
 
-/// Linear reflectance in [0, 1], row by row from the top left. Bytes stand for light as in sRGB; numbers of
-/// exr and hdr files are linear.
+/// Linear reflectances in [0, 1], row by row from the top left. Bytes are sRGB; values of exr and
+/// hdr files are linear.
 fn texels(picture: &DynamicImage) -> Vec<Spectrum> {
     match picture {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
@@ -123,13 +123,13 @@ fn texels(picture: &DynamicImage) -> Vec<Spectrum> {
     }
 }
 
-/// The light that a byte stands for (IEC 61966-2-1).
+/// The linear value of an sRGB byte (IEC 61966-2-1).
 fn from_srgb(byte: u8) -> f64 {
-    let shown = f64::from(byte) / 255.0;
-    if shown <= 0.04045 {
-        shown / 12.92
+    let encoded = f64::from(byte) / 255.0;
+    if encoded <= 0.04045 {
+        encoded / 12.92
     } else {
-        pow((shown + 0.055) / 1.055, 2.4)
+        pow((encoded + 0.055) / 1.055, 2.4)
     }
 }
 
@@ -141,9 +141,9 @@ mod tests {
     fn bytes_are_srgb() {
         assert_eq!(from_srgb(0), 0.0);
         assert_eq!(from_srgb(255), 1.0);
-        // Middle grey of a photographer's card: 18 % of the light, byte 118.
+        // A photographic grey card reflects 18 % of the light: byte 118.
         assert!((from_srgb(118) - 0.18).abs() < 0.003);
-        let rising = (0..255).all(|byte| from_srgb(byte) < from_srgb(byte + 1));
-        assert!(rising);
+        let increases = (0..255).all(|byte| from_srgb(byte) < from_srgb(byte + 1));
+        assert!(increases);
     }
 }

@@ -1,26 +1,26 @@
-//! From radiance to the bytes of a screen.
+//! Tone mapping: from radiance to bytes for a display.
 
 use kit::Spectrum;
 use kit::math::pow;
 
-/// What stands for NaN, which no picture should have: magenta cannot be taken for light.
+/// The colour of NaN, which no picture should have: magenta, because it is rare in pictures.
 pub const NAN_COLOR: [u8; 3] = [255, 0, 255];
 
 /// The display's exponent.
 const GAMMA: f64 = 2.2;
 
-/// The bytes of a pixel: `255·min(1, (c·√2)^(1/2.2))` per channel, rounded down; below 0 is 0. [`NAN_COLOR`] if a
-/// channel is NaN.
+/// The bytes of a pixel: `255·min(1, (c·√2)^(1/2.2))` for each channel, rounded down; negative
+/// values are 0. [`NAN_COLOR`] if a channel is NaN.
 ///
-/// The √2 is half a stop of exposure, as in the assignment's program.
+/// The factor √2 is half a stop of exposure, as in the assignment's program.
 pub fn to_bytes(radiance: Spectrum) -> [u8; 3] {
     let channels = radiance.to_array();
     if channels.iter().any(|c| c.is_nan()) {
         return NAN_COLOR;
     }
     channels.map(|c| {
-        let shown = pow(c.max(0.0) * std::f64::consts::SQRT_2, 1.0 / GAMMA);
-        (255.0 * shown.min(1.0)) as u8
+        let encoded = pow(c.max(0.0) * std::f64::consts::SQRT_2, 1.0 / GAMMA);
+        (255.0 * encoded.min(1.0)) as u8
     })
 }
 

@@ -1,11 +1,12 @@
-//! A scene as a ray meets it: every test is counted.
+//! The scene as one ray sees it: boxes and primitives to test, with every test counted.
 
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, TriangleHit, World};
-use simd_bvh::Work;
+use simd_bvh::TestCounts;
 use std::iter::Sum;
-use std::ops::Add;
+use std::ops::{Add, AddAssign};
 
-/// How often what was done. Each thread counts for itself and the counts are added up: they are exact.
+/// How many rays were traced and what they tested. Each tile has its own counters; their sum is
+/// exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
     /// Rays traced.
@@ -14,15 +15,6 @@ pub struct Counters {
     pub box_tests: u64,
     /// Ray/primitive tests.
     pub prim_tests: u64,
-}
-
-impl Counters {
-    /// Adds what a walk through the wide tree took.
-    #[inline]
-    pub fn add_work(&mut self, work: Work) {
-        self.box_tests += work.box_tests;
-        self.prim_tests += work.prim_tests;
-    }
 }
 
 impl Add for Counters {
@@ -36,63 +28,85 @@ impl Add for Counters {
     }
 }
 
+impl AddAssign for Counters {
+    #[inline]
+    fn add_assign(&mut self, other: Counters) {
+        *self = *self + other;
+    }
+}
+
+impl AddAssign<TestCounts> for Counters {
+    /// Adds the tests of a traversal of the wide tree.
+    #[inline]
+    fn add_assign(&mut self, tests: TestCounts) {
+        self.box_tests += tests.box_tests;
+        self.prim_tests += tests.prim_tests;
+    }
+}
+
 impl Sum for Counters {
     fn sum<I: Iterator<Item = Counters>>(counters: I) -> Counters {
         counters.fold(Counters::default(), Add::add)
     }
 }
 
-/// The boxes and primitives of a scene, asked through the stages `bbox` and `intersect`.
+/// Intersects `ray` with primitive `id` of `scene`, in the ray's range. A sphere's weights are 0.
+#[inline]
+pub fn test_primitive(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
+    match scene.primitive(id) {
+        Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray),
+        Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).map(|t| TriangleHit {
+            t,
+            b1: 0.0,
+            b2: 0.0,
+        }),
+    }
+}
+
+/// Records a hit that [`test_primitive`] found, and shortens the ray to it.
+#[inline]
+pub fn record_hit(scene: &Scene, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Option<Hit> {
+    match scene.primitive(id) {
+        Primitive::Triangle(triangle) => Some(intersect::record_triangle(triangle, id, ray, hit)),
+        Primitive::Sphere(sphere) => {
+            // The same kernel on the same ray finds the same hit.
+            ray.max_t = hit.t;
+            intersect::intersect_sphere(sphere, id, ray)
+        }
+    }
+}
+
+/// The [`World`] of one ray: tests boxes and primitives with the stages `bbox` and `intersect`.
 #[derive(Clone, Debug)]
 pub struct SceneWorld<'a> {
     scene: &'a Scene,
-    /// The primitive that the ray at hand has just left and cannot meet again; it is passed over.
-    pub left: Option<PrimId>,
-    /// What was asked so far.
-    pub counters: Counters,
+    /// The primitive that the ray leaves and cannot hit again.
+    skip: Option<PrimId>,
+    /// The tests of this ray.
+    counters: Counters,
 }
 
 impl<'a> SceneWorld<'a> {
-    /// A world that has not been asked anything yet.
-    pub fn new(scene: &'a Scene) -> SceneWorld<'a> {
+    /// The world of a ray that never hits primitive `skip`.
+    #[inline]
+    pub fn new(scene: &'a Scene, skip: Option<PrimId>) -> SceneWorld<'a> {
         SceneWorld {
             scene,
-            left: None,
+            skip,
             counters: Counters::default(),
         }
     }
 
-    /// Where `ray` meets primitive `id` in its range, if it does; a sphere's weights are 0. Does not count.
+    /// The tests so far.
     #[inline]
-    pub fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
-        match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray),
-            Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).map(|t| TriangleHit {
-                t,
-                b1: 0.0,
-                b2: 0.0,
-            }),
-        }
-    }
-
-    /// The record of what [`SceneWorld::test`] found; shortens the ray to it. Does not count.
-    #[inline]
-    pub fn record(&self, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Option<Hit> {
-        match self.scene.primitive(id) {
-            Primitive::Triangle(triangle) => {
-                Some(intersect::record_triangle(triangle, id, ray, hit))
-            }
-            Primitive::Sphere(sphere) => {
-                // The same kernel on the same ray: the same hit.
-                ray.max_t = hit.t;
-                intersect::intersect_sphere(sphere, id, ray)
-            }
-        }
+    pub fn counters(&self) -> Counters {
+        self.counters
     }
 }
 
 impl World for SceneWorld<'_> {
-    // Always: only inside the traversal's loop is it plain that `1/d` stays the same from box to box.
+    // Always inlined: only inside the traversal's loop can the compiler see that `1/d` is the same
+    // for every box.
     #[inline(always)]
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         self.counters.box_tests += 1;
@@ -101,7 +115,7 @@ impl World for SceneWorld<'_> {
 
     #[inline]
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
-        if self.left == Some(id) {
+        if self.skip == Some(id) {
             return None;
         }
         self.counters.prim_tests += 1;
@@ -113,10 +127,10 @@ impl World for SceneWorld<'_> {
 
     #[inline]
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
-        if self.left == Some(id) {
+        if self.skip == Some(id) {
             return false;
         }
         self.counters.prim_tests += 1;
-        self.test(id, ray).is_some()
+        test_primitive(self.scene, id, ray).is_some()
     }
 }

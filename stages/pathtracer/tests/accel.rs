@@ -1,4 +1,4 @@
-//! However hits are found, the picture is the same, bit for bit.
+//! Pictures do not depend on the acceleration structure, bit for bit.
 // BEGIN SOLUTION(part6.task1)
 
 mod common;
@@ -28,7 +28,7 @@ fn render(lit: &LitScene, kind: AccelKind) -> Rendered {
 }
 
 #[test]
-fn pictures_do_not_depend_on_how_hits_are_found() {
+fn pictures_do_not_depend_on_the_acceleration_structure() {
     for file in scene_files(&[own_scenes()]) {
         let mut scene = scenes::load(&file).expect("a scene").scene;
         scene.textures = Default::default();
@@ -36,12 +36,12 @@ fn pictures_do_not_depend_on_how_hits_are_found() {
         let [brute, bvh, simd] =
             [AccelKind::Brute, AccelKind::Bvh, AccelKind::Simd].map(|kind| render(&lit, kind));
         let name = file.display();
-        for (way, other) in [("bvh", &bvh), ("simd", &simd)] {
-            assert!(other.film == brute.film, "{name}: --accel {way} differs");
+        for (accel, other) in [("bvh", &bvh), ("simd", &simd)] {
+            assert!(other.film == brute.film, "{name}: --accel {accel} differs");
             assert_eq!(other.counters.rays, brute.counters.rays, "{name}");
-            // A few blocks are asked without any box.
-            let asked = other.counters.prim_tests;
-            assert!(asked > 0, "{name}: --accel {way} counts nothing");
+            // A scene of few blocks has no box tests.
+            let tests = other.counters.prim_tests;
+            assert!(tests > 0, "{name}: --accel {accel} counts no tests");
         }
     }
 }

@@ -1,10 +1,10 @@
-//! The `pathtracer` program as a person meets it.
+//! The command line of the `pathtracer` program.
 
 use snapbox::cmd::{Command, cargo_bin};
 use std::fs;
 use std::path::Path;
 
-/// A room of two triangles, seen from in front.
+/// A square of two triangles, seen from the front.
 const SCENE: &str = r##"<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><up_axis>Y_UP</up_axis></asset>
@@ -54,17 +54,17 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Runs with values that cannot be used: exit code 2, the sentence on stderr, no file made.
-fn refused(args: &str, sentence: &str) {
+/// Runs with invalid values: exit code 2, the message on stderr, no file written.
+fn refused(args: &str, message: &str) {
     let folder = folder();
     let run = pathtracer(folder.path(), args).code(2);
-    let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
-    assert!(told.contains(sentence), "`{args}` says:\n{told}");
+    let output = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(output.contains(message), "`{args}` prints:\n{output}");
     assert_eq!(names(folder.path()), ["square.dae"], "after `{args}`");
 }
 
 #[test]
-fn bad_values_say_what_is_allowed() {
+fn errors_name_the_allowed_values() {
     refused("square.dae", "pathtracer -f picture.png square.dae");
     refused("-f a.png -s 0 square.dae", "whole number from 1 to");
     refused("-f a.png --seed x square.dae", "whole number from 0 to");
@@ -98,15 +98,15 @@ fn bad_values_say_what_is_allowed() {
 
 // BEGIN SOLUTION(part1.task3)
 #[test]
-fn a_picture_is_written_and_told() {
+fn a_picture_and_a_summary_are_written() {
     let folder = folder();
     let run = pathtracer(folder.path(), "-f a.png -r 40 30 -s 4 square.dae").success();
-    let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    let output = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
     assert!(
-        told.contains("2 primitives (2 triangles, 0 spheres)"),
-        "{told}"
+        output.contains("2 primitives (2 triangles, 0 spheres)"),
+        "{output}"
     );
-    assert!(told.contains("4800"), "40 x 30 x 4 rays in:\n{told}");
+    assert!(output.contains("4800"), "40 x 30 x 4 rays in:\n{output}");
     let stderr = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
     assert_eq!(stderr, "", "no progress bar in a pipe");
     assert_eq!(names(folder.path()), ["a.png", "square.dae"]);
@@ -114,13 +114,13 @@ fn a_picture_is_written_and_told() {
         .expect("a picture")
         .to_rgb8();
     assert_eq!(picture.dimensions(), (40, 30));
-    // +z: (1/2, 1/2, 1) after the tone curve; beside it nothing.
+    // The normal +z: (1/2, 1/2, 1) after tone mapping. Beside the square rays miss.
     assert_eq!(picture.get_pixel(20, 15).0, [217, 217, 255]);
     assert_eq!(picture.get_pixel(0, 15).0, [0, 0, 0]);
 }
 
 #[test]
-fn a_cell_is_the_same_pixels_from_the_bottom_left() {
+fn a_cell_has_the_pixels_of_the_whole_picture() {
     let folder = folder();
     pathtracer(folder.path(), "-f all.png -r 40 30 -s 4 square.dae").success();
     pathtracer(
@@ -136,13 +136,14 @@ fn a_cell_is_the_same_pixels_from_the_bottom_left() {
     let (all, cell) = (open("all.png"), open("cell.png"));
     assert_eq!(cell.dimensions(), (20, 11));
     for (x, y, pixel) in cell.enumerate_pixels() {
-        // Rows count from the top here: the cell's top row is 30 - (2 + 11) from the picture's.
+        // Rows count from the top here: the cell starts 30 - (2 + 11) rows below the top of the
+        // picture.
         assert_eq!(pixel, all.get_pixel(x + 5, y + 17));
     }
 }
 
 #[test]
-fn exr_holds_linear_values() {
+fn exr_has_linear_values() {
     let folder = folder();
     pathtracer(folder.path(), "-f a.exr -r 41 31 square.dae").success();
     let picture = image::open(folder.path().join("a.exr"))
@@ -153,13 +154,13 @@ fn exr_holds_linear_values() {
 }
 
 #[test]
-fn flags_of_later_parts_are_accepted_with_a_note() {
+fn flags_without_effect_are_noted() {
     let folder = folder();
     let args = "-f a.png -r 4 3 -l 4 -m 5 -a 8 0.05 -H square.dae";
     let run = pathtracer(folder.path(), args).success();
-    let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
-    assert!(told.contains("-l -m -a -H"), "{told}");
-    assert_eq!(told.lines().count(), 1, "{told}");
+    let output = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(output.contains("-l -m -a -H"), "{output}");
+    assert_eq!(output.lines().count(), 1, "{output}");
 }
 
 #[test]
@@ -168,18 +169,18 @@ fn neither_pictures_nor_counts_depend_on_threads() {
     let run = |flags: &str| {
         let args = format!("-f a.png -r 50 40 -s 3 {flags} square.dae");
         let run = pathtracer(folder.path(), &args).success();
-        let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
-        let tests = told.lines().find(|line| line.starts_with("Tests"));
+        let output = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+        let tests = output.lines().find(|line| line.starts_with("Tests"));
         let picture = fs::read(folder.path().join("a.png")).expect("a picture");
-        (picture, tests.expect("the tests a ray").to_owned())
+        (picture, tests.expect("a line with the tests").to_owned())
     };
     let one = run("-t 1");
     assert_eq!(run("-t 2"), one);
     assert_eq!(run("-t 8"), one);
 
     let (picture, tests) = run("-t 2 --accel brute");
-    assert_eq!(picture, one.0, "the tree changes no pixel");
-    // 50 x 40 x 3 rays at two triangles.
+    assert_eq!(picture, one.0, "the tree changes a pixel");
+    // 50 x 40 x 3 rays, two triangles.
     assert!(
         tests.contains("0.00 of boxes (0), 2.00 of primitives (12000)"),
         "{tests}"
@@ -188,7 +189,7 @@ fn neither_pictures_nor_counts_depend_on_threads() {
     assert_ne!(
         run("-t 1 --seed 1").0,
         one.0,
-        "the edge pixels are another mixture"
+        "another seed gives other edge pixels"
     );
 }
 // END SOLUTION(part1.task3)

@@ -1,4 +1,4 @@
-//! Lit pictures: the same whatever they are rendered with, and the same light however it is looked for.
+//! Lit pictures do not depend on threads or forced effects, and all sampling strategies agree.
 
 use kit::effects::Effect;
 use kit::film::Cell;
@@ -9,7 +9,7 @@ use kit::{
     Texture, Triangle, Vec2, Vec3,
 };
 use pathtracer::{
-    Accel, AccelKind, Job, Lens, LightSettings, Looking, Rendered, Textures, render_lit,
+    Accel, AccelKind, DirectSampling, Job, Lens, LightSettings, Rendered, Textures, render_lit,
 };
 use statistics::{sidak, two_sided};
 use std::sync::atomic::AtomicBool;
@@ -42,7 +42,7 @@ const GLOSSY: Material = Material::Glossy {
     shininess: 20.0,
 };
 
-fn lamp() -> Light {
+fn area_light() -> Light {
     Light::Area {
         center: Vec3::new(0.0, 2.0, 0.0),
         edge_x: Vec3::X,
@@ -58,7 +58,7 @@ fn sky() -> Light {
     }
 }
 
-/// A ball on a floor with a wall behind it.
+/// A ball on a floor, with a wall behind it.
 fn ball(material: Material, light: Option<Light>) -> Scene {
     let corner = Vec3::new;
     let (a, b) = (corner(-2.0, 0.0, -2.0), corner(2.0, 0.0, -2.0));
@@ -116,14 +116,14 @@ fn job(w: u32, h: u32, samples: u32) -> Job {
     }
 }
 
-/// The texture of [`tiled`]: dark and bright in turn.
+/// The texture of [`tiled`]: a dark and a bright texel.
 fn tiles() -> Textures {
     Textures::from(vec![
         Texture::new(2, vec![Spectrum::grey(0.1), Spectrum::WHITE]).expect("one whole row"),
     ])
 }
 
-/// The ball on a floor that carries a picture.
+/// The ball on a textured floor.
 fn tiled(light: Option<Light>) -> Scene {
     let mut scene = ball(GREY, light);
     scene.textures.add_material(Some("tiles.png".into()));
@@ -170,7 +170,7 @@ fn settings(max_depth: u32) -> LightSettings {
     }
 }
 
-/// Scenes made to expose an effect, one each, with the effects that they call for at depth 5.
+/// One scene for each effect, with all effects that it calls for at depth 5.
 fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
     use Effect::{Background, Bounces, DirectLight, Fresnel, Glossy, Mirror, Refraction};
     let lit = |material, light| LitScene::new(ball(material, light), None);
@@ -191,7 +191,11 @@ fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
     let environment = LitScene::new(ball(GREY, None), Some(map.expect("two texels")));
     vec![
         ("dark", lit(GREY, None), vec![]),
-        ("lamp", lit(GREY, Some(lamp())), vec![DirectLight, Bounces]),
+        (
+            "area light",
+            lit(GREY, Some(area_light())),
+            vec![DirectLight, Bounces],
+        ),
         ("sun", sunlit(GREY), vec![DirectLight, Bounces]),
         (
             "sky",
@@ -205,7 +209,7 @@ fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
         ),
         (
             "mirror",
-            lit(MIRROR, Some(lamp())),
+            lit(MIRROR, Some(area_light())),
             vec![DirectLight, Bounces, Mirror],
         ),
         (
@@ -215,22 +219,22 @@ fn scenes() -> Vec<(&'static str, LitScene, Vec<Effect>)> {
         ),
         (
             "glass",
-            lit(GLASS, Some(lamp())),
+            lit(GLASS, Some(area_light())),
             vec![DirectLight, Bounces, Fresnel],
         ),
         ("glossy", sunlit(GLOSSY), vec![DirectLight, Bounces, Glossy]),
         (
             "tiles",
-            LitScene::new(tiled(Some(lamp())), None),
+            LitScene::new(tiled(Some(area_light())), None),
             vec![DirectLight, Bounces, Effect::Texture],
         ),
     ]
 }
 
-/// Hard cases 87 and 88, for every way to sample.
+/// Hard cases 87 and 88, for every sampling pattern.
 #[test]
 fn pictures_do_not_depend_on_threads() {
-    let lit = LitScene::new(ball(GLASS, Some(lamp())), None);
+    let lit = LitScene::new(ball(GLASS, Some(area_light())), None);
     for pattern in [
         Pattern::Independent,
         Pattern::Stratified { samples: 16 },
@@ -254,7 +258,8 @@ fn pictures_do_not_depend_on_threads() {
     }
 }
 
-/// What is not called for counts nothing, what is called for counts something, and forcing all of it changes no bit.
+/// Effects that are not called for have a count of 0, the others a positive one; forcing all
+/// effects changes no bit of the picture.
 #[test]
 fn only_what_a_scene_calls_for_is_simulated() {
     for (name, lit, expected) in scenes() {
@@ -267,18 +272,25 @@ fn only_what_a_scene_calls_for_is_simulated() {
             };
             let job = job(24, 18, 8);
             let plain = render(&lit, &job, &settings);
-            let calls = settings.effects(&lit);
-            for call in &calls {
-                let counted = plain.effects.of(call.effect);
-                let what = format!("{name} at depth {depth}: {call:?}");
-                assert!(call.is_called_for() || counted == 0, "{what}: {counted}");
+            let requirements = settings.effects(&lit);
+            for requirement in &requirements {
+                let counted = plain.effects.of(requirement.effect);
+                let what = format!("{name} at depth {depth}: {requirement:?}");
+                assert!(
+                    requirement.is_called_for() || counted == 0,
+                    "{what}: {counted}"
+                );
                 if depth == 5 {
                     assert_eq!(
-                        call.is_called_for(),
-                        expected.contains(&call.effect),
+                        requirement.is_called_for(),
+                        expected.contains(&requirement.effect),
                         "{what}"
                     );
-                    assert_eq!(call.is_called_for(), counted > 0, "{what}: {counted}");
+                    assert_eq!(
+                        requirement.is_called_for(),
+                        counted > 0,
+                        "{what}: {counted}"
+                    );
                 }
             }
             let forced = LightSettings {
@@ -291,30 +303,30 @@ fn only_what_a_scene_calls_for_is_simulated() {
     }
 }
 
-/// Each scene needs what it calls for: without one of its effects it is another picture.
+/// Without an effect that a scene calls for, the picture is different.
 #[test]
 fn removing_an_effect_changes_the_picture() {
     let job = job(24, 18, 8);
     let picture = |scene: Scene, settings: &LightSettings| {
         render(&LitScene::new(scene, None), &job, settings).film
     };
-    let lamp_on = |material| picture(ball(material, Some(lamp())), &settings(5));
+    let lamp_on = |material| picture(ball(material, Some(area_light())), &settings(5));
     let sky_on = |light| picture(ball(GREY, light), &settings(5));
-    // Direct light and background: the light is put out. Bounces: one ray only.
+    // Direct light and background: without the light. Bounces: depth 1.
     assert_ne!(lamp_on(GREY), picture(ball(GREY, None), &settings(5)));
     assert_ne!(sky_on(Some(sky())), sky_on(None));
     assert_ne!(
         lamp_on(GREY),
-        picture(ball(GREY, Some(lamp())), &settings(1))
+        picture(ball(GREY, Some(area_light())), &settings(1))
     );
-    // Materials: the ball lets no light leave.
+    // Materials: a ball that absorbs all light.
     let absorbing = Material::Emission {
         radiance: Spectrum::BLACK,
     };
     for material in [MIRROR, REFRACTION, GLASS, GLOSSY] {
         assert_ne!(lamp_on(material), lamp_on(absorbing), "{material:?}");
     }
-    // Fresnel's equations: glass that reflects nothing. Roughness: a mirror.
+    // Fresnel's equations: glass without reflection. Roughness: a mirror.
     let without_fresnel = Material::Refraction {
         transmittance: Spectrum::WHITE,
         roughness: 0.0,
@@ -325,8 +337,8 @@ fn removing_an_effect_changes_the_picture() {
         reflectance: Spectrum::grey(0.8),
     };
     assert_ne!(lamp_on(GLOSSY), lamp_on(smooth));
-    // Textures: plain floors.
-    let with_tiles = picture(tiled(Some(lamp())), &settings(5));
+    // Textures: a plain floor.
+    let with_tiles = picture(tiled(Some(area_light())), &settings(5));
     assert_ne!(with_tiles, lamp_on(GREY));
     // The lens: a pinhole.
     let blurred = LightSettings {
@@ -336,7 +348,7 @@ fn removing_an_effect_changes_the_picture() {
         },
         ..settings(1)
     };
-    let scene = || ball(GREY, Some(lamp()));
+    let scene = || ball(GREY, Some(area_light()));
     assert_ne!(picture(scene(), &blurred), picture(scene(), &settings(1)));
     let lit = LitScene::new(scene(), None);
     let counted = render(&lit, &job, &blurred).effects.of(Effect::Lens);
@@ -348,9 +360,9 @@ fn removing_an_effect_changes_the_picture() {
     assert!(render(&lit, &job, &forced).film == render(&lit, &job, &blurred).film);
 }
 
-/// A white picture on a surface changes nothing; a grey one darkens direct light in proportion, exactly.
+/// A white texture changes nothing; a grey one scales direct light exactly.
 #[test]
-fn textures_tint_what_is_reflected() {
+fn textures_scale_reflected_light() {
     let lit = LitScene::new(tiled(Some(sky())), None);
     let plain = LitScene::new(ball(GREY, Some(sky())), None);
     let (job, settings) = (job(24, 18, 4), settings(1));
@@ -363,27 +375,35 @@ fn textures_tint_what_is_reflected() {
     let untouched = with(&plain, Spectrum::grey(0.5));
     assert!(with(&lit, Spectrum::WHITE) == untouched);
     let halved = with(&lit, Spectrum::grey(0.5));
-    // The first row looks at the floor; in the middle stands the ball, which carries no picture.
+    // The first row shows the floor; the middle shows the ball, which has no texture.
     let radiance = |film: &Film, y| film.get(13, y).radiance;
     assert_eq!(radiance(&halved, 0), 0.5 * radiance(&untouched, 0));
     assert_eq!(radiance(&halved, 8), radiance(&untouched, 8));
 }
 
-/// How many pairs of pictures this file compares.
+/// The number of pairs of pictures that this file compares.
 const COMPARED: u32 = 18;
 
-/// What comparisons of light sampling are sure to see, as a share of the light.
-const SURE: f64 = 0.2;
+/// The relative bias that comparisons of light sampling always detect.
+const DETECTED: f64 = 0.2;
 
-/// What comparisons with looking around at random, which is noisier, are sure to see.
-const SURE_AROUND: f64 = 0.6;
+/// The relative bias that comparisons with hemisphere sampling, which has more noise, always
+/// detect.
+const DETECTED_BY_HEMISPHERE: f64 = 0.6;
 
 /// Blocks along a side of a picture that is compared.
 const BLOCKS: u32 = 4;
 
-/// Means over the picture, one a pixel block, compared by z-tests: a chance of 1e-6 that any of this file accuses a right
-/// estimate. That a picture which is brighter or darker by the share `sure` is caught in one of the blocks is tried, too.
-fn assert_agree(what: &str, lit: &LitScene, [a, b]: [&LightSettings; 2], samples: u32, sure: f64) {
+/// Compares the means of the blocks of two pictures by z-tests. The probability that any test of
+/// this file fails for a correct estimate is 1e-6. Also asserts that at least one block detects a
+/// picture that is brighter or darker by the fraction `detected`.
+fn assert_agree(
+    what: &str,
+    lit: &LitScene,
+    [a, b]: [&LightSettings; 2],
+    samples: u32,
+    detected: f64,
+) {
     let render_blocks = |settings: &LightSettings, seed| {
         let mut job = job(8 * BLOCKS, 8 * BLOCKS, samples);
         job.sampling.seed = seed;
@@ -391,7 +411,7 @@ fn assert_agree(what: &str, lit: &LitScene, [a, b]: [&LightSettings; 2], samples
     };
     let (a, b) = (render_blocks(a, 1), render_blocks(b, 2));
     let alarm = sidak(1e-6, (BLOCKS * BLOCKS * COMPARED) as usize);
-    // The most different of the blocks: how likely it is by chance, which one, and by how much.
+    // The block with the least p-value: the value, the block and its differences.
     let worst = |factor: f64| {
         let compared = (0..BLOCKS * BLOCKS).map(|block| {
             let differences = block_of(block)
@@ -413,57 +433,61 @@ fn assert_agree(what: &str, lit: &LitScene, [a, b]: [&LightSettings; 2], samples
         differences.mean(),
         differences.standard_error()
     );
-    for factor in [1.0 + sure, 1.0 - sure] {
+    for factor in [1.0 + detected, 1.0 - detected] {
         let (p, ..) = worst(factor);
-        assert!(p < alarm, "{what}: times {factor} gets away, p = {p:e}");
+        assert!(
+            p < alarm,
+            "{what}: a factor of {factor} is not detected, p = {p:e}"
+        );
     }
 }
 
-/// The pixels of a block. They differ by what they show, too; differences pixel by pixel do not.
+/// The pixels of a block. Tallying differences pixel by pixel excludes the variation of the picture
+/// itself.
 fn block_of(block: u32) -> impl Iterator<Item = (u32, u32)> {
     let (x0, y0) = (8 * (block % BLOCKS), 8 * (block / BLOCKS));
     (0..64).map(move |i| (x0 + i % 8, y0 + i / 8))
 }
 
 #[test]
-fn every_way_to_look_for_light_finds_the_same() {
-    for light in [lamp(), sky()] {
+fn all_direct_sampling_strategies_agree() {
+    for light in [area_light(), sky()] {
         for material in [GREY, GLOSSY, MIRROR, ROUGH_GLASS] {
             let lit = LitScene::new(ball(material, Some(light)), None);
-            let by = |looking| LightSettings {
-                looking,
+            let by = |direct_sampling| LightSettings {
+                direct_sampling,
                 ..settings(3)
             };
-            let (lights, both) = (by(Looking::Lights), by(Looking::Both));
-            let around = LightSettings {
+            let (lights, mis) = (by(DirectSampling::Lights), by(DirectSampling::Mis));
+            let hemisphere = LightSettings {
                 light_samples: 4,
-                ..by(Looking::Hemisphere)
+                ..by(DirectSampling::Hemisphere)
             };
-            let what = format!("{material:?} in the light of {light:?}");
+            let what = format!("{material:?} lit by {light:?}");
             assert_agree(
-                &format!("around: {what}"),
+                &format!("hemisphere: {what}"),
                 &lit,
-                [&around, &lights],
+                [&hemisphere, &lights],
                 64,
-                SURE_AROUND,
+                DETECTED_BY_HEMISPHERE,
             );
-            assert_agree(&format!("both: {what}"), &lit, [&both, &lights], 64, SURE);
+            assert_agree(&format!("mis: {what}"), &lit, [&mis, &lights], 64, DETECTED);
         }
     }
 }
 
 #[test]
 fn roulette_samplers_and_adaptive_agree() {
-    let lit = LitScene::new(ball(GLASS, Some(lamp())), None);
+    let lit = LitScene::new(ball(GLASS, Some(area_light())), None);
     let plain = settings(12);
     let no_roulette = LightSettings {
         roulette: false,
         ..plain
     };
-    assert_agree("roulette", &lit, [&plain, &no_roulette], 64, SURE);
+    assert_agree("roulette", &lit, [&plain, &no_roulette], 64, DETECTED);
     let adaptive = LightSettings {
         adaptive: Some((32, 0.2)),
         ..plain
     };
-    assert_agree("adaptive", &lit, [&adaptive, &plain], 512, SURE);
+    assert_agree("adaptive", &lit, [&adaptive, &plain], 512, DETECTED);
 }

@@ -1,11 +1,11 @@
-//! The `pathtracer` program where there is light.
+//! The `pathtracer` program, for scenes with light.
 
 use exr::prelude::{ReadChannels, ReadLayers};
 use snapbox::cmd::{Command, cargo_bin};
 use std::fs;
 use std::path::Path;
 
-/// A grey square under a lamp that the file names as a light only.
+/// A grey square under an area light without a mesh.
 const SCENE: &str = r##"<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><up_axis>Y_UP</up_axis></asset>
@@ -43,7 +43,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// Runs the program; what it says on stdout and stderr.
+/// Runs the program. Returns its stdout and stderr.
 fn pathtracer(folder: &Path, args: &str) -> (String, String) {
     let run = Command::new(cargo_bin!("pathtracer"))
         .current_dir(folder)
@@ -55,7 +55,7 @@ fn pathtracer(folder: &Path, args: &str) -> (String, String) {
     (text(&output.stdout), text(&output.stderr))
 }
 
-/// Several blocks of each format.
+/// Large enough for several blocks of each format.
 #[test]
 fn the_same_command_writes_the_same_bytes() {
     let folder = folder();
@@ -81,12 +81,12 @@ fn refused(args: &str, sentence: &str) {
         .args(args.split(' '))
         .assert()
         .code(2);
-    let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
-    assert!(told.contains(sentence), "`{args}` says:\n{told}");
+    let output = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(output.contains(sentence), "`{args}` prints:\n{output}");
 }
 
 #[test]
-fn bad_values_say_what_is_allowed() {
+fn errors_name_the_allowed_values() {
     refused("-f a.png --time 0 lit.dae", "a finite number above 0");
     refused("-f a.png --error x lit.dae", "a finite number above 0");
     refused("-f a.png --error 0.1 -a 8 0.1 lit.dae", "--adaptive");
@@ -95,18 +95,18 @@ fn bad_values_say_what_is_allowed() {
     refused("-f a.png --lens-radius 0.1 lit.dae", "--focus");
     refused("-f a.png --focus inf --lens-radius 1 lit.dae", "finite");
     refused("-f a.png -a 8 inf lit.dae", "a finite number");
-    refused(
-        "-f a.png --lens-radius -1 --focus 2 lit.dae",
-        "not negative",
-    );
+    refused("-f a.png --lens-radius -1 --focus 2 lit.dae", "at least 0");
     refused("-f a.png --lens-radius 1 --focus 0 lit.dae", "above 0");
-    refused("-f a.png --layers b.png lit.dae", "end the name in .exr");
+    refused("-f a.png --layers b.png lit.dae", "ends in .exr");
     refused(
         "-f a.exr --layers ./a.exr lit.dae",
-        "--layers: ./a.exr is the picture itself",
+        "--layers: ./a.exr is also the picture",
     );
-    refused("-f a.exr -e a.exr lit.dae", "-f: a.exr is the map of -e");
-    refused("--export mitsuba a.xml a.xml", "a.xml is the scene itself");
+    refused(
+        "-f a.exr -e a.exr lit.dae",
+        "-f: a.exr is also the map of -e",
+    );
+    refused("--export mitsuba a.xml a.xml", "a.xml is also the scene");
     refused("-f a.png -e lit.dae lit.dae", "ends in .exr or .hdr");
     refused("-f a.png -e missing.hdr lit.dae", "missing.hdr");
     refused("-f a.png -H --mis lit.dae", "--mis");
@@ -117,7 +117,7 @@ fn bad_values_say_what_is_allowed() {
 }
 
 #[test]
-fn light_is_shown_where_there_is_light() {
+fn scenes_with_light_are_lit_by_default() {
     let folder = folder();
     let shown = |flags: &str| {
         pathtracer(folder.path(), &format!("-f a.exr -r 31 31 {flags} lit.dae"));
@@ -131,17 +131,18 @@ fn light_is_shown_where_there_is_light() {
 }
 
 #[test]
-fn the_sample_rate_is_written_beside_an_adaptive_picture() {
+fn an_adaptive_picture_has_a_file_of_sample_counts() {
     let folder = folder();
     let flags = "-f a.png -r 20 20 -s 1024 -a 64 0.1 --explain --stats lit.dae";
-    let (told, _) = pathtracer(folder.path(), flags);
-    assert!(told.contains("a_rate.png"), "{told}");
-    assert!(told.contains("object above"), "{told}");
-    assert!(told.contains("million samples per second"), "{told}");
+    let (output, _) = pathtracer(folder.path(), flags);
+    assert!(output.contains("a_rate.png"), "{output}");
+    assert!(output.contains("object above"), "{output}");
+    assert!(output.contains("million samples per second"), "{output}");
     let rate = image::open(folder.path().join("a_rate.png"))
         .expect("a picture")
         .into_rgb8();
-    // The wall is easy: a quarter of the samples or so. The background stays black, so all are taken.
+    // The wall needs about a quarter of the samples. The background stays black and takes all of
+    // them.
     assert!(
         rate.get_pixel(10, 10).0[2] > 100,
         "{:?}",
@@ -150,49 +151,55 @@ fn the_sample_rate_is_written_beside_an_adaptive_picture() {
     assert_eq!(rate.get_pixel(0, 0).0, [255, 0, 0]);
 }
 
-/// The wall is matte: a mirror is not called for, and costs something only if it is forced on.
+/// The wall is matte: a mirror is not called for, so it counts operations only if forced on.
 #[test]
-fn an_explanation_says_what_effects_would_take_if_they_were_forced_on() {
+fn explain_counts_the_operations_of_forced_effects() {
     let folder = folder();
-    let (told, _) = pathtracer(
+    let (output, _) = pathtracer(
         folder.path(),
         "-f a.png -r 20 20 -s 4 -m 2 --explain lit.dae",
     );
     let line = |effect: &str| -> Vec<String> {
-        let line = told.lines().find(|line| line.starts_with(effect));
-        let columns = line.unwrap_or_else(|| panic!("no {effect} in\n{told}"));
+        let line = output.lines().find(|line| line.starts_with(effect));
+        let columns = line.unwrap_or_else(|| panic!("no {effect} in\n{output}"));
         columns.split_whitespace().map(str::to_owned).collect()
     };
     let mirror = line("mirror");
     assert_eq!(mirror[1..3], ["no", "0"]);
-    assert!(mirror[3].parse::<u64>().unwrap() > 0, "{told}");
+    assert!(mirror[3].parse::<u64>().unwrap() > 0, "{output}");
     let lens = line("lens");
-    assert_eq!(lens[1..4], ["no", "0", "1600"], "one a camera ray");
+    assert_eq!(lens[1..4], ["no", "0", "1600"], "one for each camera ray");
 }
 
 #[test]
-fn what_is_left_out_is_told() {
+fn flags_and_lights_without_effect_are_noted() {
     let folder = folder();
-    let (told, quiet) = pathtracer(folder.path(), "-f a.png -r 4 4 -H --lens-radius 0 lit.dae");
-    assert_eq!(quiet, "");
-    assert!(!told.contains("Noise"), "one sample knows no noise: {told}");
-    let (_, told) = pathtracer(folder.path(), "-f a.png -r 4 4 -a 32 0.05 lit.dae");
-    assert!(told.contains("no effect: -a 32 0.05"), "{told}");
+    let (output, notes) = pathtracer(folder.path(), "-f a.png -r 4 4 -H --lens-radius 0 lit.dae");
+    assert_eq!(notes, "");
+    assert!(
+        !output.contains("Noise"),
+        "one sample has no noise estimate: {output}"
+    );
+    let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 -a 32 0.05 lit.dae");
+    assert!(output.contains("no effect: -a 32 0.05"), "{output}");
     let flags = "-f a.png --export mitsuba a.xml lit.dae";
-    let (_, told) = pathtracer(folder.path(), flags);
-    assert!(told.contains("no effect: -f: --export"), "{told}");
+    let (_, output) = pathtracer(folder.path(), flags);
+    assert!(output.contains("no effect: -f: --export"), "{output}");
     let point = SCENE.replace("area>", "point>");
     fs::write(folder.path().join("point.dae"), point).expect("a scene file");
-    let (_, told) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");
-    assert!(told.contains("-H never finds them"), "{told}");
+    let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");
+    assert!(output.contains("-H never hits them"), "{output}");
 }
 
 #[test]
-fn budgets_end_a_picture() {
+fn time_and_error_limits_end_a_picture() {
     let folder = folder();
-    let noise = |told: &str| -> f64 {
-        let line = told.lines().find(|line| line.starts_with("Noise"));
-        let share = line.expect("a line on noise").split_whitespace().nth(1);
+    let noise = |output: &str| -> f64 {
+        let line = output.lines().find(|line| line.starts_with("Noise"));
+        let share = line
+            .expect("a line with the noise")
+            .split_whitespace()
+            .nth(1);
         share.expect("a number").parse().expect("a number")
     };
     let (rough, _) = pathtracer(folder.path(), "-f a.png -r 20 20 -s 4 lit.dae");
@@ -203,14 +210,14 @@ fn budgets_end_a_picture() {
 }
 
 #[test]
-fn layers_hold_what_the_camera_sees() {
+fn layers_have_the_features_of_the_first_hit() {
     let folder = folder();
     pathtracer(
         folder.path(),
         "-f a.hdr --layers b.exr -r 20 20 -s 8 lit.dae",
     );
-    let seen = image::open(folder.path().join("a.hdr")).expect("a picture");
-    assert!(seen.into_rgb32f().get_pixel(10, 10).0[0] > 0.01);
+    let picture = image::open(folder.path().join("a.hdr")).expect("a picture");
+    assert!(picture.into_rgb32f().get_pixel(10, 10).0[0] > 0.01);
     let file = exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
@@ -234,13 +241,13 @@ fn layers_hold_what_the_camera_sees() {
 #[test]
 fn a_scene_is_exported_for_mitsuba() {
     let folder = folder();
-    let (told, _) = pathtracer(
+    let (output, _) = pathtracer(
         folder.path(),
         "--export mitsuba out.xml -r 40 30 -m 3 lit.dae",
     );
     assert!(
-        told.contains("out.xml") && told.contains("out.0.ply"),
-        "{told}"
+        output.contains("out.xml") && output.contains("out.0.ply"),
+        "{output}"
     );
     let xml = fs::read_to_string(folder.path().join("out.xml")).expect("the scene");
     let file = roxmltree::Document::parse(&xml).expect("well-formed");
@@ -255,16 +262,16 @@ fn a_scene_is_exported_for_mitsuba() {
     assert!(xml.contains("name=\"max_depth\" value=\"4\""));
     let mesh = fs::read_to_string(folder.path().join("out.0.ply")).expect("a mesh");
     assert!(mesh.contains("element vertex 6") && mesh.ends_with("3 3 4 5\n"));
-    refused("--export blender a.xml lit.dae", "say --export mitsuba");
+    refused("--export blender a.xml lit.dae", "use --export mitsuba");
     refused("--export mitsuba a.txt lit.dae", "ends in .xml");
     refused(
         "--export mitsuba a.xml -r 40 30 --lens-radius 1 --focus 2 lit.dae",
-        "leave out --lens-radius",
+        "omit --lens-radius",
     );
 }
 
 #[test]
-fn a_missing_texture_is_told_and_a_found_one_shows() {
+fn a_missing_texture_is_grey_with_a_warning() {
     let folder = folder();
     let textured = SCENE
         .replace(
@@ -278,21 +285,27 @@ fn a_missing_texture_is_told_and_a_found_one_shows() {
         );
     fs::write(folder.path().join("textured.dae"), textured).expect("a scene file");
     let picture = |name: &str, scene: &str| {
-        let (_, told) = pathtracer(folder.path(), &format!("-f {name} -r 8 8 {scene}"));
-        (fs::read(folder.path().join(name)).expect("a picture"), told)
+        let (_, output) = pathtracer(folder.path(), &format!("-f {name} -r 8 8 {scene}"));
+        (
+            fs::read(folder.path().join(name)).expect("a picture"),
+            output,
+        )
     };
-    let (grey, told) = picture("grey.png", "lit.dae");
-    assert_eq!(told, "");
-    let (missing, told) = picture("missing.png", "textured.dae");
-    assert!(told.contains("cannot read the texture wall.png"), "{told}");
-    assert!(missing == grey, "without its picture the wall is grey");
-    // Any picture will do.
+    let (grey, output) = picture("grey.png", "lit.dae");
+    assert_eq!(output, "");
+    let (missing, output) = picture("missing.png", "textured.dae");
+    assert!(
+        output.contains("cannot read the texture wall.png"),
+        "{output}"
+    );
+    assert!(missing == grey, "a wall without its texture is grey");
+    // Any picture serves as the texture.
     fs::copy(
         folder.path().join("grey.png"),
         folder.path().join("wall.png"),
     )
     .expect("a copy");
-    let (found, told) = picture("found.png", "textured.dae");
-    assert_eq!(told, "");
-    assert!(found != grey, "the wall does not show its picture");
+    let (found, output) = picture("found.png", "textured.dae");
+    assert_eq!(output, "");
+    assert!(found != grey, "the wall does not show its texture");
 }

@@ -1,92 +1,94 @@
-//! Our normal-shading pictures beside those of the assignment's own program: the same, pixel by pixel and byte by
-//! byte, once its normals are made as it makes them.
+//! Compares our normal-shading pictures with those of the assignment's own program: with vertex
+//! normals computed as it does, every byte is equal.
 //!
-//! The pictures lie in the folder that `FIRSTLIGHT_REFERENCE` names, or beside the scenes of `FIRSTLIGHT_SCENES`.
+//! The pictures are in the folder `FIRSTLIGHT_REFERENCE`, or in `../reference` relative to
+//! `FIRSTLIGHT_SCENES`.
 //!
-//! What the original does with normals, and why our own pictures differ where they do:
-//! - It passes over the normals in the file and weights the faces around a vertex by their area. Ours are the
-//!   file's: a byte or two elsewhere on curved meshes.
-//! - At a vertex on the boundary of a mesh (on an edge with one face only) it looks at the hole alone, as if that
-//!   were a face: `(w - v) x (x - v)` with the next two vertices `w` and `x` around the hole. So flat open meshes
-//!   (the lamp, the ground under the banana) face the other way. Ours do not.
-//! - Where those three vertices lie on a line that normal is rounding noise. Nothing can be compared there.
+//! How the original program computes normals, and where our own pictures differ:
+//! - It ignores the normals in the file and weights the faces around a vertex by their area. We use
+//!   the file's normals: a difference of a byte or two on curved meshes.
+//! - At a vertex on the boundary of a mesh (on an edge with one face only) it uses only the hole,
+//!   as if that were a face: `(w - v) x (x - v)` with the next two vertices `w` and `x` around the
+//!   hole. So flat open meshes (the lamp, the ground under the banana) face the other way. Ours do
+//!   not.
+//! - If these three vertices are collinear, that normal is rounding noise and cannot be compared.
 // BEGIN SOLUTION(part2.task1)
 
 use kit::{Hit, Scene, Triangle, Vec2, Vec3};
 use pathtracer::normals::normal_color;
-use pathtracer::{Accel, AccelKind, SceneWorld, tone};
+use pathtracer::{Accel, AccelKind, Counters, tone};
 use scenes::CameraFile;
 use std::collections::{HashMap, HashSet};
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// A corner's object and place: what triangles of one mesh share.
-type Corner = (u32, [u64; 3]);
+/// The object and the position of a vertex, which the triangles of a mesh share.
+type Vertex = (u32, [u64; 3]);
 
-fn corners(scene: &Scene, i: usize) -> [Corner; 3] {
+fn vertices(scene: &Scene, i: usize) -> [Vertex; 3] {
     let t = &scene.triangles[i];
-    // Adding 0 makes -0 and 0 the same place.
+    // Adding 0 turns -0 into 0.
     [t.p0, t.p1, t.p2].map(|p| (scene.object_of[i], (p + 0.0).to_array().map(f64::to_bits)))
 }
 
-fn place(corner: &Corner) -> Vec3 {
-    Vec3::from(corner.1.map(f64::from_bits))
+fn position(vertex: &Vertex) -> Vec3 {
+    Vec3::from(vertex.1.map(f64::from_bits))
 }
 
-/// Around every hole, the boundary vertex that follows each one. The hole is on its left, so its edges run the
-/// other way than the faces'.
-fn around_holes(scene: &Scene) -> HashMap<Corner, Corner> {
+/// For each boundary vertex the next one around its hole. The hole is on the left, so its edges
+/// have the opposite direction of the faces' edges.
+fn around_holes(scene: &Scene) -> HashMap<Vertex, Vertex> {
     let of_face = |i: usize| {
-        let [a, b, c] = corners(scene, i);
+        let [a, b, c] = vertices(scene, i);
         [(a, b), (b, c), (c, a)]
     };
-    let edges: HashSet<(Corner, Corner)> = (0..scene.triangles.len()).flat_map(of_face).collect();
+    let edges: HashSet<(Vertex, Vertex)> = (0..scene.triangles.len()).flat_map(of_face).collect();
     let open = edges.iter().filter(|(a, b)| !edges.contains(&(*b, *a)));
     open.map(|(a, b)| (*b, *a)).collect()
 }
 
-/// A sine below which three vertices count as lying on a line: coordinates in the files have seven digits.
-const ON_A_LINE: f64 = 1e-5;
+/// The sine below which three vertices are collinear: coordinates in the files have seven digits.
+const COLLINEAR: f64 = 1e-5;
 
-/// The original's normal at every vertex; `None` where it is rounding noise.
-fn original_normals(scene: &Scene) -> HashMap<Corner, Option<Vec3>> {
-    let mut sums: HashMap<Corner, Vec3> = HashMap::new();
+/// The original program's normal at each vertex; `None` where it is rounding noise.
+fn original_normals(scene: &Scene) -> HashMap<Vertex, Option<Vec3>> {
+    let mut sums: HashMap<Vertex, Vec3> = HashMap::new();
     for (i, t) in scene.triangles.iter().enumerate() {
-        for corner in corners(scene, i) {
-            *sums.entry(corner).or_default() += (t.p1 - t.p0).cross(t.p2 - t.p0);
+        for vertex in vertices(scene, i) {
+            *sums.entry(vertex).or_default() += (t.p1 - t.p0).cross(t.p2 - t.p0);
         }
     }
-    let mut normals: HashMap<Corner, Option<Vec3>> = sums
+    let mut normals: HashMap<Vertex, Option<Vec3>> = sums
         .into_iter()
-        .map(|(corner, sum)| (corner, sum.try_normalize()))
+        .map(|(vertex, sum)| (vertex, sum.try_normalize()))
         .collect();
     let next = around_holes(scene);
     for (v, w) in &next {
-        let to_next = place(w) - place(v);
-        let to_second = place(&next[w]) - place(v);
+        let to_next = position(w) - position(v);
+        let to_second = position(&next[w]) - position(v);
         let n = to_next.cross(to_second);
-        let is_noise = n.length() <= ON_A_LINE * to_next.length() * to_second.length();
+        let is_noise = n.length() <= COLLINEAR * to_next.length() * to_second.length();
         normals.insert(*v, if is_noise { None } else { n.try_normalize() });
     }
     normals
 }
 
-/// What the pixels of a picture come to.
+/// The numbers of pixels by the size and cause of their difference.
 #[derive(Debug, Default, PartialEq)]
 struct Pixels {
     /// All three bytes equal.
     equal: u32,
-    /// A byte off by one: rounded another way.
+    /// A byte differs by one: another rounding.
     off_by_one: u32,
-    /// Off by more, on a triangle with a vertex where the original's normal is noise.
+    /// A larger difference, on a triangle with a vertex whose original normal is noise.
     noise: u32,
-    /// Off by more, for no known reason.
+    /// A larger difference of unknown cause.
     unexplained: u32,
-    /// Of the picture with the file's normals, as the program makes it: the share within five bytes.
+    /// The fraction of pixels within [`ALIKE`] if the file's normals are used, as by our program.
     alike_with_file_normals: f64,
 }
 
-/// Five bytes of 255 are 1/2 to 1 degree.
+/// The largest difference of similar bytes. Five of 255 are 1/2 to 1 degree.
 const ALIKE: u8 = 5;
 
 fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
@@ -103,11 +105,11 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
     let normals = original_normals(&scene);
     let is_noise = |hit: &Hit| {
         let i = hit.prim.0 as usize;
-        i < scene.triangles.len() && corners(&scene, i).iter().any(|c| normals[c].is_none())
+        i < scene.triangles.len() && vertices(&scene, i).iter().any(|c| normals[c].is_none())
     };
     let mut as_original = scene.clone();
     for (i, triangle) in as_original.triangles.iter_mut().enumerate() {
-        let [n0, n1, n2] = corners(&scene, i).map(|c| normals[&c].unwrap_or(Vec3::ZERO));
+        let [n0, n1, n2] = vertices(&scene, i).map(|c| normals[&c].unwrap_or(Vec3::ZERO));
         *triangle = Triangle {
             n0,
             n1,
@@ -117,8 +119,7 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
     }
 
     let tree = Accel::build(AccelKind::Bvh, &scene);
-    let mut world = SceneWorld::new(&scene);
-    let mut world_as_original = SceneWorld::new(&as_original);
+    let mut counters = Counters::default();
     let mut pixels = Pixels::default();
     let mut alike = 0;
     for (x, from_top, theirs) in picture.enumerate_pixels() {
@@ -126,14 +127,15 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
         let center = Vec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let sensor = center / Vec2::new(f64::from(w), f64::from(h));
         let ray = raygen::generate_ray(&view.camera, sensor);
-        let off = |hit: Option<Hit>| {
+        let difference = |hit: Option<Hit>| {
             let ours = tone::to_bytes(hit.map_or(kit::Spectrum::BLACK, |hit| normal_color(hit.n)));
             let differences = [0, 1, 2].map(|c| ours[c].abs_diff(theirs.0[c]));
             differences.into_iter().max().unwrap_or(0)
         };
-        alike += u32::from(off(tree.closest(&mut { ray }, &mut world)) <= ALIKE);
-        let hit = tree.closest(&mut { ray }, &mut world_as_original);
-        *match off(hit) {
+        alike +=
+            u32::from(difference(tree.closest(&scene, &mut { ray }, None, &mut counters)) <= ALIKE);
+        let hit = tree.closest(&as_original, &mut { ray }, None, &mut counters);
+        *match difference(hit) {
             0 => &mut pixels.equal,
             1 => &mut pixels.off_by_one,
             _ if hit.is_some_and(|hit| is_noise(&hit)) => &mut pixels.noise,
@@ -144,7 +146,7 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
     pixels
 }
 
-/// The folders of scenes and of reference pictures, if there are any.
+/// The folders of scenes and of reference pictures; `None` if they are not available.
 fn folders() -> Option<(PathBuf, PathBuf)> {
     let scenes = PathBuf::from(env::var_os("FIRSTLIGHT_SCENES")?);
     let reference = match env::var_os("FIRSTLIGHT_REFERENCE") {
@@ -155,13 +157,13 @@ fn folders() -> Option<(PathBuf, PathBuf)> {
 }
 
 #[test]
-fn our_pictures_are_the_originals() {
+fn our_pictures_equal_the_originals() {
     let Some((scenes, reference)) = folders() else {
         eprintln!("skipped: FIRSTLIGHT_SCENES names no folder with reference pictures beside it");
         return;
     };
-    // The least share of pixels that are alike with the file's normals: all but the lamp in the Cornell boxes, the box
-    // and the ground under the banana, the spout and the handle of the teapot.
+    // The least fraction of similar pixels with the file's normals: all but the lamp in the Cornell
+    // boxes, the box and the ground under the banana, the spout and the handle of the teapot.
     let cases = [
         ("CBbunny", 0.985),
         ("CBempty", 0.985),
@@ -176,7 +178,7 @@ fn our_pictures_are_the_originals() {
         let pixels = compare(&scenes, &reference, name);
         println!("{name}: {pixels:?}");
         assert_eq!(pixels.unexplained, 0, "{name}: {pixels:?}");
-        // Rounded to bytes, a normal's last bits show in some pixels of 172,800.
+        // The last bits of a normal change the rounding of some bytes in 172,800 pixels.
         assert!(pixels.off_by_one <= 8, "{name}: {pixels:?}");
         let most_noise = if name == "banana" { 3000 } else { 0 };
         assert!(pixels.noise <= most_noise, "{name}: {pixels:?}");

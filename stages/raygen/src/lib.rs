@@ -1,7 +1,7 @@
-//! Part 1, tasks 1 and 2: where rays come from.
+//! Part 1, tasks 1 and 2: ray generation.
 //!
-//! Read [`pixel`] first (how many rays go through a pixel, and where), then [`camera_ray`] (which way
-//! a point on the sensor looks).
+//! Read [`pixel`] first (the number of rays per pixel, and their positions), then [`camera_ray`]
+//! (the ray through a point of the film).
 
 pub mod camera_ray;
 pub mod pixel;

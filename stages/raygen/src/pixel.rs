@@ -1,21 +1,23 @@
-//! Part 1, task 1: the sample loop.
+//! Part 1, task 1: the pixel sampling loop.
 
 use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
 
-/// The mean radiance over the pixel in column `x` and row `y`, counted from the bottom left.
+/// Estimates the mean radiance over the pixel in column `x` and row `y`, counted from the bottom
+/// left.
 ///
-/// The integral of radiance over the pixel is estimated by the mean of `ns_aa` samples. A sample is a
-/// place on the film, in pixels `(x + s.x, y + s.y)`; `camera_ray` wants it in film units, where (0, 0) is
-/// the bottom left corner of the film and (1, 1) the top right one, so x is divided by `film.w` and y
-/// by `film.h`. `trace_ray` says how much light comes back along the ray; it draws its random numbers from
-/// the same sampler.
+/// The estimate is the mean of `ns_aa` samples. A sample is a position on the film,
+/// `(x + s.x, y + s.y)` in pixels. `camera_ray` expects it in film units, where (0, 0) is the
+/// bottom left corner of the film and (1, 1) the top right one: x is divided by `film.w` and y by
+/// `film.h`. `trace_ray` returns the radiance along the ray, and draws its random numbers from the
+/// same sampler.
 ///
-/// - `ns_aa == 1`: one ray through the centre of the pixel, `(x + 1/2, y + 1/2)`. Nothing is random: the
-///   sampler is not asked for a place.
-/// - `ns_aa > 1`: each sample's place is one [`PixelSampler::get_sample`], uniform in [0, 1)².
-/// - `ns_aa == 0`: no rays, so nothing is known. The estimate is black and says 0 samples; it is not 0/0.
+/// - `ns_aa == 1`: one ray through the centre of the pixel, `(x + 1/2, y + 1/2)`. Nothing is
+///   random: no position is drawn from the sampler.
+/// - `ns_aa > 1`: the position of each sample is one [`PixelSampler::get_sample`], uniform in [0,
+///   1)².
+/// - `ns_aa == 0`: no rays. The estimate is black with 0 samples, not 0/0.
 ///
-/// A pixel outside the film is not refused: the camera sees beyond its film just as well.
+/// A pixel outside the film is valid: the camera generates rays beyond the film as well.
 pub fn raytrace_pixel(
     x: u32,
     y: u32,
@@ -50,6 +52,6 @@ pub fn raytrace_pixel(
 }
 
 // BEGIN SOLUTION(part1.task1)
-/// Where a lone sample goes, seen from the pixel's bottom left corner.
+/// Position of a single sample, relative to the bottom left corner of the pixel.
 const PIXEL_CENTER: Vec2 = Vec2::new(0.5, 0.5);
 // END SOLUTION(part1.task1)

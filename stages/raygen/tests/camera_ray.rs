@@ -1,8 +1,8 @@
-//! Part 1, task 2: camera rays, in plain cases.
+//! Part 1, task 2: simple cases of camera rays.
 // BEGIN SOLUTION(part1.task2)
 use kit::{Camera, Mat3, Vec2, Vec3};
 
-/// 90 degrees wide, 53.13 high: tangents 1 and 1/2.
+/// 90 degrees wide and 53.13 degrees high: the tangents are 1 and 1/2.
 fn camera() -> Camera {
     Camera {
         pos: Vec3::new(1.0, 2.0, 3.0),
@@ -15,7 +15,7 @@ fn camera() -> Camera {
 }
 
 #[test]
-fn the_corners_of_the_film_are_the_corners_of_the_sensor() {
+fn film_corners_map_to_sensor_corners() {
     for (x, y) in [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)] {
         let ray = raygen::generate_ray(&camera(), Vec2::new(x, y));
         let expected = Vec3::new(2.0 * x - 1.0, y - 0.5, -1.0).normalize();
@@ -24,7 +24,7 @@ fn the_corners_of_the_film_are_the_corners_of_the_sensor() {
 }
 
 #[test]
-fn the_ray_starts_at_the_camera_and_carries_its_clip_distances() {
+fn ray_has_the_position_and_clip_distances_of_the_camera() {
     let ray = raygen::generate_ray(&camera(), Vec2::new(0.3, 0.8));
     assert_eq!(ray.o, Vec3::new(1.0, 2.0, 3.0));
     assert_eq!((ray.min_t, ray.max_t), (0.5, 100.0));
@@ -32,14 +32,14 @@ fn the_ray_starts_at_the_camera_and_carries_its_clip_distances() {
 }
 
 #[test]
-fn the_direction_is_turned_into_world_space() {
-    // Looks along +x; its right is +z.
+fn direction_is_transformed_to_world_space() {
+    // The camera looks along +x; its right is +z.
     let camera = Camera {
         c2w: Camera::look_at(Vec3::ZERO, Vec3::X, Vec3::Y).unwrap(),
         ..camera()
     };
-    let middle = raygen::generate_ray(&camera, Vec2::splat(0.5));
-    assert_eq!(middle.d, Vec3::X);
+    let centre = raygen::generate_ray(&camera, Vec2::splat(0.5));
+    assert_eq!(centre.d, Vec3::X);
     let right = raygen::generate_ray(&camera, Vec2::new(1.0, 0.5));
     assert!((right.d - Vec3::new(1.0, 0.0, 1.0).normalize()).length() < 1e-15);
 }

@@ -1,9 +1,10 @@
-//! Millions of rays a second on one thread: the wide tree against the tree of stage `bvh`, in one run.
+//! Measures millions of rays per second on one thread: the wide tree and the tree of stage `bvh`,
+//! in one run.
 //!
-//! `cargo bench -p simd_bvh -- SCENE.dae`, without a scene a generated mesh. Camera rays go through a picture of 480 x
-//! 360 pixels in order; bounce rays leave what they hit in random directions; shadow rays go from there towards a point
-//! above and ask for any hit. Each figure is the best of several turns, since on a shared machine others only ever add
-//! time.
+//! `cargo bench -p simd_bvh -- SCENE.dae`; without a scene a generated mesh. Camera rays go through
+//! a picture of 480 x 360 pixels in order; bounce rays leave the hits in random directions; shadow
+//! rays go from the hits to a point above and look for any hit. Each figure is the best of several
+//! repetitions, because other programs on the machine only add time.
 
 // BEGIN SOLUTION(part6.task1)
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
@@ -13,14 +14,14 @@ use kit::{
 };
 use meshes::{MeshKind, generate};
 use scenes::placement;
-use simd_bvh::{Level, WideBvh, Work};
+use simd_bvh::{Level, TestCounts, WideBvh};
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 const FILM: FilmSize = FilmSize { w: 480, h: 360 };
-const TURNS: usize = 9;
-/// Times that all rays are traced in a turn.
+const REPETITIONS: usize = 9;
+/// How many times a repetition traces all rays.
 const ROUNDS: usize = 4;
 
 struct Kernels<'a>(&'a Scene);
@@ -56,19 +57,19 @@ impl World for Kernels<'_> {
     }
 }
 
-/// Camera, bounce and shadow rays.
+/// Generates camera, bounce and shadow rays.
 fn rays(scene: &Scene) -> [Vec<Ray>; 3] {
     let tree = construct_bvh(&scene.primitive_bounds(), 4);
     let camera = placement::place(scene, FILM).camera;
     let bounds = scene.bounds();
-    let mut numbers = PixelSampler::new(0, 0, 1);
-    let (mut seen, mut bounces, mut shadows) = (Vec::new(), Vec::new(), Vec::new());
+    let mut sampler = PixelSampler::new(0, 0, 1);
+    let (mut camera_rays, mut bounces, mut shadows) = (Vec::new(), Vec::new(), Vec::new());
     for (x, y) in FILM.whole().pixels() {
-        let place = Vec2::new(f64::from(x), f64::from(y)) + numbers.get_sample();
+        let position = Vec2::new(f64::from(x), f64::from(y)) + sampler.get_sample();
         let tan = |degrees: f64| kit::math::tan((0.5 * degrees).to_radians());
         let d = Vec3::new(
-            (2.0 * place.x / f64::from(FILM.w) - 1.0) * tan(camera.h_fov),
-            (2.0 * place.y / f64::from(FILM.h) - 1.0) * tan(camera.v_fov),
+            (2.0 * position.x / f64::from(FILM.w) - 1.0) * tan(camera.h_fov),
+            (2.0 * position.y / f64::from(FILM.h) - 1.0) * tan(camera.v_fov),
             -1.0,
         );
         let ray = Ray {
@@ -76,7 +77,7 @@ fn rays(scene: &Scene) -> [Vec<Ray>; 3] {
             max_t: camera.f_clip,
             ..Ray::new(camera.pos, (camera.c2w * d).normalize())
         };
-        seen.push(ray);
+        camera_rays.push(ray);
         if let Some(hit) = intersect_bvh(&tree, &mut { ray }, &mut Kernels(scene)) {
             let n = if hit.ng.dot(ray.d) > 0.0 {
                 -hit.ng
@@ -84,7 +85,7 @@ fn rays(scene: &Scene) -> [Vec<Ray>; 3] {
                 hit.ng
             };
             let o = hit.p + 1e-9 * bounds.extent().length() * n;
-            let w = Frame::around(n).to_world(warp::uniform_hemisphere(numbers.next_2d()));
+            let w = Frame::around(n).to_world(warp::uniform_hemisphere(sampler.next_2d()));
             bounces.push(Ray::new(o, w));
             let above = bounds.centroid() + Vec3::Y * bounds.extent().length();
             shadows.push(Ray {
@@ -93,27 +94,27 @@ fn rays(scene: &Scene) -> [Vec<Ray>; 3] {
             });
         }
     }
-    [seen, bounces, shadows]
+    [camera_rays, bounces, shadows]
 }
 
-/// Time that this thread has spent on a processor, where the system tells; else time itself.
-fn busy(start: Instant) -> Duration {
+/// The CPU time of this thread where the system reports it, else the time since `start`.
+fn cpu_time(start: Instant) -> Duration {
     std::fs::read_to_string("/proc/thread-self/schedstat")
         .ok()
         .and_then(|stat| stat.split_whitespace().next()?.parse().ok())
         .map_or_else(|| start.elapsed(), Duration::from_nanos)
 }
 
-/// Millions a second at best.
+/// The best rate, in millions of rays per second.
 fn rate(rays: &[Ray], mut trace: impl FnMut(&Ray) -> bool) -> f64 {
     let start = Instant::now();
-    let best = (0..TURNS)
+    let best = (0..REPETITIONS)
         .map(|_| {
-            let before = busy(start);
+            let before = cpu_time(start);
             for _ in 0..ROUNDS {
                 black_box(rays.iter().filter(|ray| trace(ray)).count());
             }
-            busy(start) - before
+            cpu_time(start) - before
         })
         .min()
         .unwrap_or(Duration::MAX);
@@ -121,8 +122,8 @@ fn rate(rays: &[Ray], mut trace: impl FnMut(&Ray) -> bool) -> f64 {
 }
 
 fn main() {
-    let given = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
-    let scene = match &given {
+    let argument = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
+    let scene = match &argument {
         Some(path) => {
             scenes::load(Path::new(path))
                 .expect("a scene that can be read")
@@ -149,34 +150,34 @@ fn main() {
         Level::new(),
     );
     println!(
-        "{:<8} {:>9} {:>9} {:>9}   box and primitive tests a ray",
+        "{:<8} {:>9} {:>9} {:>9}   box and primitive tests per ray",
         "Mrays/s", "rays", "bvh", "simd_bvh"
     );
     for (name, rays) in ["camera", "bounce", "shadow"].into_iter().zip(rays(&scene)) {
         let mut world = Kernels(&scene);
         let any = name == "shadow";
-        let plain = rate(&rays, |ray| {
+        let binary = rate(&rays, |ray| {
             if any {
                 occludes_bvh(&tree, ray, &mut world)
             } else {
                 intersect_bvh(&tree, &mut { *ray }, &mut world).is_some()
             }
         });
-        let mut work = Work::default();
+        let mut counts = TestCounts::default();
         let exact = &mut |id: PrimId, ray: &Ray| Kernels(&scene).test(id, ray);
-        let lanes = rate(&rays, |ray| {
+        let wide_rate = rate(&rays, |ray| {
             if any {
-                wide.occluded(ray, None, exact, &mut work)
+                wide.occluded(ray, None, exact, &mut counts)
             } else {
-                wide.closest(ray, None, exact, &mut work).is_some()
+                wide.closest(ray, None, exact, &mut counts).is_some()
             }
         });
-        let each = |tests: u64| tests as f64 / (rays.len() * TURNS * ROUNDS) as f64;
+        let each = |tests: u64| tests as f64 / (rays.len() * REPETITIONS * ROUNDS) as f64;
         println!(
-            "{name:<8} {:>9} {plain:>9.2} {lanes:>9.2}   {:.1} and {:.1}",
+            "{name:<8} {:>9} {binary:>9.2} {wide_rate:>9.2}   {:.1} and {:.1}",
             rays.len(),
-            each(work.box_tests),
-            each(work.prim_tests)
+            each(counts.box_tests),
+            each(counts.prim_tests)
         );
     }
 }

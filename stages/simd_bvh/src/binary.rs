@@ -1,50 +1,52 @@
 // BEGIN SOLUTION(part6.task1)
-//! Building: the binary tree that rays find cheapest, from the root downwards, by the surface area
+//! Builds the binary tree of least expected cost, from the root downwards, with the surface area
 //! heuristic.
 
-use crate::sah::{Item, LANES, cheapest_plane};
+use crate::sah::{BuildPrimitive, LANES, cheapest_plane};
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 
-/// Splits by cost on the way down before halves take over, so that the recursion ends.
+/// The depth below which nodes are split by the heuristic; from there on in halves, so that the
+/// recursion ends.
 const MAX_DEPTH: u32 = 64;
 
-/// A tree over the primitives that have a box at all, with at most [`LANES`] of them in a leaf; ids within a leaf ascend.
+/// Builds a tree over the primitives whose box is not empty, with at most [`LANES`] in a leaf. Ids
+/// in a leaf ascend.
 pub(crate) fn build(bounds: &[Aabb]) -> Bvh {
-    let mut items: Vec<Item> = (0..)
+    let mut prims: Vec<BuildPrimitive> = (0..)
         .zip(bounds)
         .filter(|(_, bounds)| !bounds.is_empty())
-        .map(|(id, &bounds)| Item::new(id, bounds))
+        .map(|(id, &bounds)| BuildPrimitive::new(id, bounds))
         .collect();
-    if items.is_empty() {
+    if prims.is_empty() {
         return Bvh::default();
     }
-    let nodes = subtree(&mut items, 0, 0);
+    let nodes = subtree(&mut prims, 0, 0);
     Bvh {
         nodes,
-        order: items.iter().map(|item| PrimId(item.id)).collect(),
+        order: prims.iter().map(|prim| PrimId(prim.id)).collect(),
     }
 }
 
-/// Holds a node's place until its subtree is built.
+/// Stands for a node until its subtree is built.
 const UNBUILT: BvhNode = BvhNode {
     bounds: Aabb::EMPTY,
     kind: NodeKind::Leaf { first: 0, count: 0 },
 };
 
-/// From so many items up, the two sides of a split are built at the same time.
-const PARALLEL: usize = 1 << 12;
+/// From this many primitives on, the two subtrees of a split are built in parallel.
+const MIN_PARALLEL: usize = 1 << 12;
 
-/// The subtree over `items`, which start at `first` in the tree's order; its root comes first. It is the same for any
-/// number of threads.
-fn subtree(items: &mut [Item], first: u32, depth: u32) -> Vec<BvhNode> {
-    if items.len() < PARALLEL {
+/// Builds the subtree over `prims`, which start at `first` in the tree's order; its root is the
+/// first node. The result does not depend on the number of threads.
+fn subtree(prims: &mut [BuildPrimitive], first: u32, depth: u32) -> Vec<BvhNode> {
+    if prims.len() < MIN_PARALLEL {
         let mut nodes = vec![UNBUILT];
-        split(&mut nodes, 0, items, first, depth);
+        split(&mut nodes, 0, prims, first, depth);
         return nodes;
     }
-    let (bounds, middle) = halves(items, depth);
-    let middle = middle.expect("more items than fit into a leaf");
-    let (below, above) = items.split_at_mut(middle);
+    let (bounds, middle) = partition_by_cost(prims, depth);
+    let middle = middle.expect("more primitives than fit into a leaf");
+    let (below, above) = prims.split_at_mut(middle);
     let (left, right) = rayon::join(
         || subtree(below, first, depth + 1),
         || subtree(above, first + middle as u32, depth + 1),
@@ -59,13 +61,13 @@ fn subtree(items: &mut [Item], first: u32, depth: u32) -> Vec<BvhNode> {
     };
     let mut nodes = Vec::with_capacity(1 + left.len() + right.len());
     nodes.push(root);
-    nodes.extend(left.into_iter().map(|node| moved(node, to_left)));
-    nodes.extend(right.into_iter().map(|node| moved(node, to_right)));
+    nodes.extend(left.into_iter().map(|node| shifted(node, to_left)));
+    nodes.extend(right.into_iter().map(|node| shifted(node, to_right)));
     nodes
 }
 
-/// A node whose children are `by` places further on.
-fn moved(mut node: BvhNode, by: u32) -> BvhNode {
+/// Adds `by` to the indices of the children of a node.
+fn shifted(mut node: BvhNode, by: u32) -> BvhNode {
     if let NodeKind::Interior { left, right } = &mut node.kind {
         *left += by;
         *right += by;
@@ -73,12 +75,19 @@ fn moved(mut node: BvhNode, by: u32) -> BvhNode {
     node
 }
 
-/// Builds the subtree over `items`, which start at `first` in the tree's order, into place `node`.
-fn split(nodes: &mut Vec<BvhNode>, node: usize, items: &mut [Item], first: u32, depth: u32) {
-    let (bounds, middle) = halves(items, depth);
+/// Builds the subtree over `prims`, which start at `first` in the tree's order, with `node` as its
+/// root.
+fn split(
+    nodes: &mut Vec<BvhNode>,
+    node: usize,
+    prims: &mut [BuildPrimitive],
+    first: u32,
+    depth: u32,
+) {
+    let (bounds, middle) = partition_by_cost(prims, depth);
     let Some(middle) = middle else {
-        items.sort_unstable_by_key(|item| item.id);
-        let count = items.len() as u32;
+        prims.sort_unstable_by_key(|prim| prim.id);
+        let count = prims.len() as u32;
         nodes[node] = BvhNode {
             bounds,
             kind: NodeKind::Leaf { first, count },
@@ -94,46 +103,46 @@ fn split(nodes: &mut Vec<BvhNode>, node: usize, items: &mut [Item], first: u32, 
             right: right as u32,
         },
     };
-    let (below, above) = items.split_at_mut(middle);
+    let (below, above) = prims.split_at_mut(middle);
     split(nodes, left, below, first, depth + 1);
     split(nodes, right, above, first + middle as u32, depth + 1);
 }
 
-/// The box of `items`, and how many of them go left, now that they are in order; `None` for a leaf.
-fn halves(items: &mut [Item], depth: u32) -> (Aabb, Option<usize>) {
+/// Partitions `prims`. Returns their box and how many of them go left; `None` for a leaf.
+fn partition_by_cost(prims: &mut [BuildPrimitive], depth: u32) -> (Aabb, Option<usize>) {
     let (mut bounds, mut centroids) = (Aabb::EMPTY, Aabb::EMPTY);
-    for item in &*items {
-        bounds = bounds.union(item.bounds);
+    for prim in &*prims {
+        bounds = bounds.union(prim.bounds);
         centroids = centroids.union(Aabb {
-            min: item.centroid,
-            max: item.centroid,
+            min: prim.centroid,
+            max: prim.centroid,
         });
     }
-    // A leaf is one test of all its lanes, and no split of it costs less.
-    if items.len() <= LANES {
+    // A leaf of one block is one test, and no split costs less.
+    if prims.len() <= LANES {
         return (bounds, None);
     }
     let plane = if depth < MAX_DEPTH {
-        cheapest_plane(items, bounds, centroids)
+        cheapest_plane(prims, bounds, centroids)
     } else {
         None
     };
     let middle = match plane {
-        Some(plane) => partition(items, |item| plane.is_below(item)),
+        Some(plane) => partition(prims, |prim| plane.is_below(prim)),
         None => {
-            items.sort_unstable_by_key(|item| item.id);
-            items.len() / 2
+            prims.sort_unstable_by_key(|prim| prim.id);
+            prims.len() / 2
         }
     };
     (bounds, Some(middle))
 }
 
-/// Moves the items with `is_first` to the front and says how many they are.
-fn partition(items: &mut [Item], is_first: impl Fn(&Item) -> bool) -> usize {
+/// Moves the primitives with `is_first` to the front and returns their number.
+fn partition(prims: &mut [BuildPrimitive], is_first: impl Fn(&BuildPrimitive) -> bool) -> usize {
     let mut count = 0;
-    for i in 0..items.len() {
-        if is_first(&items[i]) {
-            items.swap(i, count);
+    for i in 0..prims.len() {
+        if is_first(&prims[i]) {
+            prims.swap(i, count);
             count += 1;
         }
     }

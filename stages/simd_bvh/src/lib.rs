@@ -1,37 +1,41 @@
-//! Part 6, the summit: a tree that is walked eight boxes and eight triangles at a time.
+//! Part 6, task 1 (extra credit): a wide bounding volume hierarchy that tests eight boxes or eight
+//! triangles at a time.
 //!
-//! Extra credit, and no more hints than this: [`WideBvh`] says what it has to do, the stages before it how; how fast is
-//! up to you. `cargo bench -p simd_bvh` measures it against the tree of stage `bvh`.
+//! There are no further hints than these: [`WideBvh`] documents what to compute, the stages before
+//! it how; the speed is up to you. `cargo bench -p simd_bvh` compares it with the tree of stage
+//! `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
-//! Read in this order: `sah` and `binary` (the binary tree that is cheapest), `collapse` and `wide` (made eight wide),
-//! `space`, `node`, `block` and `sphere_block` (how boxes, triangles and spheres lie in memory), `probe` and `lanes` (one
-//! box, eight boxes at once), `stack`, `search` and `traverse` (the walk).
+//! Reading order: `sah` and `binary` (the binary tree of least cost), `collapse` and `wide` (from
+//! binary to eight children a node), `space`, `node`, `triangle_block` and `sphere_block` (the
+//! memory layout of boxes, triangles and spheres), `box_test` and `simd_box_test` (one box, eight
+//! boxes at a time), `stack`, `traversal` and `intersect` (the traversal).
 //!
-//! Fast and exact at the same time: boxes are single precision and only ever too large; triangles are double precision,
-//! by the very arithmetic of the plain kernel, and where that one thinks twice it is asked. So the hits are those of
-//! asking every primitive, bit for bit. All of it is written once for every machine: `fearless_simd` compiles it for
-//! each instruction set, and the best that the machine has is chosen once a walk.
-// STUB: //! `fearless_simd` is there for the lanes; its `dispatch!` chooses the machine's instructions once a walk.
+//! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles are
+//! double precision, and each lane repeats the scalar kernel's arithmetic; where that kernel
+//! switches to its careful variant, it is called. So the hits are those of brute force, bit for
+//! bit. The source is the same for every machine: `fearless_simd` compiles it for each instruction
+//! set, and the best one that the machine has is chosen once a ray.
+// STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a ray.
 // END SOLUTION(part6.task1)
 
 // BEGIN SOLUTION(part6.task1)
 mod binary;
-mod block;
+mod box_test;
 mod collapse;
-mod lanes;
 mod node;
-mod probe;
 mod sah;
-mod search;
+mod simd_box_test;
 mod space;
 mod sphere_block;
 mod stack;
+mod traversal;
+mod triangle_block;
 // END SOLUTION(part6.task1)
 
-mod traverse;
+mod intersect;
 mod wide;
 
 pub use fearless_simd::Level;
-pub use traverse::Work;
+pub use intersect::TestCounts;
 pub use wide::WideBvh;

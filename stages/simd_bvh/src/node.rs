@@ -1,44 +1,46 @@
 // BEGIN SOLUTION(part6.task1)
-//! A node of eight children: their boxes in single precision, and what is below.
+//! A node: the boxes of up to eight children in single precision, and the children.
 
 use crate::sah::LANES;
 use kit::{Aabb, Vec3};
 
 /// The boxes of up to eight children in the tree's space, one a lane, and the children.
 ///
-/// The boxes are rounded outwards, so nothing sticks out of them; single precision halves the memory and the lanes'
-/// width, and hits are decided by the primitives, never by a box.
+/// The boxes are rounded outwards, so they contain their primitives. Single precision halves the
+/// memory and the width of the lanes; the primitives decide what is hit, never a box.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
-    /// By axis the lower and the upper planes. Lanes without a child have an empty box.
+    /// For each axis the lower and the upper planes. Lanes without a child have an empty box.
     pub(crate) planes: [[[f32; LANES]; 2]; 3],
     pub(crate) children: [Child; LANES],
-    /// How many lanes have a child.
+    /// The index of children.
     pub(crate) count: u32,
 }
 
-/// How far boxes are widened, as a share of their largest edge, before they are rounded.
+/// The margin of a box as a share of its largest edge, added before rounding.
 ///
-/// Whether a ray passes a triangle's edge is decided on points that were rounded at the scale of the triangle, 2⁻⁵³ of it a
-/// few times. So a ray may hit that passes beside by as much; the box must not say no to it.
-const WIDENING: f64 = 1.0 / (1_u64 << 40) as f64;
+/// The triangle test decides on points with a few rounding errors of 2⁻⁵³ of the triangle's size.
+/// So it may report a hit for a ray that passes the triangle at such a distance; the box has to be
+/// hit, too.
+const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// And by so much at least, in the tree's space, whose size is 1: so flat boxes are met by rays within them, too.
-const LEAST_WIDENING: f64 = 1.0 / (1_u64 << 60) as f64;
+/// The smallest margin, in the tree's space, whose size is 1: a ray in the plane of a flat box hits
+/// it.
+const MIN_MARGIN: f64 = 1.0 / (1_u64 << 60) as f64;
 
 impl Node {
-    /// No children.
+    /// A node without children.
     pub(crate) const EMPTY: Node = Node {
         planes: [[[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]]; 3],
         children: [Child(0); LANES],
         count: 0,
     };
 
-    /// Adds a child; there must be room.
+    /// Adds a child. The node must have less than eight.
     pub(crate) fn push(&mut self, bounds: &Aabb, child: Child) {
         let lane = self.count as usize;
-        let margin = WIDENING * bounds.extent().max_element() + LEAST_WIDENING;
+        let margin = MARGIN * bounds.extent().max_element() + MIN_MARGIN;
         for axis in 0..3 {
             let [lower, upper] = &mut self.planes[axis];
             lower[lane] = below(bounds.min[axis] - margin);
@@ -48,7 +50,7 @@ impl Node {
         self.count += 1;
     }
 
-    /// The box of a child as it is tested.
+    /// The box of a child, with its margin.
     pub(crate) fn bounds(&self, lane: usize) -> Aabb {
         let corner = |side: usize| {
             Vec3::from(std::array::from_fn(|axis| {
@@ -62,64 +64,67 @@ impl Node {
     }
 }
 
-/// A single precision number below `x`, next to it or one further.
+/// A single precision index less than `x`: the nearest or the next one.
 fn below(x: f64) -> f32 {
     (x as f32).next_down()
 }
 
-/// A single precision number above `x`, next to it or one further.
+/// A single precision index greater than `x`: the nearest or the next one.
 fn above(x: f64) -> f32 {
     (x as f32).next_up()
 }
 
-/// What is below a node: its number and, in the two highest bits, what it is a number of.
+/// A child of a node: its index and, in the two highest bits, its kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Child(pub(crate) u32);
 
-/// A [`Child`], spelled out.
+/// The kind and the index of a [`Child`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Below {
-    /// A node, by its number.
+pub(crate) enum ChildKind {
+    /// The index of a node.
     Node(u32),
-    /// A block of triangles, by its number.
-    Block(u32),
-    /// A block of spheres, by its number.
+    /// The index of a block of triangles.
+    Triangles(u32),
+    /// The index of a block of spheres.
     Spheres(u32),
 }
 
 impl Child {
-    /// The first node.
+    /// The root node.
     pub(crate) const ROOT: Child = Child(0);
-    const BLOCK: u32 = 1 << 30;
+    const TRIANGLES: u32 = 1 << 30;
     const SPHERES: u32 = 1 << 31;
-    const NUMBER: u32 = Child::BLOCK - 1;
+    const INDEX: u32 = Child::TRIANGLES - 1;
 
-    pub(crate) fn node(number: u32) -> Child {
-        Child(Child::checked(number))
+    pub(crate) fn node(index: u32) -> Child {
+        Child(Child::checked(index))
     }
 
-    pub(crate) fn block(number: u32) -> Child {
-        Child(Child::checked(number) | Child::BLOCK)
+    pub(crate) fn triangles(index: u32) -> Child {
+        Child(Child::checked(index) | Child::TRIANGLES)
     }
 
-    pub(crate) fn spheres(number: u32) -> Child {
-        Child(Child::checked(number) | Child::SPHERES)
+    pub(crate) fn spheres(index: u32) -> Child {
+        Child(Child::checked(index) | Child::SPHERES)
     }
 
-    fn checked(number: u32) -> u32 {
-        assert!(number <= Child::NUMBER, "a tree of more than 2^30 parts");
-        number
+    fn checked(index: u32) -> u32 {
+        assert!(
+            index <= Child::INDEX,
+            "a tree has at most 2^30 nodes and blocks of a kind"
+        );
+        index
     }
 
     #[inline(always)]
-    pub(crate) fn below(self) -> Below {
-        let number = self.0 & Child::NUMBER;
-        if self.0 <= Child::NUMBER {
-            Below::Node(number)
-        } else if self.0 & Child::BLOCK != 0 {
-            Below::Block(number)
+    pub(crate) fn kind(self) -> ChildKind {
+        let index = self.0 & Child::INDEX;
+        if self.0 <= Child::INDEX {
+            ChildKind::Node(index)
+        } else if self.0 & Child::TRIANGLES != 0 {
+            ChildKind::Triangles(index)
         } else {
-            Below::Spheres(number)
+            ChildKind::Spheres(index)
         }
     }
 }
@@ -129,7 +134,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn boxes_are_rounded_outwards_and_never_by_nothing() {
+    fn boxes_are_always_rounded_outwards() {
         for x in [
             0.0, 1.0, -1.0, 0.1, -0.1, 1e-300, -1e-300, 1e300, -1e300, 3.5e38,
         ] {
@@ -141,10 +146,10 @@ mod tests {
     }
 
     #[test]
-    fn children_keep_what_they_are() {
-        assert_eq!(Child::node(7).below(), Below::Node(7));
-        assert_eq!(Child::block(0).below(), Below::Block(0));
-        assert_eq!(Child::spheres(9).below(), Below::Spheres(9));
+    fn children_keep_their_kind_and_index() {
+        assert_eq!(Child::node(7).kind(), ChildKind::Node(7));
+        assert_eq!(Child::triangles(0).kind(), ChildKind::Triangles(0));
+        assert_eq!(Child::spheres(9).kind(), ChildKind::Spheres(9));
     }
 }
 // END SOLUTION(part6.task1)

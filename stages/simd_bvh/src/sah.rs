@@ -3,47 +3,48 @@
 
 use kit::{Aabb, Vec3};
 
-/// Primitives in a leaf at most: as many as are tested at once.
+/// The largest number of primitives in a leaf, which are tested at once.
 pub(crate) const LANES: usize = 8;
 
-/// Planes that are tried along an axis are one fewer. Twice as many save 0.5 % of the work.
+/// Bins along an axis, with a candidate plane between neighbours. Twice as many save 0.5 % of the
+/// tests.
 const BINS: usize = 16;
 
-/// A primitive on its way into the tree.
+/// A primitive during the build.
 #[derive(Clone, Copy)]
-pub(crate) struct Item {
+pub(crate) struct BuildPrimitive {
     pub(crate) bounds: Aabb,
     pub(crate) centroid: Vec3,
     pub(crate) id: u32,
 }
 
-impl Item {
-    pub(crate) fn new(id: u32, bounds: Aabb) -> Item {
-        // A box that reaches to infinity counts as very far away: no NaN.
+impl BuildPrimitive {
+    pub(crate) fn new(id: u32, bounds: Aabb) -> BuildPrimitive {
+        // Infinite boxes are clamped, so that no centroid is NaN.
         let (far, most) = (Vec3::splat(-1e300), Vec3::splat(1e300));
-        let within = Aabb {
+        let clamped = Aabb {
             min: bounds.min.clamp(far, most),
             max: bounds.max.clamp(far, most),
         };
-        Item {
+        BuildPrimitive {
             bounds,
-            centroid: within.centroid(),
+            centroid: clamped.centroid(),
             id,
         }
     }
 }
 
-/// Where centroids fall along an axis.
+/// The bins along an axis, by centroid.
 #[derive(Clone, Copy)]
 struct Bins {
     axis: usize,
     start: f64,
-    /// Bins per length.
+    /// Bins per unit of length.
     scale: f64,
 }
 
 impl Bins {
-    /// The bins between `min` and `max`; `None` if that is nothing to split.
+    /// The bins between `min` and `max`; `None` if the interval is empty.
     fn between(axis: usize, min: f64, max: f64) -> Option<Bins> {
         let scale = BINS as f64 / (max - min);
         (max > min && scale.is_finite() && scale > 0.0).then_some(Bins {
@@ -54,83 +55,89 @@ impl Bins {
     }
 
     #[inline]
-    fn of(&self, item: &Item) -> usize {
-        (((item.centroid[self.axis] - self.start) * self.scale) as usize).min(BINS - 1)
+    fn of(&self, prim: &BuildPrimitive) -> usize {
+        (((prim.centroid[self.axis] - self.start) * self.scale) as usize).min(BINS - 1)
     }
 }
 
-/// A way to split: items in bins below `bin` go left.
-pub(crate) struct Plane {
+/// A splitting plane: primitives in bins below `bin` go left.
+pub(crate) struct SplitPlane {
     bins: Bins,
     bin: usize,
-    /// Beside the step, in units of a test of a leaf.
+    /// Expected cost of the children, in units of a leaf test.
     cost: f64,
 }
 
-impl Plane {
-    /// Whether an item goes left.
+impl SplitPlane {
+    /// Whether a primitive goes left.
     #[inline]
-    pub(crate) fn is_below(&self, item: &Item) -> bool {
-        self.bins.of(item) < self.bin
+    pub(crate) fn is_below(&self, prim: &BuildPrimitive) -> bool {
+        self.bins.of(prim) < self.bin
     }
 }
 
-/// What is in a bin, or on one side of a plane.
+/// The contents of a bin, or of all bins on one side of a plane.
 #[derive(Clone, Copy)]
-struct Side {
+struct BinContents {
     bounds: Aabb,
     count: usize,
 }
 
-impl Side {
-    const NONE: Side = Side {
+impl BinContents {
+    const NONE: BinContents = BinContents {
         bounds: Aabb::EMPTY,
         count: 0,
     };
 
-    fn with(self, other: Side) -> Side {
-        Side {
+    fn with(self, other: BinContents) -> BinContents {
+        BinContents {
             bounds: self.bounds.union(other.bounds),
             count: self.count + other.count,
         }
     }
 
-    /// Area times tests.
+    /// Surface area times the number of leaf tests.
     fn cost(&self) -> f64 {
         self.bounds.surface_area() * self.count.div_ceil(LANES) as f64
     }
 }
 
-/// The cheapest plane with something on both sides, if there is any and costs are numbers.
+/// The plane of least cost with primitives on both sides; `None` if there is none with a finite
+/// cost.
 ///
-/// A ray that meets a convex box meets a smaller one inside it with a probability that is the ratio of their surface
-/// areas. So a split into `L` and `R` is expected to cost a step and `(area(L)·tests(L) + area(R)·tests(R)) / area`, where
-/// `tests` is how often lanes have to be filled: primitives over [`LANES`], rounded up (MacDonald and Booth, "Heuristics
-/// for ray tracing using space subdivision", 1990). Tried are the planes between [`BINS`] bins of centroids on each axis
-/// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
-pub(crate) fn cheapest_plane(items: &[Item], bounds: Aabb, centroids: Aabb) -> Option<Plane> {
+/// A ray that hits a convex box hits a smaller one inside it with a probability that is the ratio
+/// of their surface areas. So a split into `L` and `R` has the expected cost of one step and
+/// `(area(L)·tests(L) + area(R)·tests(R)) / area`, where `tests` is the number of leaf tests:
+/// primitives over [`LANES`], rounded up (MacDonald and Booth, "Heuristics for ray tracing using
+/// space subdivision", 1990). The candidates are the planes between [`BINS`] bins of centroids on
+/// each axis (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
+pub(crate) fn cheapest_plane(
+    prims: &[BuildPrimitive],
+    bounds: Aabb,
+    centroids: Aabb,
+) -> Option<SplitPlane> {
     let axes: [Option<Bins>; 3] =
         std::array::from_fn(|axis| Bins::between(axis, centroids.min[axis], centroids.max[axis]));
-    let mut contents = [[Side::NONE; BINS]; 3];
-    for item in items {
+    let mut contents = [[BinContents::NONE; BINS]; 3];
+    for prim in prims {
         for bins in axes.iter().flatten() {
-            let content = &mut contents[bins.axis][bins.of(item)];
-            content.bounds = content.bounds.union(item.bounds);
+            let content = &mut contents[bins.axis][bins.of(prim)];
+            content.bounds = content.bounds.union(prim.bounds);
             content.count += 1;
         }
     }
     let area = bounds.surface_area();
-    let mut best: Option<Plane> = None;
+    let mut best: Option<SplitPlane> = None;
     for bins in axes.into_iter().flatten() {
         let contents = &contents[bins.axis];
-        // From the right: what lies at and above each plane.
-        let mut above = [Side::NONE; BINS];
-        let mut so_far = Side::NONE;
+        // From the right: the contents above each plane.
+        let mut above = [BinContents::NONE; BINS];
+        let mut so_far = BinContents::NONE;
         for bin in (1..BINS).rev() {
             so_far = so_far.with(contents[bin]);
             above[bin] = so_far;
         }
-        let mut below = Side::NONE;
+        let mut below = BinContents::NONE;
         for bin in 1..BINS {
             below = below.with(contents[bin - 1]);
             if below.count == 0 || above[bin].count == 0 {
@@ -138,7 +145,7 @@ pub(crate) fn cheapest_plane(items: &[Item], bounds: Aabb, centroids: Aabb) -> O
             }
             let cost = (below.cost() + above[bin].cost()) / area;
             if cost.is_finite() && best.as_ref().is_none_or(|best| cost < best.cost) {
-                best = Some(Plane { bins, bin, cost });
+                best = Some(SplitPlane { bins, bin, cost });
             }
         }
     }

@@ -1,24 +1,27 @@
 // BEGIN SOLUTION(part6.task1)
-//! The space that the tree lives in: around its origin, of size 1.
+//! The tree's own space: centred at the origin, with a size of about 1.
 //!
-//! Single precision has 24 digits, and they should go to what rays meet: so primitives are moved and scaled first, and
-//! rays with them. A scene a million away from its origin, or a billionth in size, is as fast as any other.
+//! Single precision has 24 bits. To use all of them, primitives and rays are translated and scaled
+//! first. A scene a million units away from the origin, or a billionth of a unit in size, is as
+//! fast as any other.
 
 use kit::{Aabb, Ray, Vec3};
 use std::ops::Range;
 
-/// `local = (world - center)·scale`, with a power of two for the scale, so that the one rounding is that of the difference.
+/// `local = (world - center)·scale`. The scale is a power of two, so that only the difference
+/// rounds.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Space {
+pub(crate) struct TreeSpace {
     /// `center·scale`.
     shift: Vec3,
     scale: f64,
 }
 
-impl Space {
-    /// The space of primitives with these boxes, which are finite and not empty. Its centre is the median of theirs: one
-    /// large primitive, say a ground, does not move it away from many small ones.
-    pub(crate) fn around(bounds: &[Aabb]) -> Space {
+impl TreeSpace {
+    /// The space of primitives with these boxes, which are finite and not empty. The centre is the
+    /// median of their centres: one large primitive, say a ground, does not move it away from many
+    /// small ones.
+    pub(crate) fn around(bounds: &[Aabb]) -> TreeSpace {
         let middle = |axis: usize| {
             let mut centers: Vec<f64> = bounds
                 .iter()
@@ -32,24 +35,26 @@ impl Space {
         };
         let center = Vec3::new(middle(0), middle(1), middle(2));
         let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
-        // Half of it: the whole may overflow.
+        // Half the extent, because the whole may overflow.
         let extent = (0.5 * all.max - 0.5 * all.min).max_element();
-        // What is smaller than its distance from the world's origin by so much has few digits, however it is scaled.
+        // Coordinates of a scene that is much smaller than its distance from the world's origin
+        // have few digits, whatever the scale.
         let size = extent.max(SMALLEST_SHARE * center.abs().max_element());
         let scale = power_of_two(-exponent(size));
-        Space {
+        TreeSpace {
             shift: center * scale,
             scale,
         }
     }
 
-    /// A point of the world.
+    /// Transforms a point from world space.
     #[inline(always)]
     pub(crate) fn point(&self, p: Vec3) -> Vec3 {
         p * self.scale - self.shift
     }
 
-    /// A box of the world, never smaller than what it held: the margin is a few times the rounding errors.
+    /// Transforms a box from world space. The rounding errors are less than the margin of a node's
+    /// box.
     pub(crate) fn bounds(&self, b: Aabb) -> Aabb {
         Aabb {
             min: self.point(b.min),
@@ -57,11 +62,11 @@ impl Space {
         }
     }
 
-    /// A ray of the world.
+    /// Transforms a ray from world space.
     #[inline(always)]
     pub(crate) fn ray(&self, ray: &Ray) -> LocalRay {
         let o = self.point(ray.o);
-        // Nearly all rays: nothing waits for the exponent.
+        // Nearly all rays, for which no exponent is computed.
         if ORDINARY.contains(&ray.d.abs().element_sum()) {
             return LocalRay {
                 o,
@@ -78,25 +83,26 @@ impl Space {
     }
 }
 
-/// Of an extent in a coordinate.
+/// The smallest ratio of the extent to a coordinate that the scale takes into account.
 const SMALLEST_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// Where the sum of a direction's components has to be, regardless of their signs. That of a unit vector is.
+/// The range of `|d.x| + |d.y| + |d.z|` for an ordinary direction, which includes unit vectors.
 pub(crate) const ORDINARY: Range<f64> = 0.25..2.0;
 
-/// A ray in the tree's space, with an [`ORDINARY`] direction (unless it is extreme).
+/// A ray in the tree's space, with an [`ORDINARY`] direction unless the ray is extreme.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LocalRay {
     pub(crate) o: Vec3,
     pub(crate) d: Vec3,
-    /// Here a point is at `t·speed`, where in the world it is at `t`.
+    /// A point at `t` on the world's ray is at `t·speed` on this ray.
     pub(crate) speed: f64,
 }
 
-/// Powers of two from the inverse of this one's to this one's are used, so that they and their products are ordinary.
+/// Exponents are clamped to this absolute value, so that products of two scales neither overflow
+/// nor underflow.
 const LARGEST_EXPONENT: i32 = 500;
 
-/// Of a number that is not negative; of extreme ones the nearest that is used.
+/// The binary exponent of `x`, which is not negative, clamped to [`LARGEST_EXPONENT`].
 #[inline(always)]
 fn exponent(x: f64) -> i32 {
     let exponent = (x.to_bits() >> 52) as i32 - 1023;

@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task1)
-//! Eight spheres at once: which of them a ray surely misses.
+//! A leaf of up to eight spheres: finds those that a ray misses for certain.
 
 use crate::sah::LANES;
 use fearless_simd::{Simd, f64x8, prelude::*};
@@ -17,17 +17,19 @@ pub(crate) struct SphereBlock {
     count: u32,
 }
 
-/// A ray misses for certain if it passes the centre at more than this, squared and in squared radii. The margin is 2⁻⁸.
-const BESIDE: f64 = 1.0 + 1.0 / 256.0;
+/// A ray misses for certain if its squared distance from the centre is more than this many squared
+/// radii. The margin is 2⁻⁸.
+const MISS_DISTANCE: f64 = 1.0 + 1.0 / 256.0;
 
-/// Up to so many radii away, squared (2²⁰), the squares of the distances are known to 2⁻¹² of the squared radius.
+/// Up to this squared distance in squared radii (2²⁰ radii), squared distances have an error of at
+/// most 2⁻¹² of the squared radius.
 const FAR: f64 = (1_u64 << 40) as f64;
 
-/// Products of four lengths above have not underflowed.
+/// A product of four lengths above this has not underflowed.
 const SMALLEST: f64 = 1e-200;
 
 impl SphereBlock {
-    /// The spheres `prims` of `spheres`, one to eight; the first sphere of all is primitive number `first`.
+    /// A block of the spheres `prims`, one to eight. `spheres[0]` is primitive number `first`.
     pub(crate) fn of(spheres: &[Sphere], first: usize, prims: &[PrimId]) -> SphereBlock {
         let id = |lane: usize| prims.get(lane).unwrap_or(&prims[0]).0;
         let sphere = |lane: usize| &spheres[id(lane) as usize - first];
@@ -41,7 +43,7 @@ impl SphereBlock {
         }
     }
 
-    /// How many spheres there are.
+    /// The number of spheres.
     #[inline(always)]
     pub(crate) fn len(&self) -> u32 {
         self.count
@@ -52,48 +54,49 @@ impl SphereBlock {
         PrimId(self.ids[lane])
     }
 
-    /// The lanes that the ray may hit within its range, one bit each. It misses the others for certain, by a margin that is
-    /// far beyond any rounding here or in a kernel that is worth asking.
+    /// The lanes, one bit each, that the ray may hit in its range. It misses the others for
+    /// certain, by a margin far above the rounding errors here and in the scalar kernel.
     ///
-    /// With `f = o - center` the line passes the centre at the squared distance `(|f|²|d|² - (f·d)²) / |d|²`. And a ray that
-    /// starts outside and goes away meets nothing at positive `t`.
+    /// With `f = o - center` the squared distance from the line to the centre is `(|f|²|d|² -
+    /// (f·d)²) / |d|²`. A ray that starts outside and points away has no hit at positive `t`.
     #[inline(always)]
     pub(crate) fn candidates<S: Simd>(&self, simd: S, ray: &Ray) -> u32 {
         let Ray { o, d, .. } = *ray;
         let a = f64x8::splat(simd, d.dot(d));
-        let f = Lanes3 {
+        let f = Vec3x8 {
             x: f64x8::splat(simd, o.x) - f64x8::load_array_ref(simd, &self.centers[0]),
             y: f64x8::splat(simd, o.y) - f64x8::load_array_ref(simd, &self.centers[1]),
             z: f64x8::splat(simd, o.z) - f64x8::load_array_ref(simd, &self.centers[2]),
         };
-        let d = Lanes3::splat(simd, d);
+        let d = Vec3x8::splat(simd, d);
         let r2 = f64x8::load_array_ref(simd, &self.r2);
         let (along, f2) = (f.dot(d), f.dot(f));
-        let beside = r2 * BESIDE;
-        let is_beside = (a * beside).simd_lt(a * f2 - along * along);
-        let goes_away = f64x8::splat(simd, 0.0).simd_lt(along) & beside.simd_lt(f2);
-        let looks_ahead = if ray.min_t >= 0.0 { u32::MAX } else { 0 };
+        let bound = r2 * MISS_DISTANCE;
+        let passes_by = (a * bound).simd_lt(a * f2 - along * along);
+        let points_away = f64x8::splat(simd, 0.0).simd_lt(along) & bound.simd_lt(f2);
+        let starts_at_origin = if ray.min_t >= 0.0 { u32::MAX } else { 0 };
         let is_sound = f2.simd_lt(r2 * FAR)
             & f64x8::splat(simd, SMALLEST).simd_lt(a * a * (r2 * r2))
             & (a * f2).simd_lt(f64x8::splat(simd, f64::INFINITY));
-        let misses = is_beside.to_bitmask() as u32 | goes_away.to_bitmask() as u32 & looks_ahead;
+        let misses =
+            passes_by.to_bitmask() as u32 | points_away.to_bitmask() as u32 & starts_at_origin;
         let filled = (1 << self.count) - 1;
         filled & !(misses & is_sound.to_bitmask() as u32)
     }
 }
 
-/// A vector a lane.
+/// A vector in each lane.
 #[derive(Clone, Copy)]
-struct Lanes3<S: Simd> {
+struct Vec3x8<S: Simd> {
     x: f64x8<S>,
     y: f64x8<S>,
     z: f64x8<S>,
 }
 
-impl<S: Simd> Lanes3<S> {
+impl<S: Simd> Vec3x8<S> {
     #[inline(always)]
-    fn splat(simd: S, v: Vec3) -> Lanes3<S> {
-        Lanes3 {
+    fn splat(simd: S, v: Vec3) -> Vec3x8<S> {
+        Vec3x8 {
             x: f64x8::splat(simd, v.x),
             y: f64x8::splat(simd, v.y),
             z: f64x8::splat(simd, v.z),
@@ -101,7 +104,7 @@ impl<S: Simd> Lanes3<S> {
     }
 
     #[inline(always)]
-    fn dot(self, other: Lanes3<S>) -> f64x8<S> {
+    fn dot(self, other: Vec3x8<S>) -> f64x8<S> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 }

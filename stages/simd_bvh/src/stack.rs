@@ -1,20 +1,21 @@
 // BEGIN SOLUTION(part6.task1)
-//! What is still to be visited.
+//! The stack of children that a traversal has still to visit.
 
+use crate::box_test::BoxTest;
 use crate::node::Child;
-use crate::probe::Probe;
 
-/// A child to visit later: where the ray enters it in the upper half, so that numbers are in that order, and which it is.
+/// A child and the entry of the ray into its box, which is in the upper half, so that entries are
+/// ordered by it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Later(u64);
+pub(crate) struct StackEntry(u64);
 
-impl Later {
-    /// Before all others.
-    pub(crate) const NONE: Later = Later(0);
+impl StackEntry {
+    /// Less than all others.
+    pub(crate) const NONE: StackEntry = StackEntry(0);
 
     #[inline(always)]
-    pub(crate) fn new(entry: u32, child: Child) -> Later {
-        Later(u64::from(entry) << 32 | u64::from(child.0))
+    pub(crate) fn new(entry: u32, child: Child) -> StackEntry {
+        StackEntry(u64::from(entry) << 32 | u64::from(child.0))
     }
 
     #[inline(always)]
@@ -28,54 +29,54 @@ impl Later {
     }
 }
 
-/// Children to visit later, last in first out. Few trees are so deep that more than the array is needed.
+/// A entry with its first entries in an array. Few trees are deep enough to need more.
 pub(crate) struct Stack {
-    first: [Later; Stack::NEAR],
+    inline: [StackEntry; Stack::INLINE],
     len: usize,
-    beyond: Vec<Later>,
+    overflow: Vec<StackEntry>,
 }
 
 impl Stack {
-    /// Places that need no heap.
-    const NEAR: usize = 32;
+    /// The number of entries that need no heap memory.
+    const INLINE: usize = 32;
 
     #[inline(always)]
     pub(crate) fn new() -> Stack {
         Stack {
-            first: [Later::NONE; Stack::NEAR],
+            inline: [StackEntry::NONE; Stack::INLINE],
             len: 0,
-            beyond: Vec::new(),
+            overflow: Vec::new(),
         }
     }
 
     #[inline(always)]
-    pub(crate) fn push(&mut self, later: Later) {
-        match self.first.get_mut(self.len) {
-            Some(place) => {
-                *place = later;
+    pub(crate) fn push(&mut self, entry: StackEntry) {
+        match self.inline.get_mut(self.len) {
+            Some(slot) => {
+                *slot = entry;
                 self.len += 1;
             }
-            None => self.beyond.push(later),
+            None => self.overflow.push(entry),
         }
     }
 
     #[inline(always)]
-    fn pop(&mut self) -> Option<Later> {
-        if self.len == Stack::NEAR
-            && let Some(later) = self.beyond.pop()
+    fn pop(&mut self) -> Option<StackEntry> {
+        if self.len == Stack::INLINE
+            && let Some(entry) = self.overflow.pop()
         {
-            return Some(later);
+            return Some(entry);
         }
         self.len = self.len.checked_sub(1)?;
-        Some(self.first[self.len])
+        Some(self.inline[self.len])
     }
 
-    /// Takes children off until one is still within the range.
+    /// Pops entries until one is still in the range.
     #[inline(always)]
-    pub(crate) fn pop_within(&mut self, probe: &impl Probe) -> Option<Child> {
-        while let Some(later) = self.pop() {
-            if probe.is_within(later.entry()) {
-                return Some(later.child());
+    pub(crate) fn pop_within(&mut self, box_test: &impl BoxTest) -> Option<Child> {
+        while let Some(entry) = self.pop() {
+            if box_test.is_within(entry.entry()) {
+                return Some(entry.child());
             }
         }
         None

@@ -1,13 +1,13 @@
-//! The tree that is walked: nodes of eight children, leaves of eight triangles, both laid out for lanes.
+//! The wide tree: nodes of eight children and leaves of eight primitives, laid out for SIMD lanes.
 
 // BEGIN SOLUTION(part6.task1)
 use crate::binary;
-use crate::block::Block;
 use crate::collapse::Collapse;
 use crate::node::{Child, Node};
 use crate::sah::LANES;
-use crate::space::Space;
+use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
+use crate::triangle_block::TriangleBlock;
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 // END SOLUTION(part6.task1)
 
@@ -16,27 +16,28 @@ use kit::{Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
-/// It holds the triangles' vertices and nothing else of them. Primitives are numbered as in a [`kit::Scene`]:
-/// triangles first, then spheres.
+/// It copies the vertices of triangles, the centres and the squared radii. Primitives are numbered
+/// as in a [`kit::Scene`]: triangles first, then spheres.
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)
-    /// The root is the first one. None if all that there is to hit is a few blocks.
+    /// The nodes, the root first. Empty for a scene of a few blocks, which are all tested.
     pub(crate) nodes: Vec<Node>,
-    /// The triangles, eight at a time.
-    pub(crate) blocks: Vec<Block>,
-    /// The spheres, eight at a time.
+    /// The triangles, in blocks of eight.
+    pub(crate) blocks: Vec<TriangleBlock>,
+    /// The spheres, in blocks of eight.
     pub(crate) spheres: Vec<SphereBlock>,
-    /// Where boxes lie. Triangles and spheres are in the world's space.
-    pub(crate) space: Space,
-    /// The instructions that it is walked with.
+    /// The space of the boxes. Triangles and spheres are in world space.
+    pub(crate) space: TreeSpace,
+    /// The instruction set of the traversal.
     pub(crate) level: Level,
-    // STUB: // Whatever you need.
+    // STUB: // Add the fields that you need.
     // END SOLUTION(part6.task1)
 }
 
 impl WideBvh {
-    /// Builds the tree. A primitive with a NaN or an infinite coordinate or a negative radius is left out: no ray hits it.
+    /// Builds the tree. A primitive with a NaN or infinite coordinate or a negative radius is
+    /// omitted, because no ray hits it.
     pub fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)
         let boxes = triangles.iter().map(Triangle::bounds);
@@ -51,7 +52,7 @@ impl WideBvh {
             .filter(|id| !bounds[id.0 as usize].is_empty())
             .collect();
         let sound: Vec<Aabb> = prims.iter().map(|id| bounds[id.0 as usize]).collect();
-        let space = Space::around(&sound);
+        let space = TreeSpace::around(&sound);
         for b in bounds.iter_mut().filter(|b| !b.is_empty()) {
             *b = space.bounds(*b);
         }
@@ -68,23 +69,23 @@ impl WideBvh {
             },
         };
         let (triangles, spheres) = builder.by_kind(&prims);
-        if triangles.len() <= FEW_TRIANGLES && spheres.len() <= LANES {
+        if triangles.len() <= MAX_TRIANGLES_WITHOUT_NODES && spheres.len() <= LANES {
             for block in triangles.chunks(LANES).chain(spheres.chunks(LANES)) {
                 builder.block(block);
             }
         } else {
-            let halved = binary::build(&bounds);
-            let is_mixed = |node: &BvhNode| builder.kinds(&halved, node).is_some();
-            let collapse = Collapse::cheapest(&halved, is_mixed);
-            builder.widen(&halved, &collapse, 0);
+            let binary_tree = binary::build(&bounds);
+            let is_mixed = |node: &BvhNode| builder.kinds(&binary_tree, node).is_some();
+            let collapse = Collapse::cheapest(&binary_tree, is_mixed);
+            builder.widen(&binary_tree, &collapse, 0);
         }
         builder.tree
         // STUB: kit::hole!("part6.task1", triangles, spheres)
         // END SOLUTION(part6.task1)
     }
 
-    /// The same tree, walked with the instructions of `level` instead of the best that this machine has. It says and
-    /// counts the same.
+    /// The same tree for the instruction set `level` instead of the best one of this machine. Hits
+    /// and counts are the same.
     #[must_use]
     pub fn at_level(self, level: Level) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)
@@ -93,7 +94,7 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// How many nodes there are.
+    /// The number of nodes.
     pub fn node_count(&self) -> usize {
         // BEGIN SOLUTION(part6.task1)
         self.nodes.len()
@@ -101,7 +102,7 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// How many blocks there are, of up to eight triangles or spheres.
+    /// The number of blocks of up to eight triangles or spheres.
     pub fn block_count(&self) -> usize {
         // BEGIN SOLUTION(part6.task1)
         self.blocks.len() + self.spheres.len()
@@ -111,8 +112,8 @@ impl WideBvh {
 }
 
 // BEGIN SOLUTION(part6.task1)
-/// So many triangles are asked one block after the other, without nodes: a box costs about as much as a block.
-const FEW_TRIANGLES: usize = 2 * LANES;
+/// Up to this many triangles need no nodes: testing a node costs about as much as testing a block.
+const MAX_TRIANGLES_WITHOUT_NODES: usize = 2 * LANES;
 
 struct Builder<'a> {
     bounds: &'a [Aabb],
@@ -122,19 +123,19 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Makes node `place` of `binary` a wide one, and returns its number.
-    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, place: u32) -> u32 {
+    /// Adds the wide node for node `root` of `binary` and the nodes below it. Returns its index.
+    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> u32 {
         let number = self.tree.nodes.len();
         self.tree.nodes.push(Node::EMPTY);
         let mut node = Node::EMPTY;
-        let children = collapse.children(binary, place);
-        // With room for it, both kinds of a mixed leaf become children here.
-        let mut room = LANES - children.len();
+        let children = collapse.children(binary, root);
+        // If lanes are free, the triangles and the spheres of a mixed leaf become two children.
+        let mut free = LANES - children.len();
         for child in children {
             let part = &binary.nodes[child as usize];
             match (part.kind, self.kinds(binary, part)) {
-                (NodeKind::Leaf { .. }, Some(kinds)) if room > 0 || child == place => {
-                    room = room.saturating_sub(1);
+                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || child == root => {
+                    free = free.saturating_sub(1);
                     for prims in kinds {
                         node.push(&self.bounds_of(prims), self.block(prims));
                     }
@@ -152,7 +153,7 @@ impl Builder<'_> {
         number as u32
     }
 
-    /// The triangles and the spheres of a leaf that has both.
+    /// The triangles and the spheres of a mixed leaf; `None` for other nodes.
     fn kinds<'b>(&self, binary: &'b Bvh, node: &BvhNode) -> Option<[&'b [PrimId]; 2]> {
         let NodeKind::Leaf { first, count } = node.kind else {
             return None;
@@ -166,17 +167,19 @@ impl Builder<'_> {
         boxes.fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// The triangles and the spheres of a list whose ids ascend.
+    /// Splits a list with ascending ids into triangles and spheres.
     fn by_kind<'p>(&self, prims: &'p [PrimId]) -> (&'p [PrimId], &'p [PrimId]) {
         prims.split_at(prims.partition_point(|id| (id.0 as usize) < self.triangles.len()))
     }
 
-    /// A block of up to eight primitives of one kind.
+    /// Adds a block of up to eight primitives of one kind.
     fn block(&mut self, prims: &[PrimId]) -> Child {
         let first = self.triangles.len();
         if (prims[0].0 as usize) < first {
-            self.tree.blocks.push(Block::of(self.triangles, prims));
-            Child::block(self.tree.blocks.len() as u32 - 1)
+            self.tree
+                .blocks
+                .push(TriangleBlock::of(self.triangles, prims));
+            Child::triangles(self.tree.blocks.len() as u32 - 1)
         } else {
             let block = SphereBlock::of(self.spheres, first, prims);
             self.tree.spheres.push(block);

@@ -1,22 +1,23 @@
 // BEGIN SOLUTION(part6.task2)
-//! Where paths start.
+//! Generates the camera rays of a batch.
 
-use crate::batch::{Batch, Paths};
-use crate::rays::NONE;
+use crate::queue::{PathLanes, PathQueue};
+use crate::ray_packet::NONE;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{Neighbours, Start, View};
+use crate::{PathStart, ScalarFallback, View};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::math::tan;
 use kit::{Ray, Vec3};
 
-/// Fills the batch with paths, one for each of `starts`: by the arithmetic of the stage `raygen`, operation by operation.
+/// Fills the queue with one path for each of `starts`. Repeats the arithmetic of the stage `raygen`
+/// operation by operation.
 #[inline(always)]
-pub(crate) fn start<S: Simd>(
+pub(crate) fn generate_paths<S: Simd>(
     simd: S,
     view: &View,
-    starts: &[Start],
-    batch: &mut Batch,
-    others: &mut impl Neighbours,
+    starts: &[PathStart],
+    queue: &mut PathQueue,
+    fallback: &mut impl ScalarFallback,
 ) {
     let camera = &view.camera;
     let half_width = tan((0.5 * camera.h_fov).to_radians());
@@ -24,41 +25,41 @@ pub(crate) fn start<S: Simd>(
     let [right, up, back] = [camera.c2w.x_axis, camera.c2w.y_axis, camera.c2w.z_axis]
         .map(|axis| Vec3x8::splat(simd, axis));
     let white = Vec3x8::splat(simd, Vec3::ONE);
-    batch.count = starts.len();
-    for (first, eight) in (0..).step_by(LANES).zip(starts.chunks(LANES)) {
-        let of = |lane: usize| &eight[lane.min(eight.len() - 1)];
-        for (lane, sampler) in batch.samplers[first..first + LANES].iter_mut().enumerate() {
-            *sampler = of(lane).1.clone();
+    queue.count = starts.len();
+    for (first, starts) in (0..).step_by(LANES).zip(starts.chunks(LANES)) {
+        let of = |lane: usize| &starts[lane.min(starts.len() - 1)];
+        for (lane, sampler) in queue.samplers[first..first + LANES].iter_mut().enumerate() {
+            *sampler = of(lane).sampler.clone();
         }
-        let mut samplers = batch.samplers(first);
-        let place = if view.centered {
+        let mut samplers = queue.samplers(first);
+        let position = if view.centered {
             [f64x8::splat(simd, 0.5); 2]
         } else {
             let [x, y] = samplers.next_2d();
             [f64x8::load_array(simd, x), f64x8::load_array(simd, y)]
         };
-        let x = f64x8::from_fn(simd, |lane| f64::from(of(lane).0.0)) + place[0];
-        let y = f64x8::from_fn(simd, |lane| f64::from(of(lane).0.1)) + place[1];
+        let x = f64x8::from_fn(simd, |lane| f64::from(of(lane).pixel.0)) + position[0];
+        let y = f64x8::from_fn(simd, |lane| f64::from(of(lane).pixel.1)) + position[1];
         let sensor_x = x / f64::from(view.film.w);
         let sensor_y = y / f64::from(view.film.h);
         let local_x = (sensor_x * 2.0 - 1.0) * half_width;
         let local_y = (sensor_y * 2.0 - 1.0) * half_height;
         let d = right * local_x + up * local_y + back * f64x8::splat(simd, -1.0);
         let d = d * (f64x8::splat(simd, 1.0) / d.length());
-        let mut paths = Paths {
+        let mut paths = PathLanes {
             o: Vec3x8::splat(simd, camera.pos),
             d,
             throughput: white,
             radiance: Vec3x8::splat(simd, Vec3::ZERO),
-            left: f64x8::splat(simd, NONE),
-            sees_light: f64x8::splat(simd, 1.0),
-            slot: f64x8::from_fn(simd, |lane| (first + lane) as f64),
+            skip: f64x8::splat(simd, NONE),
+            emission_counts: f64x8::splat(simd, 1.0),
+            index: f64x8::from_fn(simd, |lane| (first + lane) as f64),
         };
-        for (lane, sampler) in batch.samplers[first..first + LANES].iter_mut().enumerate() {
+        for (lane, sampler) in queue.samplers[first..first + LANES].iter_mut().enumerate() {
             *sampler = samplers.get(lane);
         }
         if view.has_lens {
-            let samplers = batch.samplers[first..].iter_mut().take(eight.len());
+            let samplers = queue.samplers[first..].iter_mut().take(starts.len());
             for (lane, sampler) in samplers.enumerate() {
                 let ray = Ray {
                     o: paths.o.lane(lane),
@@ -66,12 +67,12 @@ pub(crate) fn start<S: Simd>(
                     min_t: camera.n_clip,
                     max_t: camera.f_clip,
                 };
-                let ray = others.aim(&ray, sampler);
+                let ray = fallback.through_lens(&ray, sampler);
                 paths.o.set(lane, ray.o.to_array());
                 paths.d.set(lane, ray.d.to_array());
             }
         }
-        batch.store(first, &paths, mask64x8::splat(simd, true));
+        queue.store(first, &paths, mask64x8::splat(simd, true));
     }
 }
 // END SOLUTION(part6.task2)

@@ -1,12 +1,12 @@
 // BEGIN SOLUTION(part6.task2)
-//! Bits that stand for lanes.
+//! Iterates over the lanes of a bit mask.
 
-/// The numbers of the lanes whose bits are set, from the lowest on.
+/// The numbers of the lanes whose bits are set, in ascending order.
 #[inline(always)]
 pub(crate) fn lanes(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         (bits != 0).then(|| {
-            // Never more than 7; so the compiler knows, too.
+            // At most 7; the mask lets the compiler drop bounds checks.
             let lane = bits.trailing_zeros() as usize & 7;
             bits &= bits - 1;
             lane

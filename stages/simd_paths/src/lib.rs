@@ -1,41 +1,44 @@
-//! Part 6, beyond the summit: light followed along eight paths at a time.
+//! Part 6, task 2 (extra credit): path tracing in packets of eight paths.
 //!
-//! Extra credit, and no more hints than this: [`PathScene`] says what it has to do, the stages `direct` and `global` how, and
-//! it gives their pictures, bit for bit. With few primitives around most of the time goes into all that is not a tree.
+//! There are no further hints than these: [`PathScene`] documents what to compute, the stages
+//! `direct` and `global` how. The pictures have to be theirs, bit for bit. In a scene with few
+//! primitives, most of the time is spent on shading and sampling, not on the tree.
 //!
 // BEGIN SOLUTION(part6.task2)
-//! Read in this order: `scene` and `neighbours` (what there is, and who is asked), `vec3x8`, `rays` and `lanes` (eight vectors,
-//! eight rays, and which of them), `camera`, `batch` and `follow` (where paths start, how they lie in memory, and how few
-//! lanes stay idle), `eight` (one bounce), `room` (few primitives, asked by eight rays), `surfaces` and `deed` (what was hit), `lamp`,
-//! `turn` and `matte` (light, sines, matte surfaces), `special` (mirrors and glass, which are asked of others).
+//! Reading order: `scene` and `fallback` (the interface), `vec3x8`, `ray_packet` and `lanes` (eight
+//! vectors, eight rays, lane masks), `camera`, `queue` and `trace` (the paths of a batch, and how
+//! idle lanes are avoided), `packet` (one bounce), `primitive_list` (intersection without a tree),
+//! `surface_packet` and `material_class` (what was hit), `light`, `sin_cos` and `diffuse` (direct
+//! light and scattering at matte surfaces), `other_materials` (everything else, by the fallback).
 //!
-//! Every lane does what the stages do, operation by operation, so no bit is different; where the plain kernels think twice,
-//! they are asked. `fearless_simd` compiles it for each instruction set, and the best that the machine has is chosen once
-//! a batch. That reaches functions that are inlined, and not closures that are not: hence few of them.
-// STUB: //! `fearless_simd` is there for the lanes; its `dispatch!` chooses the machine's instructions once a batch.
+//! Every lane repeats the scalar arithmetic operation by operation, so all bits are equal. Where a
+//! scalar kernel switches to its careful variant, the lane calls the fallback. `fearless_simd`
+//! compiles the code for each instruction set; the best one that the machine has is chosen once a
+//! batch. Only inlined functions are compiled so, and a closure may not be inlined: hence few of
+//! them.
+// STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a batch.
 // END SOLUTION(part6.task2)
 
 // BEGIN SOLUTION(part6.task2)
-mod batch;
 mod camera;
-mod deed;
-mod eight;
-mod follow;
-mod lamp;
+mod diffuse;
 mod lanes;
-mod matte;
-
-mod rays;
-mod room;
-mod special;
-mod surfaces;
-mod turn;
+mod light;
+mod material_class;
+mod other_materials;
+mod packet;
+mod primitive_list;
+mod queue;
+mod ray_packet;
+mod sin_cos;
+mod surface_packet;
+mod trace;
 mod vec3x8;
 // END SOLUTION(part6.task2)
 
-mod neighbours;
+mod fallback;
 mod scene;
 
+pub use fallback::{NextRay, ScalarFallback, ScalarPath};
 pub use fearless_simd::Level;
-pub use neighbours::{Neighbours, Path};
-pub use scene::{BATCH, Counts, PathBatch, PathScene, PathSettings, Start, View};
+pub use scene::{BATCH_SIZE, Counts, PathScene, PathSettings, PathStart, View, Workspace};

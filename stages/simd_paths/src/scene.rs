@@ -1,71 +1,78 @@
-//! A scene that paths are followed through, eight at a time.
+//! A scene prepared for tracing paths in packets.
 
 // BEGIN SOLUTION(part6.task2)
-use crate::batch::Batch;
-use crate::deed::{Does, deed};
-use crate::room::{Room, Scratch};
-use crate::{camera, follow};
+use crate::material_class::{MaterialClass, classify};
+use crate::primitive_list::{PrimitiveList, Scratch};
+use crate::queue::PathQueue;
+use crate::{camera, trace};
 use fearless_simd::dispatch;
 use kit::{PrimId, Triangle};
 // END SOLUTION(part6.task2)
 
-use crate::{Level, Neighbours};
+use crate::{Level, ScalarFallback};
 use kit::{Camera, FilmSize, LitScene, PixelSampler, Spectrum};
 
-/// A scene made ready to be followed through.
+/// A scene prepared for tracing paths in packets.
 #[derive(Clone, Debug)]
 pub struct PathScene<'a> {
     /// The scene.
     pub lit: &'a LitScene,
     // BEGIN SOLUTION(part6.task2)
-    /// What each material does, and in which colour.
-    pub(crate) deeds: Vec<(Does, Spectrum)>,
-    /// If there are few primitives; else `others` walk their tree.
-    pub(crate) room: Option<Room>,
+    /// The class and the colour of each material.
+    pub(crate) materials: Vec<(MaterialClass, Spectrum)>,
+    /// The primitives, if there are few; else the fallback traverses a tree.
+    pub(crate) list: Option<PrimitiveList>,
     pub(crate) has_background: bool,
-    /// Whether every triangle has one normal at its three vertices.
+    /// Whether every triangle has the same normal at its three vertices.
     pub(crate) is_faceted: bool,
     level: Level,
-    // STUB: // Whatever you need.
+    // STUB: // Add the fields that you need.
     // END SOLUTION(part6.task2)
 }
 
-/// How paths are followed.
+/// How paths are traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathSettings {
-    /// Samples per light with an extent (`-l`).
+    /// Samples per area light (`-l`).
     pub light_samples: u32,
-    /// Rays on a path at most (`-m`), at least 1.
+    /// The largest number of rays on a path (`-m`), at least 1.
     pub max_depth: u32,
-    /// Whether surfaces carry pictures: others know what these show.
+    /// Whether surfaces have textures, which the fallback looks up.
     pub has_textures: bool,
-    /// Bounces that a path makes before it plays roulette; `None` if it never does.
-    pub first_game: Option<u32>,
+    /// Bounces after which Russian roulette starts; `None` switches it off.
+    pub min_bounces: Option<u32>,
 }
 
-/// What paths start from.
+/// The camera and the film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// The camera.
     pub camera: Camera,
-    /// The whole film's size.
+    /// The size of the whole film.
     pub film: FilmSize,
-    /// Whether the camera has a lens: others send rays through it.
+    /// Whether the camera has a lens, which the fallback sends the rays through.
     pub has_lens: bool,
-    /// Whether a path goes through its pixel's centre; else through a place that its sampler gives.
+    /// Whether camera rays go through the centre of the pixel; else the sampler chooses the point.
     pub centered: bool,
 }
 
-/// A path to be: column and row of its pixel, and the sampler, which has drawn nothing of its sample yet.
-pub type Start = ((u32, u32), PixelSampler);
+/// The start of a path: one camera sample.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathStart {
+    /// Column and row of the pixel.
+    pub pixel: (u32, u32),
+    /// The sampler, which has drawn no number of this sample yet.
+    pub sampler: PixelSampler,
+}
 
-/// How often what was done. Rays that others traced when they were asked to are in it, their tests are not; nor is what others
-/// did with the paths that they took on.
+/// How many operations of each kind there were. Rays that the fallback traced for
+/// [`ScalarFallback::closest`] and [`ScalarFallback::occluded`] are included, but not their tests,
+/// nor what [`ScalarFallback::scatter`] did.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Rays traced.
     pub rays: u64,
-    /// Of these, rays towards light.
+    /// Shadow rays among them.
     pub light_rays: u64,
     /// Rays that missed everything in a scene with a background.
     pub background: u64,
@@ -75,28 +82,30 @@ pub struct Counts {
     pub prim_tests: u64,
 }
 
-/// Paths are followed so many at a time, in groups of eight: whoever starts as many wastes the fewest lanes.
-pub const BATCH: usize = 64;
+/// The number of paths that are traced together, in packets of eight. Multiples of it waste the
+/// fewest lanes.
+pub const BATCH_SIZE: usize = 64;
 
-/// Memory for a thread to work in.
+/// The memory that a thread reuses from batch to batch.
 #[derive(Clone, Debug, Default)]
-pub struct PathBatch {
+pub struct Workspace {
     // BEGIN SOLUTION(part6.task2)
-    pub(crate) batch: Batch,
+    pub(crate) queue: PathQueue,
     pub(crate) scratch: Scratch,
     // END SOLUTION(part6.task2)
-    /// What was done so far.
+    /// The operations so far.
     pub counts: Counts,
 }
 
 impl<'a> PathScene<'a> {
-    /// Makes `lit` ready. `None` as long as paths are followed one at a time.
+    /// Prepares `lit`. Returns `None` if packets are not implemented.
     pub fn new(lit: &'a LitScene) -> Option<PathScene<'a>> {
         // BEGIN SOLUTION(part6.task2)
         let scene = &lit.scene;
+        let materials = scene.materials.iter();
         Some(PathScene {
-            deeds: scene.materials.iter().map(|m| deed(&m.material)).collect(),
-            room: Room::new(scene),
+            materials: materials.map(|m| classify(&m.material)).collect(),
+            list: PrimitiveList::new(scene),
             has_background: lit.has_background(),
             is_faceted: scene.triangles.iter().all(is_faceted),
             level: Level::new(),
@@ -109,15 +118,15 @@ impl<'a> PathScene<'a> {
     }
 
     // BEGIN SOLUTION(part6.task2)
-    /// What primitive number `id` does with light, and in which colour.
+    /// The class and the colour of the material of primitive number `id`.
     #[inline(always)]
-    pub(crate) fn deed_of(&self, id: usize) -> (Does, Spectrum) {
-        self.deeds[self.lit.scene.material_number(PrimId(id as u32))]
+    pub(crate) fn material_of(&self, id: usize) -> (MaterialClass, Spectrum) {
+        self.materials[self.lit.scene.material_number(PrimId(id as u32))]
     }
     // END SOLUTION(part6.task2)
 
-    /// The same scene, followed through with the instructions of `level` instead of the best that this machine has. It gives
-    /// the same.
+    /// The same scene for the instruction set `level` instead of the best one of this machine. The
+    /// results are the same.
     #[must_use]
     pub fn at_level(self, level: Level) -> PathScene<'a> {
         // BEGIN SOLUTION(part6.task2)
@@ -126,32 +135,35 @@ impl<'a> PathScene<'a> {
         // END SOLUTION(part6.task2)
     }
 
-    /// The radiance that each of `starts` sees: what `raygen` and `global` would find one path at a time, with direct light by
-    /// sampling the lights.
-    pub fn follow(
+    /// Traces a path from each of `starts` and returns its radiance: bit for bit what `raygen` and
+    /// `global` compute one path at a time, with direct light by light sampling.
+    pub fn trace(
         &self,
         view: &View,
         settings: &PathSettings,
-        starts: &[Start],
-        work: &mut PathBatch,
-        others: &mut impl Neighbours,
+        starts: &[PathStart],
+        workspace: &mut Workspace,
+        fallback: &mut impl ScalarFallback,
     ) -> Vec<Spectrum> {
         // BEGIN SOLUTION(part6.task2)
-        let mut seen = vec![Spectrum::BLACK; starts.len()];
-        for (starts, seen) in starts.chunks(BATCH).zip(seen.chunks_mut(BATCH)) {
+        let mut radiance = vec![Spectrum::BLACK; starts.len()];
+        for (starts, radiance) in starts
+            .chunks(BATCH_SIZE)
+            .zip(radiance.chunks_mut(BATCH_SIZE))
+        {
             dispatch!(self.level, simd => {
-                camera::start(simd, view, starts, &mut work.batch, others);
-                follow::follow(simd, self, settings, view, work, others, seen);
+                camera::generate_paths(simd, view, starts, &mut workspace.queue, fallback);
+                trace::trace_paths(simd, self, settings, view, workspace, fallback, radiance);
             });
         }
-        seen
-        // STUB: kit::hole!("part6.task2", self, view, settings, starts, work, others)
+        radiance
+        // STUB: kit::hole!("part6.task2", self, view, settings, starts, workspace, fallback)
         // END SOLUTION(part6.task2)
     }
 }
 
 // BEGIN SOLUTION(part6.task2)
-/// Whether the normals at the three vertices are one, to the sign of a 0.
+/// Whether the three vertices have the same normal, down to the sign of a 0.
 fn is_faceted(t: &Triangle) -> bool {
     let [n0, n1, n2] = [t.n0, t.n1, t.n2].map(|n| n.to_array().map(f64::to_bits));
     n0 == n1 && n0 == n2

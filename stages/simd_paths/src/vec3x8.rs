@@ -1,15 +1,15 @@
 // BEGIN SOLUTION(part6.task2)
-//! Eight vectors, one a lane, with the arithmetic of [`kit::Vec3`] operation by operation: so every lane has the bits that
-//! a vector alone would have.
+//! Eight vectors, one a lane. Repeats the arithmetic of [`kit::Vec3`] operation by operation, so
+//! every lane has the bits of the scalar vector.
 
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// How many paths are followed at once.
+/// The number of paths in a packet.
 pub(crate) const LANES: usize = 8;
 
-/// A vector a lane, or a colour.
+/// A vector or a colour in each lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Vec3x8<S: Simd> {
     pub(crate) x: f64x8<S>,
@@ -27,7 +27,7 @@ impl<S: Simd> Vec3x8<S> {
         }
     }
 
-    /// What `of` says about each lane, gathered from anywhere.
+    /// The vectors that `of` returns for each lane.
     #[inline(always)]
     pub(crate) fn gather(simd: S, of: impl Fn(usize) -> [f64; 3]) -> Vec3x8<S> {
         Vec3x8 {
@@ -84,18 +84,9 @@ impl<S: Simd> Vec3x8<S> {
         self.dot(self).sqrt()
     }
 
-    #[inline(always)]
-    pub(crate) fn over(self, s: f64x8<S>) -> Vec3x8<S> {
-        Vec3x8 {
-            x: self.x / s,
-            y: self.y / s,
-            z: self.z / s,
-        }
-    }
-
     /// `self` in the lanes of `mask`, `other` elsewhere.
     #[inline(always)]
-    pub(crate) fn or(self, mask: mask64x8<S>, other: Vec3x8<S>) -> Vec3x8<S> {
+    pub(crate) fn masked_or(self, mask: mask64x8<S>, other: Vec3x8<S>) -> Vec3x8<S> {
         Vec3x8 {
             x: mask.select(self.x, other.x),
             y: mask.select(self.y, other.y),
@@ -130,6 +121,18 @@ impl<S: Simd> Mul<f64x8<S>> for Vec3x8<S> {
             x: self.x * s,
             y: self.y * s,
             z: self.z * s,
+        }
+    }
+}
+
+impl<S: Simd> Div<f64x8<S>> for Vec3x8<S> {
+    type Output = Vec3x8<S>;
+    #[inline(always)]
+    fn div(self, s: f64x8<S>) -> Vec3x8<S> {
+        Vec3x8 {
+            x: self.x / s,
+            y: self.y / s,
+            z: self.z / s,
         }
     }
 }

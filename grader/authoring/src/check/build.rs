@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use submission::file_tree;
 
-/// The student's project, and where cargo builds it: the same for every handout, so that what two of them share is
-/// built once.
-struct Desk {
+/// The project of a handout and its target directory. All handouts use the same folders, so that
+/// cargo builds what they share only once.
+struct StudentProject {
     folder: PathBuf,
     target: PathBuf,
     tests: Tests,
@@ -22,14 +22,14 @@ struct Desk {
 /// Which of a handout's tests to build and run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Tests {
-    /// All of them.
+    /// All tests.
     All,
-    /// Not those of the grader, which are the same in every handout and take longer to build than all the rest. It is
-    /// still built, and grades.
+    /// All tests except the grader's. Those are the same in every handout and take longer to build
+    /// than all others. The grader itself is still built and run.
     Stages,
 }
 
-/// What is wrong with the handout of `part` when it is built and run.
+/// Builds and runs the handout of `part` and returns a message for each problem.
 pub fn find(
     workspace: &Workspace,
     course: &Course,
@@ -40,63 +40,63 @@ pub fn find(
 ) -> Result<Vec<String>, GraderError> {
     let here = format!("handout of part {part}");
     let top = workspace.root().join("target/course_check");
-    let desk = Desk {
+    let project = StudentProject {
         folder: top.join("handout"),
         target: top.join("target"),
         tests,
     };
-    file_tree::make_equal(&desk.folder, &handout.files)?;
-    let mut complaints = Vec::new();
-    progress(&format!("{here}: building it, without a warning"));
-    let mut found = desk.build()?;
+    file_tree::sync_folder(&project.folder, &handout.files)?;
+    let mut problems = Vec::new();
+    progress(&format!("{here}: building it"));
+    let mut found = project.build()?;
     let builds = found.is_empty();
-    complaints.append(&mut found);
-    let formatted = desk.cargo(&["fmt", "--all", "--check"])?;
+    problems.append(&mut found);
+    let formatted = project.cargo(&["fmt", "--all", "--check"])?;
     if !formatted.status.success() {
-        complaints.push(format!(
-            "`cargo fmt --check` is not content: {}",
+        problems.push(format!(
+            "`cargo fmt --check` fails: {}",
             first_lines(&formatted.stdout)
         ));
     }
     if builds {
         progress(&format!("{here}: running its tests"));
-        let tested = desk.cargo(&[TEST, desk.tests.packages(), &["--quiet"]].concat())?;
+        let tested = project.cargo(&[TEST, project.tests.packages(), &["--quiet"]].concat())?;
         if !tested.status.success() {
-            complaints.push(format!(
+            problems.push(format!(
                 "`cargo test` fails: {}",
                 last_lines(&tested.stdout, &tested.stderr)
             ));
         }
         progress(&format!("{here}: grading it with its own grader"));
-        complaints.extend(desk.grade(course, part)?);
+        problems.extend(project.grade(course, part)?);
     }
-    Ok(complaints
+    Ok(problems
         .into_iter()
-        .map(|complaint| format!("{here}: {complaint}"))
+        .map(|problem| format!("{here}: {problem}"))
         .collect())
 }
 
-impl Desk {
+impl StudentProject {
     fn cargo(&self, arguments: &[&str]) -> Result<Output, GraderError> {
         let mut cargo = Command::new(compile::cargo());
         cargo
             .current_dir(&self.folder)
             .args(arguments)
             .env("CARGO_TARGET_DIR", &self.target)
-            // What is built here runs once: it need not be fast, it has to be built fast.
+            // The programs run only once, so the build time matters more than the run time.
             .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
             .env("CARGO_PROFILE_RELEASE_DEBUG", "0")
-            // Handouts differ in little.
+            // Handouts differ only in a few files.
             .env("CARGO_INCREMENTAL", "1");
         child_processes::output(&mut cargo)
             .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))
     }
 
-    /// Builds programs and tests. The compiler's warnings and errors are complaints.
+    /// Builds programs and tests. Returns the compiler's warnings and errors.
     fn build(&self) -> Result<Vec<String>, GraderError> {
         let of_tests = [TEST, self.tests.packages(), &["--no-run"]].concat();
-        let mut complaints = self.warnings(&of_tests)?;
-        if complaints.is_empty() && self.tests == Tests::Stages {
+        let mut problems = self.warnings(&of_tests)?;
+        if problems.is_empty() && self.tests == Tests::Stages {
             let of_grader = [
                 "build",
                 "--release",
@@ -105,79 +105,80 @@ impl Desk {
                 "--package",
                 "grader",
             ];
-            complaints = self.warnings(&of_grader)?;
+            problems = self.warnings(&of_grader)?;
         }
-        Ok(complaints)
+        Ok(problems)
     }
 
-    /// What the compiler says against the code when cargo builds something.
+    /// Runs a build with cargo and returns the compiler's warnings and errors.
     fn warnings(&self, build: &[&str]) -> Result<Vec<String>, GraderError> {
         let output = self.cargo(&[build, &["--message-format", "json"]].concat())?;
-        let mut complaints: Vec<String> = String::from_utf8_lossy(&output.stdout)
+        let mut problems: Vec<String> = String::from_utf8_lossy(&output.stdout)
             .lines()
             .filter_map(warning)
             .collect();
-        complaints.dedup();
-        if !output.status.success() && complaints.is_empty() {
-            complaints.push(format!(
+        problems.dedup();
+        if !output.status.success() && problems.is_empty() {
+            problems.push(format!(
                 "it does not build: {}",
                 last_lines(&[], &output.stderr)
             ));
         }
-        Ok(complaints)
+        Ok(problems)
     }
 
-    /// Grades with the handout's own grader: carved tasks are not attempted, kept ones full.
+    /// Grades the handout with its own grader: tasks to write must be *not attempted*, the others
+    /// must have all points.
     fn grade(&self, course: &Course, part: u32) -> Result<Vec<String>, GraderError> {
         let output = self.cargo(&["grader", "all", "--format", "json", "--no-times"])?;
         let report: Value = match serde_json::from_slice(&output.stdout) {
             Ok(report) => report,
             Err(e) => {
-                let said = last_lines(&output.stdout, &output.stderr);
+                let output = last_lines(&output.stdout, &output.stderr);
                 return Ok(vec![format!(
-                    "`cargo grader all` gives no report ({e}): {said}"
+                    "`cargo grader all` prints no report ({e}): {output}"
                 )]);
             }
         };
         let tasks: Vec<&Value> = report["tasks"].as_array().into_iter().flatten().collect();
-        let mut complaints = Vec::new();
+        let mut problems = Vec::new();
         for (number, key) in course
             .parts
             .iter()
             .flat_map(|p| p.tasks.iter().map(|task| (p.number, &task.key)))
         {
             let Some(task) = tasks.iter().find(|task| task["key"] == key.as_str()) else {
-                complaints.push(format!("its grader says nothing of {key}"));
+                problems.push(format!("its grader does not report {key}"));
                 continue;
             };
             let carved = number >= part;
             let full = task["score"] == task["max_score"]
                 && task["robust_score"] == task["robust_max_score"];
-            let right = if carved {
+            let as_expected = if carved {
                 task["status"] == "not_attempted"
                     && task["score"] == 0.0
                     && task["robust_score"] == 0.0
             } else {
                 task["status"] == "passed" && full
             };
-            if !right {
-                let wanted = if carved {
+            if !as_expected {
+                let expected = if carved {
                     "not attempted"
                 } else {
-                    "full marks"
+                    "all points"
                 };
-                complaints.push(format!(
-                    "its grader gives {key} the status {}, {} of {} and {} of {} robust points; right is {wanted}",
+                problems.push(format!(
+                    "its grader reports {key} as {}, with {} of {} core points and {} of {} robust points; expected {expected}",
                     task["status"], task["score"], task["max_score"], task["robust_score"], task["robust_max_score"]
                 ));
             }
         }
-        Ok(complaints)
+        Ok(problems)
     }
 }
 
 impl Tests {
-    /// Says to cargo whose tests these are.
+    /// The arguments of cargo that select these tests.
     fn packages(self) -> &'static [&'static str] {
         match self {
             Tests::All => &["--workspace"],
@@ -186,30 +187,30 @@ impl Tests {
     }
 }
 
-/// Tells cargo to test what is there, with nothing but what is there.
+/// The arguments of `cargo test`: offline, and with the versions of the lock file.
 const TEST: &[&str] = &["test", "--release", "--offline", "--locked"];
 
-/// What the compiler complains of in one of cargo's JSON messages.
+/// The compiler's warning or error in one of cargo's JSON messages, if it has one.
 fn warning(line: &str) -> Option<String> {
     let message: Value = serde_json::from_str(line).ok()?;
     let diagnostic = message.get("message")?;
-    let place = diagnostic["spans"].as_array()?.first()?;
+    let span = diagnostic["spans"].as_array()?.first()?;
     Some(format!(
         "{} in {}:{}: {}",
         diagnostic["level"].as_str()?,
-        Path::new(place["file_name"].as_str()?).display(),
-        place["line_start"],
+        Path::new(span["file_name"].as_str()?).display(),
+        span["line_start"],
         diagnostic["message"].as_str()?
     ))
 }
 
-/// How many lines of a program's output a complaint quotes.
-const QUOTED: usize = 12;
+/// How many lines of a program's output a message quotes.
+const QUOTED_LINES: usize = 12;
 
 fn first_lines(text: &[u8]) -> String {
     let text = String::from_utf8_lossy(text);
     text.lines()
-        .take(QUOTED)
+        .take(QUOTED_LINES)
         .flat_map(|line| ["\n  ", line])
         .collect()
 }
@@ -221,6 +222,6 @@ fn last_lines(stdout: &[u8], stderr: &[u8]) -> String {
     ]
     .concat();
     let lines: Vec<&str> = text.lines().collect();
-    let last = &lines[lines.len().saturating_sub(QUOTED)..];
+    let last = &lines[lines.len().saturating_sub(QUOTED_LINES)..];
     last.iter().flat_map(|line| ["\n  ", line]).collect()
 }

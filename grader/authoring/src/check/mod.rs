@@ -1,83 +1,86 @@
-//! Does the course keep its word? `grader course check` asks this before anything is handed out.
+//! Checks the course before it is handed out: `grader course check`.
 //!
-//! [`grader::lists`]: `course.toml`, cases and goldens agree. [`leak`]: no handout says what its solutions said. [`build`]: every
-//! handout builds without a warning, is formatted, passes its tests, and its own grader finds every
-//! carved task not attempted and every kept one full. The reference scores full.
+//! - [`grader::consistency`]: `course.toml`, the cases and the goldens agree.
+//! - [`solution_copies`]: no handout contains a copy of a solution that was removed from it.
+//! - [`build`]: every handout builds without warnings, is formatted and passes its tests. Its own
+//!   grader reports *not attempted* for every task without a solution and full points for the
+//!   others.
+//! - The reference earns all points.
 
 pub mod build;
-pub mod leak;
+pub mod solution_copies;
 
 use crate::handout::Handout;
 use build::Tests;
+use grader::consistency;
 use grader::course::{Course, Part};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
-use grader::lists;
-use grader::score::Report;
+use grader::report::Report;
 use grader::workspace::Workspace;
 use judge::cases;
 use std::collections::BTreeSet;
 
-/// Everything that is wrong with the course, sentence by sentence. Without `builds`, only what can be seen without
-/// building anything. `progress` is told what is being done.
+/// Checks the course and returns a message for each problem. Without `builds`, only runs the checks
+/// that build nothing. Calls `progress` with a message before each step.
 pub fn course(
     workspace: &Workspace,
     builds: bool,
     mut progress: impl FnMut(&str),
 ) -> Result<Vec<String>, GraderError> {
     let course = Course::read(workspace)?;
-    let mut complaints = Vec::new();
-    progress("lists: course.toml, cases, goldens");
-    let found = lists::find(workspace, &course, &cases::all(0));
-    note(&mut complaints, found, &mut progress);
+    let mut problems = Vec::new();
+    progress("comparing course.toml, cases and goldens");
+    let found = consistency::problems(workspace, &course, &cases::all(0));
+    report(&mut problems, found, &mut progress);
     let mut handouts = Vec::new();
     for part in &course.parts {
-        progress(&format!("handout of part {}: carving", part.number));
+        progress(&format!("handout of part {}: creating it", part.number));
         let handout = Handout::carve(workspace, part.number)?;
-        let found = of_texts(workspace, part, &handout)?;
-        note(&mut complaints, found, &mut progress);
+        let found = check_text(workspace, part, &handout)?;
+        report(&mut problems, found, &mut progress);
         handouts.push((part, handout));
     }
     if !builds {
-        return Ok(complaints);
+        return Ok(problems);
     }
-    progress("the reference: grading");
+    progress("grading the reference");
     let everything = GradeRequest {
         what: "all".into(),
         seed: 0,
     };
     let graded = grade::in_place(workspace, &everything, false)?;
-    let found = of_reference(&course, &graded.report);
-    note(&mut complaints, found, &mut progress);
+    let found = check_reference_score(&course, &graded.report);
+    report(&mut problems, found, &mut progress);
     let tests = std::iter::once(Tests::All).chain(std::iter::repeat(Tests::Stages));
     for ((part, handout), tests) in handouts.iter().zip(tests) {
         let number = part.number;
         let found = build::find(workspace, &course, number, handout, tests, &mut progress)?;
-        note(&mut complaints, found, &mut progress);
+        report(&mut problems, found, &mut progress);
     }
-    Ok(complaints)
+    Ok(problems)
 }
 
-/// Adds what was found to the complaints, and tells it at once: the rest takes minutes.
-fn note(complaints: &mut Vec<String>, found: Vec<String>, progress: &mut impl FnMut(&str)) {
-    for complaint in found {
-        progress(&format!("COMPLAINT: {complaint}"));
-        complaints.push(complaint);
+/// Adds `found` to the problems and prints it at once, because the other checks take minutes.
+fn report(problems: &mut Vec<String>, found: Vec<String>, progress: &mut impl FnMut(&str)) {
+    for problem in found {
+        progress(&format!("PROBLEM: {problem}"));
+        problems.push(problem);
     }
 }
 
-/// What is wrong with a handout's texts.
-fn of_texts(
+/// Checks the text of a handout's files: no markers, no solutions.
+fn check_text(
     workspace: &Workspace,
     part: &Part,
     handout: &Handout,
 ) -> Result<Vec<String>, GraderError> {
     let here = format!("handout of part {}", part.number);
-    let mut complaints = Vec::new();
+    let mut problems = Vec::new();
     let again = Handout::carve(workspace, part.number)?;
     if again.files != handout.files {
-        complaints.push(format!(
-            "{here}: carving it twice gives two different handouts"
+        problems.push(format!(
+            "{here}: creating it twice gives two different handouts"
         ));
     }
     for (path, contents) in handout
@@ -90,43 +93,54 @@ fn of_texts(
             .iter()
             .find(|marker| text.contains(**marker))
         {
-            complaints.push(format!("{here}: {} still has `{marker}`", path.display()));
+            problems.push(format!(
+                "{here}: {} still contains `{marker}`",
+                path.display()
+            ));
         }
     }
-    let solutions: BTreeSet<_> = handout.taken.iter().map(|taken| &taken.path).collect();
+    let solutions: BTreeSet<_> = handout
+        .removed
+        .iter()
+        .map(|removed| &removed.path)
+        .collect();
     for path in solutions {
         let reference = submission::file_tree::read(workspace.root(), path)?;
         if handout.files.get(path) == Some(&reference) {
-            complaints.push(format!("{here}: {} is the reference's", path.display()));
+            problems.push(format!(
+                "{here}: {} still is the reference's file",
+                path.display()
+            ));
         }
     }
-    complaints.extend(
-        leak::find(handout)
+    problems.extend(
+        solution_copies::find(handout)
             .into_iter()
-            .map(|leak| format!("{here}: {leak}")),
+            .map(|copy| format!("{here}: {copy}")),
     );
-    Ok(complaints)
+    Ok(problems)
 }
 
-/// What the reference lacks of full marks.
-fn of_reference(course: &Course, report: &Report) -> Vec<String> {
-    let mut complaints: Vec<String> = report
+/// Checks that the reference earns all points.
+fn check_reference_score(course: &Course, report: &Report) -> Vec<String> {
+    let mut problems: Vec<String> = report
         .tasks
         .iter()
+        .map(|task| &task.result)
         .filter(|task| task.score < task.max_score || task.robust_score < task.robust_max_score)
         .map(|task| {
             format!(
-                "the reference scores {} of {} and {} of {} robust points in {}",
+                "the reference earns {} of {} core points and {} of {} robust points in {}",
                 task.score, task.max_score, task.robust_score, task.robust_max_score, task.key
             )
         })
         .collect();
-    let [core, robust] = lists::points(course);
+    let [core, robust] = consistency::total_points(course);
     if report.max_score != core || report.robust_max_score != robust {
-        complaints.push(format!(
-            "course.toml gives {core} core and {robust} robust points, the report {} and {}",
+        problems.push(format!(
+            "course.toml lists {core} core and {robust} robust points, but the report {} and {}",
             report.max_score, report.robust_max_score
         ));
     }
-    complaints
+    problems
 }

@@ -1,4 +1,4 @@
-//! `grader course check`: does the course keep its word?
+//! The command `grader course check`: checks the course before it is handed out.
 
 use authoring::check;
 use clap::{Arg, ArgAction, ArgMatches, Command};
@@ -10,17 +10,17 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Whoever hears nothing for so long wonders whether the program lives.
-const SILENCE: Duration = Duration::from_secs(20);
+/// After this time without output the program prints that it is still running.
+const MAX_SILENCE: Duration = Duration::from_secs(20);
 
 pub(crate) fn command() -> Command {
     let check = Command::new("check")
-        .about("Checks that the course holds together: lists, goldens, the reference's score, and every handout, built and graded")
+        .about("Checks the lists of cases and goldens, the reference's score, and every handout: builds and grades it")
         .arg(
             Arg::new("quick")
                 .long("quick")
                 .action(ArgAction::SetTrue)
-                .help("Only what can be checked without building anything"),
+                .help("Run only the checks that build nothing"),
         );
     Command::new("course")
         .about("For instructors: checks the course itself")
@@ -29,36 +29,36 @@ pub(crate) fn command() -> Command {
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
-    let (_, matches) = matches.subcommand().expect("clap asks for it");
+    let (_, matches) = matches.subcommand().expect("clap requires it");
     let quick = matches.get_flag("quick");
     let workspace = Workspace::above(Path::new("."))?;
     let start = Instant::now();
-    let tell = |doing: &str| eprintln!("[{:4} s] {doing}", start.elapsed().as_secs());
-    let (done, waits) = mpsc::channel();
-    let complaints = thread::scope(|scope| {
+    let print = |step: &str| eprintln!("[{:4} s] {step}", start.elapsed().as_secs());
+    let (sender, receiver) = mpsc::channel();
+    let problems = thread::scope(|scope| {
         scope.spawn(move || {
-            while let Err(RecvTimeoutError::Timeout) = waits.recv_timeout(SILENCE) {
-                tell("  ... still at it");
+            while let Err(RecvTimeoutError::Timeout) = receiver.recv_timeout(MAX_SILENCE) {
+                print("  ... still running");
             }
         });
-        let complaints = check::course(&workspace, !quick, tell);
-        // The other thread waits until nobody is left who could send.
-        drop::<Sender<()>>(done);
-        complaints
+        let problems = check::course(&workspace, !quick, print);
+        // The other thread ends when the last sender is dropped.
+        drop::<Sender<()>>(sender);
+        problems
     })?;
-    for complaint in &complaints {
-        println!("{complaint}");
+    for problem in &problems {
+        println!("{problem}");
     }
-    if complaints.is_empty() {
+    if problems.is_empty() {
         println!(
-            "The course holds together ({} s).",
+            "The course has no problems ({} s).",
             start.elapsed().as_secs()
         );
-        return Ok(Verdict::Full);
+        return Ok(Verdict::Passed);
     }
-    match complaints.len() {
-        1 => println!("1 complaint."),
-        many => println!("{many} complaints."),
+    match problems.len() {
+        1 => println!("1 problem found."),
+        many => println!("{many} problems found."),
     }
-    Ok(Verdict::Short)
+    Ok(Verdict::Failed)
 }

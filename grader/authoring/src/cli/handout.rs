@@ -1,6 +1,6 @@
-//! `grader handout --part N --out DIR`.
+//! The command `grader handout --part N --out DIR`: creates the project for students.
 
-use authoring::handout::{Handout, place};
+use authoring::handout::{Handout, output_folder};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use grader::cli::Verdict;
 use grader::error::GraderError;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
     Command::new("handout")
-        .about("For instructors: carves the project that a student is given")
+        .about("For instructors: creates the project for students, without the solutions")
         .arg(
             Arg::new("part")
                 .long("part")
@@ -17,7 +17,7 @@ pub(crate) fn command() -> Command {
                 .required(true)
                 .value_parser(part_number)
                 .allow_negative_numbers(true)
-                .help("The first part that the student writes; the reference of the parts before stays"),
+                .help("The first part that the student writes; earlier parts keep the reference's code"),
         )
         .arg(
             Arg::new("out")
@@ -25,27 +25,27 @@ pub(crate) fn command() -> Command {
                 .value_name("DIR")
                 .required(true)
                 .value_parser(value_parser!(PathBuf))
-                .help("A new folder, outside the course"),
+                .help("A new folder outside the course"),
         )
 }
 
 fn part_number(value: &str) -> Result<u32, String> {
     grader::cli::whole_number(value, 1, u32::MAX)
-        .map_err(|_| "give a part's number, such as 1".to_owned())
+        .map_err(|_| "expected a part's number, such as 1".to_owned())
 }
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
-    let part: u32 = *matches.get_one("part").expect("clap asks for it");
-    let out: &PathBuf = matches.get_one("out").expect("clap asks for it");
+    let part: u32 = *matches.get_one("part").expect("clap requires it");
+    let out: &PathBuf = matches.get_one("out").expect("clap requires it");
     let workspace = Workspace::above(Path::new("."))?;
-    place::check(&workspace, out)?;
+    output_folder::check(&workspace, out)?;
     let handout = Handout::carve(&workspace, part)?;
     handout.write(out)?;
     println!(
-        "{}: {} files, {} solutions carved out. A student starts with its README.md",
+        "{}: {} files written, {} solutions removed. Students start with README.md",
         out.display(),
         handout.files.len(),
-        handout.taken.len()
+        handout.removed.len()
     );
-    Ok(Verdict::Full)
+    Ok(Verdict::Passed)
 }

@@ -1,4 +1,4 @@
-//! The arguments of each command and what it does with them.
+//! The commands: their arguments, and the functions that run them.
 
 pub(crate) mod course;
 pub(crate) mod handout;

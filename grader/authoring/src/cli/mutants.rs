@@ -1,4 +1,5 @@
-//! `grader mutants`: does the grader catch every typical mistake, and accuse no correct code?
+//! The command `grader mutants`: checks that every typical mistake loses points and that no correct
+//! code does.
 
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::run;
@@ -30,7 +31,7 @@ pub(crate) fn command() -> Command {
                 .value_parser(|value: &str| whole_number(value, 1, u64::MAX))
                 .allow_negative_numbers(true)
                 .conflicts_with("bless")
-                .help("Grade the correct versions with seeds 0 to N - 1. The stored tables are for one"),
+                .help("Grade the correct versions with seeds 0 to N - 1. The stored tables are for seed 0"),
         )
         .arg(
             Arg::new("with")
@@ -38,13 +39,13 @@ pub(crate) fn command() -> Command {
                 .value_name("FOLDER")
                 .value_parser(value_parser!(PathBuf))
                 .conflicts_with_all(["seeds", "bless"])
-                .help("Instead, try the diagnosis with mistakes that it need not know: those in FOLDER/<task>.toml, written as in `grader/mutants`. Nothing is stored"),
+                .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, which may make mistakes that are not listed. The format is that of `grader/mutants`. Nothing is stored"),
         )
         .arg(
             Arg::new("bless")
                 .long("bless")
                 .action(ArgAction::SetTrue)
-                .help("Store the tables and the signatures that the diagnosis uses"),
+                .help("Store the tables, and the signatures that the diagnosis uses"),
         )
 }
 
@@ -55,14 +56,14 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let bless = matches.get_flag("bless");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let mut verdict = Verdict::Full;
+    let mut verdict = Verdict::Passed;
     for task in course.select(what)? {
         if let Some(folder) = with {
-            let mutants = Corpus::strangers(folder, task)?;
+            let mutants = Corpus::read_unlisted(folder, task)?;
             if !mutants.is_empty() {
                 let known = diagnosis::known(&workspace, &task.key)?;
-                let graded = run::strangers(&workspace, &course, task, mutants)?;
-                show_strangers(&task.key, &graded, &known);
+                let graded = run::unlisted(&workspace, &course, task, mutants)?;
+                show_unlisted(&task.key, &graded, &known);
             }
             continue;
         }
@@ -70,27 +71,29 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         let graded = run::task(&workspace, &course, task, seeds)?;
         let known = run::known(&corpus, &graded);
         let table = Table::of(&graded, &known);
-        let accused: Vec<&run::Graded> =
-            graded.iter().filter(|graded| graded.is_accused()).collect();
-        show(&task.key, &table, &accused);
+        let marked_down: Vec<&run::Graded> = graded
+            .iter()
+            .filter(|graded| graded.is_marked_down())
+            .collect();
+        show(&task.key, &table, &marked_down);
         for (name, _) in table.misnamed() {
             let graded = graded.iter().find(|graded| graded.name == name);
-            show_what_students_read(name, graded, &known);
+            show_diagnosis(name, graded, &known);
         }
-        if !accused.is_empty() || !table.survivors().is_empty() {
-            verdict = Verdict::Short;
+        if !marked_down.is_empty() || !table.survivors().is_empty() {
+            verdict = Verdict::Failed;
         }
         if bless {
             diagnosis::store(&workspace, &task.key, &known)?;
             table.store(&workspace, &task.key)?;
         } else if seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
-            verdict = Verdict::Short;
+            verdict = Verdict::Failed;
         }
     }
     Ok(verdict)
 }
 
-/// Says what differs from the stored table, if anything does.
+/// Compares with the stored table and signatures, and prints what differs.
 fn same_as_stored(
     workspace: &Workspace,
     task: &str,
@@ -100,23 +103,23 @@ fn same_as_stored(
     let stored = Table::read(workspace, task)?;
     let differences = stored.differences(table);
     for name in &differences {
-        println!("  DIFFERS from what is stored: {name}");
+        println!("  DIFFERS from the stored table: {name}");
     }
     let same_signatures = diagnosis::known(workspace, task)? == known;
     if !same_signatures {
-        println!("  DIFFERS from what is stored: the signatures");
+        println!("  DIFFERS from the stored signatures");
     }
     let same = differences.is_empty() && same_signatures && stored == *table;
     if !same {
-        println!("  If that is meant, `grader mutants {task} --bless` stores it.");
+        println!("  If this is intended, run `grader mutants {task} --bless` to store it.");
     }
     Ok(same)
 }
 
-/// What is made of mistakes that the diagnosis need not know.
-fn show_strangers(task: &str, graded: &[run::Graded], known: &[Known]) {
+/// Prints the diagnosis of mutants that may make unlisted mistakes.
+fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
     let mut table = Table::of(graded, known);
-    // Nothing correct was graded beside them to compare with.
+    // No correct version was graded to compare with, so compare with all points.
     for graded in graded {
         let lost = graded.result.score < graded.result.max_score;
         if !lost {
@@ -125,20 +128,20 @@ fn show_strangers(task: &str, graded: &[run::Graded], known: &[Known]) {
     }
     show(task, &table, &[]);
     for graded in graded {
-        show_what_students_read(&graded.name, Some(graded), known);
+        show_diagnosis(&graded.name, Some(graded), known);
     }
 }
 
-/// What is said to who makes a mistake that is not named rightly.
-fn show_what_students_read(name: &str, graded: Option<&run::Graded>, known: &[Known]) {
+/// Prints the diagnosis that a student with this mistake reads.
+fn show_diagnosis(name: &str, graded: Option<&run::Graded>, known: &[Known]) {
     let signature = graded.map(|graded| Signature::of(&graded.result.cases));
     let diagnosis = signature.and_then(|signature| diagnosis::diagnose(known, &signature));
     if let Some(diagnosis) = diagnosis {
-        println!("  students with {name} read: {}", diagnosis.says);
+        println!("  diagnosis of {name}: {}", diagnosis.says);
     }
 }
 
-fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
+fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
     println!(
         "{task}: {} mutants, {} correct versions",
         table.mutants.len(),
@@ -156,7 +159,7 @@ fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
             named
         };
         println!(
-            "  {name}: lost points in {}, named as {named}",
+            "  {name}: lost points in {}, diagnosed as {named}",
             plural(failed.len(), "case", "cases")
         );
     }
@@ -164,11 +167,11 @@ fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
         println!("  SURVIVES: {name} loses no points");
     }
     for (name, named) in table.misnamed() {
-        println!("  MISNAMED: {name} is taken for {named:?}");
+        println!("  WRONG DIAGNOSIS: {name} is diagnosed as {named:?}");
     }
-    for graded in accused {
+    for graded in marked_down {
         println!(
-            "  ACCUSED: {} lost {} core points",
+            "  MARKED DOWN: {} is correct, but lost {} core points",
             graded.name,
             graded.result.max_score - graded.result.score
         );
@@ -186,12 +189,12 @@ fn show(task: &str, table: &Table, accused: &[&run::Graded]) {
         }
     }
     println!(
-        "  named rightly: {} of {}",
+        "  diagnosed correctly: {} of {}",
         table.mutants.len() - table.misnamed().len(),
         table.mutants.len()
     );
     let (recognised, held_out) = table.recognised;
     if held_out > 0 {
-        println!("  recognised in other clothes: {recognised} of {held_out}");
+        println!("  recognised in held-out mutants: {recognised} of {held_out}");
     }
 }

@@ -1,6 +1,6 @@
-//! Carving one file: solutions out, holes in.
+//! Removes the solutions from one file and inserts stubs in their place ("carving").
 //!
-//! A solution stands between two markers that name its task:
+//! A solution is between two markers that name its task:
 //!
 //! ```text
 //!     // BEGIN SOLUTION(part1.task3)
@@ -9,32 +9,33 @@
 //!     // END SOLUTION(part1.task3)
 //! ```
 //!
-//! Where a task is carved, the `STUB` lines take the place of the whole block, indented as its first marker is;
-//! a block without them (a helper, an import, a unit test) goes without a trace. Where a task is kept, the
-//! reference stays and the markers go: a student reads plain code in either case.
+//! If the task is carved, the `STUB` lines replace the whole block, with the indentation of its
+//! first marker. A block without `STUB` lines (a helper, an import, a unit test) is removed. If the
+//! task is kept, the solution stays and the markers are removed. So students see no markers in
+//! either case.
 
 use grader::error::GraderError;
 use std::collections::BTreeSet;
 
-/// What carving reads of the course.
+/// Carves files: removes the solutions of some tasks.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Knife {
-    /// Keys of all tasks.
-    pub known: BTreeSet<String>,
-    /// Keys of the tasks to carve.
-    pub carved: BTreeSet<String>,
+pub struct Carver {
+    /// The keys of all tasks.
+    pub all_keys: BTreeSet<String>,
+    /// The keys of the tasks whose solutions to remove.
+    pub carved_keys: BTreeSet<String>,
 }
 
-/// What one file became.
+/// The result of carving one file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Carved {
-    /// The text for the student; empty if nothing but comments and blank lines was left of the file.
+    /// The text for the student; empty if only comments and blank lines are left.
     pub text: String,
-    /// The solutions that were taken out, block by block, with their tasks.
-    pub taken: Vec<(String, String)>,
+    /// The removed blocks, each with the key of its task.
+    pub removed: Vec<(String, String)>,
 }
 
-/// What a line of a marked file is.
+/// The kinds of lines in a file with markers.
 enum Line<'a> {
     Begin(&'a str),
     End(&'a str),
@@ -42,7 +43,7 @@ enum Line<'a> {
     Code,
 }
 
-/// A block that is open.
+/// A block whose end marker was not read yet.
 struct Block<'a> {
     key: &'a str,
     line: usize,
@@ -51,23 +52,23 @@ struct Block<'a> {
     stub: Vec<&'a str>,
 }
 
-impl Knife {
-    /// Carves `text`, which stands in the file `name` (for messages).
+impl Carver {
+    /// Carves `text`, the contents of the file `name` (which messages contain).
     ///
-    /// Markers that do not pair up, blocks in blocks, keys that the course does not list, stub lines outside a
-    /// block and comments that almost are markers are errors: a slip here would hand out a solution.
+    /// Unpaired markers, nested blocks, keys that the course does not list, stub lines outside a
+    /// block and misspelt markers are errors: any of them could put a solution into a handout.
     pub fn carve(&self, name: &str, text: &str) -> Result<Carved, GraderError> {
         let mut out: Vec<String> = Vec::new();
-        let mut taken = Vec::new();
+        let mut removed = Vec::new();
         let mut open: Option<Block> = None;
-        let mut swallow_blank = false;
+        let mut skip_blank_line = false;
         for (number, line) in (1..).zip(text.lines()) {
             let at = |sentence: String| GraderError::new(format!("{name}:{number}: {sentence}"));
             match (read(line).map_err(at)?, &mut open) {
                 (Line::Begin(key), None) => {
-                    if !self.known.contains(key) {
+                    if !self.all_keys.contains(key) {
                         return Err(at(format!(
-                            "the course has no task `{key}`: is the key right, and is the task in course.toml?"
+                            "the course has no task `{key}`: correct the key, or add the task to course.toml"
                         )));
                     }
                     let indent = &line[..line.len() - line.trim_start().len()];
@@ -82,7 +83,7 @@ impl Knife {
                 }
                 (Line::Begin(key), Some(block)) => {
                     return Err(at(format!(
-                        "the solution of `{key}` begins inside that of `{}` (line {}): end that one first",
+                        "the solution of `{key}` begins inside the solution of `{}` (line {}): end that one first",
                         block.key, block.line
                     )));
                 }
@@ -90,68 +91,68 @@ impl Knife {
                     let Some(block) = open.take() else {
                         unreachable!("a block is open")
                     };
-                    if !self.carved.contains(key) {
+                    if !self.carved_keys.contains(key) {
                         out.extend(block.body.iter().map(ToString::to_string));
                     } else if block.stub.is_empty() {
-                        // With the block goes one of the two blank lines that it would leave.
-                        swallow_blank = out
+                        // Removing the block would leave two blank lines: remove one of them.
+                        skip_blank_line = out
                             .last()
                             .is_none_or(|last| last.trim().is_empty() || last.ends_with('{'));
-                        taken.push((key.to_string(), block.body.join("\n")));
+                        removed.push((key.to_string(), block.body.join("\n")));
                     } else {
                         out.extend(block.stub.iter().map(|stub| indented(block.indent, stub)));
-                        taken.push((key.to_string(), block.body.join("\n")));
+                        removed.push((key.to_string(), block.body.join("\n")));
                     }
                     continue;
                 }
                 (Line::End(key), Some(block)) => {
                     return Err(at(format!(
-                        "this ends the solution of `{key}`, but the open one is of `{}` (line {})",
+                        "expected the end of the solution of `{}` (line {}), found the end of one of `{key}`",
                         block.key, block.line
                     )));
                 }
                 (Line::End(key), None) => {
                     return Err(at(format!(
-                        "this ends a solution of `{key}` that never began"
+                        "found the end of a solution of `{key}` that has no beginning"
                     )));
                 }
                 (Line::Stub(stub), Some(block)) => block.stub.push(stub),
                 (Line::Stub(_), None) => {
-                    return Err(at("a stub line stands outside every solution".into()));
+                    return Err(at("found a stub line outside of a solution".into()));
                 }
                 (Line::Code, Some(block)) => block.body.push(line),
                 (Line::Code, None) => {
-                    if !(swallow_blank && line.trim().is_empty()) {
+                    if !(skip_blank_line && line.trim().is_empty()) {
                         out.push(line.to_string());
                     }
                 }
             }
-            swallow_blank = false;
+            skip_blank_line = false;
         }
         if let Some(block) = open {
             return Err(GraderError::new(format!(
-                "{name}:{}: the solution of `{}` never ends",
+                "{name}:{}: the solution of `{}` has no end",
                 block.line, block.key
             )));
         }
         Ok(Carved {
-            text: finished(out, !taken.is_empty()),
-            taken,
+            text: join_lines(out, !removed.is_empty()),
+            removed,
         })
     }
 }
 
-/// Reads one line. A comment that speaks of solutions or stubs without being a marker is an error.
+/// Reads one line. A comment that begins like a marker but is none is an error.
 fn read(line: &str) -> Result<Line<'_>, String> {
     let Some(comment) = line.trim().strip_prefix("//") else {
         return Ok(Line::Code);
     };
-    for (words, kind) in [
+    for (prefix, kind) in [
         (" BEGIN SOLUTION(", Line::Begin as fn(_) -> _),
         (" END SOLUTION(", Line::End),
     ] {
         if let Some(key) = comment
-            .strip_prefix(words)
+            .strip_prefix(prefix)
             .and_then(|rest| rest.strip_suffix(')'))
         {
             return Ok(kind(key));
@@ -160,13 +161,13 @@ fn read(line: &str) -> Result<Line<'_>, String> {
     if let Some(stub) = comment.strip_prefix(" STUB:") {
         return Ok(Line::Stub(stub.strip_prefix(' ').unwrap_or(stub)));
     }
-    let word = comment.trim_start().to_ascii_uppercase();
-    let almost = ["BEGIN SOLUTION", "END SOLUTION", "STUB:"]
+    let upper_case = comment.trim_start().to_ascii_uppercase();
+    let is_misspelt = ["BEGIN SOLUTION", "END SOLUTION", "STUB:"]
         .iter()
-        .any(|marker| word.starts_with(marker));
-    if almost {
+        .any(|marker| upper_case.starts_with(marker));
+    if is_misspelt {
         return Err(format!(
-            "`{}` is almost a marker: write `// BEGIN SOLUTION(key)`, `// STUB: line` or `// END SOLUTION(key)`",
+            "`{}` is a misspelt marker: expected `// BEGIN SOLUTION(key)`, `// STUB: line` or `// END SOLUTION(key)`",
             line.trim()
         ));
     }
@@ -181,8 +182,8 @@ fn indented(indent: &str, stub: &str) -> String {
     }
 }
 
-/// The lines as a text that ends in one newline. A file of which carving left no code becomes empty.
-fn finished(mut lines: Vec<String>, was_carved: bool) -> String {
+/// Joins the lines to a text that ends in one newline. The text is empty if carving left no code.
+fn join_lines(mut lines: Vec<String>, was_carved: bool) -> String {
     while lines.last().is_some_and(|last| last.trim().is_empty()) {
         lines.pop();
     }
@@ -203,16 +204,16 @@ fn finished(mut lines: Vec<String>, was_carved: bool) -> String {
 mod tests {
     use super::*;
 
-    fn knife(carved: &[&str]) -> Knife {
+    fn carver(carved: &[&str]) -> Carver {
         let keys = |keys: &[&str]| keys.iter().map(ToString::to_string).collect();
-        Knife {
-            known: keys(&["part1.task1", "part1.task2", "part2.task1"]),
-            carved: keys(carved),
+        Carver {
+            all_keys: keys(&["part1.task1", "part1.task2", "part2.task1"]),
+            carved_keys: keys(carved),
         }
     }
 
     fn carve(text: &str) -> Result<String, String> {
-        let carved = knife(&["part1.task1"]).carve("f.rs", text);
+        let carved = carver(&["part1.task1"]).carve("f.rs", text);
         carved.map(|c| c.text).map_err(|e| e.to_string())
     }
 
@@ -231,7 +232,7 @@ fn f(x: u32) -> u32 {
 ";
 
     #[test]
-    fn stub_lines_take_the_place_of_the_solution_with_their_own_indentation() {
+    fn stub_lines_replace_the_solution_and_keep_their_indentation() {
         let expected = "\
 fn f(x: u32) -> u32 {
     kit::hole!(
@@ -244,18 +245,18 @@ fn f(x: u32) -> u32 {
     }
 
     #[test]
-    fn a_kept_task_loses_its_markers_and_stubs_only() {
-        let kept = knife(&["part2.task1"]).carve("f.rs", FUNCTION).unwrap();
+    fn a_kept_task_only_loses_its_markers_and_stubs() {
+        let kept = carver(&["part2.task1"]).carve("f.rs", FUNCTION).unwrap();
         let expected = "fn f(x: u32) -> u32 {\n    let y = x;\n\n    y + 1\n}\n";
         assert_eq!(kept.text, expected);
-        assert!(kept.taken.is_empty());
+        assert!(kept.removed.is_empty());
     }
 
     #[test]
-    fn what_was_taken_is_told() {
-        let carved = knife(&["part1.task1"]).carve("f.rs", FUNCTION).unwrap();
+    fn removed_solutions_are_returned() {
+        let carved = carver(&["part1.task1"]).carve("f.rs", FUNCTION).unwrap();
         let body = "    let y = x;\n\n    y + 1".to_string();
-        assert_eq!(carved.taken, [("part1.task1".to_string(), body)]);
+        assert_eq!(carved.removed, [("part1.task1".to_string(), body)]);
     }
 
     #[test]
@@ -265,7 +266,7 @@ fn f(x: u32) -> u32 {
     }
 
     #[test]
-    fn an_item_goes_with_one_of_its_blank_lines() {
+    fn an_item_is_removed_with_one_of_its_blank_lines() {
         let text = "\
 // BEGIN SOLUTION(part1.task1)
 use a::b;
@@ -285,12 +286,12 @@ fn last() {}
         assert_eq!(
             carve(text).as_deref(),
             Ok("use c::d;\n\nfn g() {}\n"),
-            "no blank line doubled, none at the end"
+            "no double blank line, and none at the end"
         );
     }
 
     #[test]
-    fn an_item_between_two_others_without_blank_lines_leaves_them_side_by_side() {
+    fn removing_an_item_does_not_join_its_neighbours_with_a_blank_line() {
         let text = "use a;\n// BEGIN SOLUTION(part1.task1)\nuse b;\n// END SOLUTION(part1.task1)\n\nfn f() {}\n";
         assert_eq!(carve(text).as_deref(), Ok("use a;\n\nfn f() {}\n"));
     }
@@ -305,30 +306,30 @@ fn last() {}
     }
 
     #[test]
-    fn a_file_that_was_all_solution_is_empty() {
+    fn a_file_that_contains_only_a_solution_becomes_empty() {
         let text = "//! Tests.\n\n// BEGIN SOLUTION(part1.task1)\nfn t() {}\n// END SOLUTION(part1.task1)\n";
         assert_eq!(carve(text).as_deref(), Ok(""));
     }
 
     #[test]
-    fn a_file_without_markers_stays_as_it_is() {
+    fn a_file_without_markers_is_unchanged() {
         let text = "//! Only words.\n";
         assert_eq!(carve(text).as_deref(), Ok(text));
         assert_eq!(carve("fn f() {}\r\n").as_deref(), Ok("fn f() {}\n"));
     }
 
     #[test]
-    fn every_slip_is_an_error_with_its_place() {
+    fn wrong_markers_are_errors_with_their_line() {
         let begin = "// BEGIN SOLUTION(part1.task1)\n";
         let end = "// END SOLUTION(part1.task1)\n";
-        let slips = [
+        let mistakes = [
             (
                 format!("a\n{begin}b\n"),
-                "f.rs:2: the solution of `part1.task1` never ends",
+                "f.rs:2: the solution of `part1.task1` has no end",
             ),
             (
                 format!("a\n{end}"),
-                "f.rs:2: this ends a solution of `part1.task1` that never began",
+                "f.rs:2: found the end of a solution of `part1.task1` that has no beginning",
             ),
             (
                 format!("{begin}{begin}{end}"),
@@ -336,7 +337,7 @@ fn last() {}
             ),
             (
                 format!("{begin}// END SOLUTION(part1.task2)\n"),
-                "f.rs:2: this ends the solution of `part1.task2`, but the open one is of `part1.task1`",
+                "f.rs:2: expected the end of the solution of `part1.task1` (line 1), found the end of one of `part1.task2`",
             ),
             (
                 "// BEGIN SOLUTION(part1.taks1)\n".into(),
@@ -344,23 +345,23 @@ fn last() {}
             ),
             (
                 "x\n// STUB: a\n".into(),
-                "f.rs:2: a stub line stands outside every solution",
+                "f.rs:2: found a stub line outside of a solution",
             ),
             (
                 "//BEGIN SOLUTION(part1.task1)\n".into(),
-                "f.rs:1: `//BEGIN SOLUTION(part1.task1)` is almost",
+                "f.rs:1: `//BEGIN SOLUTION(part1.task1)` is a misspelt",
             ),
             (
                 "// begin solution(part1.task1)\n".into(),
-                "f.rs:1: `// begin solution(part1.task1)` is almost",
+                "f.rs:1: `// begin solution(part1.task1)` is a misspelt",
             ),
             (
                 "// BEGIN SOLUTION (part1.task1)\n".into(),
-                "f.rs:1: `// BEGIN SOLUTION (part1.task1)` is almost",
+                "f.rs:1: `// BEGIN SOLUTION (part1.task1)` is a misspelt",
             ),
-            ("//STUB: x\n".into(), "f.rs:1: `//STUB: x` is almost"),
+            ("//STUB: x\n".into(), "f.rs:1: `//STUB: x` is a misspelt"),
         ];
-        for (text, beginning) in slips {
+        for (text, beginning) in mistakes {
             let error = carve(&text).unwrap_err();
             assert!(error.starts_with(beginning), "{text:?}: {error}");
         }

@@ -1,19 +1,20 @@
-//! Handouts: the course as a student gets it.
+//! Creates handouts: the projects that students receive.
 //!
-//! The handout of part N has the reference of the parts before N, holes from N on, and everything that it takes
-//! to write and grade them. Read [`carve`] (one file), then `plan` (which files) and
-//! [`Handout::carve`]; [`readme`] is what the student reads first.
+//! The handout of part N contains the reference's code of the parts before N. From part N on it
+//! contains functions to write, and all that is needed to write and grade them. Read [`carve`] (one
+//! file) first, then `file_selection` (which files) and [`Handout::carve`]. [`readme`] writes the
+//! README.
 
 pub mod carve;
-pub mod place;
-mod plan;
+mod file_selection;
+pub mod output_folder;
 pub mod readme;
 
-use carve::Knife;
+use carve::Carver;
+use file_selection::FileSelection;
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::workspace::Workspace;
-use plan::Plan;
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -22,141 +23,154 @@ use submission::file_tree::{self, Files};
 use submission::packages::members;
 use submission::packages::{lock, manifest};
 
-/// A carved course.
+/// A handout: the files of the course without the solutions of some parts.
 #[derive(Clone, Debug)]
 pub struct Handout {
-    /// Every file of it.
+    /// All files of the handout.
     pub files: Files,
-    /// The solutions that were taken out.
-    pub taken: Vec<Taken>,
-    /// The files that hold a solution of a part before, which the student is given.
-    pub solved: BTreeSet<PathBuf>,
+    /// The solutions that were removed.
+    pub removed: Vec<RemovedSolution>,
+    /// The files with solutions of earlier parts. The handout keeps these solutions.
+    pub reference_files: BTreeSet<PathBuf>,
 }
 
-/// A solution that was taken out.
+/// A solution that was removed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Taken {
-    /// The file it stood in.
+pub struct RemovedSolution {
+    /// The file that contained it.
     pub path: PathBuf,
-    /// The task that it solves.
+    /// The key of the task that it solves.
     pub key: String,
     /// Its text.
     pub text: String,
 }
 
 impl Handout {
-    /// Carves the parts from `part` on out of `workspace`.
+    /// Creates the handout of `part` from the full checkout `workspace`.
     pub fn carve(workspace: &Workspace, part: u32) -> Result<Handout, GraderError> {
         let root = workspace.root();
         let course = Course::read(workspace)?;
-        let knife = plan::knife(&course, part)?;
+        let carver = file_selection::carver(&course, part)?;
         let members = members::read(root)?;
-        let plan = Plan::new(&members);
+        let selection = FileSelection::new(&members);
         let mut handout = Handout {
             files: Files::new(),
-            taken: Vec::new(),
-            solved: BTreeSet::new(),
+            removed: Vec::new(),
+            reference_files: BTreeSet::new(),
         };
-        for path in file_tree::paths(root)? {
-            if plan.takes(&path) {
+        for path in file_tree::workspace_paths(root)? {
+            if selection.includes(&path) {
                 let contents = file_tree::read(root, &path)?;
-                handout.add(&plan, &knife, path, contents, root)?;
+                handout.add(&selection, &carver, path, contents, root)?;
             }
         }
-        if let Some(key) = knife.carved.iter().find(|key| !handout.has_taken(key)) {
+        if let Some(key) = carver
+            .carved_keys
+            .iter()
+            .find(|key| !handout.has_removed(key))
+        {
             return Err(GraderError::new(format!(
-                "there is no solution of {key} to carve out of {}. Is this a handout itself? Handouts are carved \
-                 from the course's full checkout, and only from files that git knows",
+                "found no solution of {key} in {}. Is this a handout? Handouts are created from the course's \
+                 full checkout, from files that git tracks",
                 root.display()
             )));
         }
-        handout.leave_out_tests(&plan)?;
+        handout.remove_tests(&selection)?;
         let readme = readme::write(&course, part, &handout.files)?;
         handout
             .files
             .insert("README.md".into(), readme.into_bytes());
-        lock::mend(&mut handout.files)?;
+        lock::remove_unused(&mut handout.files)?;
         Ok(handout)
     }
 
-    /// Writes the handout to the new folder `out`, whole or not at all.
+    /// Writes the handout to the new folder `out`. On an error the folder does not exist.
     pub fn write(&self, out: &Path) -> Result<(), GraderError> {
         let parent = match out.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent,
             _ => Path::new("."),
         };
-        let scratch = grader::interrupt::scratch_in(parent)?;
-        let whole = scratch.path().join("handout");
+        let temp = grader::interrupt::temp_folder_in(parent)?;
+        let complete = temp.path().join("handout");
         for (path, contents) in &self.files {
-            file_tree::write(&whole.join(path), contents)?;
+            file_tree::write(&complete.join(path), contents)?;
         }
-        // Renaming onto an empty folder works on some systems only.
+        // Not all systems can rename a folder to the name of an empty one.
         let _ = std::fs::remove_dir(out);
-        std::fs::rename(&whole, out).map_err(|e| GraderError::file("write", out, e))
+        std::fs::rename(&complete, out).map_err(|e| GraderError::file("write", out, e))
     }
 
-    fn has_taken(&self, key: &str) -> bool {
-        self.taken.iter().any(|taken| taken.key == key)
+    fn has_removed(&self, key: &str) -> bool {
+        self.removed.iter().any(|removed| removed.key == key)
     }
 
-    /// Adds a file of the workspace, carved.
+    /// Adds a file of the workspace without the solutions to remove.
     fn add(
         &mut self,
-        plan: &Plan,
-        knife: &Knife,
+        selection: &FileSelection,
+        carver: &Carver,
         path: PathBuf,
         contents: Vec<u8>,
         root: &Path,
     ) -> Result<(), GraderError> {
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
-        // The grader's own sources speak of markers, and solve nothing.
-        if !is_rust || plan.owner(&path).is_none_or(plan::is_of_the_grader) {
+        // The grader's own sources contain the text of markers but no solutions.
+        if !is_rust
+            || selection
+                .owner(&path)
+                .is_none_or(file_selection::is_grader_crate)
+        {
             self.files.insert(path, contents);
             return Ok(());
         }
         let text = text(&path, contents)?;
         let is_marked = text.contains("// BEGIN SOLUTION(");
-        let carved = knife.carve(&path.to_string_lossy(), &text)?;
-        let text = if carved.taken.is_empty() || carved.text.is_empty() {
+        let carved = carver.carve(&path.to_string_lossy(), &text)?;
+        let text = if carved.removed.is_empty() || carved.text.is_empty() {
             carved.text
         } else {
             formatted(root, &path, &carved.text)?
         };
-        if is_marked && carved.taken.is_empty() {
-            self.solved.insert(path.clone());
+        if is_marked && carved.removed.is_empty() {
+            self.reference_files.insert(path.clone());
         }
-        let taken = carved.taken.into_iter().map(|(key, text)| Taken {
-            path: path.clone(),
-            key,
-            text,
-        });
-        self.taken.extend(taken);
+        let removed = carved
+            .removed
+            .into_iter()
+            .map(|(key, text)| RemovedSolution {
+                path: path.clone(),
+                key,
+                text,
+            });
+        self.removed.extend(removed);
         if !text.is_empty() {
             self.files.insert(path, text.into_bytes());
         }
         Ok(())
     }
 
-    /// Takes out the tests and benches of every crate that runs something carved: they would fail. Manifests follow.
-    fn leave_out_tests(&mut self, plan: &Plan) -> Result<(), GraderError> {
+    /// Removes the tests and benches that run removed solutions, because they would fail. Removes
+    /// them from the manifests, too.
+    fn remove_tests(&mut self, selection: &FileSelection) -> Result<(), GraderError> {
         let owners = self
-            .taken
+            .removed
             .iter()
-            .filter_map(|taken| plan.owner(&taken.path));
+            .filter_map(|removed| selection.owner(&removed.path));
         let carved: BTreeSet<&str> = owners.map(|owner| owner.name.as_str()).collect();
         let tests_holes = |path: &Path| {
-            plan.owner(path)
-                .is_some_and(|owner| plan.tests(owner, &carved))
+            selection
+                .owner(path)
+                .is_some_and(|owner| selection.tests_carved_code(owner, &carved))
         };
         self.files
-            .retain(|path, _| !(plan.is_test(path) && tests_holes(path)));
+            .retain(|path, _| !(selection.is_test(path) && tests_holes(path)));
         for (path, contents) in &mut self.files {
             if path.file_name().is_none_or(|name| name != "Cargo.toml") {
                 continue;
             }
             let old = text(path, contents.clone())?;
-            *contents = match plan.owner(path) {
-                None => manifest::of_workspace(&old, &plan.left_out()),
+            *contents = match selection.owner(path) {
+                None => manifest::without_members(&old, &selection.removed_folders()),
                 Some(_) if tests_holes(path) => manifest::without_tests(&old),
                 Some(_) => old,
             }
@@ -168,14 +182,14 @@ impl Handout {
 
 fn text(path: &Path, contents: Vec<u8>) -> Result<String, GraderError> {
     String::from_utf8(contents)
-        .map_err(|_| GraderError::new(format!("{} is not UTF-8", path.display())))
+        .map_err(|_| GraderError::new(format!("{} is not UTF-8 text", path.display())))
 }
 
-/// A carved file as rustfmt writes it: a stub may want other line breaks than its solution.
+/// Formats a carved file with rustfmt: a stub may need other line breaks than its solution.
 fn formatted(root: &Path, path: &Path, text: &str) -> Result<String, GraderError> {
     let failed = |e: &dyn std::fmt::Display| {
         GraderError::new(format!(
-            "cannot format what carving left of {}: {e}. (rustfmt comes with `rustup component add rustfmt`.)",
+            "cannot format {} after removing its solutions: {e}. (To install rustfmt, run `rustup component add rustfmt`.)",
             path.display()
         ))
     };

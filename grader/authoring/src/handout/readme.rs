@@ -1,4 +1,4 @@
-//! The README of a handout, from the template `student.md`.
+//! Writes the README of a handout from the template `student.md`.
 
 use grader::course::{Course, Part, Task, stages_of};
 use grader::error::GraderError;
@@ -10,7 +10,7 @@ use submission::file_tree::Files;
 
 const TEMPLATE: &str = include_str!("student.md");
 
-/// The README of the handout of `part`, whose code is in `files`.
+/// Formats the README of the handout of `part`, whose code is in `files`.
 pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, GraderError> {
     let here = course.parts.iter().find(|p| p.number == part);
     let here = here.ok_or_else(|| GraderError::new(format!("the course has no part {part}")))?;
@@ -41,7 +41,7 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
         .replace("{stages}", &stages))
 }
 
-/// Which parts are there already.
+/// A sentence about the parts that the handout contains already.
 fn given(course: &Course, part: u32) -> String {
     let before: Vec<String> = course
         .parts
@@ -50,23 +50,25 @@ fn given(course: &Course, part: u32) -> String {
         .map(|p| p.number.to_string())
         .collect();
     match before.as_slice() {
-        [] => "Nothing is written yet but what every stage is given.".into(),
-        [one] => format!("Part {one} is there already, as the course solves it."),
+        [] => "The code that all stages share is given.".into(),
+        [one] => format!("Part {one} is already complete: it contains the course's own solution."),
         [many @ .., last] => format!(
-            "Parts {} and {last} are there already, as the course solves them.",
+            "Parts {} and {last} are already complete: they contain the course's own solutions.",
             many.join(", ")
         ),
     }
 }
 
-/// The tasks of one part as a table.
+/// Formats the tasks of one part as a table.
 fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     let mut text = format!("### Part {}: {}\n\n", part.number, part.title);
-    text.push_str("| task | | write | in | core | extra |\n|---|---|---|---|--:|--:|\n");
+    text.push_str(
+        "| task | title | functions | file | core | extra |\n|---|---|---|---|--:|--:|\n",
+    );
     for task in &part.tasks {
         let mut found = BTreeSet::new();
         for hole in &task.holes {
-            found.insert(place(task, hole, files)?);
+            found.insert(defining_file(task, hole, files)?);
         }
         let holes: Vec<String> = task.holes.iter().map(|hole| format!("`{hole}`")).collect();
         let found: Vec<String> = found.iter().map(|path| format!("`{path}`")).collect();
@@ -84,8 +86,8 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     Ok(text)
 }
 
-/// The file that the function `hole` stands in.
-fn place(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> {
+/// The path of the file that defines the function `hole`.
+fn defining_file(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> {
     let folder = Path::new("stages").join(&task.stage).join("src");
     let defines = |text: &[u8]| {
         let text = String::from_utf8_lossy(text);
@@ -98,7 +100,7 @@ fn place(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> 
         .find(|(path, text)| path.starts_with(&folder) && defines(text));
     let (path, _) = found.ok_or_else(|| {
         GraderError::new(format!(
-            "course.toml gives {} the hole `{hole}`, but no file below {} has a `pub fn {hole}`",
+            "course.toml lists the function `{hole}` for {}, but no file below {} has a `pub fn {hole}`",
             task.key,
             folder.display()
         ))

@@ -1,4 +1,5 @@
-//! The corpus: `grader/mutants/<task>.toml` and `grader/mutants/variants/<stage>/<name>.rs`.
+//! Reads the corpus of mutants and variants: `grader/mutants/<task>.toml` and
+//! `grader/mutants/variants/<stage>/<name>.rs`.
 
 use grader::course::Task;
 use grader::error::GraderError;
@@ -7,14 +8,14 @@ use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// The mistakes of one task and the code that makes them.
+/// The mistakes of one task and the mutants that make them.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Corpus {
-    /// The mistakes that have a name.
+    /// The listed mistakes.
     #[serde(rename = "mistake", default)]
     pub mistakes: Vec<Mistake>,
-    /// The code that makes them.
+    /// The mutants.
     #[serde(rename = "mutant", default)]
     pub mutants: Vec<Mutant>,
 }
@@ -25,73 +26,75 @@ pub struct Corpus {
 pub struct Mistake {
     /// Its name.
     pub id: String,
-    /// "Your answers equal those of code that ...": how the sentence ends.
-    pub says: String,
-    /// Where to look, without giving the solution away.
+    /// The end of the sentence "your answers equal those of code that ...".
+    pub description: String,
+    /// Where to look, without revealing the solution.
     pub hint: String,
-    /// Its numbers in the list of mistakes that students were seen to make, such as `P1T3-01`.
+    /// Its numbers in the list of mistakes that students were observed to make, such as `P1T3-01`.
     #[serde(default)]
-    pub seen: Vec<String>,
+    pub references: Vec<String>,
 }
 
 /// Code that makes one mistake, or two at once.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mutant {
-    /// The mistake's name; two for a pair.
+    /// The name of the mistake, or the names of two that are made at once.
     pub mistakes: Vec<String>,
-    /// What it is made from: `reference` or the name of a variant.
+    /// The code that it changes: `reference` or the name of a variant.
     #[serde(default = "reference")]
     pub on: String,
-    /// In which way, where the same mistake is made more than once of the same code.
+    /// A name that tells apart mutants with the same mistake in the same code.
     #[serde(default)]
     pub how: String,
-    /// The edits that make it.
+    /// The edits to the code.
     pub edits: Vec<Edit>,
-    /// Kept out of the signatures: it only tests whether the diagnosis recognises the mistake in other clothes.
+    /// Whether it is left out of the signatures. It then tests whether the diagnosis recognises the
+    /// mistake in code that it was not made from.
     #[serde(default)]
     pub held_out: bool,
 }
 
-/// One replacement. `find` must stand exactly once in the stage's sources.
+/// One replacement. `find` must occur exactly once in the sources of the stage.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Edit {
-    /// What stands there.
+    /// The text to replace.
     pub find: String,
-    /// What takes its place.
+    /// The new text.
     pub replace: String,
 }
 
-/// The name of what is no variant.
+/// The name of the reference, beside the names of variants.
 pub const REFERENCE: &str = "reference";
 
 fn reference() -> String {
     REFERENCE.into()
 }
 
-/// Sources of a crate: path below `src`, text.
+/// The source files of a crate: their text, by their paths below `src`.
 pub type Sources = BTreeMap<PathBuf, String>;
 
 impl Corpus {
-    /// Where the mutants of a task are.
+    /// The path of a task's list of mistakes and mutants.
     pub fn file(workspace: &Workspace, task: &Task) -> PathBuf {
         folder(workspace).join(format!("{}.toml", task.key))
     }
 
-    /// Reads the mutants of a task.
+    /// Reads and checks the mistakes and mutants of a task.
     pub fn read(workspace: &Workspace, task: &Task) -> Result<Corpus, GraderError> {
-        workspace.ensure_full("it has no list of typical mistakes")?;
+        workspace.ensure_full("it does not contain the list of typical mistakes")?;
         let path = Corpus::file(workspace, task);
         let corpus = Corpus::parse(&path)?;
         corpus
             .check()
-            .map_err(|sentence| GraderError::file("use", &path, sentence))?;
+            .map_err(|message| GraderError::file("use", &path, message))?;
         Ok(corpus)
     }
 
-    /// The mutants in the file of a task in `folder`, whose mistakes need not be listed; none if there is no such file.
-    pub fn strangers(folder: &Path, task: &Task) -> Result<Vec<Mutant>, GraderError> {
+    /// Reads the mutants of a task from a file in `folder`. Their mistakes need not be listed.
+    /// Returns no mutants if there is no such file.
+    pub fn read_unlisted(folder: &Path, task: &Task) -> Result<Vec<Mutant>, GraderError> {
         let path = folder.join(format!("{}.toml", task.key));
         if !path.is_file() {
             return Ok(Vec::new());
@@ -101,7 +104,7 @@ impl Corpus {
 
     fn parse(path: &Path) -> Result<Corpus, GraderError> {
         let text = std::fs::read_to_string(path).map_err(|e| GraderError::file("read", path, e))?;
-        toml::from_str(&text).map_err(|e| GraderError::file("understand", path, e))
+        toml::from_str(&text).map_err(|e| GraderError::file("parse", path, e))
     }
 
     /// The mistake with this name.
@@ -116,7 +119,10 @@ impl Corpus {
             .iter()
             .find(|mistake| !ids.insert(&mistake.id))
         {
-            return Err(format!("two mistakes are called `{}`", twice.id));
+            return Err(format!(
+                "two mistakes have the id `{}`: rename one",
+                twice.id
+            ));
         }
         let mut names = BTreeSet::new();
         if let Some(twice) = self
@@ -125,16 +131,18 @@ impl Corpus {
             .map(Mutant::name)
             .find(|name| !names.insert(name.clone()))
         {
-            return Err(format!("two mutants are called `{twice}`"));
+            return Err(format!(
+                "two mutants have the name `{twice}`: give one of them another `how`"
+            ));
         }
         for mutant in &self.mutants {
             if let Some(unknown) = mutant.mistakes.iter().find(|id| !ids.contains(id)) {
                 return Err(format!(
-                    "a mutant makes the mistake `{unknown}`, which is not listed"
+                    "a mutant makes the mistake `{unknown}`, which is not listed: add a [[mistake]]"
                 ));
             }
             if mutant.mistakes.is_empty() || mutant.edits.is_empty() {
-                return Err("a mutant makes no mistake or no edit".into());
+                return Err("a mutant has no `mistakes` or no `edits`".into());
             }
         }
         Ok(())
@@ -142,7 +150,7 @@ impl Corpus {
 }
 
 impl Mutant {
-    /// Its name: its mistakes, and what it is made from in which way.
+    /// Its name: its mistakes, the code that it changes, and `how`.
     pub fn name(&self) -> String {
         let mistakes = self.mistakes.join("+");
         match (self.on.as_str(), self.how.as_str()) {
@@ -152,7 +160,7 @@ impl Mutant {
         }
     }
 
-    /// Makes the edits on `sources`.
+    /// Applies the edits to `sources`. Each `find` must occur exactly once.
     pub fn apply(&self, sources: &Sources) -> Result<Sources, GraderError> {
         let mut sources = sources.clone();
         for edit in &self.edits {
@@ -162,7 +170,7 @@ impl Mutant {
                 .sum();
             if found != 1 {
                 return Err(GraderError::new(format!(
-                    "mutant `{}`: its text stands {found} times in {}, not once: {:?}. Fit the mutant to the code again",
+                    "mutant `{}`: expected its text once in `{}`, found it {found} times: {:?}. Update the mutant to match the code",
                     self.name(),
                     self.on,
                     edit.find
@@ -179,13 +187,14 @@ impl Mutant {
 /// A correct solution that is not the reference.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    /// Name of its file.
+    /// The name of its file, without the extension.
     pub name: String,
-    /// Its file: it has `pub use crate::base::*;` and defines what it does otherwise.
+    /// The text of its file: `pub use crate::base::*;` (the reference) and the functions that
+    /// differ.
     pub text: String,
 }
 
-/// The variants of a stage, by name.
+/// Reads the variants of a stage, ordered by name.
 pub fn variants(workspace: &Workspace, stage: &str) -> Result<Vec<Variant>, GraderError> {
     let folder = folder(workspace).join("variants").join(stage);
     if !folder.is_dir() {
@@ -199,7 +208,7 @@ pub fn variants(workspace: &Workspace, stage: &str) -> Result<Vec<Variant>, Grad
     Ok(variants)
 }
 
-/// The reference's sources of a stage.
+/// Reads the reference's sources of a stage.
 pub fn reference_sources(workspace: &Workspace, stage: &str) -> Result<Sources, GraderError> {
     sources_below(&workspace.root().join("stages").join(stage).join("src"))
 }
@@ -208,7 +217,7 @@ fn folder(workspace: &Workspace) -> PathBuf {
     workspace.root().join("grader/mutants")
 }
 
-/// All `.rs` files below a folder.
+/// Reads all `.rs` files below a folder.
 fn sources_below(folder: &Path) -> Result<Sources, GraderError> {
     let mut sources = Sources::new();
     let mut open = vec![folder.to_path_buf()];
@@ -237,7 +246,7 @@ mod tests {
     use grader::course::Course;
 
     #[test]
-    fn a_handout_is_refused() {
+    fn a_handout_has_no_corpus() {
         let folder = tempfile::tempdir().unwrap();
         let stages = folder.path().join("stages");
         std::fs::create_dir(&stages).unwrap();

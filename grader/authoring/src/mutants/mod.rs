@@ -1,11 +1,12 @@
-//! Mutants: the reference with a typical mistake in it, and variants: correct code that is not the reference.
+//! Tests the grader with mutants and variants. A *mutant* is the reference, or a variant, with a
+//! typical mistake. A *variant* is correct code that differs from the reference.
 //!
-//! A wrong grade is worse than none, so the grader is tested both ways: every mutant must lose points, no variant
-//! may lose a core point. [`corpus`] reads them, [`host`] puts all of a stage's into one crate beside each
-//! other, [`run`] grades them, [`table`] shows which case catches which mistake. The mutants' verdicts are also
-//! what [`grader::diagnosis`] compares a student's with.
+//! Every mutant must lose points, and no variant may lose a core point. [`corpus`] reads mutants
+//! and variants, [`versions_crate`] builds all versions of a stage in one crate, [`run`] grades
+//! them, [`table`] lists which case detects which mistake. [`grader::diagnosis`] compares a
+//! student's results with those of the mutants.
 
 pub mod corpus;
-pub mod host;
 pub mod run;
 pub mod table;
+pub mod versions_crate;

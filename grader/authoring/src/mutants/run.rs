@@ -1,7 +1,7 @@
-//! Grading every mutant and every variant of a task.
+//! Grades every mutant and every variant of a task.
 
 use super::corpus::{Corpus, Mutant, REFERENCE, Sources, reference_sources, variants};
-use super::host::{self, CHOICE};
+use super::versions_crate::{self, VERSION_VARIABLE};
 use grader::course::{Course, Task};
 use grader::diagnosis::Known;
 use grader::error::GraderError;
@@ -16,39 +16,42 @@ use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use wire::Work;
 
-/// A version of a task's code and how the grader scored it.
+/// A version of a task's code and its score.
 #[derive(Clone, Debug)]
 pub struct Graded {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Whether it is correct or a mutant.
     pub kind: Kind,
-    /// What it earned.
+    /// Its score.
     pub result: TaskResult,
 }
 
-/// What a version is.
+/// The kinds of versions.
 #[derive(Clone, Debug)]
 pub enum Kind {
-    /// Correct: the reference or a variant.
+    /// Correct code: the reference or a variant.
     Correct,
-    /// Wrong on purpose.
+    /// Code with a mistake.
     Mutant(Mutant),
 }
 
 impl Graded {
-    /// Whether this is correct code that lost a core point: the grader is wrong about it.
-    pub fn is_accused(&self) -> bool {
+    /// Whether this is correct code that lost core points, which is an error of the grader.
+    pub fn is_marked_down(&self) -> bool {
         matches!(self.kind, Kind::Correct) && self.result.score < self.result.max_score
     }
 }
 
-/// Milliseconds that a case of a mutant may take. Sound code needs a few; one that never comes back should not cost
-/// the corpus minutes. Correct code has the time that students have.
+/// The time limit for a case of a mutant in milliseconds. Correct code needs a few milliseconds,
+/// and mutants with endless loops should not take minutes. Correct versions have the students'
+/// limit.
 const MUTANT_LIMIT_MS: u64 = 1500;
 
-/// Grades the reference, all variants and all mutants of `task`, in that order. Then the correct ones again with the
-/// cases that `seeds` seeds make otherwise than the first one, 0: of these, only those that are accused are given.
+/// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0.
+///
+/// Then grades the correct versions with the seeds from 1 to `seeds - 1`, in the cases that depend
+/// on the seed. The result contains only those of them that lost core points.
 pub fn task(
     workspace: &Workspace,
     course: &Course,
@@ -57,31 +60,31 @@ pub fn task(
 ) -> Result<Vec<Graded>, GraderError> {
     let mutants = Corpus::read(workspace, task)?.mutants;
     let (kinds, versions) = versions(workspace, task, mutants)?;
-    let has_own = |version: &usize| *version == 0 || solves(task, &versions[*version]);
-    let host = Host {
-        program: host::worker(workspace, &task.stage, &versions)?,
+    let differs = |version: &usize| *version == 0 || redefines_hole(task, &versions[*version]);
+    let worker = VersionsWorker {
+        program: versions_crate::worker(workspace, &task.stage, &versions)?,
         course,
         versions: kinds,
     };
-    let everything = 0..host.versions.len();
+    let everything = 0..worker.versions.len();
     let specs = cases::all(0);
-    let mut graded = host.grade(task, &specs, everything.clone())?;
-    let is_correct = |version: &usize| matches!(host.versions[*version].1, Kind::Correct);
+    let mut graded = worker.grade(task, &specs, everything.clone())?;
+    let is_correct = |version: &usize| matches!(worker.versions[*version].1, Kind::Correct);
     for seed in 1..seeds {
         let others = cases::all(seed);
         let fresh = changed(task, &specs, &others);
         if fresh.cases.is_empty() {
             break;
         }
-        let correct = everything.clone().filter(is_correct).filter(has_own);
-        let again = host.grade(&fresh, &others, correct)?;
-        graded.extend(again.into_iter().filter(Graded::is_accused));
+        let correct = everything.clone().filter(is_correct).filter(differs);
+        let again = worker.grade(&fresh, &others, correct)?;
+        graded.extend(again.into_iter().filter(Graded::is_marked_down));
     }
     Ok(graded)
 }
 
-/// Grades mutants that need not be in the corpus.
-pub fn strangers(
+/// Grades mutants whose mistakes need not be listed in the corpus.
+pub fn unlisted(
     workspace: &Workspace,
     course: &Course,
     task: &Task,
@@ -91,16 +94,16 @@ pub fn strangers(
     let is_wrong = |kind: &Kind| matches!(kind, Kind::Mutant(_));
     let wrong = (0..kinds.len()).filter(|&i| is_wrong(&kinds[i].1));
     let wrong: Vec<usize> = wrong.collect();
-    let host = Host {
-        program: host::worker(workspace, &task.stage, &versions)?,
+    let worker = VersionsWorker {
+        program: versions_crate::worker(workspace, &task.stage, &versions)?,
         course,
         versions: kinds,
     };
-    host.grade(task, &cases::all(0), wrong.into_iter())
+    worker.grade(task, &cases::all(0), wrong.into_iter())
 }
 
-/// Whether a variant solves `task` in a way of its own: others of its stage have the reference's.
-fn solves(task: &Task, variant: &Sources) -> bool {
+/// Whether a variant defines functions of `task` itself and does not use the reference's.
+fn redefines_hole(task: &Task, variant: &Sources) -> bool {
     let own = variant.get(Path::new("lib.rs"));
     let defines = |text: &String, hole: &String| {
         [format!("fn {hole}("), format!("fn {hole}<")]
@@ -110,7 +113,7 @@ fn solves(task: &Task, variant: &Sources) -> bool {
     own.is_some_and(|text| task.holes.iter().any(|hole| defines(text, hole)))
 }
 
-/// The part of `task` whose cases are not the same in `others` as in `specs`.
+/// `task` with only those cases that differ between `specs` and `others`.
 fn changed(task: &Task, specs: &[Spec], others: &[Spec]) -> Task {
     let of = |specs: &[Spec], name: &str| -> Option<Work> {
         let spec = specs.iter().find(|spec| spec.is(&task.key, name));
@@ -122,14 +125,14 @@ fn changed(task: &Task, specs: &[Spec], others: &[Spec]) -> Task {
     task
 }
 
-/// A worker that holds all versions of a stage.
-struct Host<'a> {
+/// A worker that contains all versions of a stage.
+struct VersionsWorker<'a> {
     program: PathBuf,
     course: &'a Course,
     versions: Vec<Named>,
 }
 
-impl Host<'_> {
+impl VersionsWorker<'_> {
     /// Grades some of the versions, by their numbers.
     fn grade(
         &self,
@@ -152,13 +155,13 @@ impl Host<'_> {
         let (name, kind) = self.versions[version].clone();
         let worker = Worker {
             program: self.program.clone(),
-            environment: vec![(CHOICE, version.to_string())],
+            environment: vec![(VERSION_VARIABLE, version.to_string())],
             longest_ms: match kind {
                 Kind::Correct => u64::MAX,
                 Kind::Mutant(_) => MUTANT_LIMIT_MS,
             },
         };
-        // The host is built with every stage.
+        // The worker links every stage.
         let workers = Workers {
             together: Ok(worker.clone()),
             own: worker,
@@ -166,16 +169,16 @@ impl Host<'_> {
         let mut results = grade_tasks(self.course, &[task], specs, &workers, &mut String::new())?;
         let result = results
             .pop()
-            .ok_or_else(|| GraderError::new("the grader lost a task"))?;
+            .ok_or_else(|| GraderError::new("grading returned no result for the task"))?;
         Ok(Graded { name, kind, result })
     }
 }
 
-/// A version's name, and what it is.
+/// The name of a version and its kind.
 pub type Named = (String, Kind);
 
-/// All versions of a task's stage: the reference, the variants, the mutants; and their sources. Fails if an edit does
-/// not fit its code.
+/// All versions of a task's stage (the reference, the variants, the mutants) and their sources.
+/// Fails if the text to replace is not found exactly once.
 pub fn versions(
     workspace: &Workspace,
     task: &Task,
@@ -187,7 +190,7 @@ pub fn versions(
     let mut sources = vec![reference.clone()];
     for variant in &variants {
         kinds.push((variant.name.clone(), Kind::Correct));
-        sources.push(on_reference(&reference, &variant.text));
+        sources.push(with_reference(&reference, &variant.text));
     }
     for mutant in mutants {
         let base = if mutant.on == REFERENCE {
@@ -196,14 +199,14 @@ pub fn versions(
             let variant = variants.iter().find(|variant| variant.name == mutant.on);
             let variant = variant.ok_or_else(|| {
                 GraderError::new(format!(
-                    "mutant `{}` is made from `{}`, which is no variant of `{}`",
+                    "mutant `{}` changes `{}`, which is not a variant of the stage `{}`",
                     mutant.name(),
                     mutant.on,
                     task.stage
                 ))
             })?;
             let only = mutant.apply(&[(PathBuf::from("lib.rs"), variant.text.clone())].into())?;
-            on_reference(&reference, &only[&PathBuf::from("lib.rs")])
+            with_reference(&reference, &only[&PathBuf::from("lib.rs")])
         };
         kinds.push((mutant.name(), Kind::Mutant(mutant)));
         sources.push(base);
@@ -211,8 +214,9 @@ pub fn versions(
     Ok((kinds, sources))
 }
 
-/// A crate whose `lib.rs` is a variant's text, with the reference beside it as the module `base`.
-fn on_reference(reference: &Sources, variant: &str) -> Sources {
+/// The sources of a crate whose `lib.rs` is a variant's text and whose module `base` is the
+/// reference.
+fn with_reference(reference: &Sources, variant: &str) -> Sources {
     let mut sources: Sources = reference
         .iter()
         .map(|(path, text)| {
@@ -231,7 +235,7 @@ fn on_reference(reference: &Sources, variant: &str) -> Sources {
     sources
 }
 
-/// What the diagnosis knows of a task, from the mutants that are not held out.
+/// The known mistakes of a task for the diagnosis, from the mutants that are not held out.
 pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
     let mutants = graded.iter().filter_map(|graded| match &graded.kind {
         Kind::Mutant(mutant) if !mutant.held_out => Some((mutant, graded)),
@@ -248,7 +252,7 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
                 mistakes: mutant.mistakes.clone(),
                 descriptions: mistakes
                     .iter()
-                    .map(|mistake| mistake.says.clone())
+                    .map(|mistake| mistake.description.clone())
                     .collect(),
                 hints: mistakes
                     .iter()

@@ -172,7 +172,7 @@ impl Table {
                 let lost = graded.result.robust_max_score - graded.result.robust_score;
                 let most = table.correct.entry(graded.name.clone()).or_default();
                 *most = most.max(lost);
-                if graded.is_accused() && !table.accused.contains(&graded.name) {
+                if graded.is_marked_down() && !table.accused.contains(&graded.name) {
                     table.accused.push(graded.name.clone());
                 }
                 continue;

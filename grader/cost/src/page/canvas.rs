@@ -1,4 +1,4 @@
-//! Drawing into an SVG, in points.
+//! An SVG canvas with coordinates in points.
 
 use grader::error::GraderError;
 use pages::html::escape;
@@ -7,19 +7,20 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// Where to draw.
+/// The drawing area of plotters.
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// A place on the canvas in points, from its top left corner.
-pub(crate) type Place = (f64, f64);
+/// A position on the canvas in points, from its top left corner.
+pub(crate) type Position = (f64, f64);
 
-/// The library rounds to whole units: so many of them make a point, for lines without steps.
+/// Plotters rounds coordinates to integers. This many units are one point, so that lines are
+/// smooth.
 const UNITS: f64 = 4.0;
 
-/// What the library calls a font of size 1 it writes as 1/1.24.
+/// Plotters writes a font of size 1 as 1/1.24.
 const FONT_SIZE: f64 = 1.24;
 
-/// A font of size 1 takes about so much room a letter.
+/// Approximate width of a letter in a font of size 1.
 const LETTER: f64 = 0.56;
 
 /// A canvas.
@@ -27,23 +28,23 @@ pub(crate) struct Canvas<'a> {
     area: Area<'a>,
 }
 
-/// Why something was not drawn.
-pub(crate) type Drawn = Result<(), GraderError>;
+/// The result of a drawing operation.
+pub(crate) type DrawResult = Result<(), GraderError>;
 
-/// Text and where its place is in it.
+/// Size, colour and anchor of a text.
 #[derive(Clone, Copy)]
 pub(crate) struct Label {
-    /// In points.
+    /// Font size in points.
     pub(crate) size: f64,
     pub(crate) bold: bool,
     pub(crate) color: RGBColor,
     pub(crate) anchor: Pos,
-    /// Read from below to above.
+    /// Rotated by 90°, to be read from bottom to top.
     pub(crate) upright: bool,
 }
 
 impl Label {
-    /// Black, its place at the middle of its left end.
+    /// Black, anchored at the middle of its left end.
     pub(crate) fn left(size: f64) -> Label {
         Label {
             size,
@@ -54,7 +55,7 @@ impl Label {
         }
     }
 
-    /// Black, its place in its middle.
+    /// Black, anchored at its centre.
     pub(crate) fn centered(size: f64) -> Label {
         Label {
             anchor: Pos::new(HPos::Center, VPos::Center),
@@ -62,7 +63,7 @@ impl Label {
         }
     }
 
-    /// Black, its place at the middle of its right end.
+    /// Black, anchored at the middle of its right end.
     pub(crate) fn right(size: f64) -> Label {
         Label {
             anchor: Pos::new(HPos::Right, VPos::Center),
@@ -70,28 +71,29 @@ impl Label {
         }
     }
 
-    /// The same in bold.
+    /// Returns the label in bold.
     pub(crate) fn bold(self) -> Label {
         Label { bold: true, ..self }
     }
 
-    /// The same in another colour.
+    /// Returns the label in another colour.
     pub(crate) fn in_color(self, color: RGBColor) -> Label {
         Label { color, ..self }
     }
 
-    /// About how wide `text` is, in points.
+    /// Returns the approximate width of `text` in points.
     pub(crate) fn width(&self, text: &str) -> f64 {
         text.chars().count() as f64 * self.size * LETTER
     }
 }
 
-/// An SVG element `w` by `h` points large that `draw` draws; `says` is read out to who cannot see it.
+/// Returns an SVG element of `w` by `h` points with the content that `draw` draws. `label` is its
+/// text for screen readers.
 pub(crate) fn svg(
     w: f64,
     h: f64,
-    says: &str,
-    draw: impl FnOnce(&Canvas) -> Drawn,
+    label: &str,
+    draw: impl FnOnce(&Canvas) -> DrawResult,
 ) -> Result<String, GraderError> {
     let [units_w, units_h] = [w, h].map(|edge| (edge * UNITS).round() as u32);
     let mut text = String::new();
@@ -101,11 +103,11 @@ pub(crate) fn svg(
         draw(&canvas)?;
         canvas.area.present().map_err(failed)?;
     }
-    // As wide as its place on the page, and no wider than it was made for.
+    // As wide as the column, but at most `w`.
     let size = format!("width=\"{units_w}\" height=\"{units_h}\"");
     let fluid = format!(
         "role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto;background:#fff\"",
-        escape(says)
+        escape(label)
     );
     Ok(text.replacen(&size, &fluid, 1))
 }
@@ -114,7 +116,7 @@ fn failed(why: impl std::fmt::Display) -> GraderError {
     GraderError::new(format!("cannot draw a plot: {why}"))
 }
 
-fn units((x, y): Place) -> (i32, i32) {
+fn units((x, y): Position) -> (i32, i32) {
     ((x * UNITS).round() as i32, (y * UNITS).round() as i32)
 }
 
@@ -123,44 +125,44 @@ fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
 }
 
 impl Canvas<'_> {
-    /// A line through `places`.
-    pub(crate) fn line(&self, places: &[Place], color: RGBColor, width: f64) -> Drawn {
-        let places: Vec<(i32, i32)> = places.iter().copied().map(units).collect();
+    /// Draws a line through `positions`.
+    pub(crate) fn line(&self, positions: &[Position], color: RGBColor, width: f64) -> DrawResult {
+        let positions: Vec<(i32, i32)> = positions.iter().copied().map(units).collect();
         self.area
-            .draw(&PathElement::new(places, stroke(color, width)))
+            .draw(&PathElement::new(positions, stroke(color, width)))
             .map_err(failed)
     }
 
-    /// A line of dashes and gaps.
+    /// Draws a dashed line.
     pub(crate) fn dashes(
         &self,
-        places: &[Place],
+        positions: &[Position],
         color: RGBColor,
         width: f64,
         [dash, gap]: [f64; 2],
-    ) -> Drawn {
+    ) -> DrawResult {
         let [dash, gap] = [dash, gap].map(|length| (length * UNITS).round() as i32);
-        let places: Vec<(i32, i32)> = places.iter().copied().map(units).collect();
-        let line = DashedPathElement::new(places, dash, gap, stroke(color, width));
+        let positions: Vec<(i32, i32)> = positions.iter().copied().map(units).collect();
+        let line = DashedPathElement::new(positions, dash, gap, stroke(color, width));
         self.area.draw(&line).map_err(failed)
     }
 
-    /// A filled shape.
-    pub(crate) fn polygon(&self, places: &[Place], color: RGBColor) -> Drawn {
-        let places: Vec<(i32, i32)> = places.iter().copied().map(units).collect();
+    /// Draws a filled polygon.
+    pub(crate) fn polygon(&self, positions: &[Position], color: RGBColor) -> DrawResult {
+        let positions: Vec<(i32, i32)> = positions.iter().copied().map(units).collect();
         self.area
-            .draw(&Polygon::new(places, color.filled()))
+            .draw(&Polygon::new(positions, color.filled()))
             .map_err(failed)
     }
 
-    /// A disc, or with a width of its rim only that.
+    /// Draws a disc, or only its outline if `rim` is the width of the outline.
     pub(crate) fn disc(
         &self,
-        center: Place,
+        center: Position,
         radius: f64,
         color: RGBColor,
         rim: Option<f64>,
-    ) -> Drawn {
+    ) -> DrawResult {
         let style = rim.map_or(color.filled(), |width| stroke(color, width));
         let radius = (radius * UNITS).round() as i32;
         self.area
@@ -168,15 +170,15 @@ impl Canvas<'_> {
             .map_err(failed)
     }
 
-    /// A filled rectangle between two corners.
-    pub(crate) fn rectangle(&self, from: Place, to: Place, color: RGBColor) -> Drawn {
+    /// Draws a filled rectangle between two corners.
+    pub(crate) fn rectangle(&self, from: Position, to: Position, color: RGBColor) -> DrawResult {
         self.area
             .draw(&Rectangle::new([units(from), units(to)], color.filled()))
             .map_err(failed)
     }
 
-    /// Text.
-    pub(crate) fn text(&self, text: &str, place: Place, label: Label) -> Drawn {
+    /// Draws text.
+    pub(crate) fn text(&self, text: &str, position: Position, label: Label) -> DrawResult {
         let size = label.size * UNITS * FONT_SIZE;
         let weight = if label.bold {
             FontStyle::Bold
@@ -191,7 +193,7 @@ impl Canvas<'_> {
         let font = FontDesc::new(FontFamily::SansSerif, size, weight).transform(turn);
         let style = TextStyle::from(font).color(&label.color).pos(label.anchor);
         self.area
-            .draw(&Text::new(text.to_string(), units(place), style))
+            .draw(&Text::new(text.to_string(), units(position), style))
             .map_err(failed)
     }
 }

@@ -1,10 +1,10 @@
-//! How errors of `t` are distributed, against what may be: the forward error bound.
+//! The distribution of the errors of `t`, compared with the forward error bound.
 
-use super::canvas::{Drawn, Label, svg};
-use super::look::{self, BOUND, Look};
+use super::canvas::{DrawResult, Label, svg};
+use super::formatting::{figures, list, name, tick};
 use super::plot::{Axis, Plot};
-use super::words::{figures, list, name, tick};
-use crate::report::{Accuracy, Family, Precision, RayFamily, Row};
+use super::style::{self, BOUND, SeriesStyle};
+use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
@@ -12,14 +12,14 @@ const HEIGHT: f64 = 330.0;
 const PLOT: f64 = 325.0;
 const LINE: f64 = 14.0;
 
-/// Errors below are drawn here: they are 0, or as good as.
+/// Smaller errors are drawn here.
 const LEAST: f64 = 1e-18;
 
-/// The distributions of a family of kernels, and what they show.
-pub(crate) fn figure(family: &Family) -> Result<(String, String), GraderError> {
-    let hard = apart(family);
-    let says = format!("Distribution of errors of t: {}", family.shape.name());
-    let drawn = svg(WIDTH, HEIGHT, &says, |canvas| -> Drawn {
+/// Draws the distributions; returns the SVG and its caption.
+pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderError> {
+    let hard = most_different(family);
+    let label = format!("Distribution of errors of t: {}", family.shape.name());
+    let figure_html = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
         for (i, rays) in [Some(RayFamily::Ordinary), hard]
             .iter()
             .flatten()
@@ -38,20 +38,20 @@ pub(crate) fn figure(family: &Family) -> Result<(String, String), GraderError> {
                 if let Some(bound) = rows
                     .find_map(|row| accuracy(row, *rays).filter(|a| !a.forward_bound.is_empty()))
                 {
-                    plot.line(bound_look(precision), &steps(&bound.forward_bound), 2.6)?;
+                    plot.line(bound_style(precision), &steps(&bound.forward_bound), 2.6)?;
                 }
             }
             for row in &family.rows {
                 if let Some(accuracy) = accuracy(row, *rays).filter(|a| !a.cdf.is_empty()) {
-                    plot.line(look_of(family, row), &steps(&accuracy.cdf), width(row))?;
+                    plot.line(style_of(family, row), &steps(&accuracy.cdf), width(row))?;
                 }
             }
         }
         let x = 2.0 * PLOT + 12.0;
         let mut y = 26.0;
         for precision in [Precision::F64, Precision::F32] {
-            let look = bound_look(precision);
-            look::line(canvas, look, &[(x, y), (x + 26.0, y)], 2.6)?;
+            let style = bound_style(precision);
+            style::line(canvas, style, &[(x, y), (x + 26.0, y)], 2.6)?;
             let text = format!("bound of {}", precision.name());
             canvas.text(&text, (x + 32.0, y), Label::left(9.0))?;
             y += LINE;
@@ -59,9 +59,9 @@ pub(crate) fn figure(family: &Family) -> Result<(String, String), GraderError> {
         for named in names(family) {
             let rows = || family.rows.iter().filter(|row| row.name == named);
             if let Some(row) = rows().next() {
-                look::line(
+                style::line(
                     canvas,
-                    look_of(family, row),
+                    style_of(family, row),
                     &[(x, y), (x + 26.0, y)],
                     width(row),
                 )?;
@@ -73,11 +73,11 @@ pub(crate) fn figure(family: &Family) -> Result<(String, String), GraderError> {
         }
         Ok(())
     })?;
-    Ok((drawn, words(family, hard)))
+    Ok((figure_html, caption(family, hard)))
 }
 
-/// The kernels' names, each once.
-fn names(family: &Family) -> Vec<&str> {
+/// Returns the kernels' names without duplicates.
+fn names(family: &KernelFamily) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for row in &family.rows {
         if !names.contains(&row.name.as_str()) {
@@ -87,29 +87,31 @@ fn names(family: &Family) -> Vec<&str> {
     names
 }
 
-/// A name has a look; its precisions are far enough apart to be told by their place.
-fn look_of(family: &Family, row: &Row) -> Look {
+/// Returns the style of a kernel's name. The precisions of a kernel share it; their lines are far
+/// apart.
+fn style_of(family: &KernelFamily, row: &KernelRow) -> SeriesStyle {
     let named = names(family).iter().position(|name| *name == row.name);
-    Look::of(named.unwrap_or(0))
+    SeriesStyle::of(named.unwrap_or(0))
 }
 
-fn width(row: &Row) -> f64 {
+fn width(row: &KernelRow) -> f64 {
     if row.student { 2.2 } else { 1.2 }
 }
 
-fn bound_look(precision: Precision) -> Look {
-    Look {
+fn bound_style(precision: Precision) -> SeriesStyle {
+    SeriesStyle {
         color: BOUND,
         dashes: (precision != Precision::F64).then_some([8.0, 4.0]),
-        ..Look::of(0)
+        ..SeriesStyle::of(0)
     }
 }
 
-fn accuracy(row: &Row, rays: RayFamily) -> Option<&Accuracy> {
+fn accuracy(row: &KernelRow, rays: RayFamily) -> Option<&Accuracy> {
     row.by_ray_family.iter().find(|a| a.family == rays)
 }
 
-/// A distribution as a line: it starts at no hits, and errors of 0 are drawn at [`LEAST`].
+/// Converts a distribution to a line that starts at a fraction of 0; errors of 0 are drawn at
+/// [`LEAST`].
 fn steps(distribution: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let shown = distribution
         .iter()
@@ -119,39 +121,40 @@ fn steps(distribution: &[(f64, f64)]) -> Vec<(f64, f64)> {
     first.into_iter().chain(shown).chain(last).collect()
 }
 
-/// The median relative errors of the kernels in f64 on these rays, the smallest and the largest.
-fn extremes(family: &Family, rays: RayFamily) -> Option<[(&Row, f64); 2]> {
+/// Returns the kernels in f64 with the smallest and the largest median relative error on these
+/// rays.
+fn extremes(family: &KernelFamily, rays: RayFamily) -> Option<[(&KernelRow, f64); 2]> {
     let rows = family
         .rows
         .iter()
         .filter(|row| row.precision == Precision::F64);
-    let mut errors: Vec<(&Row, f64)> = rows
+    let mut errors: Vec<(&KernelRow, f64)> = rows
         .filter_map(|row| Some((row, accuracy(row, rays)?.t?.relative.p50)))
         .collect();
     errors.sort_by(|a, b| a.1.total_cmp(&b.1));
     Some([*errors.first()?, *errors.last()?])
 }
 
-/// The family of rays on which the kernels are farthest from each other.
-fn apart(family: &Family) -> Option<RayFamily> {
+/// Returns the family of rays on which the kernels differ most.
+fn most_different(family: &KernelFamily) -> Option<RayFamily> {
     let distance = |rays: &RayFamily| {
         extremes(family, *rays).map_or(0.0, |[best, worst]| {
             (worst.1.max(LEAST) / best.1.max(LEAST)).ln()
         })
     };
     let hard = family.columns.iter().map(|column| column.family);
-    // On the surface t is 0 but for rounding: its relative error says nothing.
+    // On the surface t is 0 up to rounding, so its relative error has no meaning.
     hard.filter(|rays| ![RayFamily::Ordinary, RayFamily::OnTheSurface].contains(rays))
         .max_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
-/// What the numbers say.
-fn words(family: &Family, hard: Option<RayFamily>) -> String {
-    let mut said = String::new();
+/// Returns the caption, computed from the numbers.
+fn caption(family: &KernelFamily, hard: Option<RayFamily>) -> String {
+    let mut text = String::new();
     for rays in [Some(RayFamily::Ordinary), hard].into_iter().flatten() {
         if let Some([best, worst]) = extremes(family, rays) {
-            said += &format!(
-                "On rays of the family “{}” half of the answers of {} are within {} of t, of {} within {}. ",
+            text += &format!(
+                "On rays of the family “{}” the median relative error of t is smallest for {} ({}) and largest for {} ({}). ",
                 rays.name(),
                 name(best.0),
                 figures(best.1),
@@ -160,19 +163,19 @@ fn words(family: &Family, hard: Option<RayFamily>) -> String {
             );
         }
     }
-    let beyond = |row: &&Row| {
+    let beyond = |row: &&KernelRow| {
         let rays = [Some(RayFamily::Ordinary), hard].into_iter().flatten();
         rays.filter_map(|rays| accuracy(row, rays))
             .any(|a| a.beyond_bound_per_million > 0.0)
     };
     let beyond: Vec<String> = family.rows.iter().filter(beyond).map(name).collect();
-    said += &if beyond.is_empty() {
-        "No answer on either is beyond the bound of its precision (thick grey lines), which allows what a robust kernel may round.".to_string()
+    text += &if beyond.is_empty() {
+        "No error exceeds the bound of its precision (thick grey lines), the forward error bound of a robust kernel.".to_string()
     } else {
         format!(
-            "Beyond the bound (thick grey lines), which allows what a robust kernel may round, are answers of {}.",
+            "Some errors exceed the bound (thick grey lines), the forward error bound of a robust kernel, for {}.",
             list(&beyond)
         )
     };
-    said
+    text
 }

@@ -1,96 +1,92 @@
-//! How the error of pictures falls with samples and with time.
+//! The error of pictures against samples and against time.
 
-use super::canvas::{Drawn, Label, svg};
-use super::look::{self, INK, Look, Marker};
+use super::canvas::{DrawResult, Label, svg};
+use super::formatting::{figures, list, percent, tick};
 use super::plot::{Axis, Plot, legend};
-use super::words::{figures, list, percent, tick};
-use crate::picture::{Curve, Experiment, Point};
+use super::style::{self, INK, Marker, SeriesStyle};
+use crate::picture::{Curve, CurvePoint, Experiment};
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 300.0;
-/// Width of each of the two plots; the legend has the rest.
+/// Width of each of the two plots; the rest is for the legend.
 const PLOT: f64 = 345.0;
 
-/// The line that independent samples keep to.
-const HALF: Look = Look {
+/// The style of the line of slope -1/2.
+const HALF_SLOPE: SeriesStyle = SeriesStyle {
     color: INK,
     marker: Marker::Disc,
     hollow: false,
     dashes: Some([1.5, 3.0]),
 };
 
-/// Two curves are said to differ in efficiency from this factor on: times scatter.
+/// Smallest ratio of times that is called a difference: times vary.
 const DIFFERENT: f64 = 1.1;
 
-/// The plots of one question, and what they show.
+/// Draws the plots of one experiment; returns the SVG and its caption.
 pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), GraderError> {
-    let says = format!("Error of pictures: {}", experiment.title);
-    let drawn = svg(WIDTH, HEIGHT, &says, |canvas| -> Drawn {
+    let label = format!("Error of pictures: {}", experiment.title);
+    let figure_html = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
         let points = || experiment.curves.iter().flat_map(|curve| &curve.points);
-        let error = |p: &Point| p.error(experiment.is_relative);
+        let error = |p: &CurvePoint| p.error(experiment.is_relative);
         let errors: Vec<f64> = points()
             .flat_map(|p| [error(p).value, error(p).high])
             .collect();
         let y_name = if experiment.is_relative {
-            "relative error of a pixel"
+            "relative RMSE of a pixel"
         } else {
-            "RMSE, share of the mean"
+            "RMSE / mean of the picture"
         };
         let axes = [
             (
                 "error against samples",
-                Axis::log("samples a pixel", points().map(|p| p.samples), tick),
-                (|p| p.samples) as fn(&Point) -> f64,
+                Axis::log("samples per pixel", points().map(|p| p.samples), tick),
+                (|p| p.samples) as fn(&CurvePoint) -> f64,
             ),
             (
                 "error against time",
                 Axis::log("seconds on one thread", points().map(|p| p.seconds), tick),
-                (|p| p.seconds) as fn(&Point) -> f64,
+                (|p| p.seconds) as fn(&CurvePoint) -> f64,
             ),
         ];
         for (i, (title, x, of)) in axes.into_iter().enumerate() {
             let y = Axis::log(y_name, errors.iter().copied(), tick);
             let plot = Plot::new(canvas, title, (i as f64 * PLOT, 0.0), [PLOT, HEIGHT], x, y)?;
-            half_line(&plot, experiment, of)?;
+            half_slope_line(&plot, experiment, of)?;
             for (k, curve) in experiment.curves.iter().enumerate() {
-                let look = Look::of(k);
+                let style = SeriesStyle::of(k);
                 let mut values: Vec<(f64, f64)> = curve
                     .points
                     .iter()
                     .map(|p| (of(p), error(p).value))
                     .collect();
                 values.sort_by(|a, b| a.0.total_cmp(&b.0));
-                plot.line(look, &values, 1.4)?;
+                plot.line(style, &values, 1.4)?;
                 for point in &curve.points {
-                    plot.error_bar(look, of(point), error(point).low, error(point).high)?;
-                    plot.marker(look, (of(point), error(point).value), 30.0)?;
+                    plot.error_bar(style, of(point), error(point).low, error(point).high)?;
+                    plot.marker(style, (of(point), error(point).value), 30.0)?;
                 }
             }
         }
-        let of_curve = |(k, curve): (usize, &Curve)| (Some(Look::of(k)), curve.name.clone());
+        let of_curve = |(k, curve): (usize, &Curve)| (Some(SeriesStyle::of(k)), curve.name.clone());
         let entries: Vec<_> = experiment.curves.iter().enumerate().map(of_curve).collect();
         let corner = (2.0 * PLOT + 8.0, 34.0);
         legend(canvas, corner, &entries)?;
         let below = corner.1 + 15.0 * entries.len() as f64;
-        look::line(
+        style::line(
             canvas,
-            HALF,
+            HALF_SLOPE,
             &[(corner.0, below), (corner.0 + 26.0, below)],
             1.0,
         )?;
-        canvas.text(
-            "falls as n^(-1/2)",
-            (corner.0 + 32.0, below),
-            Label::left(9.5),
-        )
+        canvas.text("slope -1/2", (corner.0 + 32.0, below), Label::left(9.5))
     })?;
-    Ok((drawn, words(experiment)))
+    Ok((figure_html, caption(experiment)))
 }
 
-/// The line that independent samples keep to, through the last point of the curve that comes nearest to it. `of` is what is
-/// drawn across.
-fn half_line(plot: &Plot, experiment: &Experiment, of: fn(&Point) -> f64) -> Drawn {
+/// Draws the line of slope -1/2, the rate of independent samples, through the last point of the
+/// curve whose slope is closest to it. `of` selects the quantity on the x axis.
+fn half_slope_line(plot: &Plot, experiment: &Experiment, of: fn(&CurvePoint) -> f64) -> DrawResult {
     let off = |curve: &Curve| {
         curve
             .slope
@@ -102,20 +98,20 @@ fn half_line(plot: &Plot, experiment: &Experiment, of: fn(&Point) -> f64) -> Dra
         return Ok(());
     };
     let error = last.error(experiment.is_relative).value;
-    // From where it enters the plot to where it leaves it.
+    // From the point at which it enters the plot to the point at which it leaves it.
     let reaches = |height: f64| of(last) * (error / height).powi(2);
     let ((from, to), (low, high)) = (plot.x_ends(), plot.y_ends());
     let ends = [from.max(reaches(high)), to.min(reaches(low))];
     let line = ends.map(|x| (x, error * (of(last) / x).sqrt()));
-    plot.line(HALF, &line, 1.0)
+    plot.line(HALF_SLOPE, &line, 1.0)
 }
 
-/// What the numbers say.
-fn words(experiment: &Experiment) -> String {
+/// Returns the caption, computed from the numbers.
+fn caption(experiment: &Experiment) -> String {
     let Experiment { seeds, .. } = experiment;
-    let mut said = format!(
-        "Each point is the mean of {seeds} pictures of {} with random numbers of their own; bars reach as far as the mean \
-         error may be with 95 % confidence. The pictures that they are held against still have an error of {}. ",
+    let mut text = format!(
+        "Each point is the mean over {seeds} pictures of {} with independent random numbers; error bars are 95 % confidence \
+         intervals of the mean error. The reference picture has a remaining error of {}. ",
         experiment.scene,
         percent(experiment.converged_rmse),
     );
@@ -128,18 +124,19 @@ fn words(experiment: &Experiment) -> String {
         })
         .collect();
     if !slopes.is_empty() {
-        said += &format!(
-            "The error falls as the number of samples to the power of {}. ",
+        text += &format!(
+            "The slope of log(error) against log(samples) is {}. ",
             list(&slopes)
         );
     }
-    said += &against_the_first(experiment);
-    said += &efficiencies(experiment);
-    said += &biases(experiment);
-    said
+    text += &against_the_first(experiment);
+    text += &efficiencies(experiment);
+    text += &biases(experiment);
+    text
 }
 
-/// 1/(variance · seconds) of the longest pictures, against the first way's.
+/// Returns the sentence about efficiency, 1/(variance · seconds), at the largest number of samples,
+/// relative to the first curve.
 fn efficiencies(experiment: &Experiment) -> String {
     let of = |curve: &Curve| curve.points.iter().rev().find_map(|p| p.efficiency);
     let [first, others @ ..] = experiment.curves.as_slice() else {
@@ -157,44 +154,44 @@ fn efficiencies(experiment: &Experiment) -> String {
         return String::new();
     }
     format!(
-        "Efficiency, 1/(variance · seconds), of the longest pictures, where that of {} is 1: {}. ",
+        "Efficiency, 1/(variance · seconds), at the largest number of samples, relative to {}: {}. ",
         first.name,
         list(&each)
     )
 }
 
-/// Time to an equal error, way by way, against the first.
+/// Returns the sentence about the time to an equal error, relative to the first curve.
 fn against_the_first(experiment: &Experiment) -> String {
     let [first, others @ ..] = experiment.curves.as_slice() else {
         return String::new();
     };
-    let error = |p: &Point| p.error(experiment.is_relative).value;
-    // The error of the first way's longest picture that others reach, too, within their plots.
+    let error = |p: &CurvePoint| p.error(experiment.is_relative).value;
+    // The error at the last point of the first curve that the other curve reaches, too.
     let gain = |curve: &Curve| {
         first.points.iter().rev().find_map(|p| {
             let seconds = curve.at_error(error(p), error, |p| p.seconds)?;
             Some((error(p), p.seconds / seconds))
         })
     };
-    let mut said = Vec::new();
+    let mut text = Vec::new();
     for curve in others {
         if let Some((error, gain)) = gain(curve) {
-            said.push(if (1.0 / DIFFERENT..DIFFERENT).contains(&gain) {
+            text.push(if (1.0 / DIFFERENT..DIFFERENT).contains(&gain) {
                 format!(
-                    "{} takes as long to an error of {}",
+                    "{} reaches an error of {} in the same time",
                     curve.name,
                     percent(error)
                 )
             } else if gain > 1.0 {
                 format!(
-                    "{} comes to an error of {} {} times as fast",
+                    "{} reaches an error of {} {} times as fast",
                     curve.name,
                     percent(error),
                     figures(gain)
                 )
             } else {
                 format!(
-                    "{} takes {} times as long to an error of {}",
+                    "{} takes {} times as long to reach an error of {}",
                     curve.name,
                     figures(1.0 / gain),
                     percent(error)
@@ -202,13 +199,13 @@ fn against_the_first(experiment: &Experiment) -> String {
             });
         }
     }
-    if said.is_empty() {
+    if text.is_empty() {
         return String::new();
     }
-    format!("Against {}: {}. ", first.name, said.join("; "))
+    format!("Compared with {}: {}. ", first.name, text.join("; "))
 }
 
-/// What more samples will not mend.
+/// Returns the sentences about bias.
 fn biases(experiment: &Experiment) -> String {
     let biased: Vec<String> = experiment
         .curves
@@ -222,20 +219,20 @@ fn biases(experiment: &Experiment) -> String {
         })
         .collect();
     let centred = experiment.curves.iter().flat_map(|curve| &curve.points);
-    let mut said = match centred.filter(|p| !p.is_random()).find_map(|p| p.bias) {
+    let mut text = match centred.filter(|p| !p.is_random()).find_map(|p| p.bias) {
         Some(bias) => format!(
-            "A single sample goes through the centre of its pixel, so nothing is random about it, and it is {} off. ",
+            "A single sample is taken at the centre of the pixel and is not random; its bias is {}. ",
             percent(bias)
         ),
         None => String::new(),
     };
-    said += &if biased.is_empty() {
-        "At the right end no way is off on average by more than chance explains.".to_string()
+    text += &if biased.is_empty() {
+        "No curve has a significant bias at its largest number of samples.".to_string()
     } else {
         format!(
-            "What no number of samples mends, at the right end of each curve: {}. The others are not off by more than chance explains.",
+            "Bias, which more samples do not reduce, at the largest number of samples of each curve: {}. The others have no significant bias.",
             list(&biased)
         )
     };
-    said
+    text
 }

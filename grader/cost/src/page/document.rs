@@ -1,13 +1,13 @@
-//! The page around the figures.
+//! The HTML document around the figures.
 
-use super::words::capital;
-use super::{cdf, convergence, heat, leaks, pareto, trees};
-use crate::report::{Family, Report, Shape};
+use super::formatting::capital;
+use super::{cdf, convergence, heatmap, leaks, pareto, trees};
+use crate::report::{CostReport, KernelFamily, Shape};
 use grader::error::GraderError;
 use pages::html::escape;
 use std::fmt::Write;
 
-/// Ink on paper, one column, no figure cut in two in print.
+/// Black on white, one column; no figure is split between printed pages.
 const STYLE: &str = "\
 body{font:11pt/1.45 system-ui,'Liberation Sans',Arial,sans-serif;color:#111;background:#fff;max-width:900pt;margin:1.5em auto;padding:0 1.2em}\
 h1{font-size:19pt;margin:.2em 0}h2{font-size:15pt;margin:1.6em 0 .3em;border-bottom:1px solid #bbb}h3{font-size:12pt;margin:1.2em 0 .3em}\
@@ -16,8 +16,8 @@ figure{margin:0 0 1em;break-inside:avoid}figcaption{max-width:62em}svg text{font
 .pair figure{flex:0 1 400pt}nav a{margin-right:1em}h2,h3{break-after:avoid}\
 @page{size:A4 landscape;margin:12mm}@media print{body{font-size:10pt;margin:0;padding:0;max-width:none}nav{display:none}a{color:inherit;text-decoration:none}}";
 
-/// The page of a report.
-pub fn page(report: &Report) -> Result<String, GraderError> {
+/// Returns the HTML page of the results.
+pub fn page(report: &CostReport) -> Result<String, GraderError> {
     let mut sections: Vec<(String, String)> = Vec::new();
     for family in report
         .families
@@ -30,7 +30,7 @@ pub fn page(report: &Report) -> Result<String, GraderError> {
         let mut section = String::new();
         add(
             &mut section,
-            "Building against tracing",
+            "Build time and tracing time",
             Some(trees::figure(trees)?),
             None,
         );
@@ -52,28 +52,24 @@ pub fn page(report: &Report) -> Result<String, GraderError> {
             );
         }
         if let Some(missing) = &pictures.missing {
-            let _ = writeln!(
-                section,
-                "<p>There are no pictures: {}.</p>",
-                escape(missing)
-            );
+            let _ = writeln!(section, "<p>No pictures: {}.</p>", escape(missing));
         }
         sections.push(("Pictures".into(), section));
     }
     let machine = &report.machine;
     let mut html = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>What accuracy costs</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body>\n<h1>What accuracy costs</h1>\n\
-         <p class=\"machine\">{} with {} threads, {}, built for {}; seed {}{}. Times are this machine's; everything else \
-         depends on the seed alone.</p>\n<nav>",
+         <meta name=\"viewport\" content=\"width=device-width\">\n<title>The cost of accuracy</title>\n\
+         <style>{STYLE}</style>\n</head>\n<body>\n<h1>The cost of accuracy</h1>\n\
+         <p class=\"machine\">{} with {} threads, {}, built for {}; seed {}{}. Times depend on the machine; all other numbers \
+         depend only on the seed.</p>\n<nav>",
         escape(&machine.cpu),
         machine.cores,
         escape(&machine.rustc),
         escape(&machine.target_features.join(" ")),
         report.seed,
         if report.quick {
-            "; few rays and samples (--quick), so times and rare events are rough"
+            "; few rays and samples (--quick), so times and rates of rare events are less precise"
         } else {
             ""
         },
@@ -97,12 +93,12 @@ fn title(shape: Shape) -> &'static str {
     }
 }
 
-fn family_section(family: &Family) -> Result<String, GraderError> {
+fn family_section(family: &KernelFamily) -> Result<String, GraderError> {
     let mut section = String::new();
     let missing = family
         .student_missing
         .as_ref()
-        .map(|why| format!("your own kernel: {why}"));
+        .map(|why| format!("your code: {why}"));
     add(
         &mut section,
         "Accuracy against time",
@@ -111,16 +107,11 @@ fn family_section(family: &Family) -> Result<String, GraderError> {
     );
     add(
         &mut section,
-        "Where it is right",
-        Some(heat::figure(family)?),
+        "Accuracy by family of rays",
+        Some(heatmap::figure(family)?),
         None,
     );
-    add(
-        &mut section,
-        "How far off t is",
-        Some(cdf::figure(family)?),
-        None,
-    );
+    add(&mut section, "Error of t", Some(cdf::figure(family)?), None);
     if family.shape == Shape::Triangle
         && let Some(figure) = leaks::figure(family)?
     {
@@ -129,7 +120,7 @@ fn family_section(family: &Family) -> Result<String, GraderError> {
     Ok(section)
 }
 
-/// Adds a figure with its heading, its paragraph and what is missing.
+/// Adds a figure with its heading, its caption and what is missing.
 fn add(
     section: &mut String,
     heading: &str,
@@ -137,14 +128,14 @@ fn add(
     missing: Option<&str>,
 ) {
     let _ = writeln!(section, "<h3>{}</h3>", escape(&capital(heading)));
-    if let Some((drawn, words)) = figure {
-        let words = escape(words.trim_end());
+    if let Some((figure_html, caption)) = figure {
+        let caption = escape(caption.trim_end());
         let _ = writeln!(
             section,
-            "<figure>\n{drawn}\n<figcaption>{words}</figcaption>\n</figure>"
+            "<figure>\n{figure_html}\n<figcaption>{caption}</figcaption>\n</figure>"
         );
     }
     if let Some(missing) = missing {
-        let _ = writeln!(section, "<p>Missing: {}.</p>", escape(missing));
+        let _ = writeln!(section, "<p>MissingReason: {}.</p>", escape(missing));
     }
 }

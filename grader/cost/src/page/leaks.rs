@@ -1,51 +1,53 @@
-//! A closed mesh with its leaks in magenta.
+//! A picture of a closed mesh, with leaks in magenta.
 //!
-//! Seen from outside, each pixel next to an edge sends its ray at that edge, as far as rounding lets it: one of the two triangles
-//! there must stop it. Where neither does, one looks through the mesh. Other rays of a picture hit edges so rarely that
-//! nothing would be seen; in a film of many frames they are the dots that flicker.
+//! The mesh is seen from outside. Each pixel close to an edge traces a ray aimed at that edge, up
+//! to rounding; at least one of its two triangles must be hit. If neither is, the ray passes
+//! through the mesh. Rays through the centres of pixels hit edges so rarely that no leak would be
+//! visible; in an animation they are flickering dots.
 
-use super::words::{name, percent};
-use crate::report::{Family, Row};
+use super::formatting::{name, percent};
+use crate::report::{KernelFamily, KernelRow};
 use grader::error::GraderError;
 use image::{Rgb, RgbImage};
-use kernels::{Found, Kernel};
+use kernels::{HitF64, Kernel};
 use kit::{Ray, Triangle, Vec3};
 use meshes::{MeshKind, generate};
-use pages::html::{escape, png_address};
+use pages::html::{escape, png_data_uri};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
 const SIZE: [u32; 2] = [300, 240];
 const TRIANGLES: usize = 600;
 
-/// The mesh fills the cube from -1 to 1; the eye looks at its middle.
+/// Position of the camera, which looks at the origin; the mesh is in the cube from -1 to 1.
 const EYE: Vec3 = Vec3::new(1.6, 1.4, 2.4);
 
-/// Width of the picture at the middle of the mesh.
+/// Width of the picture at the origin.
 const WIDTH: f64 = 2.1;
 
-/// A pixel this close to an edge, in pixels, aims at it.
+/// Pixels at most this far from an edge, in pixels, aim at it.
 const NEAR: f64 = 0.8;
 
-/// A hit farther behind the edge than this share of its distance is that of another wall.
+/// A hit farther behind the edge than this fraction of its distance is on another side of the mesh.
 const SAME_WALL: f64 = 1e-3;
 
 /// No surface has this colour.
 const MAGENTA: Rgb<u8> = Rgb([255, 0, 255]);
 
-type TriangleKernel = Kernel<Triangle, Found>;
+type TriangleKernel = Kernel<Triangle, HitF64>;
 
-/// A picture with a kernel that leaks (the textbook's, if it does, else the worst) and one with the fastest that does not,
-/// and what they show; `None` where no known kernel leaks.
-pub(crate) fn figure(family: &Family) -> Result<Option<(String, String)>, GraderError> {
+/// Draws two pictures and returns the HTML and its caption: one with a kernel that leaks (the
+/// textbook's if it leaks, else the worst) and one with the fastest kernel that does not. `None` if
+/// no known kernel leaks.
+pub(crate) fn figure(family: &KernelFamily) -> Result<Option<(String, String)>, GraderError> {
     let known = kernels::triangles();
-    let leaks = |row: &Row| row.leaks_per_million.unwrap_or(0.0);
-    let kernel_of = |row: &Row| {
-        let mut known = known.iter().filter(|kernel| !kernel.about.culls);
+    let leaks = |row: &KernelRow| row.leaks_per_million.unwrap_or(0.0);
+    let kernel_of = |row: &KernelRow| {
+        let mut known = known.iter().filter(|kernel| !kernel.info.culls);
         known
             .find(|kernel| {
                 let precision = crate::measure::precision(kernel.precision);
-                kernel.about.name == row.name && precision == row.precision
+                kernel.info.name == row.name && precision == row.precision
             })
             .copied()
     };
@@ -67,52 +69,53 @@ pub(crate) fn figure(family: &Family) -> Result<Option<(String, String)>, Grader
     let (Some(leaking), Some(textbook)) = (leaking, known.first()) else {
         return Ok(None);
     };
-    let view = View::new(textbook);
-    let mut drawn = String::from("<div class=\"pair\">");
-    let mut said = format!(
-        "A closed mesh of {TRIANGLES} triangles; pixels within {NEAR} of an edge aim at it ({} of them). Magenta: both triangles \
-         at the edge let the ray pass. ",
+    let view = MeshView::new(textbook);
+    let mut figure_html = String::from("<div class=\"pair\">");
+    let mut text = format!(
+        "A closed mesh of {TRIANGLES} triangles. {} pixels are within {NEAR} pixels of an edge; their rays are aimed at the edge. Magenta: the ray \
+         misses both triangles at the edge. ",
         view.at_edges()
     );
     for (row, kernel) in [Some(leaking), tight].into_iter().flatten() {
-        let (picture, through) = view.picture(&kernel);
+        let (picture, leaks) = view.picture(&kernel);
         let [w, h] = SIZE;
-        drawn += &format!(
-            "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {through} leaks in magenta\">\
+        figure_html += &format!(
+            "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {leaks} leaks in magenta\">\
              <figcaption>{}</figcaption></figure>",
-            png_address(&picture)?,
+            png_data_uri(&picture)?,
             escape(&name(row)),
         );
-        said += &match through {
-            0 => format!("With {} there is none. ", name(row)),
+        text += &match leaks {
+            0 => format!("{} has no leaks. ", name(row)),
             _ => format!(
-                "With {} that is so for {through} of them ({}). ",
+                "{} has {leaks} leaks ({}). ",
                 name(row),
-                percent(through as f64 / view.at_edges().max(1) as f64)
+                percent(leaks as f64 / view.at_edges().max(1) as f64)
             ),
         };
     }
-    drawn += "</div>";
-    Ok(Some((drawn, said)))
+    figure_html += "</div>";
+    Ok(Some((figure_html, text)))
 }
 
-/// What is seen of the mesh, and through which rays.
-struct View {
+/// The visible triangles of the mesh, and the rays of the pixels.
+struct MeshView {
     mesh: Vec<Triangle>,
-    /// Row by row from the top: the ray and the triangle it hits, and whether it aims at an edge.
-    pixels: Vec<Option<Seen>>,
+    /// The visible triangle and the ray of each pixel, in rows from the top; `None` for the
+    /// background.
+    pixels: Vec<Option<PixelHit>>,
 }
 
-struct Seen {
+struct PixelHit {
     ray: Ray,
     t: f64,
     triangle: usize,
     at_edge: bool,
 }
 
-impl View {
-    /// From outside, by the answers of `textbook`.
-    fn new(textbook: &TriangleKernel) -> View {
+impl MeshView {
+    /// Traces the picture with the kernel `textbook`.
+    fn new(textbook: &TriangleKernel) -> MeshView {
         let mesh = generate(MeshKind::Smooth, TRIANGLES);
         let edges = inner_edges(&mesh);
         let [w, h] = SIZE;
@@ -122,7 +125,7 @@ impl View {
                 let ray = camera_ray(i % w, i / w);
                 let (triangle, hit) = closest(textbook, &mesh, &ray)?;
                 let aimed = aim_at_edge(&mesh[triangle], &edges[triangle], &ray, hit.t);
-                Some(Seen {
+                Some(PixelHit {
                     ray: aimed.unwrap_or(ray),
                     t: hit.t,
                     triangle,
@@ -130,54 +133,54 @@ impl View {
                 })
             })
             .collect();
-        View { mesh, pixels }
+        MeshView { mesh, pixels }
     }
 
     fn at_edges(&self) -> usize {
         self.pixels
             .iter()
             .flatten()
-            .filter(|seen| seen.at_edge)
+            .filter(|hit| hit.at_edge)
             .count()
     }
 
-    /// The picture that `kernel` makes, and how many rays at edges it lets through.
+    /// Renders the picture with `kernel`; also returns the number of leaks.
     fn picture(&self, kernel: &TriangleKernel) -> (RgbImage, usize) {
         let colours: Vec<Rgb<u8>> = self
             .pixels
             .par_iter()
-            .map(|seen| match seen {
+            .map(|hit| match hit {
                 None => Rgb([255; 3]),
-                Some(seen) if seen.at_edge && self.lets_through(kernel, seen) => MAGENTA,
-                Some(seen) => shade(&self.mesh[seen.triangle]),
+                Some(hit) if hit.at_edge && self.is_leak(kernel, hit) => MAGENTA,
+                Some(hit) => shade(&self.mesh[hit.triangle]),
             })
             .collect();
-        let through = colours.iter().filter(|colour| **colour == MAGENTA).count();
+        let leaks = colours.iter().filter(|colour| **colour == MAGENTA).count();
         let [w, h] = SIZE;
         let mut colours = colours.into_iter();
         let picture = RgbImage::from_fn(w, h, |_, _| colours.next().unwrap_or(MAGENTA));
-        (picture, through)
+        (picture, leaks)
     }
 
-    /// Whether nothing stops the ray where its edge is.
-    fn lets_through(&self, kernel: &TriangleKernel, seen: &Seen) -> bool {
-        let wall = seen.ray_length() * (1.0 + SAME_WALL);
+    /// Whether the ray misses all triangles at the distance of its edge.
+    fn is_leak(&self, kernel: &TriangleKernel, hit: &PixelHit) -> bool {
+        let wall = hit.ray_length() * (1.0 + SAME_WALL);
         !self.mesh.iter().any(|tri| {
             kernel
-                .answer(tri, &seen.ray)
+                .answer(tri, &hit.ray)
                 .is_some_and(|hit| hit.t <= wall)
         })
     }
 }
 
-impl Seen {
-    /// Where along its ray the edge is: rays at edges end there at 1, and pixels are small.
+impl PixelHit {
+    /// Returns the distance along the ray: 1 for rays aimed at an edge.
     fn ray_length(&self) -> f64 {
         if self.at_edge { 1.0 } else { self.t }
     }
 }
 
-/// Through the middle of the pixel in column `x` and row `y` from the top left.
+/// Returns the ray through the centre of the pixel in column `x` and row `y` from the top left.
 fn camera_ray(x: u32, y: u32) -> Ray {
     let [w, h] = SIZE.map(f64::from);
     let backward = EYE.normalize();
@@ -189,14 +192,15 @@ fn camera_ray(x: u32, y: u32) -> Ray {
     Ray::new(EYE, (target - EYE).normalize())
 }
 
-fn closest(kernel: &TriangleKernel, mesh: &[Triangle], ray: &Ray) -> Option<(usize, Found)> {
+fn closest(kernel: &TriangleKernel, mesh: &[Triangle], ray: &Ray) -> Option<(usize, HitF64)> {
     let hits = mesh.iter().enumerate();
     hits.filter_map(|(i, tri)| Some((i, kernel.answer(tri, ray)?)))
         .min_by(|a, b| a.1.t.total_cmp(&b.1.t))
 }
 
-/// For each triangle, whether its edges opposite to its first, second and third vertex are shared with another one that
-/// faces the eye, too: a ray past the rim of the mesh is no leak.
+/// For each triangle, whether the edges opposite to its first, second and third vertex are shared
+/// with another triangle that faces the camera: a ray that misses the mesh at its silhouette is no
+/// leak.
 fn inner_edges(mesh: &[Triangle]) -> Vec<[bool; 3]> {
     let corner = |v: Vec3| v.to_array().map(f64::to_bits);
     let key = |a: Vec3, b: Vec3| {
@@ -221,7 +225,7 @@ fn inner_edges(mesh: &[Triangle]) -> Vec<[bool; 3]> {
 }
 
 fn faces_eye(tri: &Triangle) -> bool {
-    // The mesh is round about the origin: outwards is away from it.
+    // The mesh is star-shaped about the origin, so its outside faces away from the origin.
     let n = normal(tri);
     n.dot(tri.p0) * n.dot(EYE - tri.p0) > 0.0
 }
@@ -230,7 +234,8 @@ fn normal(tri: &Triangle) -> Vec3 {
     (tri.p1 - tri.p0).cross(tri.p2 - tri.p0)
 }
 
-/// The ray from the same origin at the nearest edge, if that is less than [`NEAR`] pixels away: it gets there at `t = 1`.
+/// Returns the ray from the same origin to the nearest point of an edge, if it is closer than
+/// [`NEAR`] pixels. The ray reaches the edge at `t = 1`.
 fn aim_at_edge(tri: &Triangle, inner: &[bool; 3], ray: &Ray, t: f64) -> Option<Ray> {
     let p = ray.at(t);
     let pixel = NEAR * WIDTH / f64::from(SIZE[0]) * t / EYE.length();
@@ -247,7 +252,7 @@ fn aim_at_edge(tri: &Triangle, inner: &[bool; 3], ray: &Ray, t: f64) -> Option<R
     (nearest.distance(p) < pixel).then(|| Ray::new(ray.o, nearest - ray.o))
 }
 
-/// Facets in grey: lightest where they face a lamp above the eye.
+/// Shades a triangle in grey, brightest if it faces a light above the camera.
 fn shade(tri: &Triangle) -> Rgb<u8> {
     let n = normal(tri).normalize();
     let lamp = (EYE + Vec3::Y).normalize();

@@ -1,22 +1,23 @@
-//! One page that shows what accuracy costs: `grader cost --html FILE`.
+//! The HTML page of plots: `grader cost --html FILE`.
 //!
-//! The page needs nothing beside itself: plots are inline SVG, pictures are part of it, nothing moves and nothing is loaded.
-//! Every figure has a paragraph below it that is computed from the numbers, as the figure is. Colours are told apart by the
-//! colour-blind; what they say is said by shapes, signs and dashes, too.
+//! The page is self-contained: plots are inline SVG, pictures are embedded, and there are no
+//! scripts. Every figure has a caption that is computed from the same numbers. The colours can be
+//! distinguished by colour-blind readers; shapes, signs and dashes show the same information.
 //!
-//! Read `document` (the page), then the figures: `pareto`, `heat`, `cdf`, `leaks`, `trees`, `convergence`; they are drawn
-//! with `plot`, `look` and `canvas`.
+//! Read `document` (the page), then the figures: `pareto`, `heatmap`, `cdf`, `leaks`, `trees`,
+//! `convergence`; they are drawn with `plot`, `style` and `canvas`. `formatting` formats numbers
+//! and lists.
 
 mod canvas;
 mod cdf;
 mod convergence;
 mod document;
-mod heat;
+mod formatting;
+mod heatmap;
 mod leaks;
-mod look;
 mod pareto;
 mod plot;
+mod style;
 mod trees;
-mod words;
 
 pub use document::page;

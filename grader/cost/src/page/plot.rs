@@ -1,30 +1,30 @@
-//! A plot: two axes, and what is drawn between them.
+//! A plot: two axes and the lines and markers between them.
 
-use super::canvas::{Canvas, Drawn, Label, Place};
-use super::look::{self, GRID, INK, Look};
+use super::canvas::{Canvas, DrawResult, Label, Position};
+use super::style::{self, GRID, INK, SeriesStyle};
 
-/// Size of the letters at axes, in points.
+/// Font size at the axes, in points.
 const SMALL: f64 = 9.0;
 
-/// Room for the numbers and the name of an axis.
+/// Margins for the tick labels and the names of the axes.
 const LEFT: f64 = 52.0;
 const BELOW: f64 = 38.0;
 const ABOVE: f64 = 20.0;
 const RIGHT: f64 = 8.0;
 
-/// An axis.
+/// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Axis {
     pub(crate) name: String,
     from: f64,
     to: f64,
     is_log: bool,
-    /// Values with a number at them.
+    /// The ticks: values and their labels.
     ticks: Vec<(f64, String)>,
 }
 
 impl Axis {
-    /// Equal steps, with these values numbered.
+    /// Creates a linear axis with these ticks.
     pub(crate) fn linear(name: &str, from: f64, to: f64, ticks: Vec<(f64, String)>) -> Axis {
         Axis {
             name: name.into(),
@@ -35,8 +35,8 @@ impl Axis {
         }
     }
 
-    /// Equal factors, wide enough for all `values` that are above 0; numbered in powers of ten, or where these are few in
-    /// steps of 1, 2, 5 or less.
+    /// Creates a logarithmic axis that contains all positive `values`. Its ticks are powers of ten,
+    /// with steps of 1, 2, 5 or smaller between them if there are only a few.
     pub(crate) fn log(
         name: &str,
         values: impl IntoIterator<Item = f64>,
@@ -50,7 +50,7 @@ impl Axis {
         } else {
             (0.1, 1.0)
         };
-        // A little air, so that no marker lies on the frame.
+        // A margin, so that no marker is on the frame.
         let air = (most / least).powf(0.04).max(1.12);
         let (from, to) = (least / air, most * air);
         let decades = (to / from).log10();
@@ -76,7 +76,7 @@ impl Axis {
         }
     }
 
-    /// Where `value` lies from 0 at the start to 1 at the end.
+    /// Returns the position of `value` on the axis, from 0 at the start to 1 at the end.
     fn share(&self, value: f64) -> f64 {
         if self.is_log {
             (value / self.from).ln() / (self.to / self.from).ln()
@@ -85,7 +85,7 @@ impl Axis {
         }
     }
 
-    /// Both ends.
+    /// Returns both ends.
     pub(crate) fn ends(&self) -> (f64, f64) {
         (self.from, self.to)
     }
@@ -96,16 +96,16 @@ pub(crate) struct Plot<'a, 'b> {
     canvas: &'a Canvas<'b>,
     x: Axis,
     y: Axis,
-    /// Of the inner part: left, top, right, bottom.
+    /// The inner part: left, top, right, bottom.
     inner: [f64; 4],
 }
 
 impl<'a, 'b> Plot<'a, 'b> {
-    /// Draws the axes of a plot that fills the rectangle with the top left corner `corner`.
+    /// Draws the axes of a plot. `corner` is its top left corner.
     pub(crate) fn new(
         canvas: &'a Canvas<'b>,
         title: &str,
-        corner: Place,
+        corner: Position,
         [w, h]: [f64; 2],
         x: Axis,
         y: Axis,
@@ -126,7 +126,7 @@ impl<'a, 'b> Plot<'a, 'b> {
         Ok(plot)
     }
 
-    fn draw_axes(&self, title: &str) -> Drawn {
+    fn draw_axes(&self, title: &str) -> DrawResult {
         let [left, top, right, bottom] = self.inner;
         let canvas = self.canvas;
         for (value, number) in &self.x.ticks {
@@ -159,8 +159,8 @@ impl<'a, 'b> Plot<'a, 'b> {
         canvas.text(&self.y.name, (left - 43.0, middle.1), upright)
     }
 
-    /// Where a value lies on the canvas.
-    pub(crate) fn at(&self, x: f64, y: f64) -> Place {
+    /// Returns the position of a value on the canvas.
+    pub(crate) fn at(&self, x: f64, y: f64) -> Position {
         let [left, top, right, bottom] = self.inner;
         (
             left + self.x.share(x) * (right - left),
@@ -168,47 +168,50 @@ impl<'a, 'b> Plot<'a, 'b> {
         )
     }
 
-    /// The ends of the first axis.
+    /// Returns the ends of the x axis.
     pub(crate) fn x_ends(&self) -> (f64, f64) {
         self.x.ends()
     }
 
-    /// The ends of the second axis.
+    /// Returns the ends of the y axis.
     pub(crate) fn y_ends(&self) -> (f64, f64) {
         self.y.ends()
     }
 
-    /// A marker with the area of so many square points.
-    pub(crate) fn marker(&self, look: Look, (x, y): (f64, f64), area: f64) -> Drawn {
-        look::marker(self.canvas, look, self.at(x, y), area)
+    /// Draws a marker; `area` is in square points.
+    pub(crate) fn marker(&self, style: SeriesStyle, (x, y): (f64, f64), area: f64) -> DrawResult {
+        style::marker(self.canvas, style, self.at(x, y), area)
     }
 
-    /// A line through values, cut off at the lower end of the second axis.
-    pub(crate) fn line(&self, look: Look, values: &[(f64, f64)], width: f64) -> Drawn {
+    /// Draws a line through values, clamped to the range of the y axis.
+    pub(crate) fn line(&self, style: SeriesStyle, values: &[(f64, f64)], width: f64) -> DrawResult {
         let (from, to) = self.y.ends();
-        let places: Vec<Place> = values
+        let positions: Vec<Position> = values
             .iter()
             .map(|(x, y)| self.at(*x, y.clamp(from, to)))
             .collect();
-        look::line(self.canvas, look, &places, width)
+        style::line(self.canvas, style, &positions, width)
     }
 
-    /// From `low` to `high` at `x`, cut off at the ends of the axis.
-    pub(crate) fn error_bar(&self, look: Look, x: f64, low: f64, high: f64) -> Drawn {
+    /// Draws an error bar from `low` to `high` at `x`, clamped to the range of the y axis.
+    pub(crate) fn error_bar(&self, style: SeriesStyle, x: f64, low: f64, high: f64) -> DrawResult {
         let (from, to) = self.y.ends();
         let ends = [low, high].map(|y| self.at(x, y.clamp(from, to)));
-        self.canvas.line(&ends, look.color, 1.0)
+        self.canvas.line(&ends, style.color, 1.0)
     }
 }
 
-/// Draws what the lines and markers mean, one below the other from `corner` on: each with its look or none, and in one or more
-/// lines.
-pub(crate) fn legend(canvas: &Canvas, corner: Place, entries: &[(Option<Look>, String)]) -> Drawn {
+/// Draws a legend from `corner` down: the style of each entry, if it has one, and its text.
+pub(crate) fn legend(
+    canvas: &Canvas,
+    corner: Position,
+    entries: &[(Option<SeriesStyle>, String)],
+) -> DrawResult {
     let (x, mut y) = corner;
-    for (look, text) in entries {
-        if let Some(look) = look {
-            look::line(canvas, *look, &[(x, y), (x + 26.0, y)], 1.5)?;
-            look::marker(canvas, *look, (x + 13.0, y), 28.0)?;
+    for (style, text) in entries {
+        if let Some(style) = style {
+            style::line(canvas, *style, &[(x, y), (x + 26.0, y)], 1.5)?;
+            style::marker(canvas, *style, (x + 13.0, y), 28.0)?;
         }
         canvas.text(text, (x + 32.0, y), Label::left(SMALL + 0.5))?;
         y += 15.0;
@@ -221,7 +224,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_powers_of_ten_have_steps_between() {
+    fn axes_with_few_decades_have_more_ticks() {
         let numbers = |values: &[f64]| -> Vec<f64> {
             let axis = Axis::log("", values.iter().copied(), |v| v.to_string());
             axis.ticks.iter().map(|(value, _)| *value).collect()
@@ -232,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_factors_are_equal_steps() {
+    fn equal_factors_are_equal_distances() {
         let axis = Axis::log("", [1.0, 100.0], |v| v.to_string());
         let [a, b, c] = [1.0, 10.0, 100.0].map(|v| axis.share(v));
         assert!(0.0 < a && c < 1.0 && ((b - a) - (c - b)).abs() < 1e-12);

@@ -1,82 +1,88 @@
-//! What is said of pictures: error against samples and against seconds.
+//! The results for pictures: error against samples and against seconds.
 
 use serde::{Deserialize, Serialize};
 
-/// All that is compared.
+/// The results of all experiments.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Pictures {
-    /// A question each.
+pub struct PictureReport {
+    /// The experiments.
     pub experiments: Vec<Experiment>,
     /// Why there are none, if there are none.
     pub missing: Option<String>,
 }
 
-/// Ways to render the same picture.
+/// The results of methods that render the same picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Experiment {
-    /// What is compared, in a few words.
+    /// A short title.
     pub title: String,
     /// The scene's file name.
     pub scene: String,
-    /// Pixels across and up.
+    /// Width and height in pixels.
     pub film: [u32; 2],
     /// The part of it that is rendered: left, bottom, width, height.
     pub cell: [u32; 4],
-    /// Pictures a point, each with random numbers of its own.
+    /// Pictures per point of a curve, with independent random numbers.
     pub seeds: u32,
-    /// What the converged picture was rendered with. There are two of it, with random numbers of their own.
+    /// The flags of the converged picture. There are two, with independent random numbers.
     pub converged: String,
-    /// Whether the ways aim at an equal share of error in every pixel: then the relative error is what to look at.
+    /// Whether the methods aim at an equal relative error in every pixel; then the relative error
+    /// is compared.
     pub is_relative: bool,
-    /// The error that is left in the mean of the two, as a share of the picture's mean.
+    /// The remaining error of the mean of the two converged pictures, relative to the picture's
+    /// mean.
     pub converged_rmse: f64,
-    /// A way each. Efficiency is compared to the first one's.
+    /// One curve per method. Efficiency is relative to the first one.
     pub curves: Vec<Curve>,
     /// Why curves are missing, if some are.
     pub missing: Option<String>,
 }
 
-/// One way to render, with more and more samples.
+/// The results of one method with increasing numbers of samples.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// The flags of the program that choose it.
+    /// The flags that select the method.
     pub flags: String,
-    /// From few samples to many.
-    pub points: Vec<Point>,
-    /// The error falls as the samples to this power (least squares in logarithms, over the points with something random):
-    /// -1/2 for independent samples. `None` with fewer than three such points.
+    /// The points, by increasing number of samples.
+    pub points: Vec<CurvePoint>,
+    /// The slope of log(error) against log(samples), by least squares over the points that are
+    /// random: -1/2 for independent samples. `None` with fewer than three such points.
     pub slope: Option<f64>,
 }
 
-/// Pictures with so many samples. Errors are shares of the picture's mean value, over all pixels and channels.
+/// The results for one number of samples. Errors are relative to the picture's mean value, over all
+/// pixels and channels.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Point {
-    /// The flags that say how many.
+pub struct CurvePoint {
+    /// The flags for the number of samples.
     pub flags: String,
-    /// Samples a pixel that were taken, on average.
+    /// Mean number of samples per pixel.
     pub samples: f64,
-    /// Seconds to render on one thread, loading and building left aside: the median of the pictures.
+    /// Seconds to render on one thread, without loading and tree construction: the median of the
+    /// pictures.
     pub seconds: f64,
-    /// Distance between the quartiles of the seconds.
+    /// Interquartile range of the seconds.
     pub seconds_spread: f64,
     /// Root mean square error.
-    pub rmse: Interval,
-    /// Mean of the squared error over the squared value of each pixel: dark pixels count as much as bright ones.
-    pub relative_mse: Interval,
-    /// How far pictures scatter around their mean, squared. 0 where nothing is random.
+    pub rmse: ConfidenceInterval,
+    /// Mean of the squared error over the squared value of each pixel: dark and bright pixels have
+    /// the same weight.
+    pub relative_mse: ConfidenceInterval,
+    /// Variance of a picture; 0 if nothing is random.
     pub variance: f64,
-    /// How far their mean is from the converged picture (root mean square), where that can be told from noise: it is at least
-    /// three of its standard errors from 0.
+    /// Root mean square bias: the difference of the pictures' mean from the converged picture.
+    /// `None` if it is not significant, less than three standard errors from 0.
     pub bias: Option<f64>,
-    /// 1/(variance · seconds): twice of it is as good a picture in half of the time. `None` where nothing is random.
+    /// 1/(variance · seconds): at twice the efficiency the same error takes half the time. `None`
+    /// if nothing is random.
     pub efficiency: Option<f64>,
 }
 
-/// A mean and where the true one lies: in 95 of 100 runs between `low` and `high`.
+/// A mean with its 95 % confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Interval {
+pub struct ConfidenceInterval {
     /// The mean.
     pub value: f64,
     /// Lower end.
@@ -85,15 +91,16 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// 97.5 % quantiles of Student's t for 1, 2, ... degrees of freedom; beyond, the normal distribution is near enough.
+/// 97.5 % quantiles of Student's t for 1, 2, ... degrees of freedom; beyond, the normal
+/// distribution is close enough.
 const STUDENT: [f64; 9] = [
     12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262,
 ];
 
-impl Interval {
-    /// Of the mean of quantities that cannot be negative, by Student's t distribution. With one alone the interval is that
-    /// number and all below and above it.
-    pub fn of_mean(values: &[f64]) -> Interval {
+impl ConfidenceInterval {
+    /// Returns the interval of the mean of non-negative quantities, by Student's t distribution.
+    /// With a single value the interval has length 0.
+    pub fn of_mean(values: &[f64]) -> ConfidenceInterval {
         let tally: kit::Tally = values.iter().copied().collect();
         let degrees = values.len().saturating_sub(1);
         let t = match degrees {
@@ -101,16 +108,16 @@ impl Interval {
             _ => STUDENT.get(degrees - 1).copied().unwrap_or(1.96),
         };
         let half = t * tally.standard_error();
-        Interval {
+        ConfidenceInterval {
             value: tally.mean().max(0.0),
             low: (tally.mean() - half).max(0.0),
             high: (tally.mean() + half).max(0.0),
         }
     }
 
-    /// Of the square root.
-    pub fn sqrt(self) -> Interval {
-        Interval {
+    /// Returns the interval of the square root.
+    pub fn sqrt(self) -> ConfidenceInterval {
+        ConfidenceInterval {
             value: self.value.sqrt(),
             low: self.low.sqrt(),
             high: self.high.sqrt(),
@@ -118,9 +125,9 @@ impl Interval {
     }
 }
 
-impl Point {
-    /// What its error is measured by: relative to each pixel's own value, or to the picture's mean.
-    pub fn error(&self, is_relative: bool) -> Interval {
+impl CurvePoint {
+    /// Returns the error, relative to each pixel's own value or to the picture's mean.
+    pub fn error(&self, is_relative: bool) -> ConfidenceInterval {
         if is_relative {
             self.relative_mse.sqrt()
         } else {
@@ -128,27 +135,27 @@ impl Point {
         }
     }
 
-    /// Whether other random numbers give another picture.
+    /// Whether the picture depends on the random numbers.
     pub fn is_random(&self) -> bool {
         self.variance > 0.0
     }
 }
 
 impl Curve {
-    /// Samples and errors of the points where something is random: what a line can be laid through.
-    pub fn falling(points: &[Point], is_relative: bool) -> Vec<(f64, f64)> {
+    /// Returns samples and errors of the points that are random, for the fit of the slope.
+    pub fn random_points(points: &[CurvePoint], is_relative: bool) -> Vec<(f64, f64)> {
         let random = points.iter().filter(|p| p.is_random());
         let errors = random.map(|p| (p.samples, p.error(is_relative).value));
         errors.filter(|(_, error)| *error > 0.0).collect()
     }
 
-    /// The quantity `x` at which `error` has come down to `least`, between the points, straight in logarithms; `None` if the
-    /// curve does not go through it.
+    /// Returns the quantity `x` at which `error` has fallen to `least`, by linear interpolation of
+    /// logarithms between the points; `None` if the curve does not contain that error.
     pub fn at_error(
         &self,
         least: f64,
-        error: impl Fn(&Point) -> f64,
-        x: impl Fn(&Point) -> f64,
+        error: impl Fn(&CurvePoint) -> f64,
+        x: impl Fn(&CurvePoint) -> f64,
     ) -> Option<f64> {
         self.points.windows(2).find_map(|pair| {
             let [a, b] = pair else { return None };
@@ -170,18 +177,18 @@ impl Curve {
 mod tests {
     use super::*;
 
-    fn point(samples: f64, rmse: f64) -> Point {
-        Point {
+    fn point(samples: f64, rmse: f64) -> CurvePoint {
+        CurvePoint {
             flags: String::new(),
             samples,
             seconds: samples,
             seconds_spread: 0.0,
-            rmse: Interval {
+            rmse: ConfidenceInterval {
                 value: rmse,
                 low: rmse,
                 high: rmse,
             },
-            relative_mse: Interval::of_mean(&[rmse * rmse]),
+            relative_mse: ConfidenceInterval::of_mean(&[rmse * rmse]),
             variance: 1.0,
             bias: None,
             efficiency: None,
@@ -189,16 +196,16 @@ mod tests {
     }
 
     #[test]
-    fn the_interval_is_students() {
-        let interval = Interval::of_mean(&[1.0, 2.0, 3.0]);
+    fn the_interval_uses_students_t() {
+        let interval = ConfidenceInterval::of_mean(&[1.0, 2.0, 3.0]);
         let half = 4.303 / 3.0_f64.sqrt();
         assert_eq!(interval.value, 2.0);
         assert!((interval.high - (2.0 + half)).abs() < 1e-12);
-        assert_eq!(interval.low, 0.0, "an error is not negative");
+        assert_eq!(interval.low, 0.0, "an error cannot be negative");
     }
 
     #[test]
-    fn between_points_the_curve_is_straight_in_logarithms() {
+    fn interpolation_is_linear_in_logarithms() {
         let curve = Curve {
             name: String::new(),
             flags: String::new(),

@@ -1,25 +1,31 @@
-//! Rendering all that a plan asks for.
+//! Renders the pictures of all experiments.
 
-use super::curve::{Curve, Experiment, Pictures, Point};
-use super::estimate::Truth;
-use super::plan::{self, Plan, Way};
-use super::program::{Order, Program, Shot};
+use super::curve::{Curve, CurvePoint, Experiment, PictureReport};
+use super::estimate::ConvergedPair;
+use super::plan::{self, ExperimentPlan, RenderMethod};
+use super::program::{Program, RenderRequest, RenderedPicture};
 use grader::error::GraderError;
 use grader::speedup::slope;
 use grader::workspace::Workspace;
 
-/// Random numbers of the pictures of one run: those of another `--seed` start elsewhere.
+/// Number of seeds reserved for one run, so that runs with another `--seed` use other random
+/// numbers.
 const SEEDS_A_RUN: u64 = 1 << 16;
 
-/// Through two points a line goes in any case: it says nothing.
+/// Fewest points for a slope: two points always are on a line.
 const POINTS_OF_A_LINE: usize = 3;
 
-/// Measures the program of `workspace`. What the student's program cannot render is missing, and it is said why.
-pub fn measure(workspace: &Workspace, seed: u64, quick: bool) -> Result<Pictures, GraderError> {
+/// Measures the program of `workspace`. Experiments that the student's program cannot render are
+/// reported as missing, with the reason.
+pub fn measure(
+    workspace: &Workspace,
+    seed: u64,
+    quick: bool,
+) -> Result<PictureReport, GraderError> {
     let program = match Program::build(workspace.root())? {
         Ok(program) => program,
         Err(why) => {
-            return Ok(Pictures {
+            return Ok(PictureReport {
                 experiments: Vec::new(),
                 missing: Some(why),
             });
@@ -29,7 +35,7 @@ pub fn measure(workspace: &Workspace, seed: u64, quick: bool) -> Result<Pictures
     let experiments = plans
         .iter()
         .map(|plan| experiment(workspace, &program, plan, seed));
-    Ok(Pictures {
+    Ok(PictureReport {
         experiments: experiments.collect::<Result<_, _>>()?,
         missing: None,
     })
@@ -38,7 +44,7 @@ pub fn measure(workspace: &Workspace, seed: u64, quick: bool) -> Result<Pictures
 fn experiment(
     workspace: &Workspace,
     program: &Program,
-    plan: &Plan,
+    plan: &ExperimentPlan,
     seed: u64,
 ) -> Result<Experiment, GraderError> {
     let mut experiment = Experiment {
@@ -55,7 +61,7 @@ fn experiment(
     };
     let scene = workspace.root().join("scenes/dae").join(plan.scene);
     let first = seed.wrapping_mul(SEEDS_A_RUN);
-    let order = Order {
+    let request = RenderRequest {
         scene: &scene,
         film: plan.film,
         cell: plan.cell,
@@ -63,72 +69,77 @@ fn experiment(
         seed: first,
         threads: 1,
     };
-    let all = std::thread::available_parallelism().map_or(1, |n| n.get());
-    let mut halves = Vec::new();
-    for half in 0..2 {
-        match program.render(&Order {
-            seed: first.wrapping_add(half),
-            threads: all,
-            ..order
+    let all_threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+    let mut converged_pictures = Vec::new();
+    for index in 0..2 {
+        match program.render(&RenderRequest {
+            seed: first.wrapping_add(index),
+            threads: all_threads,
+            ..request
         })? {
-            Ok(shot) => halves.push(shot.pixels),
+            Ok(picture) => converged_pictures.push(picture.pixels),
             Err(why) => {
                 experiment.missing = Some(why);
                 return Ok(experiment);
             }
         }
     }
-    let [Some(a), Some(b)] = [halves.pop(), halves.pop()] else {
+    let [Some(a), Some(b)] = [converged_pictures.pop(), converged_pictures.pop()] else {
         return Ok(experiment);
     };
-    let Some(truth) = Truth::new(a, b) else {
-        experiment.missing = Some("the converged picture is black, or not of numbers".into());
+    let Some(converged) = ConvergedPair::new(a, b) else {
+        experiment.missing = Some("the converged picture is black or contains NaN".into());
         return Ok(experiment);
     };
-    experiment.converged_rmse = truth.rmse();
-    // Round by round through all ways, so that a slow minute is shared by all.
-    let mut shots: Vec<Vec<Vec<Shot>>> = plan
-        .ways
+    experiment.converged_rmse = converged.rmse();
+    // The methods are interleaved, so that a change of the machine's speed affects all of them.
+    let mut pictures: Vec<Vec<Vec<RenderedPicture>>> = plan
+        .methods
         .iter()
         .map(|w| vec![Vec::new(); w.steps.len()])
         .collect();
     for round in 0..u64::from(plan.seeds) {
-        for (way, shots) in plan.ways.iter().zip(&mut shots) {
-            for ((step, _), shots) in way.steps.iter().zip(shots) {
-                let flags = format!("{} {step}", way.flags);
-                match program.render(&Order {
+        for (method, pictures) in plan.methods.iter().zip(&mut pictures) {
+            for ((step, _), pictures) in method.steps.iter().zip(pictures) {
+                let flags = format!("{} {step}", method.flags);
+                match program.render(&RenderRequest {
                     seed: first.wrapping_add(2 + round),
                     flags: &flags,
-                    ..order
+                    ..request
                 })? {
-                    Ok(shot) => shots.push(shot),
-                    Err(why) => experiment.missing = Some(format!("{}: {why}", way.name)),
+                    Ok(picture) => pictures.push(picture),
+                    Err(why) => experiment.missing = Some(format!("{}: {why}", method.name)),
                 }
             }
         }
     }
-    let curves = plan.ways.iter().zip(&shots);
+    let curves = plan.methods.iter().zip(&pictures);
     experiment.curves = curves
-        .filter_map(|(way, shots)| curve(&truth, way, shots, plan.is_relative))
+        .filter_map(|(method, pictures)| curve(&converged, method, pictures, plan.is_relative))
         .collect();
-    if experiment.curves.len() < plan.ways.len() && experiment.missing.is_none() {
+    if experiment.curves.len() < plan.methods.len() && experiment.missing.is_none() {
         experiment.missing =
-            Some("a picture has another size, or values that are no numbers".into());
+            Some("a picture has another size, or contains NaN or infinite values".into());
     }
     Ok(experiment)
 }
 
-/// A way whose pictures are all there.
-fn curve(truth: &Truth, way: &Way, shots: &[Vec<Shot>], is_relative: bool) -> Option<Curve> {
-    let steps = way.steps.iter().zip(shots);
-    let points: Vec<Point> = steps
-        .map(|((flags, samples), shots)| truth.judge(flags, f64::from(*samples), shots))
+/// Returns the curve of a method; `None` if a picture is missing.
+fn curve(
+    converged: &ConvergedPair,
+    method: &RenderMethod,
+    pictures: &[Vec<RenderedPicture>],
+    is_relative: bool,
+) -> Option<Curve> {
+    let steps = method.steps.iter().zip(pictures);
+    let points: Vec<CurvePoint> = steps
+        .map(|((flags, samples), pictures)| converged.point(flags, f64::from(*samples), pictures))
         .collect::<Option<_>>()?;
-    let falling = Curve::falling(&points, is_relative);
+    let random_points = Curve::random_points(&points, is_relative);
     Some(Curve {
-        name: way.name.clone(),
-        flags: way.flags.clone(),
-        slope: slope(&falling).filter(|_| falling.len() >= POINTS_OF_A_LINE),
+        name: method.name.clone(),
+        flags: method.flags.clone(),
+        slope: slope(&random_points).filter(|_| random_points.len() >= POINTS_OF_A_LINE),
         points,
     })
 }

@@ -1,9 +1,9 @@
-//! `grader cost picture`: what a better picture costs.
+//! `grader cost picture`: measures the time that better pictures cost.
 //!
-//! The grader links no renderer. It builds the `pathtracer` program of the workspace, the student's own in a handout, and
-//! has it render small pictures again and again, with other random numbers each time. Read [`plan`] (what is compared),
-//! [`program`] (how a picture is made), [`estimate`] (how its error is estimated), [`curve`] (what is said of it),
-//! [`table`] (showing it).
+//! The grader does not link a renderer. It builds the `pathtracer` program of the workspace (in a
+//! handout, the student's) and renders small pictures repeatedly, with different random numbers
+//! each time. Read [`plan`] (what is compared), [`program`] (how a picture is rendered),
+//! [`estimate`] (how its error is estimated), [`curve`] (the results), [`table`] (text output).
 
 pub mod curve;
 pub mod estimate;
@@ -12,5 +12,5 @@ pub mod plan;
 pub mod program;
 pub mod table;
 
-pub use curve::{Curve, Experiment, Interval, Pictures, Point};
+pub use curve::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
 pub use measure::measure;

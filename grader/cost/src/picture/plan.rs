@@ -1,41 +1,42 @@
-//! What is compared: five questions, each with ways to render the same picture.
+//! The experiments: five comparisons of methods that render the same picture.
 
-/// A question.
+/// One experiment.
 #[derive(Clone, Debug)]
-pub struct Plan {
-    /// In a few words.
+pub struct ExperimentPlan {
+    /// A short title.
     pub title: &'static str,
-    /// A file of `scenes/dae`.
+    /// A file in `scenes/dae`.
     pub scene: &'static str,
-    /// Pixels across and up: few, so that many samples cost little.
+    /// Width and height in pixels: small, so that many samples are cheap.
     pub film: [u32; 2],
-    /// The part that is rendered: left, bottom, width, height. Lit pictures leave out the lamp: where it ends in a pixel,
-    /// its brightness would drown every other error.
+    /// The part that is rendered: left, bottom, width, height. Lit pictures leave out the light
+    /// source: in pixels at its border the error of its brightness would exceed all other errors.
     pub cell: [u32; 4],
-    /// Pictures a point.
+    /// Pictures per point of a curve.
     pub seeds: u32,
-    /// Flags of each of the two converged pictures.
+    /// Flags of the two converged pictures.
     pub converged: String,
-    /// Whether the ways aim at an equal share of error in every pixel.
+    /// Whether the methods aim at an equal relative error in every pixel.
     pub is_relative: bool,
-    /// The ways.
-    pub ways: Vec<Way>,
+    /// The compared methods.
+    pub methods: Vec<RenderMethod>,
 }
 
-/// One way to render.
+/// A method of rendering.
 #[derive(Clone, Debug)]
-pub struct Way {
-    /// Its name.
+pub struct RenderMethod {
+    /// The name.
     pub name: String,
-    /// The flags that choose it.
+    /// The flags that select it.
     pub flags: String,
-    /// The flags that say how many samples, and how many these are if each pixel takes them all.
+    /// For each point of the curve: the flags for the number of samples, and the samples per pixel
+    /// if every pixel takes them all.
     pub steps: Vec<(String, u32)>,
 }
 
-impl Way {
-    fn new(name: impl Into<String>, flags: impl Into<String>, samples: &[u32]) -> Way {
-        Way {
+impl RenderMethod {
+    fn new(name: impl Into<String>, flags: impl Into<String>, samples: &[u32]) -> RenderMethod {
+        RenderMethod {
             name: name.into(),
             flags: flags.into(),
             steps: samples.iter().map(|n| (format!("-s {n}"), *n)).collect(),
@@ -43,34 +44,34 @@ impl Way {
     }
 }
 
-/// All questions; `quick` answers them with fewer samples and smaller pictures.
-pub fn all(quick: bool) -> Vec<Plan> {
+/// Returns all experiments; with `quick`, with fewer samples and smaller pictures.
+pub fn all(quick: bool) -> Vec<ExperimentPlan> {
     let lamp = direct_light(quick, "direct light from a lamp", "cornell_spheres.dae");
     let sky = direct_light(quick, "direct light from the sky", "stairs_sky.dae");
     vec![edges(quick), lamp, sky, depth(quick), adaptive(quick)]
 }
 
-/// The lower three quarters of a film.
+/// Returns the lower three quarters of the picture.
 fn without_lamp([w, h]: [u32; 2]) -> [u32; 4] {
     [0, 0, w, h * 3 / 4]
 }
 
-/// Where samples lie in a pixel. Normal shading has nothing else that is random.
-fn edges(quick: bool) -> Plan {
+/// Sampling of the pixel area. With normal shading nothing else is random.
+fn edges(quick: bool) -> ExperimentPlan {
     let samples: &[u32] = if quick {
         &[1, 4, 16, 64]
     } else {
         &[1, 4, 16, 64, 256]
     };
-    let way = |name, sampler| {
-        Way::new(
+    let method = |name, sampler| {
+        RenderMethod::new(
             name,
             format!("--shade normals --sampler {sampler}"),
             samples,
         )
     };
     let [w, h] = if quick { [32, 24] } else { [64, 48] };
-    Plan {
+    ExperimentPlan {
         title: "samples in a pixel",
         scene: "spheres.dae",
         film: [w, h],
@@ -81,24 +82,25 @@ fn edges(quick: bool) -> Plan {
             if quick { 512 } else { 2048 }
         ),
         is_relative: false,
-        ways: vec![
-            way("independent", "independent"),
-            way("stratified", "stratified"),
-            way("Sobol", "sobol"),
+        methods: vec![
+            method("independent", "independent"),
+            method("stratified", "stratified"),
+            method("Sobol", "sobol"),
         ],
     }
 }
 
-/// How direct light is found.
-fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Plan {
+/// Estimators of direct light.
+fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> ExperimentPlan {
     let samples: &[u32] = if quick {
         &[4, 16, 64]
     } else {
         &[4, 16, 64, 256]
     };
-    let way = |name, flags| Way::new(name, format!("--shade lit -m 1 {flags}"), samples);
+    let method =
+        |name, flags| RenderMethod::new(name, format!("--shade lit -m 1 {flags}"), samples);
     let film = if quick { [24, 18] } else { [40, 30] };
-    Plan {
+    ExperimentPlan {
         title,
         scene,
         film,
@@ -109,32 +111,32 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Plan {
             if quick { 512 } else { 2048 }
         ),
         is_relative: false,
-        ways: vec![
-            way("uniform hemisphere", "-H --sampler independent"),
-            way("light sampling", "--sampler independent"),
-            way("MIS", "--mis --sampler independent"),
-            way("MIS, Sobol", "--mis --sampler sobol"),
+        methods: vec![
+            method("uniform hemisphere", "-H --sampler independent"),
+            method("light sampling", "--sampler independent"),
+            method("MIS", "--mis --sampler independent"),
+            method("MIS, Sobol", "--mis --sampler sobol"),
         ],
     }
 }
 
-/// How far light is followed. What a depth leaves out does not get less with more samples.
-fn depth(quick: bool) -> Plan {
+/// Ray depth. The light that a depth leaves out is a bias, which more samples do not reduce.
+fn depth(quick: bool) -> ExperimentPlan {
     let samples: &[u32] = if quick {
         &[4, 16, 64]
     } else {
         &[4, 16, 64, 256]
     };
     let depths: &[u32] = if quick { &[1, 2, 5] } else { &[1, 2, 3, 5, 8] };
-    let way = |depth: &u32| {
-        Way::new(
+    let method = |depth: &u32| {
+        RenderMethod::new(
             format!("depth {depth}"),
             format!("--shade lit -m {depth}"),
             samples,
         )
     };
     let film = if quick { [20, 16] } else { [32, 24] };
-    Plan {
+    ExperimentPlan {
         title: "ray depth",
         scene: "cornell_spheres.dae",
         film,
@@ -145,12 +147,12 @@ fn depth(quick: bool) -> Plan {
             if quick { 256 } else { 1024 }
         ),
         is_relative: false,
-        ways: depths.iter().map(way).collect(),
+        methods: depths.iter().map(method).collect(),
     }
 }
 
-/// Samples where they are needed, against as many everywhere.
-fn adaptive(quick: bool) -> Plan {
+/// Adaptive sampling against the same number of samples in every pixel.
+fn adaptive(quick: bool) -> ExperimentPlan {
     let most = if quick { 1024 } else { 2048 };
     let tolerances: &[f64] = if quick {
         &[0.2, 0.1]
@@ -159,7 +161,7 @@ fn adaptive(quick: bool) -> Plan {
     };
     let step = |tolerance: &f64| (format!("-s {most} -a 64 {tolerance}"), most);
     let film = if quick { [12, 9] } else { [32, 24] };
-    Plan {
+    ExperimentPlan {
         title: "adaptive sampling",
         scene: "cornell_spheres.dae",
         film,
@@ -170,8 +172,8 @@ fn adaptive(quick: bool) -> Plan {
             if quick { 2048 } else { 4096 }
         ),
         is_relative: true,
-        ways: vec![
-            Way::new(
+        methods: vec![
+            RenderMethod::new(
                 "fixed",
                 "--shade lit -m 1",
                 if quick {
@@ -180,7 +182,7 @@ fn adaptive(quick: bool) -> Plan {
                     &[256, 512, 1024]
                 },
             ),
-            Way {
+            RenderMethod {
                 name: "adaptive".into(),
                 flags: "--shade lit -m 1".into(),
                 steps: tolerances.iter().map(step).collect(),

@@ -1,30 +1,30 @@
-//! Pictures as a table.
+//! The results for pictures as text tables.
 
-use super::curve::{Experiment, Interval, Pictures, Point};
+use super::curve::{ConfidenceInterval, CurvePoint, Experiment, PictureReport};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
-/// What the numbers are.
+/// Explains the columns.
 const LEGEND: &str = "\
-Errors are shares of the picture's mean: root mean square, and relative to each pixel's own value; in brackets where\n\
-the mean error lies with 95 % confidence. Slope: the error falls as the samples to this power. Bias: what is off on\n\
-average and can be told from chance. Efficiency is 1/(variance x seconds), that of the first way being 1.\n";
+Errors are in % of the picture's mean (RMSE) and of each pixel's own value (relative); in brackets the 95 % confidence\n\
+interval of the mean error. Slope: exponent of the error as a power of the samples. Bias: significant difference of the\n\
+mean picture from the converged one. Efficiency: 1/(variance x seconds), relative to the first method.\n";
 
-/// All questions, for people.
-pub fn show(pictures: &Pictures) -> String {
+/// Formats all experiments.
+pub fn show(pictures: &PictureReport) -> String {
     let mut text = String::new();
     for experiment in &pictures.experiments {
         let [_, _, w, h] = experiment.cell;
         let _ = writeln!(
             text,
-            "\n{}: {}, {w} x {h} pixels, {} pictures a row",
+            "\n{}: {}, {w} x {h} pixels, {} pictures per row",
             experiment.title, experiment.scene, experiment.seeds
         );
         if !experiment.curves.is_empty() {
             let _ = writeln!(text, "{}", table(experiment));
         }
         if let Some(missing) = &experiment.missing {
-            let _ = writeln!(text, "Not complete: {missing}.");
+            let _ = writeln!(text, "Incomplete: {missing}.");
         }
     }
     match &pictures.missing {
@@ -58,7 +58,7 @@ fn table(experiment: &Experiment) -> Table {
                 milliseconds(point),
                 share(point.rmse),
                 share(point.relative_mse.sqrt()),
-                // Once a curve, where it ends.
+                // Once per curve, in its last row.
                 curve
                     .slope
                     .filter(|_| i + 1 == curve.points.len())
@@ -76,7 +76,7 @@ fn table(experiment: &Experiment) -> Table {
     table
 }
 
-fn milliseconds(point: &Point) -> String {
+fn milliseconds(point: &CurvePoint) -> String {
     format!(
         "{:.1} ±{:.1}",
         1e3 * point.seconds,
@@ -84,12 +84,12 @@ fn milliseconds(point: &Point) -> String {
     )
 }
 
-fn share(error: Interval) -> String {
+fn share(error: ConfidenceInterval) -> String {
     let [value, low, high] = [error.value, error.low, error.high].map(|e| percent(100.0 * e));
     format!("{value} [{low}, {high}]")
 }
 
-/// Two decimals, one from ten on.
+/// Formats with two decimals, from ten on with one.
 fn percent(number: f64) -> String {
     if number < 9.995 {
         format!("{number:.2}")

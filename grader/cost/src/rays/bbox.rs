@@ -1,6 +1,6 @@
-//! Rays at boxes.
+//! Test rays for boxes.
 
-use super::{Target, decades, stored_vec};
+use super::{Target, log_uniform, stored_vec};
 use crate::report::{RayFamily, Shape};
 use judge::cases::probes::{Dice, through};
 use kernels::Precision;
@@ -8,42 +8,42 @@ use kit::{Aabb, Ray, Vec3};
 
 impl Target for Aabb {
     const SHAPE: Shape = Shape::Box;
-    const PER_RAY: usize = 8;
-    const COLUMNS: &'static [(RayFamily, &'static str)] = &[
+    const SHAPES_PER_RAY: usize = 8;
+    const RAY_FAMILIES: &'static [(RayFamily, &'static str)] = &[
         (
             RayFamily::Ordinary,
-            "sides up to 2, from 2 to 6 away; hits and misses",
+            "edges up to 2, distance 2 to 6; hits and misses",
         ),
-        (RayFamily::Edge, "aimed at an edge, as far as f64 can aim"),
-        (RayFamily::Vertex, "aimed at a corner"),
-        (RayFamily::Sliver, "flat on one axis: a wall"),
-        (RayFamily::Needle, "flat on two axes: a wire"),
+        (RayFamily::Edge, "aimed at an edge, up to rounding"),
+        (RayFamily::Vertex, "aimed at a corner, up to rounding"),
+        (RayFamily::Sliver, "flat on one axis"),
+        (RayFamily::Needle, "flat on two axes"),
         (
             RayFamily::Grazing,
-            "from a point in the plane of a face, along it or at 1e-3 to 1e-12 to it",
+            "origin in the plane of a face, parallel to it or at a slope of 1e-3 to 1e-12",
         ),
         (
             RayFamily::FarOffset,
-            "ray and box 10 to 1e6 away from the world's origin",
+            "ray and box at 10 to 1e6 from the world's origin",
         ),
         (RayFamily::TinyScale, "all lengths times 1e-10 to 1e-30"),
         (RayFamily::HugeScale, "all lengths times 1e10 to 1e30"),
-        (RayFamily::Inside, "starting inside"),
+        (RayFamily::Inside, "origin inside the box"),
         (
             RayFamily::OnTheSurface,
-            "starting on a face: one in four along an axis",
+            "origin on a face; one ray in four is parallel to an axis",
         ),
     ];
 
-    fn aim(dice: &mut Dice) -> (Aabb, Vec3) {
-        let b = some_box(dice);
-        // Twice as long on each axis: an eighth of the volume, and some half of the rays.
+    fn shape_and_target(dice: &mut Dice) -> (Aabb, Vec3) {
+        let b = random_box(dice);
+        // Twice as long on each axis: an eighth of the volume, and about half of the rays.
         let target = b.centroid() + b.extent() * dice.in_cube();
         (b, target)
     }
 
-    fn hard(family: RayFamily, dice: &mut Dice) -> Option<(Aabb, Ray)> {
-        let mut b = some_box(dice);
+    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Aabb, Ray)> {
+        let mut b = random_box(dice);
         let from = dice.range(2.0, 6.0) * dice.direction();
         let axis = dice.below(3);
         let ray = match family {
@@ -71,7 +71,7 @@ impl Target for Aabb {
             RayFamily::Grazing => {
                 let mut ray = through(inside(&b, dice) + from, inside(&b, dice));
                 ray.o[axis] = dice.one_of(&[b.min, b.max])[axis];
-                let off = decades(dice, -12.0, -3.0);
+                let off = log_uniform(dice, -12.0, -3.0);
                 ray.d[axis] = dice.one_of(&[0.0, -0.0, off, -off]);
                 ray
             }
@@ -91,7 +91,7 @@ impl Target for Aabb {
         Some((b, ray))
     }
 
-    fn placed(&self, scale: f64, by: Vec3) -> Aabb {
+    fn transformed(&self, scale: f64, by: Vec3) -> Aabb {
         Aabb {
             min: scale * self.min + by,
             max: scale * self.max + by,
@@ -105,12 +105,12 @@ impl Target for Aabb {
         }
     }
 
-    fn faces(&self, _: &Ray) -> bool {
+    fn is_front_facing(&self, _: &Ray) -> bool {
         true
     }
 }
 
-fn some_box(dice: &mut Dice) -> Aabb {
+fn random_box(dice: &mut Dice) -> Aabb {
     Aabb::of([dice.in_cube(), dice.in_cube()])
 }
 
@@ -118,7 +118,7 @@ fn corner(b: &Aabb, dice: &mut Dice) -> Vec3 {
     Vec3::from_array([0, 1, 2].map(|axis| dice.one_of(&[b.min, b.max])[axis]))
 }
 
-/// A point of the box, faces included.
+/// Returns a point in the box, faces included.
 fn inside(b: &Aabb, dice: &mut Dice) -> Vec3 {
     let share = 0.5 * dice.in_cube() + 0.5;
     (b.min + share * b.extent()).clamp(b.min, b.max)

@@ -1,4 +1,5 @@
-//! Shapes and rays at them: ordinary ones, and every kind of hard one. By seed, the same everywhere.
+//! Test pairs of a shape and a ray, ordinary and hard ones. They depend only on the seed, on every
+//! platform.
 
 mod bbox;
 mod sphere;
@@ -6,75 +7,81 @@ mod triangle;
 
 use super::report::{RayFamily, Shape};
 use judge::cases::probes::{Dice, through};
-use kernels::{Bundle, Precision};
+use kernels::{Precision, RayAndShapes};
 use kit::{Ray, Vec3};
 
-/// A shape that rays can be aimed at in hard ways.
+/// A shape that test rays are generated for.
 pub(crate) trait Target: kernels::shapes::Shape {
-    /// Which shape it is.
+    /// The kind of shape.
     const SHAPE: Shape;
 
-    /// How many of them one ray is tested against in a row when times are taken: a leaf's worth.
-    const PER_RAY: usize;
+    /// Number of shapes that one ray is tested against in the timed loop: about as many as in a
+    /// leaf.
+    const SHAPES_PER_RAY: usize;
 
-    /// What each family of rays is for this shape; families that say nothing about it are left out.
-    const COLUMNS: &'static [(RayFamily, &'static str)];
+    /// The description of each family of rays for this shape; families without meaning for it are
+    /// left out.
+    const RAY_FAMILIES: &'static [(RayFamily, &'static str)];
 
-    /// An ordinary one around the origin, and a point to aim at, on it or near it.
-    fn aim(dice: &mut Dice) -> (Self, Vec3);
+    /// Returns an ordinary shape around the origin, and a target point on it or near it.
+    fn shape_and_target(dice: &mut Dice) -> (Self, Vec3);
 
-    /// One of a family that is particular to this shape.
-    fn hard(family: RayFamily, dice: &mut Dice) -> Option<(Self, Ray)>;
+    /// Returns a pair of a family that is specific to this shape.
+    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Self, Ray)>;
 
-    /// `scale` times as large about the origin, then moved.
-    fn placed(&self, scale: f64, by: Vec3) -> Self;
+    /// Returns the shape scaled by `scale` about the origin, then translated by `by`.
+    fn transformed(&self, scale: f64, by: Vec3) -> Self;
 
-    /// Each number rounded to what a kernel can store.
+    /// Returns the shape with each number rounded to what a kernel can store.
     fn stored(&self, precision: Precision) -> Self;
 
-    /// Whether a kernel that leaves out what is seen from behind should hit where any kernel does.
-    fn faces(&self, ray: &Ray) -> bool;
+    /// Whether the ray certainly hits the front face if it hits, so that a culling kernel must hit,
+    /// too.
+    fn is_front_facing(&self, ray: &Ray) -> bool;
 }
 
-/// `count` shapes of a family, each with a ray at it.
+/// Returns `count` pairs of a family.
 pub(crate) fn pairs<S: Target>(family: RayFamily, seed: u64, count: usize) -> Vec<(S, Ray)> {
     let name = format!("cost {} {}", S::SHAPE.name(), family.name());
     let mut dice = Dice::new(&name, seed);
     (0..count)
-        .map(|_| S::hard(family, &mut dice).unwrap_or_else(|| common(family, &mut dice)))
+        .map(|_| S::hard_pair(family, &mut dice).unwrap_or_else(|| common_pair(family, &mut dice)))
         .collect()
 }
 
-/// One of a family that is alike for all shapes.
-fn common<S: Target>(family: RayFamily, dice: &mut Dice) -> (S, Ray) {
-    let (shape, target) = S::aim(dice);
+/// Returns a pair of a family that is the same for all shapes.
+fn common_pair<S: Target>(family: RayFamily, dice: &mut Dice) -> (S, Ray) {
+    let (shape, target) = S::shape_and_target(dice);
     let o = target + dice.range(2.0, 6.0) * dice.direction();
     let (scale, by) = match family {
-        RayFamily::FarOffset => (1.0, decades(dice, 1.0, 6.0) * dice.direction()),
-        RayFamily::TinyScale => (decades(dice, -30.0, -10.0), Vec3::ZERO),
-        RayFamily::HugeScale => (decades(dice, 10.0, 30.0), Vec3::ZERO),
+        RayFamily::FarOffset => (1.0, log_uniform(dice, 1.0, 6.0) * dice.direction()),
+        RayFamily::TinyScale => (log_uniform(dice, -30.0, -10.0), Vec3::ZERO),
+        RayFamily::HugeScale => (log_uniform(dice, 10.0, 30.0), Vec3::ZERO),
         _ => (1.0, Vec3::ZERO),
     };
-    let place = |p: Vec3| scale * p + by;
-    (shape.placed(scale, by), through(place(o), place(target)))
+    let transform = |p: Vec3| scale * p + by;
+    (
+        shape.transformed(scale, by),
+        through(transform(o), transform(target)),
+    )
 }
 
-/// Uniform in orders of magnitude, from `10^low` to `10^high`.
-fn decades(dice: &mut Dice, low: f64, high: f64) -> f64 {
+/// Returns a log-uniform number from `10^low` to `10^high`.
+fn log_uniform(dice: &mut Dice, low: f64, high: f64) -> f64 {
     kit::math::pow(10.0, dice.range(low, high))
 }
 
-/// Ordinary rays, each with the shapes that it is tested against when times are taken.
-pub(crate) fn bundles<S: Target>(seed: u64, tests: usize) -> Vec<Bundle<S>> {
+/// Returns ordinary rays, each with the shapes that it is tested against in the timed loop.
+pub(crate) fn timed_batches<S: Target>(seed: u64, tests: usize) -> Vec<RayAndShapes<S>> {
     let mut dice = Dice::new(&format!("cost {} times", S::SHAPE.name()), seed);
-    (0..tests / S::PER_RAY)
+    (0..tests / S::SHAPES_PER_RAY)
         .map(|_| {
             let ray = through(3.0 * dice.direction(), dice.in_cube());
-            let shapes = (0..S::PER_RAY).map(|_| {
-                let (shape, target) = S::aim(&mut dice);
-                shape.placed(1.0, ray.at(dice.range(1.0, 5.0)) - target)
+            let shapes = (0..S::SHAPES_PER_RAY).map(|_| {
+                let (shape, target) = S::shape_and_target(&mut dice);
+                shape.transformed(1.0, ray.at(dice.range(1.0, 5.0)) - target)
             });
-            Bundle {
+            RayAndShapes {
                 shapes: shapes.collect(),
                 ray,
             }
@@ -82,7 +89,7 @@ pub(crate) fn bundles<S: Target>(seed: u64, tests: usize) -> Vec<Bundle<S>> {
         .collect()
 }
 
-/// The ray as a kernel can store it.
+/// Returns the ray rounded to what a kernel can store.
 pub(crate) fn stored_ray(ray: &Ray, precision: Precision) -> Ray {
     Ray {
         o: stored_vec(ray.o, precision),
@@ -92,7 +99,7 @@ pub(crate) fn stored_ray(ray: &Ray, precision: Precision) -> Ray {
     }
 }
 
-/// The vector as a kernel can store it.
+/// Returns the vector rounded to what a kernel can store.
 fn stored_vec(v: Vec3, precision: Precision) -> Vec3 {
     Vec3::from_array(v.to_array().map(|x| precision.stored(x)))
 }

@@ -1,6 +1,6 @@
-//! Rays at spheres.
+//! Test rays for spheres.
 
-use super::{Target, decades, stored_vec};
+use super::{Target, log_uniform, stored_vec};
 use crate::report::{RayFamily, Shape};
 use judge::cases::probes::Dice;
 use kernels::Precision;
@@ -8,50 +8,50 @@ use kit::{Ray, Sphere, Vec3};
 
 impl Target for Sphere {
     const SHAPE: Shape = Shape::Sphere;
-    const PER_RAY: usize = 4;
-    const COLUMNS: &'static [(RayFamily, &'static str)] = &[
+    const SHAPES_PER_RAY: usize = 4;
+    const RAY_FAMILIES: &'static [(RayFamily, &'static str)] = &[
         (
             RayFamily::Ordinary,
-            "radius 0.2 to 1, from 2 to 6 away; hits and misses",
+            "radius 0.2 to 1, distance 2 to 6; hits and misses",
         ),
-        (RayFamily::Edge, "aimed at the rim, as far as f64 can aim"),
+        (RayFamily::Edge, "aimed at the rim, up to rounding"),
         (
             RayFamily::Grazing,
-            "inside or outside the rim by 1e-2 to 1e-10 radii",
+            "aimed 1e-2 to 1e-10 radii inside or outside the rim",
         ),
         (
             RayFamily::FarOffset,
-            "the sphere is 1e2 to 1e6 radii away from the ray's origin",
+            "sphere at 1e2 to 1e6 radii from the ray's origin",
         ),
         (RayFamily::TinyScale, "all lengths times 1e-10 to 1e-30"),
         (RayFamily::HugeScale, "all lengths times 1e10 to 1e30"),
         (
             RayFamily::Inside,
-            "starting inside: the far crossing counts",
+            "origin inside the sphere: the far root counts",
         ),
         (
             RayFamily::OnTheSurface,
-            "starting on the sphere, up to rounding: half of them go in",
+            "origin on the sphere, up to rounding; half of the rays enter it",
         ),
     ];
 
-    fn aim(dice: &mut Dice) -> (Sphere, Vec3) {
-        let s = some_sphere(dice);
+    fn shape_and_target(dice: &mut Dice) -> (Sphere, Vec3) {
+        let s = random_sphere(dice);
         let target = s.center + 1.5 * s.radius * dice.in_cube();
         (s, target)
     }
 
-    fn hard(family: RayFamily, dice: &mut Dice) -> Option<(Sphere, Ray)> {
-        let s = some_sphere(dice);
+    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Sphere, Ray)> {
+        let s = random_sphere(dice);
         let distance = dice.range(2.0, 6.0);
         let ray = match family {
             RayFamily::Edge => dice.ray_past(&s, 1.0, distance),
             RayFamily::Grazing => {
-                let aside = dice.one_of(&[-1.0, 1.0]) * decades(dice, -10.0, -2.0);
+                let aside = dice.one_of(&[-1.0, 1.0]) * log_uniform(dice, -10.0, -2.0);
                 dice.ray_past(&s, 1.0 + aside, distance)
             }
             RayFamily::FarOffset => {
-                let distance = s.radius * decades(dice, 2.0, 6.0);
+                let distance = s.radius * log_uniform(dice, 2.0, 6.0);
                 let impact = dice.range(0.0, 2.0);
                 dice.ray_past(&s, impact, distance)
             }
@@ -68,7 +68,7 @@ impl Target for Sphere {
         Some((s, ray))
     }
 
-    fn placed(&self, scale: f64, by: Vec3) -> Sphere {
+    fn transformed(&self, scale: f64, by: Vec3) -> Sphere {
         Sphere {
             center: scale * self.center + by,
             radius: scale * self.radius,
@@ -82,12 +82,12 @@ impl Target for Sphere {
         }
     }
 
-    fn faces(&self, _: &Ray) -> bool {
+    fn is_front_facing(&self, _: &Ray) -> bool {
         true
     }
 }
 
-fn some_sphere(dice: &mut Dice) -> Sphere {
+fn random_sphere(dice: &mut Dice) -> Sphere {
     Sphere {
         center: dice.in_cube(),
         radius: dice.range(0.2, 1.0),

@@ -10,22 +10,22 @@ use wire::work::{self, ScriptedRay, ScriptedWorld, Tree};
 
 /// A box, and the point in which its three plates meet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cross {
+pub(crate) struct Cross {
     /// The box.
-    pub(super) bounds: Aabb,
+    pub(crate) bounds: Aabb,
     /// Inside it.
-    pub(super) at: Vec3,
+    pub(crate) at: Vec3,
 }
 
 /// Crosses in a tree.
-pub(super) struct World {
+pub(crate) struct World {
     crosses: Vec<Cross>,
     tree: Tree,
 }
 
 impl Cross {
     /// With the corners `min` and `max`, and the plates in the middle.
-    pub(super) fn new(min: Vec3, max: Vec3) -> Cross {
+    pub(crate) fn new(min: Vec3, max: Vec3) -> Cross {
         Cross {
             bounds: Aabb { min, max },
             at: 0.5 * (min + max),
@@ -33,12 +33,12 @@ impl Cross {
     }
 
     /// The same box with the plates through `at`.
-    pub(super) fn with_plates(self, at: Vec3) -> Cross {
+    pub(crate) fn with_plates(self, at: Vec3) -> Cross {
         Cross { at, ..self }
     }
 
     /// The same box with nothing in it.
-    pub(super) fn without_plates(self) -> Cross {
+    pub(crate) fn without_plates(self) -> Cross {
         self.with_plates(Vec3::NAN)
     }
 
@@ -50,7 +50,7 @@ impl Cross {
 }
 
 impl World {
-    pub(super) fn new(crosses: Vec<Cross>, plan: &Plan) -> World {
+    pub(crate) fn new(crosses: Vec<Cross>, plan: &Plan) -> World {
         let bounds: Vec<Aabb> = crosses.iter().map(|cross| cross.bounds).collect();
         World {
             tree: plan.tree(&bounds),
@@ -59,7 +59,7 @@ impl World {
     }
 
     /// Nothing, in a tree without nodes.
-    pub(super) fn empty() -> World {
+    pub(crate) fn empty() -> World {
         World {
             crosses: Vec::new(),
             tree: Tree::default(),
@@ -67,17 +67,17 @@ impl World {
     }
 
     /// The closest hits of `rays`.
-    pub(super) fn closest(&self, rays: &[Ray]) -> Work {
+    pub(crate) fn closest(&self, rays: &[Ray]) -> Work {
         Work::Traverse(self.script(rays, false))
     }
 
     /// Whether `rays` are blocked.
-    pub(super) fn any(&self, rays: &[Ray]) -> Work {
+    pub(crate) fn any(&self, rays: &[Ray]) -> Work {
         Work::Traverse(self.script(rays, true))
     }
 
     /// Everything that a traversal may ask about `rays`, answered.
-    pub(super) fn script(&self, rays: &[Ray], any_hit: bool) -> ScriptedWorld {
+    pub(crate) fn script(&self, rays: &[Ray], any_hit: bool) -> ScriptedWorld {
         let rays = rays.iter().map(|ray| ScriptedRay {
             ray: wire_ray(ray),
             spans: self
@@ -97,7 +97,7 @@ impl World {
 }
 
 /// The ray from `o` along `axis` (0 for x), with steps of length `step`, forwards or backwards.
-pub(super) fn along(axis: usize, step: f64, o: Vec3) -> Ray {
+pub(crate) fn along(axis: usize, step: f64, o: Vec3) -> Ray {
     Ray::new(o, step * Vec3::AXES[axis])
 }
 
@@ -123,7 +123,7 @@ fn corners(&[min, max]: &[work::Xyz; 2]) -> Aabb {
     }
 }
 
-pub(super) fn wire_ray(ray: &Ray) -> work::Ray {
+pub(crate) fn wire_ray(ray: &Ray) -> work::Ray {
     work::Ray {
         o: ray.o.into(),
         d: ray.d.into(),

@@ -1,26 +1,15 @@
-//! The cases: for each task, what its code is checked with.
+//! A case, and what the cases of several tasks are made with.
 //!
-//! `course.toml` says which cases count and what they are worth; here is what they do. Every case is the same
-//! on every machine; those that take a seed draw fresh rays from it.
+//! `course.toml` lists which cases count and what they are worth; what they do is in the folder of their task, in `tasks`.
+//! Every case is the same on every machine; those that take a seed draw fresh rays from it.
 
-mod crosses;
-mod part1_pictures;
-mod part1_task1;
-mod part1_task2;
-mod part1_task3;
-mod part1_task4;
-mod part2_meshes;
-mod part2_task1;
-mod part2_task2;
-pub(crate) mod part2_task3;
-mod part3;
-mod part4;
-mod part5;
-mod plan;
+pub(crate) mod crosses;
+pub(crate) mod plan;
 pub mod probes;
 pub mod recorded;
 
 use crate::tally::Aspect;
+use crate::tasks;
 use crate::truths::Truths;
 use std::sync::Arc;
 use wire::Work;
@@ -58,12 +47,6 @@ pub fn checked(about: &str) -> &str {
         .map_or(about, |(checked, _)| checked)
 }
 
-/// Milliseconds after which a case has failed. Sound code needs a few.
-const LIMIT_MS: u64 = 5000;
-
-/// Milliseconds for cases that build trees over large meshes.
-const LARGE_LIMIT_MS: u64 = 120_000;
-
 impl Spec {
     /// The case `name` of `task`; `about` is for students. Its answers are not a picture.
     pub(crate) fn new(
@@ -99,19 +82,15 @@ impl Spec {
 
     /// Whether rays go through all stages that hit something, not only through the task's own.
     pub fn needs_neighbours(&self) -> bool {
-        matches!(self.work, Work::SceneHits { .. } | Work::Timing(_))
+        tasks::asked(&self.work).needs_neighbours()
     }
 
     /// The case as the worker is given it.
     pub fn case(&self) -> wire::Case {
-        let limit_ms = match self.work {
-            Work::Timing(_) => LARGE_LIMIT_MS,
-            _ => LIMIT_MS,
-        };
         wire::Case {
             task: self.task.into(),
             name: self.name.into(),
-            limit_ms,
+            limit_ms: tasks::asked(&self.work).limit_ms(),
             work: self.work.clone(),
         }
     }
@@ -119,20 +98,7 @@ impl Spec {
 
 /// All cases of all tasks.
 pub fn all(seed: u64) -> Vec<Spec> {
-    [
-        part1_task1::cases(seed),
-        part1_task2::cases(seed),
-        part1_task3::cases(seed),
-        part1_task4::cases(seed),
-        part2_task1::cases(),
-        part2_task2::cases(seed),
-        part2_task3::cases(),
-        part2_meshes::cases(),
-        part3::cases(seed),
-        part4::cases(seed),
-        part5::cases(seed),
-    ]
-    .concat()
+    tasks::cases(seed)
 }
 
 #[cfg(test)]
@@ -161,13 +127,7 @@ mod tests {
     fn pictures_have_an_answer_for_each_pixel() {
         for spec in all(0) {
             let Some([w, h]) = spec.picture else { continue };
-            let answers = match &spec.work {
-                Work::Pixels(work) => work.pixels.len(),
-                Work::CameraRays { cameras, sensor } => cameras.len() * sensor.len(),
-                Work::BruteForce { rays, .. } | Work::SceneHits { rays, .. } => rays.len(),
-                Work::Boxes { probes, .. } => probes.len(),
-                _ => 0,
-            };
+            let answers = tasks::asked(&spec.work).calls();
             assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
         }
     }

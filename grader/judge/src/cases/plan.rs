@@ -4,7 +4,7 @@ use kit::{Aabb, Vec3};
 use wire::work::{Node, NodeKind, Tree};
 
 /// A tree as it is drawn on paper.
-pub(super) enum Plan {
+pub(crate) enum Plan {
     /// A leaf with these primitives.
     Leaf(Vec<u32>),
     /// Two children, left and right.
@@ -12,12 +12,12 @@ pub(super) enum Plan {
 }
 
 impl Plan {
-    pub(super) fn split(left: Plan, right: Plan) -> Plan {
+    pub(crate) fn split(left: Plan, right: Plan) -> Plan {
         Plan::Split(Box::new(left), Box::new(right))
     }
 
     /// Leaves of at most so many primitives, and each half of `ids` below a child of its own.
-    pub(super) fn halves(ids: &[u32], max_leaf_size: usize) -> Plan {
+    pub(crate) fn halves(ids: &[u32], max_leaf_size: usize) -> Plan {
         if ids.len() <= max_leaf_size {
             return Plan::Leaf(ids.to_vec());
         }
@@ -29,7 +29,7 @@ impl Plan {
     }
 
     /// The tree; primitive `i` has the box `bounds[i]`.
-    pub(super) fn tree(&self, bounds: &[Aabb]) -> Tree {
+    pub(crate) fn tree(&self, bounds: &[Aabb]) -> Tree {
         let mut tree = Tree::default();
         tree.nodes.push(unfinished());
         grow(&mut tree, 0, self, bounds);
@@ -40,7 +40,7 @@ impl Plan {
 /// A tree over boxes, with leaves of at most so many: halves of a list that is sorted along a curve through all cells of a
 /// grid, so that neighbours in the list are neighbours in space (Morton 1966; Lauterbach and others, "Fast BVH construction
 /// on GPUs", 2009).
-pub(super) fn along_a_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
+pub(crate) fn along_a_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
     let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
     let mut ids: Vec<u32> = (0..bounds.len() as u32).collect();
     ids.sort_by_key(|&id| place(&all, bounds[id as usize].centroid()));

@@ -2,7 +2,7 @@
 
 use kit::{PixelSampler, Ray, Sphere, Triangle, Vec3};
 use wire::Work;
-use wire::work::{self, Probe, Xyz};
+use wire::work::{self, BruteForceWork, Probe, SphereWork, TriangleWork, Xyz};
 
 /// Random numbers that depend on a name and a seed alone.
 pub struct Dice(PixelSampler);
@@ -60,7 +60,7 @@ impl Dice {
     }
 
     /// A triangle in [-1, 1]³ that is neither small nor thin, each vertex with a normal of its own.
-    pub(super) fn triangle(&mut self) -> Triangle {
+    pub(crate) fn triangle(&mut self) -> Triangle {
         loop {
             let [p0, p1, p2] = [0; 3].map(|_| self.in_cube());
             let longest = (p1 - p0)
@@ -75,7 +75,7 @@ impl Dice {
     }
 
     /// The triangle with a normal of its own at each vertex, bent up to 45 degrees away from the flat one.
-    pub(super) fn with_normals(&mut self, flat: Triangle) -> Triangle {
+    pub(crate) fn with_normals(&mut self, flat: Triangle) -> Triangle {
         let [n0, n1, n2] = [0; 3].map(|_| (flat.n0 + 0.7 * self.direction()).normalize());
         Triangle { n0, n1, n2, ..flat }
     }
@@ -83,7 +83,7 @@ impl Dice {
     /// A ray of unit direction that meets the plane of `triangle` where the weights of `p1` and `p2` are `b`, at
     /// `t = distance`, coming from the side of the normal (`side` 1) or the other (-1), not more than 65 degrees
     /// from the normal.
-    pub(super) fn ray_to(
+    pub(crate) fn ray_to(
         &mut self,
         triangle: &Triangle,
         b: [f64; 2],
@@ -105,7 +105,7 @@ impl Dice {
 
 impl Dice {
     /// A sphere of radius 0.2 to 5, its centre up to 10 away.
-    pub(super) fn sphere(&mut self) -> Sphere {
+    pub(crate) fn sphere(&mut self) -> Sphere {
         Sphere {
             center: 10.0 * self.direction() * self.range(0.1, 1.0),
             radius: self.range(0.2, 5.0),
@@ -137,7 +137,7 @@ pub fn through(o: Vec3, target: Vec3) -> Ray {
 }
 
 /// The same ray with another range.
-pub(super) fn within(ray: Ray, min_t: f64, max_t: f64) -> Ray {
+pub(crate) fn within(ray: Ray, min_t: f64, max_t: f64) -> Ray {
     Ray {
         min_t,
         max_t,
@@ -147,7 +147,7 @@ pub(super) fn within(ray: Ray, min_t: f64, max_t: f64) -> Ray {
 
 /// Triangles and spheres with rays at them, for the worker.
 #[derive(Default)]
-pub(super) struct Probes {
+pub(crate) struct Probes {
     triangles: Vec<[Xyz; 6]>,
     spheres: Vec<(Xyz, f64)>,
     probes: Vec<Probe>,
@@ -155,17 +155,17 @@ pub(super) struct Probes {
 
 impl Probes {
     /// Adds a triangle; the rays that follow are aimed at it.
-    pub(super) fn triangle(&mut self, t: &Triangle) {
+    pub(crate) fn triangle(&mut self, t: &Triangle) {
         self.triangles.push(wire_triangle(t));
     }
 
     /// Adds a sphere; the rays that follow are aimed at it.
-    pub(super) fn sphere(&mut self, s: &Sphere) {
+    pub(crate) fn sphere(&mut self, s: &Sphere) {
         self.spheres.push((s.center.into(), s.radius));
     }
 
     /// Adds a ray at the last shape.
-    pub(super) fn ray(&mut self, ray: Ray) {
+    pub(crate) fn ray(&mut self, ray: Ray) {
         let shapes = self.triangles.len() + self.spheres.len();
         self.probes.push(Probe {
             shape: shapes as u32 - 1,
@@ -174,7 +174,7 @@ impl Probes {
     }
 
     /// The work on all of them: triangles or spheres, not both.
-    pub(super) fn work(self) -> Work {
+    pub(crate) fn work(self) -> Work {
         let Probes {
             triangles,
             spheres,
@@ -185,23 +185,23 @@ impl Probes {
             "probes are aimed at triangles or at spheres"
         );
         if spheres.is_empty() {
-            Work::Triangles { triangles, probes }
+            Work::Triangles(TriangleWork { triangles, probes })
         } else {
-            Work::Spheres { spheres, probes }
+            Work::Spheres(SphereWork { spheres, probes })
         }
     }
 }
 
 /// The work of sending rays through a list of shapes.
 pub fn brute_force(triangles: &[Triangle], spheres: &[Sphere], rays: &[Ray]) -> Work {
-    Work::BruteForce {
+    Work::BruteForce(BruteForceWork {
         triangles: triangles.iter().map(wire_triangle).collect(),
         spheres: spheres
             .iter()
             .map(|s| (s.center.into(), s.radius))
             .collect(),
         rays: rays.iter().map(wire_ray).collect(),
-    }
+    })
 }
 
 /// The ray as it crosses to the worker.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use wire::work::{Ray, Xyz};
 
 /// Adds the line that defines `ray`.
-pub(super) fn ray(text: &mut String, ray: &Ray) {
+pub(crate) fn ray(text: &mut String, ray: &Ray) {
     let _ = writeln!(
         text,
         "let ray = Ray {{\n    o: {},\n    d: {},",
@@ -20,17 +20,17 @@ pub(super) fn ray(text: &mut String, ray: &Ray) {
 }
 
 /// A vector, bit for bit.
-pub(super) fn vec3([x, y, z]: Xyz) -> String {
+pub(crate) fn vec3([x, y, z]: Xyz) -> String {
     format!("Vec3::new({}, {}, {})", float(x), float(y), float(z))
 }
 
 /// A colour, bit for bit.
-pub(super) fn spectrum([r, g, b]: Xyz) -> String {
+pub(crate) fn spectrum([r, g, b]: Xyz) -> String {
     format!("Spectrum::new({}, {}, {})", float(r), float(g), float(b))
 }
 
 /// A float, bit for bit.
-pub(super) fn float(number: f64) -> String {
+pub(crate) fn float(number: f64) -> String {
     if number.is_nan() {
         "f64::NAN".into()
     } else if number.is_infinite() {
@@ -42,4 +42,15 @@ pub(super) fn float(number: f64) -> String {
     } else {
         format!("{number:?}")
     }
+}
+
+/// The lines that assert that each channel of `what` is within `bound`, a share of the largest right one.
+pub(crate) fn same_colour(what: &str, right: Xyz, bound: f64) -> String {
+    let scale = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let [r, g, b] = right.map(float);
+    format!(
+        "let off = [{what}.r - {r}, {what}.g - {g}, {what}.b - {b}];
+assert!(off.iter().all(|off| off.abs() <= {}), \"{{{what}:?}}\");",
+        float(bound * scale)
+    )
 }

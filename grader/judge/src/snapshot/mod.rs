@@ -14,8 +14,8 @@
 
 mod diff;
 mod hash;
-mod light;
 mod line;
+pub(crate) mod lines;
 mod parse;
 mod write;
 
@@ -24,3 +24,4 @@ pub use hash::RowsHash;
 pub use line::{Line, Value};
 pub use parse::{ParseError, Snapshot, parse};
 pub use write::{ALL_ROWS, FULL_ROWS, Fields, full, record, write};
+pub(crate) use write::{Forms, field, forms, number, vector};

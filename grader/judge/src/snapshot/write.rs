@@ -1,11 +1,11 @@
 //! Writing a snapshot.
 
 use super::hash::RowsHash;
-use super::light;
 use super::line::{Line, Value};
 use super::parse::Snapshot;
-use wire::answer::{Hit, HitsAnswer, TraverseAnswer};
-use wire::work::Ray;
+use crate::check::Content;
+use crate::tasks;
+use wire::answer::Hit;
 use wire::{Answer, Work};
 
 /// A case of at most so many calls has a row for each.
@@ -70,9 +70,9 @@ pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
     })
 }
 
-/// The totals of a case and its rows, numbered.
-fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
-    let (totals, mut forms) = answers(work, answer)?;
+/// The totals of a case and its rows, numbered, by the check of its kind of work.
+fn content(work: &Work, answer: &Answer) -> Option<Content> {
+    let (totals, mut forms) = tasks::asked(work).lines(answer)?;
     for (call, (short, full)) in (0..).zip(&mut forms) {
         short.call = call;
         full.call = call;
@@ -84,145 +84,7 @@ fn content(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
 pub type Fields = Vec<(String, Value)>;
 
 /// The short and the full form of a row.
-pub(super) type Forms = (Line, Line);
-
-/// The totals of a case and its rows, not yet numbered.
-fn answers(work: &Work, answer: &Answer) -> Option<(Fields, Vec<Forms>)> {
-    let lines = match (work, answer) {
-        (Work::Pixels(pixels), Answer::Pixels(answers)) => {
-            let each = pixels.pixels.iter().zip(answers);
-            each.map(|(pixel, answer)| {
-                let question = vec![field("pixel", vector(&pixel.map(f64::from)))];
-                let short = vec![
-                    number("samples", f64::from(answer.samples)),
-                    field("radiance", vector(&answer.radiance)),
-                ];
-                let mut full = short.clone();
-                full.extend(
-                    answer
-                        .points
-                        .iter()
-                        .take(4)
-                        .map(|point| field("at", vector(point))),
-                );
-                forms(question, short, full)
-            })
-            .collect()
-        }
-        (Work::CameraRays { cameras, sensor }, Answer::CameraRays(rays)) => {
-            let questions = (0..cameras.len())
-                .flat_map(|camera| sensor.iter().map(move |point| (camera, point)));
-            let each = questions.zip(rays);
-            each.map(|((camera, point), ray)| {
-                let question = vec![
-                    number("camera", camera as f64),
-                    field("sensor", vector(point)),
-                ];
-                forms(question, vec![field("d", vector(&ray.d))], ray_fields(ray))
-            })
-            .collect()
-        }
-        (Work::Triangles { probes, .. }, Answer::Triangles(answers)) => {
-            let each = probes.iter().zip(answers);
-            each.map(|(probe, answer)| {
-                hit_forms(Some(probe.shape), &probe.ray, answer.hit.as_ref())
-            })
-            .collect()
-        }
-        (Work::Spheres { probes, .. }, Answer::Spheres(answers)) => {
-            let each = probes.iter().zip(answers);
-            each.map(|(probe, answer)| {
-                hit_forms(Some(probe.shape), &probe.ray, answer.hit.as_ref())
-            })
-            .collect()
-        }
-        (Work::BruteForce { rays, .. }, Answer::Hits(answer)) => hits(rays, answer),
-        (Work::SceneHits { rays, any_hit, .. }, Answer::Hits(answer)) => {
-            let lines = if *any_hit {
-                blocked(rays, answer)
-            } else {
-                hits(rays, answer)
-            };
-            return Some((counts(answer), lines));
-        }
-        (Work::Boxes { probes, .. }, Answer::Boxes(answers)) => {
-            let each = probes.iter().zip(answers);
-            each.map(|(probe, answer)| {
-                let interval: Fields = answer
-                    .iter()
-                    .map(|&[min, max]| field("inside", Value::Range(min, max)))
-                    .collect();
-                forms(
-                    question(Some(probe.shape), &probe.ray),
-                    interval.clone(),
-                    interval,
-                )
-            })
-            .collect()
-        }
-        (Work::Build { .. }, Answer::Build(answer)) => {
-            let nodes = answer.tree.nodes.iter();
-            let lines = nodes
-                .map(|node| {
-                    let below = match node.kind {
-                        wire::work::NodeKind::Interior { left, right } => {
-                            field("children", vector(&[left, right].map(f64::from)))
-                        }
-                        wire::work::NodeKind::Leaf { first, count } => {
-                            field("leaf", vector(&[first, count].map(f64::from)))
-                        }
-                    };
-                    let [min, max] = node.bounds;
-                    let full = vec![
-                        below.clone(),
-                        field("min", vector(&min)),
-                        field("max", vector(&max)),
-                    ];
-                    forms(Vec::new(), vec![below], full)
-                })
-                .collect();
-            let totals = vec![number("nodes", answer.tree.nodes.len() as f64)];
-            return Some((totals, lines));
-        }
-        (Work::Traverse(world), Answer::Traverse(answers)) => {
-            let each = world.rays.iter().zip(answers);
-            each.map(|(scripted, answer)| traverse_forms(&scripted.ray, answer))
-                .collect()
-        }
-        _ => light::lines(work, answer)?,
-    };
-    Some((Vec::new(), lines))
-}
-
-fn hits(rays: &[Ray], answer: &HitsAnswer) -> Vec<Forms> {
-    let each = rays.iter().zip(&answer.hits);
-    each.map(|(ray, hit)| hit_forms(None, ray, hit.as_ref()))
-        .collect()
-}
-
-fn blocked(rays: &[Ray], answer: &HitsAnswer) -> Vec<Forms> {
-    let each = rays.iter().zip(&answer.hits);
-    each.map(|(ray, hit)| {
-        let blocked: Fields = hit.iter().map(|_| number("blocked", 1.0)).collect();
-        forms(question(None, ray), blocked.clone(), blocked)
-    })
-    .collect()
-}
-
-fn counts(answer: &HitsAnswer) -> Fields {
-    vec![
-        number("box_tests", answer.box_tests as f64),
-        number("prim_tests", answer.prim_tests as f64),
-    ]
-}
-
-fn hit_forms(shape: Option<u32>, ray: &Ray, hit: Option<&Hit>) -> Forms {
-    let Some(hit) = hit else {
-        return forms(question(shape, ray), Vec::new(), Vec::new());
-    };
-    let full = record(hit);
-    forms(question(shape, ray), full[..2].to_vec(), full)
-}
+pub(crate) type Forms = (Line, Line);
 
 /// The fields of a hit; the first two are its main figures.
 pub fn record(hit: &Hit) -> Fields {
@@ -236,32 +98,8 @@ pub fn record(hit: &Hit) -> Fields {
     ]
 }
 
-fn traverse_forms(ray: &Ray, answer: &TraverseAnswer) -> Forms {
-    let mut fields: Fields = Vec::new();
-    if let Some((t, prim)) = answer.hit {
-        fields.extend([number("t", t), number("prim", f64::from(prim))]);
-    }
-    fields.extend([
-        number("box_tests", f64::from(answer.box_tests)),
-        number("prim_tests", f64::from(answer.prim_tests)),
-    ]);
-    forms(question(None, ray), fields.clone(), fields)
-}
-
-fn question(shape: Option<u32>, ray: &Ray) -> Fields {
-    let shape = shape.map(|shape| number("shape", f64::from(shape)));
-    shape.into_iter().chain(ray_fields(ray)).collect()
-}
-
-fn ray_fields(ray: &Ray) -> Fields {
-    vec![
-        field("o", vector(&ray.o)),
-        field("d", vector(&ray.d)),
-        field("range", Value::Range(ray.min_t, ray.max_t)),
-    ]
-}
-
-pub(super) fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
+/// A row in both its forms: the question is in the full one alone.
+pub(crate) fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
     (
         Line {
             answer: short,
@@ -275,15 +113,18 @@ pub(super) fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
     )
 }
 
-pub(super) fn field(name: &str, value: Value) -> (String, Value) {
+/// A field.
+pub(crate) fn field(name: &str, value: Value) -> (String, Value) {
     (name.to_string(), value)
 }
 
-pub(super) fn number(name: &str, number: f64) -> (String, Value) {
+/// A field of one number.
+pub(crate) fn number(name: &str, number: f64) -> (String, Value) {
     field(name, Value::Number(number))
 }
 
-pub(super) fn vector(numbers: &[f64]) -> Value {
+/// The value of a vector.
+pub(crate) fn vector(numbers: &[f64]) -> Value {
     Value::Vector(numbers.to_vec())
 }
 
@@ -291,7 +132,7 @@ pub(super) fn vector(numbers: &[f64]) -> Value {
 mod tests {
     use super::super::{changes, parse};
     use super::*;
-    use wire::work::Probe;
+    use wire::work::{BoxWork, Probe, Ray};
 
     fn boxes(calls: usize) -> (Work, Vec<Option<[f64; 2]>>) {
         let ray = Ray {
@@ -300,10 +141,10 @@ mod tests {
             min_t: 0.0,
             max_t: f64::INFINITY,
         };
-        let work = Work::Boxes {
+        let work = Work::Boxes(BoxWork {
             boxes: vec![[[0.0; 3], [1.0; 3]]],
             probes: vec![Probe { shape: 0, ray }; calls],
-        };
+        });
         let answers = (0..calls).map(|call| (call % 3 > 0).then_some([call as f64, 1e9]));
         (work, answers.collect())
     }

@@ -1,35 +1,35 @@
 // BEGIN SOLUTION(part2.task2)
-//! Slab by slab: divide, sort the two, cut the interval.
+//! Slab by slab: divide, sort the two values, intersect the interval.
 //!
-//! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986. An origin on a plane and a ray along it make 0/0,
-//! which is in no order with anything.
+//! T. Kay, J. Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986. A ray that starts on a plane and
+//! is parallel to it computes 0/0, a NaN, for which every comparison is false.
 
 use super::{BoxTest, Interval};
-use crate::kernel::About;
-use crate::real::Real;
+use crate::kernel::KernelInfo;
+use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
 
 pub(super) struct KayKajiya;
 
 impl BoxTest for KayKajiya {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "naive slabs",
         paper: "Kay, Kajiya 1986",
         culls: false,
     };
 
     #[inline(always)]
-    fn meet<R: Real>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
+    fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
         let (mut near, mut far) = (ray.min_t, ray.max_t);
         for axis in 0..3 {
-            let (o, d) = (ray.o.on(axis), ray.d.on(axis));
-            let mut t0 = (b.min.on(axis) - o) / d;
-            let mut t1 = (b.max.on(axis) - o) / d;
+            let (o, d) = (ray.o.component(axis), ray.d.component(axis));
+            let mut t0 = (b.min.component(axis) - o) / d;
+            let mut t1 = (b.max.component(axis) - o) / d;
             if t0 > t1 {
                 (t0, t1) = (t1, t0);
             }
-            near = t0.or_larger(near);
-            far = t1.or_smaller(far);
+            near = t0.select_max(near);
+            far = t1.select_min(far);
         }
         (near <= far).then_some(Interval { near, far })
     }

@@ -1,77 +1,77 @@
 // BEGIN SOLUTION(part2.task2)
-//! Rays and boxes: the interval of the ray between the last entry and the first exit of three slabs.
+//! Ray/box tests: the interval of the ray between the last entry and the first exit of three slabs.
 
 pub(crate) mod ize;
 mod kay_kajiya;
 mod nan_safe;
 mod williams;
 
-use crate::kernel::{About, Kernel, Test, Widen};
-use crate::real::Real;
+use crate::kernel::{Kernel, KernelInfo, Test, ToF64};
+use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
 use std::marker::PhantomData;
 
-/// Where a ray is inside a box.
+/// The interval of a ray inside a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Interval<R> {
     pub(crate) near: R,
     pub(crate) far: R,
 }
 
-impl<R: Real> Widen for Interval<R> {
-    type Wide = kit::Interval;
+impl<R: Scalar> ToF64 for Interval<R> {
+    type Output = kit::Interval;
 
-    fn wide(self) -> kit::Interval {
+    fn to_f64(self) -> kit::Interval {
         kit::Interval {
-            min: self.near.wide(),
-            max: self.far.wide(),
+            min: self.near.to_f64(),
+            max: self.far.to_f64(),
         }
     }
 }
 
-/// A box test.
+/// A ray/box test.
 pub(crate) trait BoxTest: 'static {
-    const ABOUT: About;
+    const INFO: KernelInfo;
 
-    fn meet<R: Real>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>>;
+    fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>>;
 }
 
-/// Boxes need nothing done beforehand.
-struct Plain<K>(PhantomData<K>);
+/// A box test without precomputation.
+struct WithoutPrecomputation<K>(PhantomData<K>);
 
-impl<K: BoxTest> Test for Plain<K> {
+impl<K: BoxTest> Test for WithoutPrecomputation<K> {
     type Shape = kit::Aabb;
-    type Prepared<R: Real> = Aabb<R>;
-    type Answer<R: Real> = Interval<R>;
-    type Wide = kit::Interval;
+    type Prepared<R: Scalar> = Aabb<R>;
+    type Answer<R: Scalar> = Interval<R>;
+    type AnswerF64 = kit::Interval;
 
-    const ABOUT: About = K::ABOUT;
+    const INFO: KernelInfo = K::INFO;
 
-    fn prepare<R: Real>(b: &Aabb<R>) -> Aabb<R> {
+    fn prepare<R: Scalar>(b: &Aabb<R>) -> Aabb<R> {
         *b
     }
 
     #[inline(always)]
-    fn test<R: Real>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
-        K::meet(b, ray)
+    fn test<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
+        K::intersect(b, ray)
     }
 }
 
-/// All of them, the textbook's first.
+/// Returns all kernels, the textbook's first.
 pub(crate) fn kernels() -> Vec<Kernel<kit::Aabb, kit::Interval>> {
     use ize::Ize;
     use kay_kajiya::KayKajiya;
     use nan_safe::NanSafe;
     use williams::Williams;
     vec![
-        Kernel::of::<Plain<KayKajiya>, f64>(),
-        Kernel::of::<Plain<KayKajiya>, f32>(),
-        Kernel::of::<Plain<NanSafe>, f64>(),
-        Kernel::of::<Plain<NanSafe>, f32>(),
-        Kernel::of::<Plain<Williams>, f64>(),
-        Kernel::of::<Plain<Williams>, f32>(),
-        Kernel::of::<Plain<Ize>, f64>(),
-        Kernel::of::<Plain<Ize>, f32>(),
+        Kernel::new::<WithoutPrecomputation<KayKajiya>, f64>(),
+        Kernel::new::<WithoutPrecomputation<KayKajiya>, f32>(),
+        Kernel::new::<WithoutPrecomputation<NanSafe>, f64>(),
+        Kernel::new::<WithoutPrecomputation<NanSafe>, f32>(),
+        Kernel::new::<WithoutPrecomputation<Williams>, f64>(),
+        Kernel::new::<WithoutPrecomputation<Williams>, f32>(),
+        Kernel::new::<WithoutPrecomputation<Ize>, f64>(),
+        Kernel::new::<WithoutPrecomputation<Ize>, f32>(),
     ]
 }
 // END SOLUTION(part2.task2)

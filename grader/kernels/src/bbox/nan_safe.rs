@@ -1,34 +1,34 @@
 // BEGIN SOLUTION(part2.task2)
-//! Slabs without a branch, in an order of comparisons that passes over NaN: a ray along a plane that it starts on is
-//! inside that slab.
+//! Branchless slabs, with comparisons ordered so that a NaN is ignored: a ray in the plane of a
+//! face is inside that slab.
 //!
 //! T. Barnes, "Fast, Branchless Ray/Bounding Box Intersections, Part 3: Boundaries", 2022,
 //! <https://tavianator.com/2022/ray_box_boundary.html>.
 
 use super::{BoxTest, Interval};
-use crate::kernel::About;
-use crate::real::Real;
+use crate::kernel::KernelInfo;
+use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
 
 pub(super) struct NanSafe;
 
 impl BoxTest for NanSafe {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "NaN-safe slabs",
         paper: "Barnes 2022",
         culls: false,
     };
 
     #[inline(always)]
-    fn meet<R: Real>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
+    fn intersect<R: Scalar>(b: &Aabb<R>, ray: &Ray<R>) -> Option<Interval<R>> {
         let (mut near, mut far) = (ray.min_t, ray.max_t);
         for axis in 0..3 {
-            let inv_d = R::of(1.0) / ray.d.on(axis);
-            let t0 = (b.min.on(axis) - ray.o.on(axis)) * inv_d;
-            let t1 = (b.max.on(axis) - ray.o.on(axis)) * inv_d;
+            let inv_d = R::from_f64(1.0) / ray.d.component(axis);
+            let t0 = (b.min.component(axis) - ray.o.component(axis)) * inv_d;
+            let t1 = (b.max.component(axis) - ray.o.component(axis)) * inv_d;
             let (before, after) = (near, far);
-            near = t0.or_larger(before).or_smaller(t1.or_larger(before));
-            far = t0.or_smaller(after).or_larger(t1.or_smaller(after));
+            near = t0.select_max(before).select_min(t1.select_max(before));
+            far = t0.select_min(after).select_max(t1.select_min(after));
         }
         (near <= far).then_some(Interval { near, far })
     }

@@ -1,15 +1,16 @@
 // BEGIN SOLUTION(part2.task1)
-//! The middle of the centroids' box, on its longest axis: space in half. It looks at no primitive twice.
+//! Splits at the middle of the centroid bounds, on their longest axis. One pass over the primitives
+//! per node.
 //!
-//! A. Glassner, "Space Subdivision for Fast Ray Tracing", IEEE Computer Graphics and Applications 4(10), 1984, halves
-//! space so; the assignment recommends it for trees.
+//! A. Glassner, "Space Subdivision for Fast Ray Tracing", IEEE Computer Graphics and Applications
+//! 4(10), 1984, halves space in this way; the assignment recommends it for trees.
 
-use super::{Item, around_centroids, partition};
+use super::{BuildPrimitive, centroid_bounds, partition};
 
-pub(super) fn split(items: &mut [Item]) -> usize {
-    let centroids = around_centroids(items);
+pub(super) fn split(primitives: &mut [BuildPrimitive]) -> usize {
+    let centroids = centroid_bounds(primitives);
     let axis = centroids.extent().max_position();
     let middle = centroids.centroid()[axis];
-    partition(items, |item| item.centroid[axis] < middle)
+    partition(primitives, |primitive| primitive.centroid[axis] < middle)
 }
 // END SOLUTION(part2.task1)

@@ -1,6 +1,6 @@
 // BEGIN SOLUTION(part2.task1)
-//! Building a tree, top down. How a node is split is all that these builders differ in: a leaf has as many primitives
-//! as it may, and where a split leaves one side empty the median takes over.
+//! Top-down tree construction. The builders differ only in how a node is split. A leaf holds at
+//! most the given number of primitives; if a split leaves one side empty, the median split is used.
 
 mod median;
 mod midpoint;
@@ -9,18 +9,18 @@ mod sah;
 use crate::tree::Builder;
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId, Vec3};
 
-/// Puts those items first that go left, and says how many they are.
-type Split = fn(&mut [Item]) -> usize;
+/// Partitions the primitives into left and right, and returns the number of left ones.
+type Split = fn(&mut [BuildPrimitive]) -> usize;
 
-/// A primitive on its way into the tree.
+/// A primitive during construction.
 #[derive(Clone, Copy)]
-pub(crate) struct Item {
+pub(crate) struct BuildPrimitive {
     id: PrimId,
     bounds: Aabb,
     centroid: Vec3,
 }
 
-/// All of them, the simplest first.
+/// Returns all builders, the simplest first.
 pub(crate) fn builders() -> Vec<Builder> {
     vec![
         Builder {
@@ -42,68 +42,75 @@ pub(crate) fn builders() -> Vec<Builder> {
 }
 
 fn build(bounds: &[Aabb], max_leaf_size: usize, split: Split) -> Bvh {
-    let items = (0..).map(PrimId).zip(bounds).map(|(id, bounds)| Item {
-        id,
-        bounds: *bounds,
-        centroid: bounds.centroid(),
-    });
-    let mut items: Vec<Item> = items.collect();
+    let primitives = (0..)
+        .map(PrimId)
+        .zip(bounds)
+        .map(|(id, bounds)| BuildPrimitive {
+            id,
+            bounds: *bounds,
+            centroid: bounds.centroid(),
+        });
+    let mut primitives: Vec<BuildPrimitive> = primitives.collect();
     let mut nodes = Vec::with_capacity(2 * bounds.len());
-    if !items.is_empty() {
-        add(&mut nodes, &mut items, 0, max_leaf_size.max(1), split);
+    if !primitives.is_empty() {
+        add_subtree(&mut nodes, &mut primitives, 0, max_leaf_size.max(1), split);
     }
     Bvh {
         nodes,
-        order: items.iter().map(|item| item.id).collect(),
+        order: primitives.iter().map(|primitive| primitive.id).collect(),
     }
 }
 
-/// Adds the subtree over `items`, which start at `first` in the tree's order; returns its root's number.
-fn add(
+/// Adds the subtree over `primitives`, which start at `first` in the tree's order; returns the
+/// index of its root.
+fn add_subtree(
     nodes: &mut Vec<BvhNode>,
-    items: &mut [Item],
+    primitives: &mut [BuildPrimitive],
     first: u32,
     max_leaf_size: usize,
     split: Split,
 ) -> u32 {
     let number = nodes.len();
     nodes.push(BvhNode {
-        bounds: around(items),
+        bounds: bounds_of(primitives),
         kind: NodeKind::Leaf {
             first,
-            count: items.len() as u32,
+            count: primitives.len() as u32,
         },
     });
-    if items.len() > max_leaf_size {
-        let mut middle = split(items);
-        if middle == 0 || middle == items.len() {
-            middle = median::split(items);
+    if primitives.len() > max_leaf_size {
+        let mut middle = split(primitives);
+        if middle == 0 || middle == primitives.len() {
+            middle = median::split(primitives);
         }
-        let (low, high) = items.split_at_mut(middle);
-        let left = add(nodes, low, first, max_leaf_size, split);
-        let right = add(nodes, high, first + middle as u32, max_leaf_size, split);
+        let (low, high) = primitives.split_at_mut(middle);
+        let left = add_subtree(nodes, low, first, max_leaf_size, split);
+        let right = add_subtree(nodes, high, first + middle as u32, max_leaf_size, split);
         nodes[number].kind = NodeKind::Interior { left, right };
     }
     number as u32
 }
 
-/// The box around the items' boxes.
-fn around(items: &[Item]) -> Aabb {
-    let bounds = items.iter().map(|item| item.bounds);
+/// Returns the bounds of the primitives.
+fn bounds_of(primitives: &[BuildPrimitive]) -> Aabb {
+    let bounds = primitives.iter().map(|primitive| primitive.bounds);
     bounds.fold(Aabb::EMPTY, Aabb::union)
 }
 
-/// The box around the items' centroids.
-fn around_centroids(items: &[Item]) -> Aabb {
-    Aabb::of(items.iter().map(|item| item.centroid))
+/// Returns the bounds of the primitives' centroids.
+fn centroid_bounds(primitives: &[BuildPrimitive]) -> Aabb {
+    Aabb::of(primitives.iter().map(|primitive| primitive.centroid))
 }
 
-/// Puts those items first for which `goes_left` holds; returns how many they are.
-fn partition(items: &mut [Item], goes_left: impl Fn(&Item) -> bool) -> usize {
+/// Partitions the primitives by `goes_left`; returns the number of left ones.
+fn partition(
+    primitives: &mut [BuildPrimitive],
+    goes_left: impl Fn(&BuildPrimitive) -> bool,
+) -> usize {
     let mut left = 0;
-    for i in 0..items.len() {
-        if goes_left(&items[i]) {
-            items.swap(i, left);
+    for i in 0..primitives.len() {
+        if goes_left(&primitives[i]) {
+            primitives.swap(i, left);
             left += 1;
         }
     }

@@ -1,38 +1,39 @@
 // BEGIN SOLUTION(part1.task4)
-//! The discriminant as `a (r² - |l|²)`, where `l = f - (b/a) d` goes from the centre to the nearest point of the line:
-//! radius against distance, instead of the difference of two numbers as large as the distance to the sphere squared.
+//! The discriminant as `a (r² - |l|²)`, where `l = f - (b/a) d` is the vector from the centre to
+//! the nearest point of the line. It compares the radius with a distance, instead of subtracting
+//! two numbers as large as the squared distance of the sphere.
 //!
-//! E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
-//! chapter 7, 2019.
+//! E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
+//! Ray Tracing Gems, chapter 7, 2019.
 
 use super::SphereTest;
 use super::q_form::roots;
-use crate::kernel::About;
-use crate::real::Real;
+use crate::kernel::KernelInfo;
+use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
 
 pub(super) struct Haines;
 
 impl SphereTest for Haines {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "Haines's discriminant",
         paper: "Haines et al. 2019",
         culls: false,
     };
-    const REPROJECTED: About = About {
+    const REPROJECTED: KernelInfo = KernelInfo {
         name: "Haines's, reprojected",
-        ..Self::ABOUT
+        ..Self::INFO
     };
 
     #[inline(always)]
-    fn meet<R: Real>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R> {
+    fn intersect<R: Scalar>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R> {
         let f = ray.o - s.center;
         let a = ray.d.dot(ray.d);
         let b = f.dot(ray.d);
         let l = f - ray.d * (b / a);
         let r2 = s.radius * s.radius;
         let discriminant = r2 - l.dot(l);
-        if discriminant < R::of(0.0) {
+        if discriminant < R::from_f64(0.0) {
             return None;
         }
         let c = f.dot(f) - r2;

@@ -1,28 +1,28 @@
 // BEGIN SOLUTION(part1.task4)
-//! Rays and spheres: the smaller root of `a t² + 2 b t + c` that lies in the ray's range, with `f = o - center`,
-//! `a = d·d`, `b = f·d`, `c = f·f - r²`. Tangents count.
+//! Ray/sphere tests: the smallest root of `a t² + 2 b t + c` in the ray's range, with
+//! `f = o - center`, `a = d·d`, `b = f·d`, `c = f·f - r²`. Tangents count.
 
 mod haines;
 mod q_form;
 mod quadratic;
 
-use crate::kernel::{About, Found, Hit, Kernel, Test};
-use crate::real::Real;
+use crate::kernel::{Hit, HitF64, Kernel, KernelInfo, Test};
+use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
 use std::marker::PhantomData;
 
-/// A test that finds `t`.
+/// A ray/sphere test that returns `t`.
 pub(crate) trait SphereTest: 'static {
-    const ABOUT: About;
-    /// The same with its hit point pulled back to the sphere.
-    const REPROJECTED: About;
+    const INFO: KernelInfo;
+    /// The info of the variant that projects its hit point back onto the sphere.
+    const REPROJECTED: KernelInfo;
 
-    fn meet<R: Real>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R>;
+    fn intersect<R: Scalar>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R>;
 }
 
-/// The first of two roots, in order, that counts.
+/// Returns the first of two ordered roots that is in the range.
 #[inline(always)]
-fn first_in_range<R: Real>(ray: &Ray<R>, near: R, far: R) -> Option<R> {
+fn first_in_range<R: Scalar>(ray: &Ray<R>, near: R, far: R) -> Option<R> {
     if ray.in_range(near) {
         Some(near)
     } else {
@@ -30,47 +30,47 @@ fn first_in_range<R: Real>(ray: &Ray<R>, near: R, far: R) -> Option<R> {
     }
 }
 
-/// The hit point is `o + t·d`: off by what `t` is off.
-struct Walked<K>(PhantomData<K>);
+/// The hit point is `o + t·d`, with the error of `t`.
+struct PointOnRay<K>(PhantomData<K>);
 
-impl<K: SphereTest> Test for Walked<K> {
+impl<K: SphereTest> Test for PointOnRay<K> {
     type Shape = kit::Sphere;
-    type Prepared<R: Real> = Sphere<R>;
-    type Answer<R: Real> = Hit<R>;
-    type Wide = Found;
+    type Prepared<R: Scalar> = Sphere<R>;
+    type Answer<R: Scalar> = Hit<R>;
+    type AnswerF64 = HitF64;
 
-    const ABOUT: About = K::ABOUT;
+    const INFO: KernelInfo = K::INFO;
 
-    fn prepare<R: Real>(s: &Sphere<R>) -> Sphere<R> {
+    fn prepare<R: Scalar>(s: &Sphere<R>) -> Sphere<R> {
         *s
     }
 
     #[inline(always)]
-    fn test<R: Real>(s: &Sphere<R>, ray: &Ray<R>) -> Option<Hit<R>> {
-        let t = K::meet(s, ray)?;
+    fn test<R: Scalar>(s: &Sphere<R>, ray: &Ray<R>) -> Option<Hit<R>> {
+        let t = K::intersect(s, ray)?;
         Some(Hit { t, p: ray.at(t) })
     }
 }
 
-/// The hit point is `o + t·d`, pulled back to the sphere along the line to its centre (PBRT §6.8.5): on the surface,
-/// though perhaps beside the place.
-struct Reprojected<K>(PhantomData<K>);
+/// The hit point is `o + t·d`, projected back onto the sphere along the line to its centre (PBRT
+/// §6.8.5): it is on the surface, but may be moved within it.
+struct ReprojectedPoint<K>(PhantomData<K>);
 
-impl<K: SphereTest> Test for Reprojected<K> {
+impl<K: SphereTest> Test for ReprojectedPoint<K> {
     type Shape = kit::Sphere;
-    type Prepared<R: Real> = Sphere<R>;
-    type Answer<R: Real> = Hit<R>;
-    type Wide = Found;
+    type Prepared<R: Scalar> = Sphere<R>;
+    type Answer<R: Scalar> = Hit<R>;
+    type AnswerF64 = HitF64;
 
-    const ABOUT: About = K::REPROJECTED;
+    const INFO: KernelInfo = K::REPROJECTED;
 
-    fn prepare<R: Real>(s: &Sphere<R>) -> Sphere<R> {
+    fn prepare<R: Scalar>(s: &Sphere<R>) -> Sphere<R> {
         *s
     }
 
     #[inline(always)]
-    fn test<R: Real>(s: &Sphere<R>, ray: &Ray<R>) -> Option<Hit<R>> {
-        let t = K::meet(s, ray)?;
+    fn test<R: Scalar>(s: &Sphere<R>, ray: &Ray<R>) -> Option<Hit<R>> {
+        let t = K::intersect(s, ray)?;
         let from_center = ray.at(t) - s.center;
         let stretch = s.radius / from_center.dot(from_center).sqrt();
         Some(Hit {
@@ -80,24 +80,24 @@ impl<K: SphereTest> Test for Reprojected<K> {
     }
 }
 
-/// All of them, the textbook's first.
-pub(crate) fn kernels() -> Vec<Kernel<kit::Sphere, Found>> {
+/// Returns all kernels, the textbook's first.
+pub(crate) fn kernels() -> Vec<Kernel<kit::Sphere, HitF64>> {
     use haines::Haines;
     use q_form::QForm;
     use quadratic::Quadratic;
     vec![
-        Kernel::of::<Walked<Quadratic>, f64>(),
-        Kernel::of::<Walked<Quadratic>, f32>(),
-        Kernel::of::<Reprojected<Quadratic>, f64>(),
-        Kernel::of::<Reprojected<Quadratic>, f32>(),
-        Kernel::of::<Walked<QForm>, f64>(),
-        Kernel::of::<Walked<QForm>, f32>(),
-        Kernel::of::<Reprojected<QForm>, f64>(),
-        Kernel::of::<Reprojected<QForm>, f32>(),
-        Kernel::of::<Walked<Haines>, f64>(),
-        Kernel::of::<Walked<Haines>, f32>(),
-        Kernel::of::<Reprojected<Haines>, f64>(),
-        Kernel::of::<Reprojected<Haines>, f32>(),
+        Kernel::new::<PointOnRay<Quadratic>, f64>(),
+        Kernel::new::<PointOnRay<Quadratic>, f32>(),
+        Kernel::new::<ReprojectedPoint<Quadratic>, f64>(),
+        Kernel::new::<ReprojectedPoint<Quadratic>, f32>(),
+        Kernel::new::<PointOnRay<QForm>, f64>(),
+        Kernel::new::<PointOnRay<QForm>, f32>(),
+        Kernel::new::<ReprojectedPoint<QForm>, f64>(),
+        Kernel::new::<ReprojectedPoint<QForm>, f32>(),
+        Kernel::new::<PointOnRay<Haines>, f64>(),
+        Kernel::new::<PointOnRay<Haines>, f32>(),
+        Kernel::new::<ReprojectedPoint<Haines>, f64>(),
+        Kernel::new::<ReprojectedPoint<Haines>, f32>(),
     ]
 }
 // END SOLUTION(part1.task4)

@@ -1,45 +1,45 @@
 // BEGIN SOLUTION(part1.task4)
-//! The root whose terms add up, and the other from their product, `t0 t1 = c / a`: neither cancels. The discriminant
-//! still does.
+//! Computes the root whose terms add, and the other one from the product of the roots,
+//! `t0 t1 = c / a`: neither cancels. The discriminant still cancels.
 //!
 //! W. Press et al., Numerical Recipes, §5.6.
 
 use super::{SphereTest, first_in_range};
-use crate::kernel::About;
-use crate::real::Real;
+use crate::kernel::KernelInfo;
+use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
 
 pub(super) struct QForm;
 
 impl SphereTest for QForm {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "q form",
         paper: "Press et al. 1992",
         culls: false,
     };
-    const REPROJECTED: About = About {
+    const REPROJECTED: KernelInfo = KernelInfo {
         name: "q form, reprojected",
-        ..Self::ABOUT
+        ..Self::INFO
     };
 
     #[inline(always)]
-    fn meet<R: Real>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R> {
+    fn intersect<R: Scalar>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R> {
         let f = ray.o - s.center;
         let a = ray.d.dot(ray.d);
         let b = f.dot(ray.d);
         let c = f.dot(f) - s.radius * s.radius;
         let discriminant = b * b - a * c;
-        if discriminant < R::of(0.0) {
+        if discriminant < R::from_f64(0.0) {
             return None;
         }
         roots(ray, a, b, c, discriminant.sqrt())
     }
 }
 
-/// The first root of `a t² + 2 b t + c` that counts, given the root of `b² - a c`.
+/// Returns the first root of `a t² + 2 b t + c` in the range, given the square root of `b² - a c`.
 #[inline(always)]
-pub(super) fn roots<R: Real>(ray: &Ray<R>, a: R, b: R, c: R, root: R) -> Option<R> {
-    if b > R::of(0.0) {
+pub(super) fn roots<R: Scalar>(ray: &Ray<R>, a: R, b: R, c: R, root: R) -> Option<R> {
+    if b > R::from_f64(0.0) {
         let q = -b - root;
         first_in_range(ray, q / a, c / q)
     } else {

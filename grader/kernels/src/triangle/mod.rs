@@ -1,9 +1,10 @@
 // BEGIN SOLUTION(part1.task3)
-//! Rays and triangles. Edges, vertices and both ends of the ray's range count; both faces are hit.
+//! Ray/triangle tests. Edges, vertices and both ends of the ray's range count; both faces are hit.
 //!
-//! With the vertices seen from the ray's origin, `A = p0 - o` and so on, the ray's line passes the triangle where
-//! `d·(B×C)`, `d·(C×A)` and `d·(A×B)` do not differ in sign: all of these kernels come down to that, and differ in
-//! what they round on the way, and in what they leave out.
+//! With the vertices relative to the ray's origin, `A = p0 - o` and so on, the ray's line passes
+//! through the triangle if `d·(B×C)`, `d·(C×A)` and `d·(A×B)` do not differ in sign. All of these
+//! kernels are based on this test. They differ in the values that they round on the way, and in the
+//! values that they do not compute.
 
 mod baldwin_weber;
 mod filtered;
@@ -13,14 +14,14 @@ mod plucker;
 pub(crate) mod woop;
 mod woop_fused;
 
-use crate::kernel::{About, Found, Hit, Kernel, Test};
-use crate::real::Real;
+use crate::kernel::{Hit, HitF64, Kernel, KernelInfo, Test};
+use crate::scalar::Scalar;
 use crate::shapes::{Ray, Triangle};
 use std::marker::PhantomData;
 
-/// Where a ray meets a triangle.
+/// The hit of a ray with a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Meeting<R> {
+pub(crate) struct TriangleHit<R> {
     /// Distance along the ray in lengths of its direction.
     pub(crate) t: R,
     /// Barycentric weights of `p1` and `p2`.
@@ -28,63 +29,65 @@ pub(crate) struct Meeting<R> {
     b2: R,
 }
 
-/// A test that works on the vertices.
+/// A test that needs only the vertices.
 pub(crate) trait TriangleTest: 'static {
-    const ABOUT: About;
+    const INFO: KernelInfo;
 
-    fn meet<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Meeting<R>>;
+    fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>>;
 }
 
-/// The hit point is `o + t·d`: off by what `t` is off.
-struct Walked<K>(PhantomData<K>);
+/// The hit point is `o + t·d`, with the error of `t`.
+struct PointOnRay<K>(PhantomData<K>);
 
-impl<K: TriangleTest> Test for Walked<K> {
+impl<K: TriangleTest> Test for PointOnRay<K> {
     type Shape = kit::Triangle;
-    type Prepared<R: Real> = Triangle<R>;
-    type Answer<R: Real> = Hit<R>;
-    type Wide = Found;
+    type Prepared<R: Scalar> = Triangle<R>;
+    type Answer<R: Scalar> = Hit<R>;
+    type AnswerF64 = HitF64;
 
-    const ABOUT: About = K::ABOUT;
+    const INFO: KernelInfo = K::INFO;
 
-    fn prepare<R: Real>(tri: &Triangle<R>) -> Triangle<R> {
+    fn prepare<R: Scalar>(tri: &Triangle<R>) -> Triangle<R> {
         *tri
     }
 
     #[inline(always)]
-    fn test<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Hit<R>> {
-        let Meeting { t, .. } = K::meet(tri, ray)?;
+    fn test<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Hit<R>> {
+        let TriangleHit { t, .. } = K::intersect(tri, ray)?;
         Some(Hit { t, p: ray.at(t) })
     }
 }
 
-/// The hit point is mixed from the vertices: on the plane, however far the ray has come (PBRT §6.5.3).
-struct Mixed<K>(PhantomData<K>);
+/// The hit point is interpolated from the vertices: it is on the plane, however far away the ray
+/// starts (PBRT §6.5.3).
+struct PointFromWeights<K>(PhantomData<K>);
 
-impl<K: TriangleTest> Test for Mixed<K> {
+impl<K: TriangleTest> Test for PointFromWeights<K> {
     type Shape = kit::Triangle;
-    type Prepared<R: Real> = Triangle<R>;
-    type Answer<R: Real> = Hit<R>;
-    type Wide = Found;
+    type Prepared<R: Scalar> = Triangle<R>;
+    type Answer<R: Scalar> = Hit<R>;
+    type AnswerF64 = HitF64;
 
-    const ABOUT: About = K::ABOUT;
+    const INFO: KernelInfo = K::INFO;
 
-    fn prepare<R: Real>(tri: &Triangle<R>) -> Triangle<R> {
+    fn prepare<R: Scalar>(tri: &Triangle<R>) -> Triangle<R> {
         *tri
     }
 
     #[inline(always)]
-    fn test<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Hit<R>> {
-        let Meeting { t, b1, b2 } = K::meet(tri, ray)?;
+    fn test<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Hit<R>> {
+        let TriangleHit { t, b1, b2 } = K::intersect(tri, ray)?;
         let p = tri.p0 + (tri.p1 - tri.p0) * b1 + (tri.p2 - tri.p0) * b2;
         Some(Hit { t, p })
     }
 }
 
-/// The sum of three edge functions, if all of them have one sign; the line then passes the triangle.
+/// Returns the sum of three edge functions if they have the same sign; the line then passes through
+/// the triangle.
 #[inline(always)]
-fn if_all_agree<R: Real>([u, v, w]: [R; 3]) -> Option<R> {
-    let zero = R::of(0.0);
-    // Without a branch a comparison: which of the three differs is anyone's guess, also the processor's.
+fn sum_if_same_sign<R: Scalar>([u, v, w]: [R; 3]) -> Option<R> {
+    let zero = R::from_f64(0.0);
+    // Without a branch per comparison: which of the three differs cannot be predicted.
     let (is_below, is_above) = (
         (u < zero) | (v < zero) | (w < zero),
         (u > zero) | (v > zero) | (w > zero),
@@ -96,8 +99,8 @@ fn if_all_agree<R: Real>([u, v, w]: [R; 3]) -> Option<R> {
     (det != zero).then_some(det)
 }
 
-/// All of them, the textbook's first.
-pub(crate) fn kernels() -> Vec<Kernel<kit::Triangle, Found>> {
+/// Returns all kernels, the textbook's first.
+pub(crate) fn kernels() -> Vec<Kernel<kit::Triangle, HitF64>> {
     use baldwin_weber::BaldwinWeber;
     use filtered::Filtered;
     use moller_trumbore::{Culling, MollerTrumbore, UsualEpsilon};
@@ -106,24 +109,24 @@ pub(crate) fn kernels() -> Vec<Kernel<kit::Triangle, Found>> {
     use woop::Woop;
     use woop_fused::{Fused, FusedAtZero};
     vec![
-        Kernel::of::<Walked<MollerTrumbore>, f64>(),
-        Kernel::of::<Walked<MollerTrumbore>, f32>(),
-        Kernel::of::<Walked<UsualEpsilon>, f64>(),
-        Kernel::of::<Walked<UsualEpsilon>, f32>(),
-        Kernel::of::<Walked<Culling>, f64>(),
-        Kernel::of::<Walked<Culling>, f32>(),
-        Kernel::of::<Walked<PlaneThenSides>, f64>(),
-        Kernel::of::<Walked<PlaneThenSides>, f32>(),
-        Kernel::of::<BaldwinWeber, f64>(),
-        Kernel::of::<BaldwinWeber, f32>(),
-        Kernel::of::<Walked<Plucker>, f64>(),
-        Kernel::of::<Walked<Plucker>, f32>(),
-        Kernel::of::<Mixed<Woop>, f64>(),
-        Kernel::of::<Mixed<Woop>, f32>(),
-        Kernel::of_f32_in_f64::<Mixed<Woop>>(),
-        Kernel::of::<Mixed<FusedAtZero>, f64>(),
-        Kernel::of::<Mixed<Fused>, f64>(),
-        Kernel::of::<Mixed<Filtered>, f64>(),
+        Kernel::new::<PointOnRay<MollerTrumbore>, f64>(),
+        Kernel::new::<PointOnRay<MollerTrumbore>, f32>(),
+        Kernel::new::<PointOnRay<UsualEpsilon>, f64>(),
+        Kernel::new::<PointOnRay<UsualEpsilon>, f32>(),
+        Kernel::new::<PointOnRay<Culling>, f64>(),
+        Kernel::new::<PointOnRay<Culling>, f32>(),
+        Kernel::new::<PointOnRay<PlaneThenSides>, f64>(),
+        Kernel::new::<PointOnRay<PlaneThenSides>, f32>(),
+        Kernel::new::<BaldwinWeber, f64>(),
+        Kernel::new::<BaldwinWeber, f32>(),
+        Kernel::new::<PointOnRay<Plucker>, f64>(),
+        Kernel::new::<PointOnRay<Plucker>, f32>(),
+        Kernel::new::<PointFromWeights<Woop>, f64>(),
+        Kernel::new::<PointFromWeights<Woop>, f32>(),
+        Kernel::new_f32_in_f64::<PointFromWeights<Woop>>(),
+        Kernel::new::<PointFromWeights<FusedAtZero>, f64>(),
+        Kernel::new::<PointFromWeights<Fused>, f64>(),
+        Kernel::new::<PointFromWeights<Filtered>, f64>(),
     ]
 }
 // END SOLUTION(part1.task3)

@@ -1,59 +1,60 @@
 // BEGIN SOLUTION(part1.task3)
-//! The textbook's test: Cramer's rule, with two cross products.
+//! The textbook test: Cramer's rule, with two cross products.
 //!
-//! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997.
+//! T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics
+//! Tools 2(1), 1997.
 
-use super::{Meeting, TriangleTest};
-use crate::kernel::About;
-use crate::real::Real;
+use super::{TriangleHit, TriangleTest};
+use crate::kernel::KernelInfo;
+use crate::scalar::Scalar;
 use crate::shapes::{Ray, Triangle};
 
 const PAPER: &str = "Möller, Trumbore 1997";
 
-/// As most write it today: only a determinant of 0 is turned away.
+/// The common form today: only a determinant of 0 is rejected.
 pub(super) struct MollerTrumbore;
 
 impl TriangleTest for MollerTrumbore {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "Möller-Trumbore",
         paper: PAPER,
         culls: false,
     };
 
     #[inline(always)]
-    fn meet<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Meeting<R>> {
-        solve(tri, ray, |det| det == R::of(0.0))
+    fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
+        solve(tri, ray, |det| det == R::from_f64(0.0))
     }
 }
 
-/// With the paper's epsilon: whatever is this close to parallel, or this small, is missed. It is an absolute number, in
-/// units of volume.
+/// With the paper's epsilon: triangles this close to parallel to the ray, or this small, are
+/// missed. The epsilon is an absolute number, a volume.
 pub(super) struct UsualEpsilon;
 
-/// The paper's.
+/// The paper's epsilon.
 const EPSILON: f64 = 1e-6;
 
 impl TriangleTest for UsualEpsilon {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "Möller-Trumbore ε",
         paper: PAPER,
         culls: false,
     };
 
     #[inline(always)]
-    fn meet<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Meeting<R>> {
-        solve(tri, ray, |det| det.abs() < R::of(EPSILON))
+    fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
+        solve(tri, ray, |det| det.abs() < R::from_f64(EPSILON))
     }
 }
 
-/// The paper's solution for `det != 0` of either sign: edges and vertices count.
+/// The paper's solution for `det != 0` of either sign; edges and vertices count.
 #[inline(always)]
-fn solve<R: Real>(
+fn solve<R: Scalar>(
     tri: &Triangle<R>,
     ray: &Ray<R>,
     is_parallel: impl Fn(R) -> bool,
-) -> Option<Meeting<R>> {
-    let (zero, one) = (R::of(0.0), R::of(1.0));
+) -> Option<TriangleHit<R>> {
+    let (zero, one) = (R::from_f64(0.0), R::from_f64(1.0));
     let (edge1, edge2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
     let pvec = ray.d.cross(edge2);
     let det = edge1.dot(pvec);
@@ -72,26 +73,27 @@ fn solve<R: Real>(
         return None;
     }
     let t = edge2.dot(qvec) * inv_det;
-    ray.in_range(t).then_some(Meeting { t, b1: u, b2: v })
+    ray.in_range(t).then_some(TriangleHit { t, b1: u, b2: v })
 }
 
-/// The paper's other branch: triangles seen from behind are missed, and nothing is divided before the hit is certain.
+/// The paper's culling branch: triangles seen from behind are missed, and the division is done only
+/// for a hit.
 pub(super) struct Culling;
 
 impl TriangleTest for Culling {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "Möller-Trumbore cull",
         paper: PAPER,
         culls: true,
     };
 
     #[inline(always)]
-    fn meet<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Meeting<R>> {
-        let zero = R::of(0.0);
+    fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
+        let zero = R::from_f64(0.0);
         let (edge1, edge2) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
         let pvec = ray.d.cross(edge2);
         let det = edge1.dot(pvec);
-        if det < R::of(EPSILON) {
+        if det < R::from_f64(EPSILON) {
             return None;
         }
         let tvec = ray.o - tri.p0;
@@ -104,9 +106,9 @@ impl TriangleTest for Culling {
         if v < zero || u + v > det {
             return None;
         }
-        let inv_det = R::of(1.0) / det;
+        let inv_det = R::from_f64(1.0) / det;
         let t = edge2.dot(qvec) * inv_det;
-        ray.in_range(t).then_some(Meeting {
+        ray.in_range(t).then_some(TriangleHit {
             t,
             b1: u * inv_det,
             b2: v * inv_det,

@@ -1,36 +1,38 @@
 // BEGIN SOLUTION(part1.task3)
-//! Space is moved and sheared so that the ray becomes the z axis; what is left are three signed areas in the plane.
-//! Triangles that share a vertex shear it to the same two numbers: no ray gets through between them.
+//! Space is translated and sheared so that the ray becomes the z axis; then the test computes three
+//! signed areas in the plane. Triangles that share a vertex shear it to the same two numbers, so no
+//! ray passes between them.
 //!
-//! S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", Journal of Computer Graphics Techniques 2(1),
-//! 2013. An edge function of 0 counts as a hit for both neighbours; the paper computes it again in double.
+//! S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", Journal of Computer
+//! Graphics Techniques 2(1), 2013. Here an edge function of 0 counts as a hit for both triangles;
+//! the paper recomputes it in double precision.
 
-use super::{Meeting, TriangleTest, if_all_agree};
-use crate::kernel::About;
-use crate::real::Real;
-use crate::shapes::{Ray, Triangle, V3};
+use super::{TriangleHit, TriangleTest, sum_if_same_sign};
+use crate::kernel::KernelInfo;
+use crate::scalar::Scalar;
+use crate::shapes::{Ray, Triangle, Vector3};
 
 pub(crate) struct Woop;
 
 impl TriangleTest for Woop {
-    const ABOUT: About = About {
+    const INFO: KernelInfo = KernelInfo {
         name: "Woop",
         paper: "Woop, Benthin, Wald 2013",
         culls: false,
     };
 
     #[inline(always)]
-    fn meet<R: Real>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<Meeting<R>> {
+    fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
         sheared(tri, ray, |corners| {
             areas(corners, |a, b, c, d| a * b - c * d)
         })
     }
 }
 
-/// Twice the areas of the triangles that the z axis makes with each edge.
+/// Returns twice the signed areas of the triangles formed by the z axis and each edge.
 #[inline(always)]
-pub(super) fn areas<R: Real>(
-    [a, b, c]: [V3<R>; 3],
+pub(super) fn areas<R: Scalar>(
+    [a, b, c]: [Vector3<R>; 3],
     difference: impl Fn(R, R, R, R) -> R,
 ) -> [R; 3] {
     [
@@ -40,31 +42,31 @@ pub(super) fn areas<R: Real>(
     ]
 }
 
-/// The paper's test, given how to compute the three areas.
+/// The paper's test, given a function that computes the three areas.
 #[inline(always)]
-pub(super) fn sheared<R: Real>(
+pub(super) fn sheared<R: Scalar>(
     tri: &Triangle<R>,
     ray: &Ray<R>,
-    areas: impl Fn([V3<R>; 3]) -> [R; 3],
-) -> Option<Meeting<R>> {
+    areas: impl Fn([Vector3<R>; 3]) -> [R; 3],
+) -> Option<TriangleHit<R>> {
     let kz = ray.d.longest_axis();
-    let d = ray.d.turned(kz);
-    let sz = R::of(1.0) / d.z;
+    let d = ray.d.permuted(kz);
+    let sz = R::from_f64(1.0) / d.z;
     let (sx, sy) = (d.x * sz, d.y * sz);
     let corners = [tri.p0, tri.p1, tri.p2].map(|p| {
-        let p = (p - ray.o).turned(kz);
-        V3 {
+        let p = (p - ray.o).permuted(kz);
+        Vector3 {
             x: p.x - sx * p.z,
             y: p.y - sy * p.z,
             z: sz * p.z,
         }
     });
     let [u, v, w] = areas(corners);
-    let det = if_all_agree([u, v, w])?;
+    let det = sum_if_same_sign([u, v, w])?;
     let [a, b, c] = corners;
-    let inv_det = R::of(1.0) / det;
+    let inv_det = R::from_f64(1.0) / det;
     let t = (u * a.z + v * b.z + w * c.z) * inv_det;
-    ray.in_range(t).then_some(Meeting {
+    ray.in_range(t).then_some(TriangleHit {
         t,
         b1: v * inv_det,
         b2: w * inv_det,

@@ -1,4 +1,4 @@
-//! Boxes.
+//! Tests the box oracle against rational arithmetic.
 
 use kit::{Aabb, Ray};
 use oracle::bbox;
@@ -7,7 +7,7 @@ use oracle::bbox::End;
 use crate::rationals::{Q, agrees, q, zero};
 use crate::rays::{self, Random};
 
-/// A rational, or the infinity of that sign.
+/// A rational, or the infinity of this sign.
 #[derive(Clone, PartialEq, Debug)]
 enum Extended {
     Infinite(i32),
@@ -41,7 +41,7 @@ impl Extended {
     }
 }
 
-fn slow(b: &Aabb, ray: &Ray) -> Option<(Extended, Extended)> {
+fn rational_interval(b: &Aabb, ray: &Ray) -> Option<(Extended, Extended)> {
     let mut near = Extended::new(ray.min_t);
     let mut far = Extended::new(ray.max_t);
     if b.is_empty() || ray.d == kit::Vec3::ZERO {
@@ -84,7 +84,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         let (b, ray) = rays::bounds(&mut r, family);
         let verdict = bbox(&b, &ray);
         let what = || format!("{family:?} {i}: {verdict:?}\n{b:?}\n{ray:?}");
-        let Some((near, far)) = slow(&b, &ray) else {
+        let Some((near, far)) = rational_interval(&b, &ray) else {
             assert!(!verdict.hits(), "{}", what());
             continue;
         };
@@ -96,11 +96,8 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         assert!(verdict.hit_scores, "{}", what());
     }
     println!("{count} pairs, {hits} hits, {touches} touches");
-    assert!(
-        hits > count / 10,
-        "the families must hit: {hits} of {count}"
-    );
-    assert!(touches > 0, "the families must touch");
+    assert!(hits > count / 10, "too few rays hit: {hits} of {count}");
+    assert!(touches > 0, "no ray touches a box");
 }
 
 #[test]
@@ -108,9 +105,9 @@ fn agrees_with_rationals() {
     disagreements(5, 16_000, 64);
 }
 
-/// `cargo test -p grader --release --test oracle -- --ignored million`, minutes.
+/// `cargo test -p oracle --release --test oracle -- --ignored million`; takes minutes.
 #[test]
-#[ignore = "minutes; run it when the oracle's arithmetic changes"]
+#[ignore = "takes minutes; run it when the oracle's arithmetic changes"]
 fn agrees_with_rationals_a_million_times() {
     disagreements(6, 1_000_000, 1024);
 }

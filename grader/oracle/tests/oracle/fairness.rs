@@ -1,5 +1,5 @@
-//! No false alarm: code that is right as far as `f64` goes is never accused, least of all on rays
-//! aimed where it rounds to the wrong side; and few rays are let off.
+//! Correct code is never marked down, not even on rays aimed where it rounds to the wrong side; and
+//! few rays are undecidable.
 
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
 use oracle::{Kernel, bbox, sphere, triangle};
@@ -10,12 +10,12 @@ use crate::kernels::{
 };
 use crate::rays::{self, Family, Random};
 
-/// From 1 down to a hundredth of an ulp.
+/// Returns a number from 1 down to a hundredth of an ulp.
 fn tiny(r: &mut Random) -> f64 {
     kit::math::pow(10.0, -18.0 * r.unit())
 }
 
-/// Mostly 1, sometimes anything.
+/// Returns a scale: mostly 1, sometimes any size.
 fn scale(r: &mut Random) -> f64 {
     match r.below(8) {
         0 => kit::math::pow(10.0, 30.0 * r.signed()),
@@ -24,7 +24,7 @@ fn scale(r: &mut Random) -> f64 {
     }
 }
 
-/// A ray aimed close to an edge of a triangle of any shape, scale and place.
+/// Returns a ray aimed close to an edge of a triangle of any shape, scale and position.
 fn at_edge(r: &mut Random) -> (Triangle, Ray) {
     let scale = scale(r);
     let offset = if r.below(4) == 0 {
@@ -68,13 +68,13 @@ fn at_edge(r: &mut Random) -> (Triangle, Ray) {
 }
 
 #[test]
-fn no_correct_triangle_test_is_accused() {
+fn no_correct_triangle_test_is_marked_down() {
     try_triangles(10, 50_000);
 }
 
 fn try_triangles(seed: u64, count: u64) {
     let mut r = Random::new(seed);
-    let mut let_off = 0;
+    let mut undecidable = 0;
     for _ in 0..count {
         let (tri, ray) = match r.below(4) {
             0 => {
@@ -84,7 +84,7 @@ fn try_triangles(seed: u64, count: u64) {
             _ => at_edge(&mut r),
         };
         let verdict = triangle(&tri, &ray);
-        let_off += u32::from(verdict.undecidable(Kernel::Robust));
+        undecidable += u32::from(verdict.undecidable(Kernel::Robust));
         let groups = [
             (Kernel::Textbook, &TEXTBOOK_TRIANGLES[..]),
             (Kernel::Textbook, &ROBUST_TRIANGLES[..]),
@@ -96,15 +96,15 @@ fn try_triangles(seed: u64, count: u64) {
                 let judgement = verdict.judge(kernel, answer);
                 assert!(
                     judgement.scores(),
-                    "{name} is accused: {judgement:?} for {answer:?}, {verdict:?}\n{tri:?}\n{ray:?}"
+                    "{name} is marked down: {judgement:?} for {answer:?}, {verdict:?}\n{tri:?}\n{ray:?}"
                 );
             }
         }
     }
-    println!("{let_off} of {count} rays aimed at edges are undecidable for a robust kernel");
+    println!("{undecidable} of {count} rays aimed at edges are undecidable for a robust kernel");
 }
 
-/// A ray aimed close to the rim of a sphere of any scale and place.
+/// Returns a ray aimed close to the rim of a sphere of any scale and position.
 fn at_rim(r: &mut Random) -> (Sphere, Ray) {
     let scale = scale(r);
     let offset = if r.below(4) == 0 { 1e6 } else { 0.0 } * r.place();
@@ -143,7 +143,7 @@ fn at_rim(r: &mut Random) -> (Sphere, Ray) {
 }
 
 #[test]
-fn no_correct_sphere_test_is_accused() {
+fn no_correct_sphere_test_is_marked_down() {
     try_spheres(11, 50_000);
 }
 
@@ -169,14 +169,14 @@ fn try_spheres(seed: u64, count: u64) {
                 let judgement = verdict.judge(kernel, answer);
                 assert!(
                     judgement.scores(),
-                    "{name} is accused: {judgement:?} for {answer:?}, {verdict:?}\n{s:?}\n{ray:?}"
+                    "{name} is marked down: {judgement:?} for {answer:?}, {verdict:?}\n{s:?}\n{ray:?}"
                 );
             }
         }
     }
 }
 
-/// A ray aimed close to a corner, an edge or a face of a box.
+/// Returns a ray aimed close to a corner, an edge or a face of a box.
 fn at_corner(r: &mut Random) -> (Aabb, Ray) {
     let (b, mut ray) = rays::bounds(r, Family::Ordinary);
     let corner = Vec3::from_array([0, 1, 2].map(|i| match r.below(4) {
@@ -195,7 +195,7 @@ fn at_corner(r: &mut Random) -> (Aabb, Ray) {
 }
 
 #[test]
-fn no_correct_box_test_is_accused() {
+fn no_correct_box_test_is_marked_down() {
     try_boxes(12, 50_000);
 }
 
@@ -221,40 +221,40 @@ fn try_boxes(seed: u64, count: u64) {
                 let judgement = verdict.judge(kernel, answer);
                 assert!(
                     judgement.scores(),
-                    "{name} is accused: {judgement:?} for {answer:?}, {verdict:?}\n{b:?}\n{ray:?}"
+                    "{name} is marked down: {judgement:?} for {answer:?}, {verdict:?}\n{b:?}\n{ray:?}"
                 );
             }
         }
     }
 }
 
-/// The bound of what is undecidable is small: on ordinary rays it lets nobody off.
+/// The error bounds are small: no ordinary ray is undecidable.
 #[test]
 fn fewer_than_one_ordinary_ray_in_a_million_is_undecidable() {
     let mut r = Random::new(13);
-    let mut let_off = 0;
+    let mut undecidable = 0;
     for _ in 0..1_000_000 {
         let [p0, p1, p2, o] = [0; 4].map(|_| r.place());
         let inside = p0 + r.unit() * (p1 - p0) + r.unit() * (p2 - p0);
         let ray = Ray::new(o, inside - o);
         let verdict = triangle(&Triangle::flat(p0, p1, p2), &ray);
-        let_off += u32::from(verdict.undecidable(Kernel::Textbook));
+        undecidable += u32::from(verdict.undecidable(Kernel::Textbook));
         let s = Sphere {
             center: p0,
             radius: r.unit(),
         };
         let verdict = sphere(&s, &ray);
-        let_off += u32::from(verdict.undecidable(Kernel::Textbook));
+        undecidable += u32::from(verdict.undecidable(Kernel::Textbook));
         let verdict = bbox(&Aabb::of([p0, p1]), &ray);
-        let_off += u32::from(verdict.undecidable(Kernel::Textbook));
+        undecidable += u32::from(verdict.undecidable(Kernel::Textbook));
     }
-    assert_eq!(let_off, 0);
+    assert_eq!(undecidable, 0);
 }
 
-/// `cargo test -p grader --release --test oracle -- --ignored ten_million`, some minutes.
+/// `cargo test -p oracle --release --test oracle -- --ignored ten_million`; takes some minutes.
 #[test]
-#[ignore = "some minutes; run it when a bound changes"]
-fn no_correct_test_is_accused_on_ten_million_rays() {
+#[ignore = "takes some minutes; run it when a bound changes"]
+fn no_correct_test_is_marked_down_on_ten_million_rays() {
     try_triangles(20, 10_000_000);
     try_spheres(21, 10_000_000);
     try_boxes(22, 10_000_000);

@@ -1,4 +1,4 @@
-//! The hard cases that have one right answer, by the numbers of the list.
+//! The hard cases that have one correct answer.
 
 use kit::{Aabb, Interval, Ray, Sphere, Triangle, Vec3};
 use oracle::verdict::Miss;
@@ -10,7 +10,7 @@ fn v(x: f64, y: f64, z: f64) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// Legs of 4 on the x and y axes; twice its area is a power of two.
+/// A right triangle with legs of 4 on the x and y axes; twice its area is a power of two.
 fn right_angled() -> Triangle {
     Triangle::flat(Vec3::ZERO, v(4.0, 0.0, 0.0), v(0.0, 4.0, 0.0))
 }
@@ -19,7 +19,7 @@ fn ray(o: Vec3, d: Vec3) -> Ray {
     Ray::new(o, d)
 }
 
-/// The exact class, and that it leaves one answer only, for either kernel.
+/// Asserts the exact class, and that only one answer scores for either kernel.
 fn decides(tri: &Triangle, ray: &Ray, class: TriangleClass) {
     let verdict = triangle(tri, ray);
     assert_eq!(verdict.class, class, "{ray:?}");
@@ -42,7 +42,11 @@ fn edges_and_vertices_count() {
     decides(&tri, &at(0.0, 0.0), TriangleClass::Vertex(0));
     decides(&tri, &at(4.0, 0.0), TriangleClass::Vertex(1));
     decides(&tri, &at(0.0, 4.0), TriangleClass::Vertex(2));
-    decides(&tri, &at(-0.125, 1.0), TriangleClass::Miss(Miss::Beside));
+    decides(
+        &tri,
+        &at(-0.125, 1.0),
+        TriangleClass::Miss(Miss::LineMisses),
+    );
     let verdict = triangle(&tri, &at(2.0, 0.0));
     assert_eq!(verdict.crossing.map(|at| at.t.to_f64()), Some(2.0));
     assert!(verdict.on_boundary());
@@ -59,7 +63,7 @@ fn parallel_and_coplanar_rays_miss() {
     let above = ray(v(-1.0, 1.0, 1.0), Vec3::X);
     let within = ray(v(-1.0, 1.0, 0.0), Vec3::X);
     let miss = TriangleClass::Miss;
-    decides(&right_angled(), &above, miss(Miss::Beside));
+    decides(&right_angled(), &above, miss(Miss::LineMisses));
     decides(&right_angled(), &within, miss(Miss::Coplanar));
 }
 
@@ -74,7 +78,7 @@ fn triangles_without_area_miss() {
 }
 
 #[test]
-fn scale_decides_nothing() {
+fn the_class_does_not_depend_on_scale() {
     let down = ray(v(1.0, 1.0, 2.0), v(0.0, 0.0, -1.0));
     for scale in [1e-15, 1e-6, 1e6, 1e15] {
         let big = |p: Vec3| scale * p;
@@ -117,14 +121,14 @@ fn an_origin_on_the_plane_is_a_hit_only_if_zero_counts() {
 }
 
 #[test]
-fn t_counts_in_lengths_of_the_direction() {
+fn t_is_in_lengths_of_the_direction() {
     let fast = ray(v(1.0, 1.0, 2.0), v(0.0, 0.0, -4.0));
     let at = triangle(&right_angled(), &fast).crossing.expect("a hit");
     assert_eq!(at.t.to_f64(), 0.5);
 }
 
 #[test]
-fn numbers_that_are_none_and_directions_that_are_none_miss() {
+fn nan_and_zero_directions_miss() {
     let tri = right_angled();
     let down = ray(v(1.0, 1.0, 2.0), v(0.0, 0.0, -1.0));
     let nan = TriangleClass::Miss(Miss::NotANumber);
@@ -140,11 +144,11 @@ fn numbers_that_are_none_and_directions_that_are_none_miss() {
         nan,
     );
     let still = ray(down.o, Vec3::ZERO);
-    decides(&tri, &still, TriangleClass::Miss(Miss::NoDirection));
+    decides(&tri, &still, TriangleClass::Miss(Miss::ZeroDirection));
 }
 
 #[test]
-fn an_infinite_vertex_accuses_nobody() {
+fn every_answer_scores_for_an_infinite_vertex() {
     let tri = Triangle::flat(Vec3::ZERO, v(f64::INFINITY, 0.0, 0.0), v(0.0, 4.0, 0.0));
     let verdict = triangle(&tri, &ray(v(1.0, 1.0, 2.0), -Vec3::Z));
     for kernel in BOTH {
@@ -153,12 +157,14 @@ fn an_infinite_vertex_accuses_nobody() {
     }
 }
 
-/// Ten rays in a hundred slip between faces in Möller-Trumbore; none does in exact arithmetic.
+/// With Möller-Trumbore ten of a hundred such rays pass between the faces; in exact arithmetic none
+/// does.
 #[test]
 fn a_closed_mesh_does_not_leak() {
     let mut r = crate::rays::Random::new(30);
     for _ in 0..5_000 {
-        // A needle of a tetrahedron around the origin, and a ray from there at one of its edges.
+        // A needle-shaped tetrahedron around the origin, and a ray from near the origin at one of
+        // its edges.
         let stretch = v(1.0, 1e-3, 1e-6);
         let corners = [
             v(1.0, 1.0, 1.0),
@@ -197,18 +203,18 @@ fn a_tangent_in_integers_is_one_hit() {
     decides_sphere(&ball(1.0), &tangent, SphereClass::Tangent, Some(3.0));
     let beside = ray(v(1.0 + f64::EPSILON, -3.0, 0.0), Vec3::Y);
     let verdict = sphere(&ball(1.0), &beside);
-    assert_eq!(verdict.class, SphereClass::Miss(Miss::Beside));
+    assert_eq!(verdict.class, SphereClass::Miss(Miss::LineMisses));
     assert!(
         verdict.undecidable(Kernel::Robust),
-        "an ulp off the rim is in doubt"
+        "an ulp off the rim is undecidable"
     );
 }
 
 #[test]
-fn far_spheres_are_hit_in_the_middle_and_graze_on_the_rim() {
+fn far_spheres_are_decided_in_the_middle_and_at_the_rim_by_robust_kernels() {
     let far = ray(v(0.0, 0.0, 1e6), -Vec3::Z);
     decides_sphere(&ball(1.0), &far, SphereClass::Near, Some(1e6 - 1.0));
-    // Half a thousandth inside the rim: a robust kernel must know, a textbook may not.
+    // 0.0005 radii inside the rim: a robust kernel must decide it, textbook code need not.
     let rim = ray(v(0.9995, 0.0, 1e6), -Vec3::Z);
     let verdict = sphere(&ball(1.0), &rim);
     assert_eq!(verdict.class, SphereClass::Near);
@@ -255,12 +261,12 @@ fn a_sphere_of_no_radius_is_hit_only_exactly() {
     decides_sphere(&ball(0.0), &through, SphereClass::Tangent, Some(1.0));
     let beside = ray(v(0.5, 0.0, -1.0), Vec3::Z);
     let miss = SphereClass::Miss;
-    decides_sphere(&ball(0.0), &beside, miss(Miss::Beside), None);
+    decides_sphere(&ball(0.0), &beside, miss(Miss::LineMisses), None);
     decides_sphere(&ball(-1.0), &through, miss(Miss::Degenerate), None);
 }
 
 #[test]
-fn a_huge_ground_sphere_keeps_its_height() {
+fn t_on_a_huge_sphere_is_accurate() {
     let ground = Sphere {
         center: v(0.0, -1e5, 0.0),
         radius: 1e5,
@@ -330,7 +336,7 @@ fn a_corner_may_be_missed_by_plain_slabs_only() {
 }
 
 #[test]
-fn a_test_may_be_conservative_by_a_few_ulp() {
+fn a_box_test_may_be_conservative_by_a_few_ulp() {
     let past = ray(v(-1.0, -1.0 - f64::EPSILON, 0.0), v(1.0, 1.0, 0.0));
     let corner = Aabb {
         min: v(-1.0, 0.0, 0.0),
@@ -364,7 +370,7 @@ fn odd_boxes_are_decided() {
 }
 
 #[test]
-fn a_denormal_direction_is_asked_of_robust_tests_only() {
+fn only_robust_tests_must_handle_a_denormal_direction() {
     let denormal = ray(v(0.5, 0.5, 0.5), v(f64::from_bits(1), 0.0, 1.0));
     let verdict = bbox(&unit_box(), &denormal);
     assert!(verdict.hits() && verdict.undecidable(Kernel::Textbook));

@@ -1,4 +1,4 @@
-//! Code that is right as far as `f64` goes: the oracle must never accuse it.
+//! Kernels that are correct within `f64` precision: the oracle must never mark them down.
 
 use kit::{Aabb, Interval, Ray, Sphere, Triangle, Vec3};
 
@@ -144,7 +144,7 @@ fn plane_and_areas(tri: &Triangle, ray: &Ray) -> Option<f64> {
     in_range(ray, t)
 }
 
-/// Ericson, *Real-Time Collision Detection*, §3.4.
+/// Ericson, *BigFloat-Time Collision Detection*, §3.4.
 fn plane_and_dots(tri: &Triangle, ray: &Ray) -> Option<f64> {
     let (v0, v1) = (tri.p1 - tri.p0, tri.p2 - tri.p0);
     let n = v0.cross(v1);
@@ -169,7 +169,7 @@ fn woop(tri: &Triangle, ray: &Ray) -> Option<f64> {
     woop_with(tri, ray, |a, b, c, d| a * b - c * d)
 }
 
-/// Kahan's difference of products: one rounding and a half instead of three.
+/// Kahan's difference of products: at most 1.5 ulp of error.
 fn woop_fused(tri: &Triangle, ray: &Ray) -> Option<f64> {
     woop_with(tri, ray, |a, b, c, d| {
         let cd = c * d;
@@ -196,7 +196,7 @@ fn woop_with(tri: &Triangle, ray: &Ray, difference: fn(f64, f64, f64, f64) -> f6
     in_range(ray, (w[0] * a.z + w[1] * b.z + w[2] * c.z) / det)
 }
 
-/// The sum of three edge functions of one sign, if they are.
+/// Returns the sum of three edge functions if they all have the same sign.
 fn by_signs(w: [f64; 3]) -> Option<f64> {
     let det = w[0] + w[1] + w[2];
     let mixed = w.iter().any(|w| *w < 0.0) && w.iter().any(|w| *w > 0.0);
@@ -354,7 +354,8 @@ fn min_max(b: &Aabb, ray: &Ray) -> Option<Interval> {
     interval(near, far)
 }
 
-/// Ize, *Robust BVH Ray Traversal*, JCGT 2013; divided, for the reciprocal of a denormal overflows.
+/// Ize, *Robust BVH Ray Traversal*, JCGT 2013; with divisions, because the reciprocal of a denormal
+/// overflows.
 fn ize(b: &Aabb, ray: &Ray) -> Option<Interval> {
     if b.is_empty() {
         return None;

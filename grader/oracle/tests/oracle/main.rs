@@ -1,5 +1,5 @@
-//! The oracle against plain rationals, against kernels that are known to be right, and against
-//! the hard cases.
+//! Tests the oracle against rational arithmetic, against kernels that are known to be correct, and
+//! on the hard cases.
 
 mod kernels;
 mod rationals;

@@ -1,4 +1,4 @@
-//! Closest and any hit over a few primitives, hit points and normals.
+//! Closest and any hit among a few primitives, hit points and normals.
 
 use kit::scene::Primitive;
 use kit::{PrimId, Ray, Sphere, Triangle, Vec3};
@@ -65,8 +65,8 @@ fn equal_hits_are_ties_and_any_of_them_scores() {
 }
 
 #[test]
-fn walls_an_ulp_apart_are_ties_as_far_as_f64_goes() {
-    // Away from 0, so that the distance along the ray cannot show the difference.
+fn either_of_two_walls_an_ulp_apart_scores() {
+    // Away from 0, so that t cannot represent the difference.
     let (a, b) = (wall(1.0), wall(1.0_f64.next_up()));
     let ray = Ray::new(Vec3::new(-1.0, -1.0, -2.0), Vec3::new(0.1, 0.2, 0.7));
     let truth = closest([&b, &a].map(Primitive::Triangle), &ray);
@@ -78,22 +78,22 @@ fn walls_an_ulp_apart_are_ties_as_far_as_f64_goes() {
 }
 
 #[test]
-fn nothing_in_the_way_is_a_miss() {
+fn a_ray_away_from_the_primitive_misses() {
     let back = Ray::new(Vec3::new(-1.0, -1.0, -2.0), -Vec3::Z);
     let near = wall(0.0);
     let all = [Primitive::Triangle(&near)];
     let truth = closest(all, &back);
     assert_eq!(truth.nearest, None);
     assert_eq!(truth.judge(Kernel::Robust, None), ClosestJudgement::Miss);
-    let invented = truth.judge(Kernel::Robust, Some((PrimId(0), 2.0)));
-    assert_eq!(invented, ClosestJudgement::FalseHit);
+    let false_hit = truth.judge(Kernel::Robust, Some((PrimId(0), 2.0)));
+    assert_eq!(false_hit, ClosestJudgement::FalseHit);
     assert!(!any(all, &back));
     assert!(closest([], &back).answers.textbook.miss);
 }
 
-/// The textbook's hit point and normal pass, and the usual mistakes do not.
+/// Hit points and normals of textbook code are accepted, and the usual mistakes are not.
 #[test]
-fn hit_points_and_normals_are_told_from_wrong_ones() {
+fn wrong_hit_points_and_normals_are_rejected() {
     let mut r = Random::new(40);
     let mut hits = 0;
     for _ in 0..20_000 {
@@ -138,7 +138,7 @@ fn hit_points_and_normals_are_told_from_wrong_ones() {
 }
 
 #[test]
-fn sphere_points_and_normals_are_told_from_wrong_ones() {
+fn wrong_sphere_points_and_normals_are_rejected() {
     let mut r = Random::new(41);
     let mut hits = 0;
     for _ in 0..20_000 {
@@ -163,7 +163,7 @@ fn sphere_points_and_normals_are_told_from_wrong_ones() {
 }
 
 #[test]
-fn normals_that_cancel_leave_any_unit_vector() {
+fn any_unit_vector_scores_if_normals_cancel() {
     let mut tri = wall(0.0);
     (tri.n1, tri.n2) = (-tri.n0, -tri.n0);
     let ray = Ray::new(Vec3::new(-4.0, 0.0, 1.0), -Vec3::Z);

@@ -1,8 +1,8 @@
-//! Plain rational numbers: the slow truth that the oracle is held against.
+//! Rational arithmetic: the slow reference that the oracle is compared with.
 
 use kit::Vec3;
 use num_rational::BigRational;
-use oracle::Real;
+use oracle::BigFloat;
 
 /// A rational number.
 pub(crate) type Q = BigRational;
@@ -35,19 +35,19 @@ pub(crate) fn cross(a: &Q3, b: &Q3) -> Q3 {
     [component(1, 2), component(2, 0), component(0, 1)]
 }
 
-/// Exact value of an oracle's number.
-pub(crate) fn value(x: &Real) -> Q {
+/// Returns the exact value of the oracle's number.
+pub(crate) fn value(x: &BigFloat) -> Q {
     let (m, e) = x.parts();
     let two = q(2.0);
-    // A mantissa of 127 bits in three pieces that f64 holds exactly.
+    // A mantissa of 127 bits in three parts that f64 represents exactly.
     let [low, middle, high] = [m & 0xffff_ffff_ffff, (m >> 48) & 0xffff_ffff_ffff, m >> 96];
     let shift = q((1u64 << 48) as f64);
     let m = (q(high as f64) * &shift + q(middle as f64)) * &shift + q(low as f64);
     m * two.pow(i32::try_from(e).expect("an exponent of a few thousand"))
 }
 
-/// Whether the oracle's number is right to 1e-30.
-pub(crate) fn agrees(x: &Real, truth: &Q) -> bool {
+/// Whether the oracle's number has a relative error of at most 1e-30.
+pub(crate) fn agrees(x: &BigFloat, truth: &Q) -> bool {
     let error = value(x) - truth;
     let bound = truth * q(1e-30);
     let size = |q: Q| if q < zero() { -q } else { q };

@@ -1,4 +1,4 @@
-//! Rays and shapes to try, by seed.
+//! Random rays and shapes, by seed.
 
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
 
@@ -21,22 +21,22 @@ impl Random {
         self.bits() % n
     }
 
-    /// In [0, 1).
+    /// Uniform in [0, 1).
     pub(crate) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * (0.5 / (1u64 << 52) as f64)
     }
 
-    /// In [-1, 1).
+    /// Uniform in [-1, 1).
     pub(crate) fn signed(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 
-    /// In the cube [-1, 1)³.
+    /// Uniform in the cube [-1, 1)³.
     pub(crate) fn place(&mut self) -> Vec3 {
         Vec3::new(self.signed(), self.signed(), self.signed())
     }
 
-    /// A small integer.
+    /// A small integer, from -4 to 4.
     fn integer(&mut self) -> f64 {
         self.below(9) as f64 - 4.0
     }
@@ -45,7 +45,7 @@ impl Random {
         Vec3::new(self.integer(), self.integer(), self.integer())
     }
 
-    /// Any finite number, every exponent alike; now and then 0.
+    /// Any finite number, all exponents with equal probability; sometimes 0.
     fn extreme(&mut self) -> f64 {
         let x = f64::from_bits(self.bits());
         if !x.is_finite() || self.below(8) == 0 {
@@ -58,7 +58,7 @@ impl Random {
         Vec3::new(self.extreme(), self.extreme(), self.extreme())
     }
 
-    /// A number a few steps from 0, normal numbers being out of sight.
+    /// A denormal number of either sign.
     fn denormal(&mut self) -> f64 {
         self.signed() * f64::MIN_POSITIVE
     }
@@ -68,7 +68,7 @@ impl Random {
     }
 }
 
-/// The families of inputs that the oracle is tried on.
+/// The families of test inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Family {
     Ordinary,
@@ -81,8 +81,8 @@ pub(crate) enum Family {
     FarOffset,
 }
 
-/// The family of the `i`th trial. The ones with long exponents come twice in `cycle`: their rationals
-/// have thousands of bits, and take as long as hundreds of others.
+/// Returns the family of the `i`th trial. The ones with long exponents come twice in `cycle`
+/// trials: their rationals have thousands of bits and take as long as hundreds of others.
 pub(crate) fn family(i: u64, cycle: u64) -> Family {
     match i % cycle {
         0 => Family::Extreme,
@@ -98,7 +98,7 @@ pub(crate) fn family(i: u64, cycle: u64) -> Family {
     }
 }
 
-/// A triangle and a ray that comes near it.
+/// Returns a triangle and a ray that passes near it.
 pub(crate) fn triangle(r: &mut Random, family: Family) -> (Triangle, Ray) {
     let [mut p0, mut p1, mut p2, o] = match family {
         Family::Lattice => [0; 4].map(|_| r.integers()),
@@ -146,7 +146,7 @@ pub(crate) fn triangle(r: &mut Random, family: Family) -> (Triangle, Ray) {
     (Triangle::flat(p0, p1, p2), ranged(r, o, d))
 }
 
-/// A sphere and a ray that comes near it.
+/// Returns a sphere and a ray that passes near it.
 pub(crate) fn sphere(r: &mut Random, family: Family) -> (Sphere, Ray) {
     let (center, radius, o) = match family {
         Family::Lattice => (r.integers(), r.integer().abs(), r.integers()),
@@ -162,7 +162,7 @@ pub(crate) fn sphere(r: &mut Random, family: Family) -> (Sphere, Ray) {
     };
     let mut aim = center + 1.2 * radius * r.place();
     if family == Family::OnEdge {
-        // A rim point: across the line of sight, at the distance of the radius.
+        // A point on the rim: perpendicular to the line of sight, at the distance of the radius.
         let across = (center - o).cross(r.place()).normalize_or_zero();
         aim = center + radius * across;
     }
@@ -176,7 +176,7 @@ pub(crate) fn sphere(r: &mut Random, family: Family) -> (Sphere, Ray) {
     (Sphere { center, radius }, ranged(r, o, d))
 }
 
-/// A box and a ray that comes near it.
+/// Returns a box and a ray that passes near it.
 pub(crate) fn bounds(r: &mut Random, family: Family) -> (Aabb, Ray) {
     let [a, b, o] = match family {
         Family::Lattice => [0; 3].map(|_| r.integers()),
@@ -214,7 +214,7 @@ pub(crate) fn bounds(r: &mut Random, family: Family) -> (Aabb, Ray) {
     (b, ranged(r, o, d))
 }
 
-/// Mostly all that lies ahead; sometimes another range.
+/// Returns a ray, mostly with the default range, sometimes with another one.
 fn ranged(r: &mut Random, o: Vec3, d: Vec3) -> Ray {
     let mut ray = Ray::new(o, d);
     match r.below(12) {

@@ -1,4 +1,4 @@
-//! Spheres.
+//! Tests the sphere oracle against rational arithmetic.
 
 use std::cmp::Ordering;
 
@@ -8,7 +8,8 @@ use oracle::{SphereClass, sphere};
 use crate::rationals::{Q, dot, minus, q, q3, value, zero};
 use crate::rays::{self, Random};
 
-/// `a t² + 2 b t + c`: no root is ever taken, the sign of this decides where a number lies.
+/// The polynomial `a t² + 2 b t + c`. No root is computed: its sign decides on which side of a root
+/// a number is.
 struct Quadratic {
     a: Q,
     b: Q,
@@ -34,7 +35,7 @@ impl Quadratic {
         &self.b * &self.b - &self.a * &self.c
     }
 
-    /// How `t` lies to root 0 or 1.
+    /// Compares `t` with root 0 or 1.
     fn compare(&self, t: f64, root: usize) -> Ordering {
         if t.is_infinite() {
             return if t > 0.0 {
@@ -68,7 +69,7 @@ impl Quadratic {
     }
 }
 
-fn slow(s: &Sphere, ray: &Ray) -> Option<usize> {
+fn root_of_hit(s: &Sphere, ray: &Ray) -> Option<usize> {
     let quadratic = Quadratic::new(s, ray);
     if quadratic.a == zero() || quadratic.discriminant() < zero() || ray.min_t > ray.max_t {
         return None;
@@ -86,7 +87,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         let family = rays::family(i, cycle);
         let (s, mut ray) = rays::sphere(&mut r, family);
         if r.below(8) == 0 {
-            // A range that ends where a root is, as nearly as f64 can say.
+            // A range that ends at a root, as exactly as f64 can represent it.
             if let Some(roots) = sphere(&s, &ray).roots {
                 let near = roots[r.below(2) as usize].to_f64();
                 if r.below(2) == 0 {
@@ -98,7 +99,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         }
         let verdict = sphere(&s, &ray);
         let what = || format!("{family:?} {i}: {verdict:?}\n{s:?}\n{ray:?}");
-        let Some(root) = slow(&s, &ray) else {
+        let Some(root) = root_of_hit(&s, &ray) else {
             assert!(!verdict.hits(), "{}", what());
             continue;
         };
@@ -111,7 +112,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         };
         tangents += u64::from(class == SphereClass::Tangent);
         assert_eq!(verdict.class, class, "{}", what());
-        let t = verdict.t.expect("a hit has a place");
+        let t = verdict.t.expect("a hit has a t");
         assert_eq!(
             Some(t),
             verdict.roots.map(|roots| roots[root]),
@@ -126,11 +127,8 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         assert_eq!(verdict.at_range_end, at_end, "{}", what());
     }
     println!("{count} pairs, {hits} hits, {tangents} tangents");
-    assert!(
-        hits > count / 10,
-        "the families must hit: {hits} of {count}"
-    );
-    assert!(tangents > 0, "the families must touch");
+    assert!(hits > count / 10, "too few rays hit: {hits} of {count}");
+    assert!(tangents > 0, "no ray touches a sphere");
 }
 
 #[test]
@@ -138,9 +136,9 @@ fn agrees_with_rationals() {
     disagreements(3, 4_000, 64);
 }
 
-/// `cargo test -p grader --release --test oracle -- --ignored million`, minutes.
+/// `cargo test -p oracle --release --test oracle -- --ignored million`; takes minutes.
 #[test]
-#[ignore = "minutes; run it when the oracle's arithmetic changes"]
+#[ignore = "takes minutes; run it when the oracle's arithmetic changes"]
 fn agrees_with_rationals_a_million_times() {
     disagreements(4, 1_000_000, 1024);
 }

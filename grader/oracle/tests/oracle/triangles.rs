@@ -1,4 +1,4 @@
-//! Triangles.
+//! Tests the triangle oracle against rational arithmetic.
 
 use kit::{Ray, Triangle};
 use oracle::{TriangleClass, triangle};
@@ -6,9 +6,9 @@ use oracle::{TriangleClass, triangle};
 use crate::rationals::{Q, agrees, cross, dot, in_range, minus, q, q3, zero};
 use crate::rays::{self, Random};
 
-/// By another way than the oracle's: the plane first, then the weights from areas in the
-/// coordinate plane that the triangle covers most plainly.
-fn slow(tri: &Triangle, ray: &Ray) -> Option<(Q, [Q; 3])> {
+/// Intersects by another method than the oracle: the plane first, then weights from areas,
+/// projected along an axis in which the normal is not 0.
+fn rational_hit(tri: &Triangle, ray: &Ray) -> Option<(Q, [Q; 3])> {
     let [p0, p1, p2, o, d] = [tri.p0, tri.p1, tri.p2, ray.o, ray.d].map(q3);
     let normal = cross(&minus(&p1, &p0), &minus(&p2, &p0));
     let facing = dot(&normal, &d);
@@ -49,14 +49,14 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
     for i in 0..count {
         let family = rays::family(i, cycle);
         let (tri, mut ray) = rays::triangle(&mut r, family);
-        // Sometimes the range ends where the hit is, as nearly as f64 can say.
+        // Sometimes the range ends at the hit, as exactly as f64 can represent it.
         if i % 16 < 8
-            && let Some((t, _)) = slow(&tri, &ray)
+            && let Some((t, _)) = rational_hit(&tri, &ray)
             && r.below(4) == 0
         {
             let near = oracle::triangle(&tri, &ray);
             let near = near.crossing.map_or(0.0, |at| at.t.to_f64());
-            if near.is_finite() && agrees(&oracle::Real::new(near), &t) {
+            if near.is_finite() && agrees(&oracle::BigFloat::new(near), &t) {
                 boundary += 1;
             }
             if r.below(2) == 0 {
@@ -66,7 +66,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
             }
         }
         let verdict = triangle(&tri, &ray);
-        match slow(&tri, &ray) {
+        match rational_hit(&tri, &ray) {
             None => assert!(
                 !verdict.hits(),
                 "{family:?} {i}: {verdict:?}\n{tri:?}\n{ray:?}"
@@ -75,7 +75,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
                 hits += 1;
                 let what = || format!("{family:?} {i}: {verdict:?}\n{tri:?}\n{ray:?}\n{t}");
                 assert_eq!(verdict.class, class_of(&weights), "{}", what());
-                let at = verdict.crossing.expect("a hit has a place");
+                let at = verdict.crossing.expect("a hit has a crossing");
                 assert!(agrees(&at.t, &t), "{}", what());
                 assert!(agrees(&at.b1, &weights[1]), "{}", what());
                 assert!(agrees(&at.b2, &weights[2]), "{}", what());
@@ -86,10 +86,7 @@ fn disagreements(seed: u64, count: u64, cycle: u64) {
         }
     }
     println!("{count} pairs, {hits} hits, {boundary} with a range end exactly at the hit");
-    assert!(
-        hits > count / 20,
-        "the families must hit: {hits} of {count}"
-    );
+    assert!(hits > count / 20, "too few rays hit: {hits} of {count}");
 }
 
 #[test]
@@ -97,9 +94,9 @@ fn agrees_with_rationals() {
     disagreements(1, 4_000, 64);
 }
 
-/// `cargo test -p grader --release --test oracle -- --ignored million`, minutes.
+/// `cargo test -p oracle --release --test oracle -- --ignored million`; takes minutes.
 #[test]
-#[ignore = "minutes; run it when the oracle's arithmetic changes"]
+#[ignore = "takes minutes; run it when the oracle's arithmetic changes"]
 fn agrees_with_rationals_a_million_times() {
     disagreements(2, 1_000_000, 1024);
 }

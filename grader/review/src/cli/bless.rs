@@ -1,4 +1,4 @@
-//! `grader bless`: takes what the reference answers now as golden.
+//! The command `grader bless`: stores the reference's current answers as goldens.
 
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::cli::Verdict;
@@ -11,18 +11,18 @@ use std::path::Path;
 
 pub(crate) fn command() -> Command {
     Command::new("bless")
-        .about("For instructors: accepts what the reference computes now as golden, after showing what that changes")
+        .about("For instructors: shows how the reference's results differ from the goldens, then stores them as new goldens")
         .arg(
             Arg::new("what")
                 .value_name("WHAT")
                 .default_value("all")
-                .help("Whose goldens: `all`, a part such as `part1`, or a task such as `part1.task3`"),
+                .help("The goldens to update: `all`, a part such as `part1`, or a task such as `part1.task3`"),
         )
         .arg(
             Arg::new("yes")
                 .long("yes")
                 .action(ArgAction::SetTrue)
-                .help("Write without asking"),
+                .help("Write the goldens without asking for confirmation"),
         )
 }
 
@@ -34,8 +34,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     Course::read(&workspace)?.select(what)?;
     let proposed = bless::propose(&workspace, what)?;
     if proposed.is_empty() {
-        println!("The goldens are what the reference answers: nothing changes.");
-        return Ok(Verdict::Full);
+        println!("The goldens are up to date.");
+        return Ok(Verdict::Passed);
     }
     for change in &proposed {
         let golden = change
@@ -44,27 +44,27 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             .unwrap_or(&change.golden);
         println!("{}: {}", golden.display(), change.meaning);
     }
-    if matches.get_flag("yes") || agreed(proposed.len())? {
+    if matches.get_flag("yes") || confirmed(proposed.len())? {
         bless::accept(&workspace, &proposed)?;
         println!("{} goldens written.", proposed.len());
-        return Ok(Verdict::Full);
+        return Ok(Verdict::Passed);
     }
     bless::reject(&proposed)?;
-    println!("Nothing written.");
-    Ok(Verdict::Short)
+    println!("No golden was written.");
+    Ok(Verdict::Failed)
 }
 
-/// Asks on the terminal; without one nobody can agree.
-fn agreed(goldens: usize) -> Result<bool, GraderError> {
+/// Asks for confirmation on the terminal. Without a terminal the answer is no.
+fn confirmed(goldens: usize) -> Result<bool, GraderError> {
     if !std::io::stdin().is_terminal() {
-        println!("Say `--yes` to write them without being asked.");
+        println!("Add `--yes` to write them without confirmation.");
         return Ok(false);
     }
     print!("Write these {goldens} goldens? [y/N] ");
     let mut answer = String::new();
-    let asked = std::io::stdout()
+    let prompted = std::io::stdout()
         .flush()
         .and_then(|()| std::io::stdin().read_line(&mut answer));
-    asked.map_err(|e| GraderError::new(format!("cannot ask: {e}")))?;
+    prompted.map_err(|e| GraderError::new(format!("cannot ask for confirmation: {e}")))?;
     Ok(answer.trim().eq_ignore_ascii_case("y"))
 }

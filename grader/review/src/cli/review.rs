@@ -1,4 +1,4 @@
-//! `grader review`: the page that a reviewer looks at.
+//! The command `grader review`: writes the page for the reviewer.
 
 use clap::{Arg, ArgMatches, Command, value_parser};
 use grader::cli::Verdict;
@@ -11,7 +11,7 @@ use grader::workspace::Workspace;
 use judge::cases;
 use review::{self, Author, page};
 use std::path::{Path, PathBuf};
-use submission::job::Job;
+use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
 pub(crate) fn command() -> Command {
@@ -21,23 +21,23 @@ pub(crate) fn command() -> Command {
             .value_parser(value_parser!(PathBuf))
     };
     Command::new("review")
-        .about("For reviewers: writes a page with every difference between the goldens and what the code computes now")
+        .about("For reviewers: writes a page with every difference between the goldens and the code's results")
         .arg(
             Arg::new("what")
                 .value_name("KEY")
                 .num_args(1..)
                 .default_value("all")
-                .help("Whose goldens: `all`, parts such as `part1`, tasks such as `part1.task3`"),
+                .help("The goldens to review: `all`, parts such as `part1`, tasks such as `part1.task3`"),
         )
         .arg(
             path("out")
                 .value_name("FILE")
-                .help("Where the page goes [default: target/review.html of the course]"),
+                .help("The file to write [default: target/review.html of the course]"),
         )
         .arg(
             path("submission")
                 .value_name("DIR")
-                .help("Review the stages in DIR, each among the reference's other stages"),
+                .help("Review the stages in DIR, each together with the reference's other stages"),
         )
 }
 
@@ -58,7 +58,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         }
         Some(folder) => {
             let submission = Submission::read(folder, &course, workspace.root())?;
-            let job = Job::open(&workspace)?;
+            let clean = CleanWorkspace::open(&workspace)?;
             let author = Author::Student(folder.display().to_string());
             let of = review::Review::of_submission;
             let review = of(
@@ -67,26 +67,26 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
                 &tasks,
                 &specs,
                 &submission,
-                &job,
+                &clean,
                 &author,
             )?;
             (review, author)
         }
     };
     write_whole(&out, page::write(&review, &author)?.as_bytes())?;
-    println!("{}: {}", out.display(), page::verdict(&review));
+    println!("{}: {}", out.display(), page::summary(&review));
     Ok(if review.is_same() {
-        Verdict::Full
+        Verdict::Passed
     } else {
-        Verdict::Short
+        Verdict::Failed
     })
 }
 
-/// Where the page goes. That nothing can be written there is found out before the work, not after.
+/// The file to write. Checks before the review that it can be written.
 fn page_file(matches: &ArgMatches, workspace: &Workspace) -> Result<PathBuf, GraderError> {
     let Some(out) = matches.get_one::<PathBuf>("out") else {
         let folder = workspace.root().join("target");
-        std::fs::create_dir_all(&folder).map_err(|e| GraderError::file("make", &folder, e))?;
+        std::fs::create_dir_all(&folder).map_err(|e| GraderError::file("create", &folder, e))?;
         return Ok(folder.join("review.html"));
     };
     if out.is_dir() {
@@ -99,16 +99,16 @@ fn page_file(matches: &ArgMatches, workspace: &Workspace) -> Result<PathBuf, Gra
     let folder = folder.unwrap_or(Path::new("."));
     if !folder.is_dir() {
         return Err(GraderError::new(format!(
-            "cannot write the page to {}: there is no folder {}. Make it first",
+            "cannot write the page to {}: there is no folder {}. Create it first",
             out.display(),
             folder.display()
         )));
     }
-    interrupt::scratch_in(folder)?;
+    interrupt::temp_folder_in(folder)?;
     Ok(out.clone())
 }
 
-/// The tasks that the keys name, in the course's order.
+/// The tasks that the keys select, in the order of the course.
 fn tasks<'a>(matches: &ArgMatches, course: &'a Course) -> Result<Vec<&'a Task>, GraderError> {
     let mut keys = Vec::new();
     for what in matches.get_many::<String>("what").unwrap_or_default() {

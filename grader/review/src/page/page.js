@@ -1,6 +1,6 @@
 "use strict";
-// What the page does beside standing there: a pixel is chosen by click, by arrow keys or by the address
-// (#task/case/x,y), and its ray, both records and the boxes are shown. Pixels count from the bottom left.
+// Shows the ray, both records and the box tests of a pixel. A pixel is selected by a click, by the
+// arrow keys, or by the address (#task/case/x,y). Pixels count from the bottom left.
 
 const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 
@@ -65,7 +65,7 @@ const minus = (a, b) => a.map((x, i) => x - b[i]);
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/** x, y, z with x a + y b + z c = d, by Cramer's rule; nothing if there is no single solution. */
+/** Solves x a + y b + z c = d by Cramer's rule; null if there is no unique solution. */
 function solve(a, b, c, d) {
   const det = dot(a, cross(b, c));
   if (!(Math.abs(det) > 1e-12)) return null;
@@ -73,8 +73,9 @@ function solve(a, b, c, d) {
 }
 
 /**
- * Where points of the world are in a picture whose rays leave one point: a function to [column, row], or nothing.
- * Directions before normalising are A + x B + y C; four corner pixels give A, B, C up to one factor.
+ * The projection from world space to [column, row] of a picture, as a function; null if the rays do not
+ * start at one point. Before normalising, directions are A + x B + y C. The rays of the four corner
+ * pixels determine A, B and C up to a common factor.
  */
 function projection(width, height, ray) {
   const corner = (x, y) => ray(y * width + x);
@@ -156,7 +157,7 @@ class Picture {
     this.choose(Math.min(Math.max(x + step[0], 0), width - 1), Math.min(Math.max(y + step[1], 0), height - 1));
   }
 
-  /** Goes to the next pixel with this cause. */
+  /** Selects the next pixel with this cause. */
   next(cause) {
     const [x, y] = this.pixel ?? [-1, 0];
     const here = y * this.data.width + x;
@@ -165,7 +166,7 @@ class Picture {
     if (call >= 0) this.choose(call % this.data.width, Math.floor(call / this.data.width));
   }
 
-  /** Shows the pixel in column x and row y. Every way to choose one ends here. */
+  /** Selects and shows the pixel in column x and row y. */
   choose(x, y) {
     const { width, height } = this.data;
     if (!(x >= 0 && x < width && y >= 0 && y < height)) return;
@@ -183,11 +184,11 @@ class Picture {
     }
   }
 
-  /** The boxes that a pixel asked for. */
+  /** The box tests of a pixel. */
   visits(x, y) {
     const { boxes, width } = this.data;
     if (!boxes) return [];
-    return boxes.asked[y * width + x].map((code) => ({ number: code >> 1, met: code % 2 === 1, ...boxes.boxes[code >> 1] }));
+    return boxes.tests[y * width + x].map((code) => ({ number: code >> 1, hit: code % 2 === 1, ...boxes.boxes[code >> 1] }));
   }
 
   wires(visits) {
@@ -197,7 +198,7 @@ class Picture {
       const path = lines.filter((ends) => ends.every(Boolean));
       const at = ([x, y]) => `${x + 0.5} ${this.data.height - (y + 0.5)}`;
       return drawn("path", {
-        class: `box ${visit.met ? "" : "missed"} ${visit.leaf === null ? "" : "leaf"}`,
+        class: `box ${visit.hit ? "" : "missed"} ${visit.leaf === null ? "" : "leaf"}`,
         "data-box": visit.number,
         d: path.map(([from, to]) => `M${at(from)}L${at(to)}`).join(""),
       });
@@ -208,21 +209,22 @@ class Picture {
     const call = y * this.data.width + x;
     const cause = this.causes[call];
     const heading = element("h4", {}, `Pixel ${x}, ${y}: `, cause ? this.data.labels[cause] : "no difference");
-    const record = element("div", {}, heading, ...this.verdict(call), this.asked(call), this.records(x, y, call));
+    const record = element("div", {}, heading, ...this.oracle(call), this.arguments(call), this.records(x, y, call));
     this.inspector.replaceChildren(record, element("div", {}, ...this.boxes(x, y)));
   }
 
-  /** The golden's record of a call; nothing if the golden has no row for it. */
+  /** The golden's record of a call; undefined if the golden has no row for it. */
   goldenAt(call) {
     const { rows, records } = this.golden;
     if (!rows) return records.at(call);
     return rows.has(call) ? records.at(rows.get(call)) : undefined;
   }
 
-  asked(call) {
+  /** The arguments of the call: the ray and what it is tested against. */
+  arguments(call) {
     const rows = this.question.at(call).map(({ name, numbers }) =>
       element("tr", {}, element("th", {}, name), element("td", {}, value(name, numbers))));
-    return element("table", { class: "record asked" }, element("caption", { class: "note" }, `Call ${call}, the question`), element("tbody", {}, ...rows));
+    return element("table", { class: "record asked" }, element("caption", { class: "note" }, `Arguments of call ${call}`), element("tbody", {}, ...rows));
   }
 
   records(x, y, call) {
@@ -264,16 +266,16 @@ class Picture {
     body.append(element("tr", {}, element("th", {}, "colour"), ...swatches));
     const head = Object.keys(records).map((who) => element("th", { scope: "col" }, who));
     const short = golden && golden.length < records.actual.length && golden.length > 0;
-    let note = "The answers";
-    if (short) note = "– is not kept: the golden has the main figures of this pixel.";
+    let note = "Answers";
+    if (short) note = "– is not stored: the golden has the main fields of this pixel.";
     if (!golden) {
-      const instead = records.exact ? "the exact oracle's record stands for it." : "its colour is all that is known.";
-      note = `The golden has rows for a sample of the pixels, and none for this one: ${instead}`;
+      const instead = records.exact ? "compare with the exact oracle's record." : "only its colour is known.";
+      note = `The golden stores rows for a sample of the pixels, and none for this one: ${instead}`;
     }
     return element("table", { class: "record" }, element("caption", { class: "note" }, note), element("thead", {}, element("tr", {}, element("td"), ...head)), body);
   }
 
-  /** A patch of the pixel's colour, cut out of the picture. */
+  /** A square in the pixel's colour, cut out of the picture. */
   swatch(who, x, y) {
     const { width, height } = this.data;
     const size = 40;
@@ -285,22 +287,22 @@ class Picture {
     return made;
   }
 
-  verdict(call) {
+  oracle(call) {
     if (!this.causes[call]) return [];
     const wrong = this.data.wrong[call];
-    const text = wrong ? `The exact oracle finds the actual answer wrong: ${wrong.join(", ")}.` : "The exact oracle confirms the actual answer.";
+    const text = wrong ? `The exact oracle refutes the actual answer: ${wrong.join(", ")}.` : "The exact oracle confirms the actual answer.";
     return [element("p", { class: wrong ? "bad" : "good" }, text)];
   }
 
   boxes(x, y) {
-    if (!this.data.boxes) return [element("p", { class: "note" }, "Boxes visited: does not apply, this part has no boxes yet.")];
+    if (!this.data.boxes) return [element("p", { class: "note" }, "Box tests: none in this task.")];
     const visits = this.visits(x, y);
-    const met = visits.filter((visit) => visit.met).length;
+    const hits = visits.filter((visit) => visit.hit).length;
     const items = visits.map((visit) => {
       const what = visit.leaf === null ? "" : `, leaf of ${visit.leaf}`;
       const [min, max] = visit.corners.map((corner) => value("corner", corner.map((c) => Number(c.toPrecision(4)))));
-      const item = element("li", { class: visit.met ? "" : "missed", tabindex: 0, "data-box": visit.number },
-        `${visit.met ? "●" : "○"} box ${visit.number}${what} ${min} … ${max}`);
+      const item = element("li", { class: visit.hit ? "" : "missed", tabindex: 0, "data-box": visit.number },
+        `${visit.hit ? "●" : "○"} box ${visit.number}${what} ${min} … ${max}`);
       item.style.setProperty("--depth", visit.depth);
       const light = (on) => this.light(visit.number, on);
       for (const [event, on] of [["mouseenter", true], ["focus", true], ["mouseleave", false], ["blur", false]]) {
@@ -308,7 +310,7 @@ class Picture {
       }
       return item;
     });
-    return [element("p", {}, `Boxes visited: asked for ${visits.length}, the ray meets ${met} (●).`), element("ol", { class: "visits" }, ...items)];
+    return [element("p", {}, `Box tests: ${visits.length}, the ray hits ${hits} (●).`), element("ol", { class: "visits" }, ...items)];
   }
 
   light(box, on) {
@@ -319,7 +321,7 @@ class Picture {
 const pictures = new Map();
 for (const article of document.querySelectorAll(".picture")) pictures.set(article.id, new Picture(article));
 
-/** Goes where the address says. */
+/** Selects the pixel in the page's address. */
 function follow() {
   const [, id, x, y] = decodeURIComponent(location.hash).match(/^#(.*)\/(\d+),(\d+)$/) ?? [];
   const picture = pictures.get(id);

@@ -1,27 +1,27 @@
-//! The pictures of the page, and what its script knows of them.
+//! The pictures of the page, and their data for the page's script.
 
+use super::case_text;
 use super::rows::rows;
-use super::words;
 use crate::case::Case;
 use crate::cause::Cause;
 use crate::picture::{Picture, Pixels};
 use grader::error::GraderError;
 use image::RgbImage;
-use pages::html::{base64, escape, json_in_script, png_address};
+use pages::html::{base64, escape, json_in_script, png_data_uri};
 use serde_json::json;
 use std::fmt::Write;
 
-/// A case with its picture.
+/// Formats a case with its picture.
 pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderError> {
     let id = escape(&case.path());
     let mut text = format!(
         "<article class=\"case picture\" id=\"{id}\">\n<h3>{id}</h3>\n{}",
-        words::of_case(case)
+        case_text::describe(case)
     );
     let image = |who: &str, picture: &RgbImage| -> Result<String, GraderError> {
         Ok(format!(
             "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
-            png_address(picture)?
+            png_data_uri(picture)?
         ))
     };
     let (w, h) = picture.actual.dimensions();
@@ -37,13 +37,13 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
         image("actual", &picture.actual)?,
     );
     match &picture.pixels {
-        None => text.push_str("<p class=\"bad\">The two differ in size: nothing can be said pixel by pixel.</p>\n</div>\n"),
+        None => text.push_str("<p class=\"bad\">The two pictures differ in size, so their pixels cannot be compared.</p>\n</div>\n"),
         Some(pixels) => {
             let _ = write!(
                 text,
                 "<figure>{screen}{}{overlay}</div>\n{}</figure>\n\
-                 <div class=\"inspector\" aria-live=\"polite\"><p class=\"note\">Click a pixel, or go to a picture by Tab and use the arrow keys: \
-                 its ray, both records, the boxes that were asked for.</p></div>\n</div>\n\
+                 <div class=\"inspector\" aria-live=\"polite\"><p class=\"note\">Click a pixel to see its ray, both records and the box tests. \
+                 Or select a picture with Tab and use the arrow keys.</p></div>\n</div>\n\
                  <script type=\"application/json\">{}</script>\n",
                 image("difference", &pixels.difference)?,
                 legend(pixels),
@@ -65,10 +65,10 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
 fn legend(pixels: &Pixels) -> String {
     let counts = pixels.counts();
     if counts.is_empty() {
-        return "<figcaption>Difference: none.</figcaption>".into();
+        return "<figcaption>No differences.</figcaption>".into();
     }
     let mut text = String::from(
-        "<figcaption>Difference, by what is different first. A button goes to the next such pixel.</figcaption>\n<ul class=\"legend\">",
+        "<figcaption>Differences, by the first field that differs. Each button goes to the next such pixel.</figcaption>\n<ul class=\"legend\">",
     );
     for (cause, count) in counts {
         let [r, g, b] = cause.colour().0;
@@ -82,7 +82,7 @@ fn legend(pixels: &Pixels) -> String {
     text + "</ul>"
 }
 
-/// What the script knows of a picture.
+/// The data of a picture for the script.
 fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
     let (width, height) = picture.actual.dimensions();
     let causes: Vec<u8> = pixels.causes.iter().map(|cause| *cause as u8).collect();

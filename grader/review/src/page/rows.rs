@@ -1,11 +1,11 @@
-//! Answers side by side.
+//! Tables of golden and actual answers.
 
 use crate::case::{Case, ROWS, Row, State};
 use judge::snapshot::{Line, Value};
 use pages::html::escape;
 use std::fmt::Write;
 
-/// The calls that differ, golden and actual side by side.
+/// Formats the calls that differ, golden and actual side by side.
 pub(super) fn rows(case: &Case) -> String {
     let mut text = String::new();
     if let State::Differs { changes, calls, .. } = &case.state {
@@ -47,8 +47,8 @@ pub(super) fn rows(case: &Case) -> String {
     text + "</tbody>\n</table></div>\n"
 }
 
-/// Both answers, what differs marked. Where there is no golden answer, what the exact oracle finds
-/// stands for it.
+/// The golden and the actual answer, with the differing fields marked. Without a golden answer the
+/// exact oracle's is shown.
 fn sides(row: &Row) -> [String; 2] {
     let Some(golden) = &row.golden else {
         let exact = row.exact.as_ref().map(|line| answer(line, None));

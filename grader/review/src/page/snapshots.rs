@@ -1,14 +1,14 @@
-//! The cases of the page one by one; those that are as they were in one line.
+//! The snapshots on the page: each changed case, then the names of the unchanged ones.
 
+use super::case_text::{self, differs, is_silent, meaning};
 use super::rows::rows;
-use super::words::{self, differs, is_silent, meaning};
 use crate::Review;
 use crate::case::{Case, State};
 use judge::plural;
 use pages::html::escape;
 use std::fmt::Write;
 
-/// Every case.
+/// Formats all cases.
 pub(super) fn section(review: &Review) -> String {
     let cases: Vec<&Case> = review.cases.iter().collect();
     let mut text = String::new();
@@ -17,7 +17,7 @@ pub(super) fn section(review: &Review) -> String {
         if case.picture.is_some() {
             let _ = writeln!(
                 text,
-                "<p><a href=\"#{id}\">{id}</a>: {} (with its picture, above)</p>",
+                "<p><a href=\"#{id}\">{id}</a>: {} (see its picture above)</p>",
                 escape(&meaning(case))
             );
             continue;
@@ -25,7 +25,7 @@ pub(super) fn section(review: &Review) -> String {
         let _ = write!(
             text,
             "<details class=\"case\" id=\"{id}\" open>\n<summary><h3>{id}</h3></summary>\n{}{}</details>\n",
-            words::of_case(case),
+            case_text::describe(case),
             rows(case)
         );
     }
@@ -47,8 +47,8 @@ pub(super) fn section(review: &Review) -> String {
     if !same.is_empty() {
         let _ = writeln!(
             text,
-            "<details><summary>{} as the goldens say</summary><p>{}</p></details>",
-            plural(same.len(), "case answers", "cases answer"),
+            "<details><summary>{} unchanged</summary><p>{}</p></details>",
+            plural(same.len(), "case is", "cases are"),
             same.join(", ")
         );
     }

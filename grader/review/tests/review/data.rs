@@ -1,6 +1,6 @@
-//! What the page is made of, without a browser.
+//! Tests the data and the text of the page, without a browser.
 
-use crate::{BOXES, FALSE_HIT, FALSE_MISS, LATER, MESH};
+use crate::{BOXES, FALSE_HIT, FALSE_MISS, LATER_EXIT, MESH};
 use review::case::{ROWS, State};
 use review::cause::Cause;
 use review::picture::Pixels;
@@ -15,17 +15,17 @@ fn pixels(review: &Review) -> &Pixels {
 
 #[test]
 fn each_pixel_has_the_cause_of_its_difference() {
-    let review = BOXES.review(&BOXES.spoilt_boxes());
+    let review = BOXES.review(&BOXES.changed_boxes());
     let pixels = pixels(&review);
     let counts = [(Cause::FalseHit, 1), (Cause::FalseMiss, 1), (Cause::T, 1)];
     assert_eq!(pixels.counts(), counts);
     for (pixel, cause) in [
         (FALSE_HIT, Cause::FalseHit),
         (FALSE_MISS, Cause::FalseMiss),
-        (LATER, Cause::T),
+        (LATER_EXIT, Cause::T),
     ] {
         assert_eq!(pixels.causes[BOXES.call(pixel)], cause);
-        let [_, h] = BOXES.spec.picture.expect("it makes a picture");
+        let [_, h] = BOXES.spec.picture.expect("the case has a picture");
         let colour = pixels.difference.get_pixel(pixel[0], h - 1 - pixel[1]);
         assert_eq!(*colour, cause.colour(), "{cause:?}");
     }
@@ -38,20 +38,20 @@ fn each_pixel_has_the_cause_of_its_difference() {
     else {
         panic!("{:?}", review.cases[0].state)
     };
-    let words = "of the 181 rows for 3072 calls: 1 call now hit";
-    assert_eq!(changes.to_string(), words);
+    let text = "of the 181 rows for 3072 calls: 1 call now hit";
+    assert_eq!(changes.to_string(), text);
     assert_eq!(*calls, 3);
-    assert_eq!(*pixels, 2, "a later exit has no colour");
+    assert_eq!(*pixels, 2, "the exit distance does not change the colour");
 }
 
 #[test]
-fn rows_stand_side_by_side_with_what_the_oracle_says() {
-    let review = BOXES.review(&BOXES.spoilt_boxes());
+fn rows_show_both_answers_and_the_oracles_result() {
+    let review = BOXES.review(&BOXES.changed_boxes());
     let case = &review.cases[0];
     let calls: Vec<usize> = case.rows.iter().map(|row| row.call as usize).collect();
     assert_eq!(
         calls,
-        [FALSE_HIT, FALSE_MISS, LATER].map(|pixel| BOXES.call(pixel))
+        [FALSE_HIT, FALSE_MISS, LATER_EXIT].map(|pixel| BOXES.call(pixel))
     );
     let golden = case.rows[0].golden.as_ref();
     assert!(golden.is_some_and(|golden| golden.is_miss()));
@@ -65,29 +65,29 @@ fn rows_stand_side_by_side_with_what_the_oracle_says() {
         row.question
     );
     assert_eq!(case.wrong[&row.call], ["hit or miss"]);
-    let page = page::write(&review, &Author::Reference).expect("it is written");
-    for said in [
+    let page = page::write(&review, &Author::Reference).expect("the page is written");
+    for text in [
         "1 of 1 case changed; the exact oracle refutes 1 of them",
         "<mark>miss</mark>",
         "no row; exact:</span> inside=[",
         "wrong: hit or miss</span>",
         "false miss: 1</button>",
     ] {
-        assert!(page.contains(said), "no {said:?}");
+        assert!(page.contains(text), "no {text:?}");
     }
 }
 
 #[test]
-fn primitives_distances_and_normals_are_told_apart() {
+fn differences_in_primitive_t_and_normal_have_their_own_causes() {
     let golden = MESH.snapshot();
     let Some(with_row) = golden.lines.iter().find(|line| !line.is_miss()) else {
         panic!("no row of {} is a hit", MESH.spec.name)
     };
     let with_row = with_row.call as usize;
-    let cause = |at: usize, spoil: &dyn Fn(&mut Hit)| {
-        let review = MESH.review(&MESH.hits(|hits| hits[at].iter_mut().for_each(spoil)));
+    let cause = |at: usize, change: &dyn Fn(&mut Hit)| {
+        let review = MESH.review(&MESH.hits(|hits| hits[at].iter_mut().for_each(change)));
         let pixels = pixels(&review);
-        let exact = pixels.exact.as_ref().expect("the oracle knows meshes");
+        let exact = pixels.exact.as_ref().expect("the oracle checks meshes");
         assert!(exact.calls.contains(&(at as u32)));
         pixels.causes[at]
     };
@@ -101,66 +101,66 @@ fn primitives_distances_and_normals_are_told_apart() {
 }
 
 #[test]
-fn a_bit_of_a_call_without_a_row_is_seen() {
+fn a_changed_bit_of_a_call_without_a_row_is_found() {
     let review = BOXES.review(&BOXES.boxes(|answers| {
-        let [_, leaves] = answers[BOXES.call(LATER)]
+        let [_, leaves] = answers[BOXES.call(LATER_EXIT)]
             .as_mut()
-            .expect("it is in the middle");
+            .expect("this pixel is inside the box");
         *leaves = leaves.next_up();
     }));
     assert!(!review.is_same());
-    let page = page::write(&review, &Author::Reference).expect("it is written");
-    for said in [
+    let page = page::write(&review, &Author::Reference).expect("the page is written");
+    for text in [
         "calls without a row changed; 0 of 3072 pixels",
         "No row shows the difference: only the hash of all answers does.",
         "The exact oracle confirms the new answers.",
     ] {
-        assert!(page.contains(said), "no {said:?}");
+        assert!(page.contains(text), "no {text:?}");
     }
 }
 
 #[test]
-fn many_rows_are_cut_and_counted() {
+fn only_the_first_rows_are_shown_and_all_are_counted() {
     let all = BOXES.boxes(|answers| answers.fill(Some([0.0, 1.0])));
     let review = BOXES.review(&all);
     assert_eq!(review.cases[0].rows.len(), ROWS);
-    let page = page::write(&review, &Author::Reference).expect("it is written");
+    let page = page::write(&review, &Author::Reference).expect("the page is written");
     assert!(page.contains("The first 100 of 3072 calls that differ."));
 }
 
 #[test]
-fn where_nothing_differs_the_page_says_so_and_shows_the_picture() {
+fn a_page_without_differences_still_shows_the_picture() {
     let review = BOXES.review(&BOXES.answer);
     assert!(review.is_same());
     assert_eq!(pixels(&review).golden.calls, None, "all answers are known");
-    let page = page::write(&review, &Author::Reference).expect("it is written");
-    for said in [
+    let page = page::write(&review, &Author::Reference).expect("the page is written");
+    for text in [
         "<h1>Nothing changed in 1 case</h1>",
-        "Difference: none.",
+        "No differences.",
         "data:image/png;base64,",
-        "1 case answers as the goldens say",
+        "1 case is unchanged",
     ] {
-        assert!(page.contains(said), "no {said:?}");
+        assert!(page.contains(text), "no {text:?}");
     }
 }
 
 #[test]
-fn the_page_needs_nothing_but_itself() {
-    let review = BOXES.review(&BOXES.spoilt_boxes());
+fn the_page_loads_no_other_files() {
+    let review = BOXES.review(&BOXES.changed_boxes());
     let page = page::write(&review, &Author::Student("<b>".into()));
-    let page = page.expect("it is written");
+    let page = page.expect("the page is written");
     for outside in [
         "http://", "https://", "src=\"/", "href=\"/", "@import", "url(/",
     ] {
         let found = page
             .find(outside)
             .map(|at| &page[at..(at + 60).min(page.len())]);
-        // The name of a drawing's language is no address.
+        // The namespace of SVG is not loaded.
         assert!(
             found.is_none_or(|at| at.starts_with("http://www.w3.org/2000/svg")),
             "{found:?}"
         );
     }
-    assert!(page.contains("the stages in &lt;b&gt; answer"));
+    assert!(page.contains("the answers of the stages in &lt;b&gt;"));
     assert!(!page.contains("<!-- "), "a placeholder is left");
 }

@@ -1,4 +1,4 @@
-//! The page that `grader review` writes: its data, and in a browser the click on a pixel.
+//! Tests the page that `grader review` writes: its data, and in a browser a click on a pixel.
 
 mod browser;
 mod data;
@@ -17,11 +17,11 @@ use tempfile::TempDir;
 use wire::answer::{Hit, HitsAnswer};
 use wire::{Answer, Work};
 
-/// The pixels of the picture of a box that [`Golden::spoilt_boxes`] changes: beside the box, in it,
-/// and next to that. Only the first has a row in the golden.
+/// The pixels that [`Golden::changed_boxes`] changes: one beside the box, and two neighbours inside
+/// it. Only the first has a row in the golden.
 const FALSE_HIT: [u32; 2] = [0, 0];
 const FALSE_MISS: [u32; 2] = [32, 24];
-const LATER: [u32; 2] = [33, 24];
+const LATER_EXIT: [u32; 2] = [33, 24];
 
 /// A case whose golden is what the exact oracle answers, in a workspace of its own.
 struct Golden {
@@ -36,8 +36,8 @@ static MESH: LazyLock<Golden> = LazyLock::new(|| Golden::of("part2.task3", "mesh
 impl Golden {
     fn of(task: &str, name: &str) -> Golden {
         let found = cases::all(0).into_iter().find(|spec| spec.is(task, name));
-        let spec = found.expect("the case is there");
-        let size = spec.picture.expect("it makes a picture");
+        let spec = found.expect("the case exists");
+        let size = spec.picture.expect("the case has a picture");
         let calls: Vec<u32> = (0..size[0] * size[1]).collect();
         let records = exact::records(&spec, &calls).expect("the oracle knows the case");
         let answer = answer(&spec.work, &records);
@@ -45,7 +45,7 @@ impl Golden {
         let folder = tempfile::tempdir().expect("a folder");
         let write = |path: &Path, text: &str| {
             std::fs::create_dir_all(path.parent().expect("it has a folder")).expect("a folder");
-            std::fs::write(path, text).expect("it can be written");
+            std::fs::write(path, text).expect("the file is written");
         };
         write(&folder.path().join("stages/course.toml"), "");
         let golden = Golden {
@@ -55,9 +55,10 @@ impl Golden {
         };
         let text = snapshot::write(&golden.spec.work, &golden.answer).expect("it has rows");
         write(&golden.workspace().snapshot(task, name), &text);
-        let picture = picture::compose(size, &golden.answer).expect("its answers have colours");
+        let picture = picture::compose(size, &golden.spec.work, &golden.answer)
+            .expect("its answers have colours");
         let path = golden.workspace().golden_picture(task, name);
-        picture::write_png(&path, &picture).expect("it can be written");
+        picture::write_png(&path, &picture).expect("the file is written");
         golden
     }
 
@@ -67,49 +68,56 @@ impl Golden {
 
     fn snapshot(&self) -> Snapshot {
         let path = self.workspace().snapshot(self.spec.task, self.spec.name);
-        let text = std::fs::read_to_string(path).expect("the golden is there");
+        let text = std::fs::read_to_string(path).expect("the golden exists");
         parse(&text).expect("it is a snapshot")
     }
 
     fn review(&self, answer: &Answer) -> Review {
-        let nobody = Err("no worker is built for this test".into());
-        let case = Case::of(&self.workspace(), &self.spec, Tier::Robust, answer, &nobody);
+        let no_worker = Err("no worker is built for this test".into());
+        let case = Case::of(
+            &self.workspace(),
+            &self.spec,
+            Tier::Robust,
+            answer,
+            &no_worker,
+        );
         Review {
-            cases: vec![case.expect("it can be compared")],
+            cases: vec![case.expect("the case can be compared")],
         }
     }
 
-    /// The call that makes a pixel.
+    /// The number of the call for a pixel.
     fn call(&self, [x, y]: [u32; 2]) -> usize {
-        let [w, _] = self.spec.picture.expect("it makes a picture");
+        let [w, _] = self.spec.picture.expect("the case has a picture");
         (y * w + x) as usize
     }
 
-    /// The golden's answers about boxes, changed by `spoil`.
-    fn boxes(&self, spoil: impl Fn(&mut [Option<[f64; 2]>])) -> Answer {
+    /// The golden's answers about boxes, changed by `change`.
+    fn boxes(&self, change: impl Fn(&mut [Option<[f64; 2]>])) -> Answer {
         let Answer::Boxes(mut answers) = self.answer.clone() else {
             panic!("{} is not about boxes", self.spec.name)
         };
-        spoil(&mut answers);
+        change(&mut answers);
         Answer::Boxes(answers)
     }
 
-    /// The golden's answers about hits, changed by `spoil`.
-    fn hits(&self, spoil: impl Fn(&mut [Option<Hit>])) -> Answer {
-        let Answer::Hits(mut answer) = self.answer.clone() else {
+    /// The golden's answers about hits, changed by `change`.
+    fn hits(&self, change: impl Fn(&mut [Option<Hit>])) -> Answer {
+        let Answer::SceneHits(mut answer) = self.answer.clone() else {
             panic!("{} is not about hits", self.spec.name)
         };
-        spoil(&mut answer.hits);
-        Answer::Hits(answer)
+        change(&mut answer.hits);
+        Answer::SceneHits(answer)
     }
 
     /// The golden's answers about boxes but for three pixels.
-    fn spoilt_boxes(&self) -> Answer {
+    fn changed_boxes(&self) -> Answer {
         self.boxes(|answers| {
             answers[self.call(FALSE_HIT)] = Some([1.0, 2.0]);
             answers[self.call(FALSE_MISS)] = None;
-            let [enters, leaves] = answers[self.call(LATER)].expect("it is in the middle");
-            answers[self.call(LATER)] = Some([enters, leaves + 1.0]);
+            let [enters, leaves] =
+                answers[self.call(LATER_EXIT)].expect("this pixel is inside the box");
+            answers[self.call(LATER_EXIT)] = Some([enters, leaves + 1.0]);
         })
     }
 }
@@ -135,7 +143,7 @@ fn answer(work: &Work, records: &[Fields]) -> Answer {
         })
     };
     match work {
-        Work::Boxes { .. } => {
+        Work::Boxes(_) => {
             let inside = |fields| numbers(fields, "inside").map(|ends| [ends[0], ends[1]]);
             Answer::Boxes(records.iter().map(inside).collect())
         }
@@ -144,7 +152,7 @@ fn answer(work: &Work, records: &[Fields]) -> Answer {
             let max_t = hits
                 .iter()
                 .map(|hit| hit.map_or(f64::INFINITY, |hit| hit.t));
-            Answer::Hits(HitsAnswer {
+            Answer::SceneHits(HitsAnswer {
                 max_t: max_t.collect(),
                 hits,
                 box_tests: 0,

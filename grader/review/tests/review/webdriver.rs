@@ -1,4 +1,4 @@
-//! As much of WebDriver (W3C, 2018) as clicking on a page takes: HTTP and JSON over a socket to `chromedriver`.
+//! A minimal WebDriver client (W3C, 2018): sends HTTP requests with JSON to `chromedriver`.
 
 use serde_json::{Value, json};
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -7,21 +7,21 @@ use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-/// A browser without a window. It goes when this is dropped.
+/// A browser without a window. It is closed when this is dropped.
 pub(crate) struct Browser {
     driver: Child,
     port: u16,
     session: String,
 }
 
-/// Longer than any answer takes on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(120);
+/// Longer than any answer takes, even on a busy machine.
+const TIMEOUT: Duration = Duration::from_secs(120);
 
-/// The key under which WebDriver names elements.
+/// The JSON key of element references in WebDriver.
 const ELEMENT: &str = "element-6066-11e4-a52e-4f735466cecf";
 
 impl Browser {
-    /// Starts a browser; `None` if there is none.
+    /// Starts a browser; `None` if none is installed.
     pub(crate) fn start() -> Option<Browser> {
         let chromium = std::env::var_os("FIRSTLIGHT_CHROMIUM").map(PathBuf::from);
         let chromium = chromium.or_else(|| {
@@ -35,14 +35,14 @@ impl Browser {
             .stderr(Stdio::null())
             .spawn();
         let mut driver = driver.ok()?;
-        let said = BufReader::new(driver.stdout.take().expect("it is piped"));
-        let port = said.lines().map_while(Result::ok).find_map(|line| {
+        let output = BufReader::new(driver.stdout.take().expect("stdout is piped"));
+        let port = output.lines().map_while(Result::ok).find_map(|line| {
             let port = line.split("successfully on port ").nth(1)?;
             port.trim_end_matches('.').parse().ok()
         });
         let mut browser = Browser {
             driver,
-            port: port.expect("chromedriver says its port"),
+            port: port.expect("chromedriver prints its port"),
             session: String::new(),
         };
         let options = json!({
@@ -51,7 +51,7 @@ impl Browser {
         });
         let capabilities =
             json!({ "capabilities": { "alwaysMatch": { "goog:chromeOptions": options } } });
-        let session = browser.ask("POST", "/session", &capabilities);
+        let session = browser.request("POST", "/session", &capabilities);
         browser.session = format!(
             "/session/{}",
             session["sessionId"].as_str().expect("a session")
@@ -64,7 +64,7 @@ impl Browser {
         self.command("/url", &json!({ "url": address }));
     }
 
-    /// Where it is.
+    /// The address of the current page.
     pub(crate) fn address(&mut self) -> String {
         self.read("/url")
     }
@@ -84,18 +84,20 @@ impl Browser {
         );
     }
 
-    /// Clicks the pixel, counted from the bottom left, of the picture of `size` that fills an element.
+    /// Clicks a pixel of a picture that fills an element. `size` is the picture's size in pixels;
+    /// pixels count from the bottom left.
     pub(crate) fn click_pixel(&mut self, selector: &str, size: [u32; 2], pixel: [u32; 2]) {
         let element = self.element(selector);
-        let rect = self.ask(
+        let rect = self.request(
             "GET",
             &format!("{}/element/{element}/rect", self.session),
             &Value::Null,
         );
         let side = |name: &str| rect[name].as_f64().expect("a number");
-        // From the middle of the element, down being positive.
-        let share = [0, 1].map(|axis| (f64::from(pixel[axis]) + 0.5) / f64::from(size[axis]) - 0.5);
-        let (x, y) = (share[0] * side("width"), -share[1] * side("height"));
+        // Relative to the centre of the element; y points down.
+        let relative =
+            [0, 1].map(|axis| (f64::from(pixel[axis]) + 0.5) / f64::from(size[axis]) - 0.5);
+        let (x, y) = (relative[0] * side("width"), -relative[1] * side("height"));
         let origin = json!({ ELEMENT: element });
         let mouse = json!({
             "type": "pointer", "id": "mouse", "parameters": { "pointerType": "mouse" },
@@ -117,31 +119,31 @@ impl Browser {
     }
 
     fn command(&mut self, path: &str, body: &Value) -> Value {
-        self.ask("POST", &format!("{}{path}", self.session), body)
+        self.request("POST", &format!("{}{path}", self.session), body)
     }
 
     fn read(&mut self, path: &str) -> String {
-        let value = self.ask("GET", &format!("{}{path}", self.session), &Value::Null);
+        let value = self.request("GET", &format!("{}{path}", self.session), &Value::Null);
         value
             .as_str()
             .unwrap_or_else(|| panic!("{path}: {value}"))
             .to_string()
     }
 
-    /// One request; what comes back under `value`.
-    fn ask(&self, method: &str, path: &str, body: &Value) -> Value {
-        let answer = self.try_ask(method, path, body);
-        answer.unwrap_or_else(|e| panic!("chromedriver, asked for {path}: {e}"))
+    /// Sends one request and returns the `value` of the answer.
+    fn request(&self, method: &str, path: &str, body: &Value) -> Value {
+        let answer = self.try_request(method, path, body);
+        answer.unwrap_or_else(|e| panic!("the request {path} to chromedriver failed: {e}"))
     }
 
-    fn try_ask(&self, method: &str, path: &str, body: &Value) -> io::Result<Value> {
+    fn try_request(&self, method: &str, path: &str, body: &Value) -> io::Result<Value> {
         let body = if body.is_null() {
             String::new()
         } else {
             body.to_string()
         };
         let mut stream = TcpStream::connect(("127.0.0.1", self.port))?;
-        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_read_timeout(Some(TIMEOUT))?;
         let request = format!(
             "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n{body}",
             body.len()
@@ -171,14 +173,14 @@ impl Browser {
 impl Drop for Browser {
     fn drop(&mut self) {
         if !self.session.is_empty() {
-            let _ = self.try_ask("DELETE", &self.session, &Value::Null);
+            let _ = self.try_request("DELETE", &self.session, &Value::Null);
         }
         let _ = self.driver.kill();
         let _ = self.driver.wait();
     }
 }
 
-/// The program `name`, if it is on the path.
+/// The path of the program `name`, if it is on the `PATH`.
 fn on_the_path(name: &str) -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
     std::env::split_paths(&folders)

@@ -1,4 +1,4 @@
-//! The lock file of a workspace that has lost some of its crates.
+//! Updates the lock file of a workspace from which crates were removed.
 
 use crate::file_tree::{self, Files};
 use grader::compile;
@@ -7,10 +7,11 @@ use grader::interrupt;
 use std::path::Path;
 use std::process::Command;
 
-/// Has cargo take what `files` do not use out of their `Cargo.lock`, so that they build `--locked`. Versions stay.
-pub fn mend(files: &mut Files) -> Result<(), GraderError> {
-    let scratch = interrupt::scratch()?;
-    file_tree::make_equal(scratch.path(), files)?;
+/// Removes what `files` do not use from their `Cargo.lock`, so that they build with `--locked`. The
+/// versions of the other packages stay the same.
+pub fn remove_unused(files: &mut Files) -> Result<(), GraderError> {
+    let scratch = interrupt::temp_folder()?;
+    file_tree::sync_folder(scratch.path(), files)?;
     let output = Command::new(compile::cargo())
         .current_dir(scratch.path())
         .args(["update", "--workspace", "--offline", "--quiet"])
@@ -18,7 +19,7 @@ pub fn mend(files: &mut Files) -> Result<(), GraderError> {
     let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     if !output.status.success() {
         return Err(GraderError::new(format!(
-            "cargo does not understand the workspace without the crates that are left out:\n{}",
+            "cargo cannot read the workspace after some of its crates were removed:\n{}",
             String::from_utf8_lossy(&output.stderr).trim()
         )));
     }

@@ -1,11 +1,11 @@
-//! Manifests without the crates and targets that a handout leaves out.
+//! Removes the crates and targets that a handout leaves out from manifests.
 //!
-//! Line by line, so that what stays keeps its order and its comments.
+//! Works line by line, so that the other lines keep their order and comments.
 
 use std::path::{Path, PathBuf};
 
-/// The workspace's `Cargo.toml` without the members in the folders `left_out`.
-pub fn of_workspace(text: &str, left_out: &[PathBuf]) -> String {
+/// Removes the members in the folders `left_out` from the workspace's `Cargo.toml`.
+pub fn without_members(text: &str, left_out: &[PathBuf]) -> String {
     let names = |line: &str, folder: &Path| {
         let folder = folder.to_string_lossy();
         let line = line.trim();
@@ -19,10 +19,11 @@ pub fn of_workspace(text: &str, left_out: &[PathBuf]) -> String {
     kept.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// Libraries that only tests and benches in folders of their own use, never unit tests beside the code.
+/// Libraries that only tests and benches in separate folders use, never unit tests in `src`.
 const FOR_TESTS: [&str; 3] = ["criterion", "cargo_metadata", "snapbox"];
 
-/// A crate's `Cargo.toml` without its `[[test]]`, `[[bench]]` and `[[example]]` tables, and what only they use.
+/// Removes the `[[test]]`, `[[bench]]` and `[[example]]` tables from a crate's `Cargo.toml`, and
+/// the libraries that only they use.
 pub fn without_tests(text: &str) -> String {
     let mut dropping = false;
     let mut kept: Vec<&str> = Vec::new();
@@ -47,14 +48,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_member_goes_from_both_lists() {
+    fn a_member_is_removed_from_members_and_dependencies() {
         let text = "members = [\n    \"a\",\n    \"a/b\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nb = { path = \"a/b\" }\nc = \"1\"\n";
         let expected = "members = [\n    \"a\",\n]\n\n[workspace.dependencies]\na = { path = \"a\" }\nc = \"1\"\n";
-        assert_eq!(of_workspace(text, &[PathBuf::from("a/b")]), expected);
+        assert_eq!(without_members(text, &[PathBuf::from("a/b")]), expected);
     }
 
     #[test]
-    fn tests_and_benches_go_and_the_rest_stays() {
+    fn only_tests_and_benches_are_removed() {
         let text = "[package]\nname = \"a\"\n\n[dev-dependencies]\ncriterion.workspace = true\n\n[[bench]]\nname = \"b\"\nharness = false\n\n[lints]\nworkspace = true\n\n[[test]]\nname = \"t\"\n";
         let expected =
             "[package]\nname = \"a\"\n\n[dev-dependencies]\n\n[lints]\nworkspace = true\n";

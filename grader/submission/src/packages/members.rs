@@ -1,4 +1,5 @@
-//! The crates of the workspace: which a handout needs, and which of them run what was carved.
+//! The crates of the workspace and their dependencies on each other, as `cargo metadata` lists
+//! them.
 
 use grader::error::GraderError;
 use serde::Deserialize;
@@ -13,11 +14,11 @@ pub struct Member {
     pub name: String,
     /// Its folder, relative to the workspace.
     pub folder: PathBuf,
-    /// The crates of the workspace that it or its tests import.
+    /// The crates of the workspace that it or its tests depend on.
     pub imports: Vec<String>,
 }
 
-/// What cargo says of a workspace; the little that is read of it.
+/// The fields of the output of `cargo metadata` that are read here.
 #[derive(Deserialize)]
 struct Metadata {
     packages: Vec<Package>,
@@ -36,10 +37,10 @@ struct Dependency {
     path: Option<PathBuf>,
 }
 
-/// Folders of a crate with code that runs it: tests and the like.
-pub const TESTS: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
+/// The folders of a crate with tests and other code that runs the crate.
+pub const TEST_FOLDERS: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 
-/// All crates of the workspace at `root`.
+/// Lists all crates of the workspace at `root`.
 pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
     let output = Command::new(grader::compile::cargo())
         .current_dir(root)
@@ -54,12 +55,12 @@ pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
     let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
     if !output.status.success() {
         return Err(GraderError::new(format!(
-            "cargo does not understand the workspace:\n{}",
+            "cargo cannot read the workspace:\n{}",
             String::from_utf8_lossy(&output.stderr).trim()
         )));
     }
     let metadata: Metadata = serde_json::from_slice(&output.stdout)
-        .map_err(|e| GraderError::new(format!("cargo's description of the workspace: {e}")))?;
+        .map_err(|e| GraderError::new(format!("cannot read the output of cargo metadata: {e}")))?;
     let members = metadata.packages.into_iter().map(|package| {
         let folder = package.manifest_path.parent().unwrap_or(Path::new(""));
         let local = package
@@ -75,8 +76,8 @@ pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
     Ok(members.collect())
 }
 
-/// The names of `from` and of everything that they import, directly or not.
-pub fn closure<'a>(members: &'a [Member], from: &[&str]) -> BTreeSet<&'a str> {
+/// The names of the crates `from` and of all crates that they depend on, directly or indirectly.
+pub fn with_dependencies<'a>(members: &'a [Member], from: &[&str]) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut next: Vec<&str> = from.to_vec();
     while let Some(name) = next.pop() {
@@ -90,8 +91,8 @@ pub fn closure<'a>(members: &'a [Member], from: &[&str]) -> BTreeSet<&'a str> {
     reached
 }
 
-/// The crate that the file `path` belongs to: the one in the innermost folder.
-pub fn owner<'a>(members: &'a [Member], path: &Path) -> Option<&'a Member> {
+/// The crate that contains the file `path`: the one in the innermost folder.
+pub fn containing_member<'a>(members: &'a [Member], path: &Path) -> Option<&'a Member> {
     members
         .iter()
         .filter(|member| path.starts_with(&member.folder))
@@ -111,21 +112,27 @@ mod tests {
     }
 
     #[test]
-    fn the_closure_follows_imports_and_ends_on_a_cycle() {
+    fn dependencies_are_followed_and_cycles_end() {
         let members = [
             member("a", "a", &["b"]),
             member("b", "a/b", &["a", "c"]),
             member("c", "c", &[]),
             member("d", "d", &["a"]),
         ];
-        assert_eq!(closure(&members, &["a"]), BTreeSet::from(["a", "b", "c"]));
-        assert_eq!(closure(&members, &["c", "unknown"]), BTreeSet::from(["c"]));
+        assert_eq!(
+            with_dependencies(&members, &["a"]),
+            BTreeSet::from(["a", "b", "c"])
+        );
+        assert_eq!(
+            with_dependencies(&members, &["c", "unknown"]),
+            BTreeSet::from(["c"])
+        );
     }
 
     #[test]
     fn a_file_belongs_to_the_innermost_crate() {
         let members = [member("a", "a", &[]), member("b", "a/b", &[])];
-        let name = |path| owner(&members, Path::new(path)).map(|m| m.name.as_str());
+        let name = |path| containing_member(&members, Path::new(path)).map(|m| m.name.as_str());
         assert_eq!(name("a/src/lib.rs"), Some("a"));
         assert_eq!(name("a/b/src/lib.rs"), Some("b"));
         assert_eq!(name("README.md"), None);

@@ -1,5 +1,6 @@
-//! The crates of the workspace, and carrying some of them elsewhere: [`members`] (which there are), [`manifest`]
-//! (manifests without the others), [`lock`] (the lock file without theirs).
+//! Copies some crates of the workspace to another one: [`members`] (the list of crates),
+//! [`manifest`] (manifests without the other crates), [`lock`] (the lock file without their
+//! dependencies).
 
 pub mod lock;
 pub mod manifest;

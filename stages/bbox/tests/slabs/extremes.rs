@@ -1,9 +1,9 @@
-//! Boxes and rays of numbers that are hardly any, and the ends of the range.
+//! Boxes and rays with extreme numbers, and the ends of the range.
 // BEGIN SOLUTION(part2.task2)
 use bbox::intersect_bbox;
 use kit::{Aabb, Interval, Ray, Vec3};
 
-/// From (-1, -1, -1) to (1, 1, 1).
+/// The cube from (-1, -1, -1) to (1, 1, 1).
 const CUBE: Aabb = Aabb {
     min: Vec3::NEG_ONE,
     max: Vec3::ONE,
@@ -13,9 +13,9 @@ fn is_hit(b: &Aabb, o: Vec3, d: Vec3) -> bool {
     intersect_bbox(b, &Ray::new(o, d)).is_some()
 }
 
-/// Hard case 56. 1/d overflows, and 0 < t < ∞ becomes 0·∞ or ∞.
+/// Hard case 56. 1/d overflows, so that a finite t > 0 is computed as 0·∞ or ∞.
 #[test]
-fn denormal_direction_is_no_false_miss() {
+fn denormal_direction_gives_no_false_miss() {
     let tiny = 1e-310;
     let thin = Aabb {
         min: Vec3::new(1e-20, -1.0, -1.0),
@@ -27,7 +27,7 @@ fn denormal_direction_is_no_false_miss() {
             &mirrored,
             &Ray::new(Vec3::ZERO, Vec3::new(sign * tiny, 0.0, 0.0)),
         );
-        let Interval { min, max } = inside.expect("a hit");
+        let Interval { min, max } = inside.expect("the ray hits");
         assert!(
             (min / 1e290 - 1.0).abs() < 1e-9 && (max / 2e290 - 1.0).abs() < 1e-9,
             "{min} {max}"
@@ -50,7 +50,8 @@ fn denormal_direction_is_no_false_miss() {
     ));
 }
 
-/// Hard case 57. With `min` and `max` swapped where `d` is negative, (+∞, -∞) becomes the box of everything.
+/// Hard case 57. If `min` and `max` are swapped where `d` is negative, (+∞, -∞) becomes the box of
+/// all points.
 #[test]
 fn empty_box_is_missed() {
     for d in [
@@ -75,10 +76,10 @@ fn empty_box_is_missed() {
     }
 }
 
-/// Hard case 58. The box of a plane without end; ∞·0 is a NaN.
+/// Hard case 58. The bounding box of an infinite plane: ∞·0 is a NaN.
 #[test]
 fn infinite_box_is_hit() {
-    let everything = Aabb {
+    let unbounded = Aabb {
         min: Vec3::NEG_INFINITY,
         max: Vec3::INFINITY,
     };
@@ -89,14 +90,14 @@ fn infinite_box_is_hit() {
                 ..Ray::new(o, d)
             };
             assert_eq!(
-                intersect_bbox(&everything, &ray),
+                intersect_bbox(&unbounded, &ray),
                 Some(Interval { min: 0.0, max: 7.0 })
             );
         }
     }
     let half_space = Aabb {
         min: Vec3::new(3.0, f64::NEG_INFINITY, f64::NEG_INFINITY),
-        ..everything
+        ..unbounded
     };
     assert_eq!(
         intersect_bbox(&half_space, &Ray::new(Vec3::ZERO, Vec3::X))
@@ -107,7 +108,8 @@ fn infinite_box_is_hit() {
     assert!(!is_hit(&half_space, Vec3::ZERO, Vec3::NEG_X));
 }
 
-/// Hard case 59. Comparisons that ignore a NaN, which case 50 needs, must not turn a box of NaN into a hit.
+/// Hard case 59. Comparisons that ignore a NaN are necessary for case 50, but a box with a NaN must
+/// be a miss.
 #[test]
 fn nan_is_a_miss() {
     for d in [
@@ -145,10 +147,10 @@ fn nan_is_a_miss() {
     }
 }
 
-/// Hard case 60. Taking the entry behind the origin, or the exit for the entry, breaks a traversal that
-/// sorts by entry.
+/// Hard case 60. If the function returned the entry behind the origin, or the exit as the entry, a
+/// traversal that sorts by entry would fail.
 #[test]
-fn from_inside_the_interval_starts_at_min_t() {
+fn interval_of_a_ray_from_inside_starts_at_min_t() {
     for d in [Vec3::X, Vec3::NEG_ONE, Vec3::new(0.1, 0.0, -2.0)] {
         for min_t in [0.0, 0.01] {
             let ray = Ray {
@@ -193,7 +195,7 @@ fn box_out_of_range_is_skipped() {
 }
 
 #[test]
-fn box_behind_is_in_a_range_of_negative_distances() {
+fn negative_distances_in_the_range_count() {
     let ray = Ray {
         min_t: -9.0,
         ..Ray::new(Vec3::new(3.0, 0.0, 0.0), Vec3::X)
@@ -204,7 +206,7 @@ fn box_behind_is_in_a_range_of_negative_distances() {
 }
 
 #[test]
-fn ray_without_direction_is_a_point() {
+fn ray_with_zero_direction_is_a_point() {
     for zero in [0.0, -0.0] {
         assert!(is_hit(&CUBE, Vec3::splat(0.5), Vec3::splat(zero)));
         assert!(!is_hit(&CUBE, Vec3::splat(1.5), Vec3::splat(zero)));

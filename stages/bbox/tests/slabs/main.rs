@@ -1,8 +1,8 @@
-//! What rays do at boxes.
+//! Tests of the ray/box intersection.
 //!
-//! [`plain`] holds the plain cases. [`touching`] and [`extremes`] hold those where a slab test falls
-//! into 0·∞ or a rounding error, each with a line on how; [`properties`] holds the test against exact
-//! arithmetic.
+//! [`plain`] tests simple cases. [`touching`] and [`extremes`] test cases in which a slab test
+//! computes 0·∞ or fails by a rounding error; each test explains the failure in a line.
+//! [`properties`] compares with exact arithmetic.
 
 mod extremes;
 mod plain;
@@ -10,8 +10,8 @@ mod properties;
 mod touching;
 
 // BEGIN SOLUTION(part2.task2)
-/// Property tests try the same `cases` inputs on every run, so that a run can be repeated;
-/// `PROPTEST_RNG_SEED=7 cargo test` tries others.
+/// Configures property tests to use the same `cases` inputs on every run.
+/// `PROPTEST_RNG_SEED=7 cargo test` uses others.
 fn cases(cases: u32) -> proptest::test_runner::Config {
     use proptest::test_runner::{Config, RngSeed};
     let config = Config::with_cases(cases);

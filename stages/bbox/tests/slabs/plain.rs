@@ -1,4 +1,4 @@
-//! Part 2, task 2: what a ray does at a box, in plain cases.
+//! Part 2, task 2: simple cases of the ray/box intersection.
 // BEGIN SOLUTION(part2.task2)
 use bbox::intersect_bbox;
 use kit::{Aabb, Ray, Vec3};
@@ -8,10 +8,10 @@ const BOX: Aabb = Aabb {
     max: Vec3::new(3.0, 1.0, 1.0),
 };
 
-/// Entry and exit; the exit only to the widening that the function promises.
+/// Asserts entry and exit. The exit may be larger by the documented relative error.
 #[track_caller]
 fn assert_interval(ray: &Ray, min: f64, max: f64) {
-    let inside = intersect_bbox(&BOX, ray).expect("a hit");
+    let inside = intersect_bbox(&BOX, ray).expect("the ray hits");
     assert_eq!(inside.min, min);
     assert!(
         inside.max >= max && inside.max <= max * (1.0 + 1e-15),
@@ -20,7 +20,7 @@ fn assert_interval(ray: &Ray, min: f64, max: f64) {
 }
 
 #[test]
-fn a_ray_through_it_is_inside_between_two_faces() {
+fn interval_is_between_two_faces() {
     assert_interval(&Ray::new(Vec3::ZERO, Vec3::X), 1.0, 3.0);
     assert_interval(&Ray::new(Vec3::new(4.0, 0.0, 0.0), -Vec3::X), 1.0, 3.0);
     assert_interval(
@@ -31,7 +31,7 @@ fn a_ray_through_it_is_inside_between_two_faces() {
 }
 
 #[test]
-fn a_ray_beside_it_misses() {
+fn ray_outside_misses() {
     assert_eq!(
         intersect_bbox(&BOX, &Ray::new(Vec3::new(0.0, 1.5, 0.0), Vec3::X)),
         None
@@ -43,12 +43,12 @@ fn a_ray_beside_it_misses() {
 }
 
 #[test]
-fn a_box_behind_the_origin_is_missed() {
+fn box_behind_the_origin_is_missed() {
     assert_eq!(intersect_bbox(&BOX, &Ray::new(Vec3::ZERO, -Vec3::X)), None);
 }
 
 #[test]
-fn the_interval_is_cut_to_the_range_of_the_ray() {
+fn interval_is_clamped_to_the_range_of_the_ray() {
     let mut ray = Ray::new(Vec3::ZERO, Vec3::X);
     (ray.min_t, ray.max_t) = (1.5, 2.5);
     assert_interval(&ray, 1.5, 2.5);

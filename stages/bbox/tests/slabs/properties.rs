@@ -1,4 +1,4 @@
-//! What holds for every box and ray, against exact arithmetic.
+//! Properties that hold for every box and ray, compared with exact arithmetic.
 // BEGIN SOLUTION(part2.task2)
 use crate::cases;
 use bbox::intersect_bbox;
@@ -7,10 +7,10 @@ use num_rational::BigRational;
 use proptest::prelude::*;
 
 fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).expect("truth is asked about finite numbers only")
+    BigRational::from_float(x).expect("inputs are finite")
 }
 
-/// Where the ray is inside the box, exactly; the range of the ray must be finite.
+/// The exact interval of the ray inside the box. The range of the ray must be finite.
 fn truth(b: &Aabb, ray: &Ray) -> Option<(BigRational, BigRational)> {
     let (mut entry, mut exit) = (exact(ray.min_t), exact(ray.max_t));
     for axis in 0..3 {
@@ -30,12 +30,12 @@ fn truth(b: &Aabb, ray: &Ray) -> Option<(BigRational, BigRational)> {
     (entry <= exit).then_some((entry, exit))
 }
 
-/// A few roundings of a `t`, relative to it.
+/// Tolerance for a `t`: a few relative rounding errors.
 fn slack(t: &BigRational) -> BigRational {
     exact(8.0 * f64::EPSILON) * t.max(&-t)
 }
 
-/// Coordinates of the kind that makes ties: halves, zeros of both signs, and arbitrary ones.
+/// Coordinates that cause ties (halves, zeros of both signs), and arbitrary ones.
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         (-4..=4_i32).prop_map(|x| 0.5 * f64::from(x)),
@@ -75,26 +75,26 @@ proptest! {
     fn agrees_with_exact_arithmetic((b, ray) in pair()) {
         let inside = intersect_bbox(&b, &ray);
         if let Some((entry, exit)) = truth(&b, &ray) {
-            prop_assert!(inside.is_some(), "a false miss");
+            prop_assert!(inside.is_some(), "false miss");
             let inside = inside.unwrap();
             let (min, max) = (exact(inside.min), exact(inside.max));
             prop_assert!(&entry - slack(&entry) <= min && min <= &entry + slack(&entry));
             prop_assert!(max <= &exit + slack(&exit));
-            // Never too early, but for the range's end.
+            // Never too early, except at the end of the range.
             prop_assert!(max >= &exit - slack(&exit) && (inside.max == ray.max_t || max >= exit));
         } else if inside.is_some() {
-            // A false hit is allowed if it is one within rounding: with a box that much larger it is none.
+            // A false hit must be within rounding: a slightly larger box is hit exactly.
             let grown = |v: Vec3, sign: f64| {
                 v + sign * 16.0 * f64::EPSILON * (v.abs() + ray.o.abs())
             };
             let b = Aabb { min: grown(b.min, -1.0), max: grown(b.max, 1.0) };
-            prop_assert!(truth(&b, &ray).is_some(), "a false hit by more than rounding");
+            prop_assert!(truth(&b, &ray).is_some(), "false hit by more than rounding");
         }
     }
 
-    /// Hard case 55. Of a ray that touches a box in nothing but an edge, entry and exit are the same
-    /// number, each with its own rounding errors: whoever compares them as they are loses the hit now
-    /// and then.
+    /// Hard case 55. If a ray touches a box only in an edge, entry and exit are the same number,
+    /// each with its own rounding errors. Comparing them without a tolerance loses some of these
+    /// hits.
     #[test]
     fn ray_exactly_through_an_edge_is_hit(
         o in prop::array::uniform3(-1000..1000_i64),
@@ -102,7 +102,7 @@ proptest! {
         signs in prop::array::uniform3(any::<bool>()),
         t in 1..1_i64 << 20,
     ) {
-        // Whole numbers of at most 53 bits: the point at `t` is exact.
+        // Integers of at most 53 bits, so the point at `t` is exact.
         let d: [i64; 3] = std::array::from_fn(|i| if signs[i] { d[i] } else { -d[i] });
         let at: [i64; 3] = std::array::from_fn(|i| o[i] + t * d[i]);
         let [o, d, at] = [o, d, at].map(|v| Vec3::from_array(v.map(|x| x as f64)));
@@ -116,9 +116,9 @@ proptest! {
         }
     }
 
-    /// Box tests prune: what is inside a box must never be hit where the box is not.
+    /// Box tests prune: if a box inside another is hit, the outer box must be hit as well.
     #[test]
-    fn box_in_a_box_is_entered_no_earlier((outer, ray) in pair(), f in prop::array::uniform2(0.0..=1.0_f64)) {
+    fn interval_contains_those_of_inner_boxes((outer, ray) in pair(), f in prop::array::uniform2(0.0..=1.0_f64)) {
         let inner = Aabb::of(f.map(|f| (outer.min + f * outer.extent()).clamp(outer.min, outer.max)));
         if let Some(inner) = intersect_bbox(&inner, &ray) {
             let outer = intersect_bbox(&outer, &ray);
@@ -126,9 +126,9 @@ proptest! {
         }
     }
 
-    /// Shrinking or stretching the scene by a power of two changes nothing but `t`.
+    /// Scaling scene and direction by a power of two does not change the result.
     #[test]
-    fn size_of_the_scene_does_not_matter((b, ray) in pair(), exponent in -900..900_i32) {
+    fn result_does_not_depend_on_the_scale((b, ray) in pair(), exponent in -900..900_i32) {
         let s = 2.0_f64.powi(exponent);
         let scaled = Aabb { min: s * b.min, max: s * b.max };
         let scaled_ray = Ray { o: s * ray.o, d: s * ray.d, ..ray };
@@ -137,11 +137,11 @@ proptest! {
     }
 
     #[test]
-    fn turning_the_axes_changes_nothing((b, ray) in pair()) {
-        let turn = |v: Vec3| Vec3::new(v.y, v.z, v.x);
-        let turned = Aabb { min: turn(b.min), max: turn(b.max) };
-        let turned_ray = Ray { o: turn(ray.o), d: turn(ray.d), ..ray };
-        prop_assert_eq!(intersect_bbox(&turned, &turned_ray), intersect_bbox(&b, &ray));
+    fn permuted_axes_give_identical_results((b, ray) in pair()) {
+        let permute = |v: Vec3| Vec3::new(v.y, v.z, v.x);
+        let permuted = Aabb { min: permute(b.min), max: permute(b.max) };
+        let permuted_ray = Ray { o: permute(ray.o), d: permute(ray.d), ..ray };
+        prop_assert_eq!(intersect_bbox(&permuted, &permuted_ray), intersect_bbox(&b, &ray));
     }
 }
 // END SOLUTION(part2.task2)

@@ -1,14 +1,14 @@
-//! The cases on which a quick tree falls over.
+//! Cases that break simple implementations. A comment describes the naive code and its failure.
 // BEGIN SOLUTION(part2.task1)
 
 use crate::rectangles::{Rectangles, check_tree, square};
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId, Ray, Vec3};
 
-/// No deeper than 64 splits in the middle and 32 at the median.
+/// 64 midpoint splits and 32 median splits.
 const DEPTH_BOUND: usize = 96;
 
-fn up_from(x: f64, y: f64) -> Ray {
+fn ray_along_z(x: f64, y: f64) -> Ray {
     Ray::new(Vec3::new(x, y, -1.0), Vec3::Z)
 }
 
@@ -19,7 +19,7 @@ fn closest(rects: &[Aabb], max_leaf_size: usize, mut ray: Ray) -> Option<(u32, f
     hit.map(|hit| (hit.prim.0, hit.t))
 }
 
-/// Naive: no split moves anything, so the recursion never ends.
+/// Naive: no split separates the primitives, so the recursion never ends.
 #[test]
 fn equal_centroids_terminate() {
     let rects: Vec<Aabb> = (0..100)
@@ -32,19 +32,19 @@ fn equal_centroids_terminate() {
         })
         .collect();
     let depth = check_tree(&construct_bvh(&rects, 1), &rects, 1);
-    assert_eq!(depth, 7, "halving 100 takes 7 levels");
+    assert_eq!(depth, 7, "halving 100 primitives takes 7 levels");
 }
 
-/// Naive: the middle of the boxes has all centroids on one side.
+/// Naive: all centroids are on one side of the midpoint of the boxes.
 #[test]
-fn one_empty_side_falls_back() {
+fn empty_side_falls_back_to_the_median() {
     let mut rects = vec![square(0.0, 0.0, 0.0); 2];
     rects.push(Aabb {
         min: Vec3::new(-1.0, -1.0, 0.0),
         max: Vec3::new(1000.0, 1.0, 0.0),
     });
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
-    // Two neighbouring floats: their middle rounds to one of them.
+    // Two adjacent floats: their midpoint rounds to one of them.
     let near = |x: f64| Aabb {
         min: Vec3::new(x, 0.0, 0.0),
         max: Vec3::new(x, 0.0, 0.0),
@@ -53,15 +53,15 @@ fn one_empty_side_falls_back() {
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
 }
 
-/// Naive: the root of nothing is read.
+/// Naive: reads the root of a tree without nodes.
 #[test]
-fn no_primitive_is_hit_in_an_empty_tree() {
+fn empty_tree_has_no_hits() {
     let tree = construct_bvh(&[], 4);
     check_tree(&tree, &[], 4);
     let mut world = Rectangles::default();
-    let mut ray = up_from(0.0, 0.0);
+    let mut ray = ray_along_z(0.0, 0.0);
     assert_eq!(intersect_bvh(&tree, &mut ray, &mut world), None);
-    assert_eq!(ray, up_from(0.0, 0.0));
+    assert_eq!(ray, ray_along_z(0.0, 0.0));
     assert!(!occludes_bvh(&tree, &ray, &mut world));
 }
 
@@ -73,19 +73,22 @@ fn one_and_two_primitives() {
             check_tree(&construct_bvh(&rects[..n], leaf), &rects[..n], leaf);
         }
     }
-    assert_eq!(closest(&rects[..1], 1, up_from(0.1, 0.1)), Some((0, 1.0)));
-    assert_eq!(closest(&rects, 1, up_from(2.1, 0.1)), Some((1, 2.0)));
-    assert_eq!(closest(&rects, 1, up_from(1.0, 0.1)), None);
+    assert_eq!(
+        closest(&rects[..1], 1, ray_along_z(0.1, 0.1)),
+        Some((0, 1.0))
+    );
+    assert_eq!(closest(&rects, 1, ray_along_z(2.1, 0.1)), Some((1, 2.0)));
+    assert_eq!(closest(&rects, 1, ray_along_z(1.0, 0.1)), None);
 }
 
-/// Naive: a leaf of at most 0 primitives is never reached.
+/// Naive: no node ever has at most 0 primitives, so the recursion never ends.
 #[test]
 fn leaf_size_0_counts_as_1() {
     let rects: Vec<Aabb> = (0..10).map(|i| square(f64::from(i), 0.0, 0.0)).collect();
     assert_eq!(construct_bvh(&rects, 0), construct_bvh(&rects, 1));
 }
 
-/// Naive: dividing by the thin extent gives a bin out of range.
+/// Naive: a division by the small extent gives an index out of range.
 #[test]
 fn very_thin_object() {
     let rects: Vec<Aabb> = (0..1000)
@@ -94,9 +97,9 @@ fn very_thin_object() {
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
 }
 
-/// Naive: each split takes one primitive off, a thousand levels deep and more.
+/// Naive: each split separates a single primitive, so the tree has more than a thousand levels.
 #[test]
-fn halving_distances_keep_the_depth_bounded() {
+fn depth_is_bounded_for_halving_distances() {
     let rects: Vec<Aabb> = (0..2000)
         .map(|k| {
             let x = 2.0_f64.powi(1000 - k);
@@ -107,19 +110,19 @@ fn halving_distances_keep_the_depth_bounded() {
     assert!(depth <= DEPTH_BOUND, "{depth} levels");
 }
 
-/// Naive: the one tested last wins.
+/// Naive: returns the last hit that was tested.
 #[test]
-fn of_duplicates_the_lowest_id_is_hit() {
+fn lowest_id_of_duplicates_is_hit() {
     let rects = vec![square(0.0, 0.0, 0.0); 50];
     for leaf in [1, 4, 50] {
-        assert_eq!(closest(&rects, leaf, up_from(0.1, 0.1)), Some((0, 1.0)));
+        assert_eq!(closest(&rects, leaf, ray_along_z(0.1, 0.1)), Some((0, 1.0)));
     }
 }
 
-/// Naive: a box whose entry equals the closest hit is skipped, or the last one visited wins.
+/// Naive: skips a box whose entry equals the closest hit, or returns the last hit.
 #[test]
-fn equal_t_in_the_sibling_goes_to_the_lowest_id() {
-    // Overlapping squares in one plane; the ray meets all of them at t = 1, in several leaves.
+fn lowest_id_is_hit_among_equal_t_in_several_leaves() {
+    // Overlapping squares in one plane. The ray hits all of them at t = 1, in several leaves.
     for reversed in [false, true] {
         let mut rects: Vec<Aabb> = (0..8)
             .map(|i| square(0.1 * f64::from(i), 0.0, 0.0))
@@ -127,11 +130,12 @@ fn equal_t_in_the_sibling_goes_to_the_lowest_id() {
         if reversed {
             rects.reverse();
         }
-        assert_eq!(closest(&rects, 1, up_from(0.35, 0.0)), Some((0, 1.0)));
+        assert_eq!(closest(&rects, 1, ray_along_z(0.35, 0.0)), Some((0, 1.0)));
     }
 }
 
-/// Naive: the near child's hit ends the search, though the far child's box overlaps and holds a nearer one.
+/// Naive: stops after a hit in the near child, although the box of the far child overlaps and
+/// contains a nearer hit.
 #[test]
 fn overlapping_children_are_both_visited() {
     let floor = Aabb {
@@ -143,14 +147,14 @@ fn overlapping_children_are_both_visited() {
         max: Vec3::new(9.0, 1.0, 9.0),
     };
     let rects = [tall, floor, square(0.0, 0.0, 3.0)];
-    let mut ray = up_from(0.2, 0.2);
+    let mut ray = ray_along_z(0.2, 0.2);
     let tree = construct_bvh(&rects, 1);
     let hit = intersect_bvh(&tree, &mut ray, &mut Rectangles::new(rects.to_vec()));
     assert_eq!(hit.map(|h| (h.prim, h.t)), Some((PrimId(2), 4.0)));
     assert_eq!(ray.max_t, 4.0);
 }
 
-/// Naive: 1e308 + 1e308 is infinite, and a centroid there sorts nowhere.
+/// Naive: 1e308 + 1e308 is infinite, and infinite centroids cannot be separated.
 #[test]
 fn centroids_near_the_largest_float() {
     let rects: Vec<Aabb> = (0..64)
@@ -163,9 +167,9 @@ fn centroids_near_the_largest_float() {
     assert!(depth <= 7, "{depth} levels for 64 evenly spaced primitives");
 }
 
-/// Naive: one NaN spreads to every box above it, and the whole tree is missed.
+/// Naive: one NaN propagates to every box above it, and the whole tree is missed.
 #[test]
-fn boxes_of_nothing_leave_the_others_reachable() {
+fn empty_nan_and_infinite_boxes_hide_no_others() {
     let nan = Aabb {
         min: Vec3::NAN,
         max: Vec3::NAN,
@@ -174,7 +178,7 @@ fn boxes_of_nothing_leave_the_others_reachable() {
         min: Vec3::new(f64::NAN, 0.0, 0.0),
         max: Vec3::ONE,
     };
-    let everywhere = Aabb {
+    let unbounded = Aabb {
         min: Vec3::NEG_INFINITY,
         max: Vec3::INFINITY,
     };
@@ -182,32 +186,33 @@ fn boxes_of_nothing_leave_the_others_reachable() {
         min: Vec3::NEG_INFINITY,
         max: Vec3::new(f64::INFINITY, f64::INFINITY, -5.0),
     };
-    let odd = [nan, Aabb::EMPTY, half_nan, everywhere, half_space];
+    let odd = [nan, Aabb::EMPTY, half_nan, unbounded, half_space];
     for leaf in [1, 2, 8] {
         for repeats in [1, 20] {
             let mut rects = odd.repeat(repeats);
-            let wanted = rects.len() as u32;
+            let first_square = rects.len() as u32;
             rects.extend((0..100).map(|i| square(f64::from(i), 0.0, 0.0)));
             let tree = construct_bvh(&rects, leaf);
             assert!(check_tree(&tree, &rects, leaf) <= DEPTH_BOUND);
             let mut world = Rectangles::new(rects);
-            let hit = intersect_bvh(&tree, &mut up_from(7.1, 0.1), &mut world);
-            assert_eq!(hit.map(|h| h.prim.0), Some(wanted + 7));
+            let hit = intersect_bvh(&tree, &mut ray_along_z(7.1, 0.1), &mut world);
+            assert_eq!(hit.map(|h| h.prim.0), Some(first_square + 7));
         }
     }
 }
 
 #[test]
-fn only_boxes_of_nothing() {
+fn tree_of_empty_boxes_has_no_hits() {
     let rects = vec![Aabb::EMPTY; 9];
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
-    assert_eq!(closest(&rects, 1, up_from(0.0, 0.0)), None);
+    assert_eq!(closest(&rects, 1, ray_along_z(0.0, 0.0)), None);
 }
 
-/// Naive: a fixed stack overruns, or the recursion does.
+/// Naive: a stack of fixed size overflows, or the recursion does.
 #[test]
-fn a_tree_as_deep_as_a_list_is_walked() {
-    // Made by hand: each node has a leaf and the rest, and every box is entered at once.
+fn very_deep_tree_is_traversed() {
+    // Built by hand: each interior node has a leaf and the rest as children, and the ray enters all
+    // boxes at the same t.
     const N: u32 = 100_000;
     let all = Aabb {
         min: Vec3::new(-0.5, -0.5, 0.0),
@@ -234,7 +239,7 @@ fn a_tree_as_deep_as_a_list_is_walked() {
     let order = (0..N).map(PrimId).collect();
     let tree = Bvh { nodes, order };
     let mut world = Rectangles::new(rects);
-    let hit = intersect_bvh(&tree, &mut up_from(0.0, 0.0), &mut world);
+    let hit = intersect_bvh(&tree, &mut ray_along_z(0.0, 0.0), &mut world);
     assert_eq!(hit.map(|h| h.prim.0), Some(N - 1));
 }
 // END SOLUTION(part2.task1)

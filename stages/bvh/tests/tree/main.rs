@@ -1,4 +1,5 @@
-//! Part 2, tasks 1 and 3: the tree keeps everything, and a ray hits through it what it hits without.
+//! Part 2, tasks 1 and 3: the tree contains all primitives, and a ray has the same hits as without
+//! it.
 
 mod hard_cases;
 mod rectangles;

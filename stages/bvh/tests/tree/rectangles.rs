@@ -1,16 +1,18 @@
-//! A world of plain shapes to hang trees in: axis-aligned rectangles, one division a hit.
+//! A [`World`] of simple primitives for tests: axis-aligned rectangles, which take one division per
+//! hit.
 // BEGIN SOLUTION(part2.task1)
 
 use kit::{Aabb, Bvh, Hit, Interval, NodeKind, PrimId, Ray, Vec2, Vec3, World};
 
-/// Primitive `i` is the flat box `0[i]`: a rectangle in the plane of its thinnest axis. Counts what it is asked.
+/// Primitive `i` is the flat box `rects[i]`: a rectangle perpendicular to its thinnest axis. Counts
+/// the tests.
 #[derive(Default)]
 pub(crate) struct Rectangles {
-    /// The rectangles, which are their own boxes.
+    /// The rectangles, which are their own bounding boxes.
     pub(crate) rects: Vec<Aabb>,
-    /// Boxes asked.
+    /// Number of box tests.
     pub(crate) box_tests: u32,
-    /// Primitives asked.
+    /// Number of primitive tests.
     pub(crate) prim_tests: u32,
 }
 
@@ -33,7 +35,7 @@ impl Rectangles {
         (inside && ray.in_range(t)).then_some(t)
     }
 
-    /// The closest hit by asking every primitive.
+    /// The closest hit, by testing every primitive.
     pub(crate) fn brute_force(&mut self, ray: &mut Ray) -> Option<Hit> {
         let ids = 0..self.rects.len() as u32;
         let hits: Vec<Hit> = ids.filter_map(|i| self.hit_prim(PrimId(i), ray)).collect();
@@ -52,7 +54,7 @@ impl World for Rectangles {
                 (near, far) = (far, near);
             }
             let t_far = (far - ray.o[axis]) / ray.d[axis];
-            // `max` and `min` pass over the NaN of 0/0.
+            // `max` and `min` ignore the NaN of 0/0.
             min = min.max((near - ray.o[axis]) / ray.d[axis]);
             max = max.min(t_far.next_up().next_up());
         }
@@ -79,7 +81,7 @@ impl World for Rectangles {
     }
 }
 
-/// The square of edge 1 at height `z`, around (x, y).
+/// The square with edge length 1 and centre (x, y) at height `z`.
 pub(crate) fn square(x: f64, y: f64, z: f64) -> Aabb {
     Aabb {
         min: Vec3::new(x - 0.5, y - 0.5, z),
@@ -87,24 +89,25 @@ pub(crate) fn square(x: f64, y: f64, z: f64) -> Aabb {
     }
 }
 
-/// Checks what every tree over `bounds` must keep, and gives the depth of its deepest leaf (the root's is 0).
+/// Checks the invariants of a tree over `bounds`. Returns the depth of its deepest leaf; the root
+/// has depth 0.
 pub(crate) fn check_tree(bvh: &Bvh, bounds: &[Aabb], max_leaf_size: usize) -> usize {
     let mut ids: Vec<u32> = bvh.order.iter().map(|id| id.0).collect();
     ids.sort_unstable();
     assert!(
         ids.iter().copied().eq(0..bounds.len() as u32),
-        "every primitive stands in the order once"
+        "every primitive is in the order exactly once"
     );
     if bounds.is_empty() {
         assert!(bvh.nodes.is_empty());
         return 0;
     }
     let mut in_leaves = vec![0; bounds.len()];
-    let mut nodes_seen = 0;
+    let mut visited = 0;
     let mut deepest = 0;
     let mut to_visit = vec![(0, 0)];
     while let Some((i, depth)) = to_visit.pop() {
-        nodes_seen += 1;
+        visited += 1;
         deepest = depth.max(deepest);
         let node = &bvh.nodes[i as usize];
         match node.kind {
@@ -113,7 +116,7 @@ pub(crate) fn check_tree(bvh: &Bvh, bounds: &[Aabb], max_leaf_size: usize) -> us
                     let child_bounds = &bvh.nodes[child as usize].bounds;
                     assert!(
                         node.bounds.contains(child_bounds),
-                        "a box holds its children's"
+                        "a node's box must contain the boxes of its children"
                     );
                     to_visit.push((child, depth + 1));
                 }
@@ -127,16 +130,20 @@ pub(crate) fn check_tree(bvh: &Bvh, bounds: &[Aabb], max_leaf_size: usize) -> us
                     let prim = &bounds[id.0 as usize];
                     assert!(
                         node.bounds.contains(prim),
-                        "a leaf's box holds its primitives'"
+                        "a leaf's box must contain the boxes of its primitives"
                     );
                 }
             }
         }
     }
-    assert_eq!(nodes_seen, bvh.nodes.len(), "every node is reached once");
+    assert_eq!(
+        visited,
+        bvh.nodes.len(),
+        "every node must be reached exactly once"
+    );
     assert!(
         in_leaves.iter().all(|n| *n == 1),
-        "every primitive is in one leaf"
+        "every primitive must be in exactly one leaf"
     );
     deepest
 }

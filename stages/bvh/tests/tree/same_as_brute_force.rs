@@ -1,4 +1,4 @@
-//! A tree changes how long a ray takes, never what it hits.
+//! The tree gives the same hits as brute force.
 // BEGIN SOLUTION(part2.task1)
 
 use crate::rectangles::{Rectangles, check_tree, square};
@@ -6,21 +6,21 @@ use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Aabb, Bvh, PrimId, Ray, Vec3, World};
 use proptest::prelude::*;
 
-/// Closest and any hit through `tree` are those of asking every primitive, bit for bit.
+/// Asserts that closest and any hit are the same as those of testing every primitive, bit for bit.
 fn assert_same(tree: &Bvh, rects: &[Aabb], ray: &Ray) {
     let mut world = Rectangles::new(rects.to_vec());
-    let (mut through_tree, mut one_by_one) = (*ray, *ray);
-    let hit = intersect_bvh(tree, &mut through_tree, &mut world);
-    let wanted = world.brute_force(&mut one_by_one);
-    assert_eq!(hit, wanted);
+    let (mut tree_ray, mut brute_force_ray) = (*ray, *ray);
+    let hit = intersect_bvh(tree, &mut tree_ray, &mut world);
+    let expected = world.brute_force(&mut brute_force_ray);
+    assert_eq!(hit, expected);
     assert_eq!(
-        through_tree, one_by_one,
-        "a hit shortens the ray, a miss leaves it"
+        tree_ray, brute_force_ray,
+        "a hit must shorten the ray, a miss must not change it"
     );
-    assert_eq!(occludes_bvh(tree, ray, &mut world), wanted.is_some());
+    assert_eq!(occludes_bvh(tree, ray, &mut world), expected.is_some());
 }
 
-/// Coordinates on a coarse grid, so that boxes touch, overlap, repeat and lie in each other's planes.
+/// Coordinates on a coarse grid, so that boxes touch, overlap, coincide and share planes.
 fn on_grid() -> impl Strategy<Value = f64> {
     (-4..=4).prop_map(f64::from)
 }
@@ -34,9 +34,15 @@ fn rectangle() -> impl Strategy<Value = Aabb> {
 }
 
 fn ray() -> impl Strategy<Value = Ray> {
-    let free = || -6.0..6.0;
-    let origin = prop_oneof![[on_grid(), on_grid(), on_grid()], [free(), free(), free()]];
-    let direction = prop_oneof![[on_grid(), on_grid(), on_grid()], [free(), free(), free()]];
+    let arbitrary = || -6.0..6.0;
+    let origin = prop_oneof![
+        [on_grid(), on_grid(), on_grid()],
+        [arbitrary(), arbitrary(), arbitrary()]
+    ];
+    let direction = prop_oneof![
+        [on_grid(), on_grid(), on_grid()],
+        [arbitrary(), arbitrary(), arbitrary()]
+    ];
     (origin, direction, -2.0..2.0, 0.0..20.0).prop_map(|(o, d, min_t, length)| Ray {
         min_t,
         max_t: min_t + length,
@@ -48,7 +54,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
     #[test]
-    fn on_random_rectangles(
+    fn random_rectangles(
         rects in prop::collection::vec(rectangle(), 0..60),
         ray in ray(),
         leaf in 0..9_usize,
@@ -56,12 +62,12 @@ proptest! {
         let tree = construct_bvh(&rects, leaf);
         let depth = check_tree(&tree, &rects, leaf);
         prop_assert!(depth <= rects.len());
-        prop_assert_eq!(&construct_bvh(&rects, leaf), &tree, "the boxes alone decide the tree");
+        prop_assert_eq!(&construct_bvh(&rects, leaf), &tree, "the tree must depend only on the boxes");
         assert_same(&tree, &rects, &ray);
     }
 
     #[test]
-    fn trees_hold_boxes_of_any_floats(
+    fn boxes_of_arbitrary_floats_give_a_valid_tree(
         corners in prop::collection::vec([any::<f64>(), any::<f64>(), any::<f64>()], 0..80),
         leaf in 0..5_usize,
     ) {
@@ -73,9 +79,9 @@ proptest! {
     }
 }
 
-/// Rays along the axes through the corners and edges of a grid of squares.
+/// Axis-aligned and diagonal rays through the corners and edges of a grid of squares.
 #[test]
-fn on_a_grid() {
+fn rays_on_a_grid() {
     let rects: Vec<Aabb> = (0..400)
         .map(|i| square(f64::from(i % 20), f64::from(i / 20), 0.0))
         .collect();
@@ -85,7 +91,7 @@ fn on_a_grid() {
             let o = Vec3::new(0.5 * f64::from(i) - 0.5, 0.5 * f64::from(j) - 0.5, -1.0);
             for tree in &trees {
                 assert_same(tree, &rects, &Ray::new(o, Vec3::Z));
-                // Within the plane of all squares, and along a diagonal.
+                // In the plane of the squares, and along a diagonal.
                 assert_same(tree, &rects, &Ray::new(o + Vec3::Z, Vec3::X));
                 assert_same(tree, &rects, &Ray::new(o, Vec3::new(1.0, -1.0, 1.0)));
             }
@@ -93,9 +99,9 @@ fn on_a_grid() {
     }
 }
 
-/// The leaf size is a matter of speed alone.
+/// The leaf size affects only the speed.
 #[test]
-fn at_any_leaf_size() {
+fn any_leaf_size() {
     let rects: Vec<Aabb> = (0..200)
         .map(|i| square(f64::from(i % 7), f64::from(i % 11), f64::from(i % 13)))
         .collect();
@@ -109,9 +115,9 @@ fn at_any_leaf_size() {
     }
 }
 
-/// A small part of the boxes and primitives is asked, and the first one that blocks ends the search.
+/// The traversal tests few boxes and primitives, and stops at the first primitive that blocks.
 #[test]
-fn asks_for_few() {
+fn traversal_needs_few_tests() {
     let rects: Vec<Aabb> = (0..4096)
         .map(|i| square(f64::from(i % 64), f64::from(i / 64), 0.0))
         .collect();
@@ -126,9 +132,9 @@ fn asks_for_few() {
     );
     assert!(world.prim_tests < 20, "{}", world.prim_tests);
 
-    let pile = Rectangles::new(vec![square(0.0, 0.0, 0.0); 1000]);
-    let tree = construct_bvh(&pile.rects, 4);
-    let mut world = pile;
+    let duplicates = Rectangles::new(vec![square(0.0, 0.0, 0.0); 1000]);
+    let tree = construct_bvh(&duplicates.rects, 4);
+    let mut world = duplicates;
     assert!(occludes_bvh(
         &tree,
         &Ray::new(-Vec3::Z, Vec3::Z),
@@ -137,9 +143,9 @@ fn asks_for_few() {
     assert_eq!(world.prim_tests, 1);
 }
 
-/// A ray that misses the root asks nothing else.
+/// A ray that misses the box of the root causes no other test.
 #[test]
-fn the_root_box_is_asked_first() {
+fn root_box_is_tested_first() {
     let rects = vec![square(0.0, 0.0, 0.0); 3];
     for leaf in [1, 3] {
         let mut world = Rectangles::new(rects.clone());
@@ -152,10 +158,10 @@ fn the_root_box_is_asked_first() {
     }
 }
 
-/// Boxes are asked with a range that is wider by a little, primitives with the ray's own.
+/// Boxes are tested with a slightly larger range, primitives with the ray's own range.
 #[test]
-fn a_hit_that_rounds_to_just_before_its_box_is_found() {
-    // The second primitive is the nearer one by 16 units in the last place, its box is not.
+fn hit_that_is_rounded_to_before_its_box_is_found() {
+    // The second primitive is nearer by 16 units in the last place, but its box is not.
     struct Rounding;
     impl World for Rounding {
         fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<kit::Interval> {

@@ -1,4 +1,5 @@
-//! The same with the course's own box test and triangles, where every rounding error is real.
+//! Comparison with brute force for the course's own box test and triangles, with all their rounding
+//! errors.
 // BEGIN SOLUTION(part2.task1)
 
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
@@ -34,23 +35,27 @@ impl Triangles {
     }
 
     fn assert_same(&mut self, tree: &Bvh, ray: &Ray) {
-        let wanted = self.brute_force(ray);
+        let expected = self.brute_force(ray);
         let mut shortened = *ray;
-        assert_eq!(intersect_bvh(tree, &mut shortened, self), wanted, "{ray:?}");
-        assert_eq!(shortened.max_t, wanted.map_or(ray.max_t, |hit| hit.t));
-        assert_eq!(occludes_bvh(tree, ray, self), wanted.is_some());
+        assert_eq!(
+            intersect_bvh(tree, &mut shortened, self),
+            expected,
+            "{ray:?}"
+        );
+        assert_eq!(shortened.max_t, expected.map_or(ray.max_t, |hit| hit.t));
+        assert_eq!(occludes_bvh(tree, ray, self), expected.is_some());
     }
 }
 
-/// Coordinates where triangles share corners, edges and planes, and others where nothing is round.
+/// Coordinates such that triangles share corners, edges and planes, and arbitrary ones.
 fn point() -> impl Strategy<Value = Vec3> {
-    let round = || (-3..=3).prop_map(|i| f64::from(i) / 3.0);
+    let coarse = || (-3..=3).prop_map(|i| f64::from(i) / 3.0);
     let any = || -1.0..1.0;
-    prop_oneof![[round(), round(), round()], [any(), any(), any()]].prop_map(Vec3::from)
+    prop_oneof![[coarse(), coarse(), coarse()], [any(), any(), any()]].prop_map(Vec3::from)
 }
 
-/// Up to 40 triangles, some of them twice, at a scale and an offset; all of them anywhere, or all in one slanted plane,
-/// where rounding alone decides which is the nearest.
+/// Up to 40 random triangles, some of them twice, with a scale and an offset. Either anywhere, or
+/// all in one slanted plane, where only rounding decides which is nearest.
 fn soup() -> impl Strategy<Value = Vec<Triangle>> {
     let triangle = [point(), point(), point()];
     let scale = prop_oneof![Just(1.0), Just(1e-6), Just(1e9)];
@@ -58,13 +63,13 @@ fn soup() -> impl Strategy<Value = Vec<Triangle>> {
     let plane = prop_oneof![Just(None), point().prop_map(Some)];
     let corners = prop::collection::vec(triangle, 1..40);
     (corners, scale, offset, plane).prop_map(|(corners, scale, offset, plane)| {
-        let placed = |p: Vec3| match plane {
+        let transformed = |p: Vec3| match plane {
             Some(slope) => scale * (Vec3::new(p.x, slope.x * p.x + slope.y * p.z, p.z) + offset),
             None => scale * (p + offset),
         };
         let mut triangles: Vec<Triangle> = corners
             .into_iter()
-            .map(|corners| corners.map(placed))
+            .map(|corners| corners.map(transformed))
             .map(|[a, b, c]| Triangle::flat(a, b, c))
             .collect();
         triangles.extend_from_within(..triangles.len() / 4);
@@ -72,8 +77,9 @@ fn soup() -> impl Strategy<Value = Vec<Triangle>> {
     })
 }
 
-/// A triangle of the soup, two weights and a start: a ray at one of its points, corners and edges among them.
-fn aim() -> impl Strategy<Value = (prop::sample::Index, f64, f64, Vec3)> {
+/// A triangle of the soup, two weights and an origin: a ray to a point of the triangle, which can
+/// be on an edge or a corner.
+fn soup_ray() -> impl Strategy<Value = (prop::sample::Index, f64, f64, Vec3)> {
     let weight = || prop_oneof![Just(0.0), Just(0.5), 0.0..1.0];
     (any::<prop::sample::Index>(), weight(), weight(), point())
 }
@@ -82,10 +88,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
-    fn rays_at_soups(soup in soup(), aims in prop::collection::vec(aim(), 20), leaf in 1..6_usize) {
+    fn rays_at_soups(
+        soup in soup(),
+        rays in prop::collection::vec(soup_ray(), 20),
+        leaf in 1..6_usize,
+    ) {
         let mut world = Triangles(soup);
         let tree = world.tree(leaf);
-        for (index, v, w, start) in aims {
+        for (index, v, w, start) in rays {
             let t = *index.get(&world.0);
             let size = (t.p1 - t.p0).abs().max_element().max((t.p2 - t.p0).abs().max_element());
             let target = t.p0 + v * (t.p1 - t.p0) + (1.0 - v) * w * (t.p2 - t.p0);
@@ -94,15 +104,16 @@ proptest! {
             let mut cut = Ray::new(o, (target - o).normalize_or_zero());
             cut.max_t = (target - o).length();
             world.assert_same(&tree, &cut);
-            // From the surface, where `t` is 0 up to rounding, and so is no measure of it.
+            // From the surface, where `t` is 0 up to rounding, so a tolerance relative to `t` would
+            // be too small.
             let on_it = Ray { o: target, min_t: -1.0, ..Ray::new(target, o - target) };
             world.assert_same(&tree, &on_it);
         }
     }
 }
 
-/// Rays along the axes at the corners, edges and diagonals of a mesh on whole numbers: no holes, and the lowest id
-/// where triangles meet.
+/// Axis-aligned and diagonal rays through the corners and edges of a mesh with integer coordinates:
+/// there are no holes, and the lowest id is hit where triangles meet.
 #[test]
 fn grid_aligned_rays_on_an_integer_mesh() {
     let mut mesh = Vec::new();
@@ -124,7 +135,7 @@ fn grid_aligned_rays_on_an_integer_mesh() {
             let down = Ray::new(Vec3::new(x, 9.0, z), Vec3::NEG_Y);
             assert!(
                 occludes_bvh(&tree, &down, &mut world),
-                "a hole at ({x}, {z})"
+                "the mesh has a hole at ({x}, {z})"
             );
             world.assert_same(&tree, &down);
             for y in 0..3 {

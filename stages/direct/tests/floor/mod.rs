@@ -1,4 +1,4 @@
-//! A matte floor under some light, looked at from above.
+//! A diffuse floor with configurable lights, for tests.
 
 // BEGIN SOLUTION(part3.task3)
 use direct::{
@@ -14,10 +14,10 @@ use std::cell::Cell;
 /// Reflectance of the floor.
 pub(crate) const RHO: f64 = 0.8;
 
-/// All is matte, or emits and scatters nothing.
-pub(crate) struct Matte;
+/// Diffuse materials; all others scatter nothing.
+pub(crate) struct DiffuseOnly;
 
-impl Scattering for Matte {
+impl Scattering for DiffuseOnly {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {
             Material::Diffuse { reflectance } => lambert_f(*reflectance, wo, wi),
@@ -35,23 +35,23 @@ impl Scattering for Matte {
     }
 }
 
-/// The same, but as if the cosine had been forgotten.
+/// The same with a typical mistake: without the cosine.
 struct WithoutCosine;
 
 impl Scattering for WithoutCosine {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
-        let f = Matte.f(material, wo, wi);
+        let f = DiffuseOnly.f(material, wo, wi);
         if f.is_black() { f } else { f / wi.z.abs() }
     }
     fn pdf(&self, material: &Material, wo: Vec3, wi: Vec3) -> f64 {
-        Matte.pdf(material, wo, wi)
+        DiffuseOnly.pdf(material, wo, wi)
     }
     fn sample(&self, material: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
-        Matte.sample(material, wo, u, choice)
+        DiffuseOnly.sample(material, wo, u, choice)
     }
 }
 
-/// The floor at the origin, in a scene whose primitives are all lamps.
+/// The floor at the origin. All primitives of the scene are lamps.
 pub(crate) struct Floor {
     lit: LitScene,
     material: Material,
@@ -71,12 +71,12 @@ impl Floor {
         }
     }
 
-    /// The same floor of another material.
+    /// The same floor with another material.
     pub(crate) fn made_of(self, material: Material) -> Floor {
         Floor { material, ..self }
     }
 
-    /// The same floor looked at from below.
+    /// The same floor, seen from below.
     pub(crate) fn seen_from_below(self) -> Floor {
         Floor {
             wo: -self.wo,
@@ -95,12 +95,12 @@ impl Floor {
         }
     }
 
-    /// Estimates of the radiance that leaves the floor, each from one hemisphere sample.
+    /// Estimates of the reflected radiance, each from one hemisphere sample.
     pub(crate) fn hemisphere(&self, estimates: u32) -> Tally {
         self.hemisphere_of(estimates, 1)
     }
 
-    /// Estimates of the same, each from so many hemisphere samples.
+    /// Estimates of the reflected radiance, each from `samples` hemisphere samples.
     pub(crate) fn hemisphere_of(&self, estimates: u32, samples: u32) -> Tally {
         self.estimate(estimates, |surface, wo, sampler, rays| {
             estimate_direct_lighting_hemisphere(
@@ -109,7 +109,7 @@ impl Floor {
                 wo,
                 samples,
                 sampler,
-                &Matte,
+                &DiffuseOnly,
                 &mut |ray| {
                     *rays += 1;
                     self.closest(ray)
@@ -118,16 +118,17 @@ impl Floor {
         })
     }
 
-    /// Estimates of the same, each from `ns_area_light` samples a light.
+    /// Estimates of the reflected radiance, each from `ns_area_light` samples per light.
     pub(crate) fn lights(&self, estimates: u32, ns_area_light: u32) -> Tally {
-        self.by_lights(estimates, ns_area_light, &Matte)
+        self.by_lights(estimates, ns_area_light, &DiffuseOnly)
     }
 
     pub(crate) fn lights_without_cosine(&self, estimates: u32) -> Tally {
         self.by_lights(estimates, 1, &WithoutCosine)
     }
 
-    /// Estimates of the same, each from one sample a light and one of the surface, weighed.
+    /// Estimates by multiple importance sampling, each from one sample per light and one of the
+    /// BSDF.
     pub(crate) fn mis(&self, estimates: u32) -> Tally {
         self.estimate(estimates, |surface, wo, sampler, rays| {
             *rays += 2;
@@ -137,7 +138,7 @@ impl Floor {
                 wo,
                 1,
                 sampler,
-                &Matte,
+                &DiffuseOnly,
                 &mut |ray| self.closest(ray),
                 &mut |ray| self.closest(ray).is_some(),
             )
@@ -164,7 +165,7 @@ impl Floor {
     fn estimate(
         &self,
         estimates: u32,
-        mut one: impl FnMut(&Surface, Vec3, &mut PixelSampler, &mut u32) -> Spectrum,
+        mut estimator: impl FnMut(&Surface, Vec3, &mut PixelSampler, &mut u32) -> Spectrum,
     ) -> Tally {
         let surface = self.surface(&self.material);
         let mut sampler = PixelSampler::new(3, 5, 42);
@@ -172,7 +173,7 @@ impl Floor {
         let tally = (0..estimates)
             .map(|_| {
                 sampler.get_sample();
-                let radiance = one(&surface, self.wo, &mut sampler, &mut rays);
+                let radiance = estimator(&surface, self.wo, &mut sampler, &mut rays);
                 assert!(radiance.r == radiance.g && radiance.g == radiance.b);
                 radiance.r
             })
@@ -181,12 +182,13 @@ impl Floor {
         tally
     }
 
-    /// How many rays the last estimates cast.
+    /// Number of rays that the last estimates traced.
     pub(crate) fn rays_of_last_estimate(&self) -> u32 {
         self.rays.get()
     }
 
-    /// The closest lamp along the ray: a plain test, independent of the course's kernels.
+    /// The closest lamp along the ray, by a simple test that is independent of the course's
+    /// kernels.
     fn closest(&self, ray: &Ray) -> Option<Hit> {
         let scene = &self.lit.scene;
         (0..scene.len() as u32)

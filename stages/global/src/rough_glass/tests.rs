@@ -1,11 +1,12 @@
 // BEGIN SOLUTION(part4.task1)
-//! Rough glass as a whole: what is drawn, how much light is sent on, and what it becomes as it gets smooth.
+//! Tests of rough glass: samples follow the pdf, energy is conserved, and smooth glass is the
+//! limit.
 
 use super::*;
 use crate::{reflect, refract};
 use kit::{PixelSampler, Tally, warp};
 use statistics::chi_square;
-use statistics::{sidak, smallest_sure_bias, two_sided};
+use statistics::{detectable_bias, sidak, two_sided};
 
 fn glass(roughness: f64) -> RoughGlass {
     RoughGlass {
@@ -34,19 +35,20 @@ fn views() -> [Vec3; 5] {
     .map(Vec3::normalize)
 }
 
-fn drawn(glass: RoughGlass, wo: Vec3, count: usize) -> impl Iterator<Item = Option<BsdfSample>> {
-    let mut numbers = PixelSampler::new(0, 0, 13);
+fn samples(glass: RoughGlass, wo: Vec3, count: usize) -> impl Iterator<Item = Option<BsdfSample>> {
+    let mut sampler = PixelSampler::new(0, 0, 13);
     (0..count).map(move |_| {
-        let u = numbers.get_sample();
-        glass.sample(wo, u, numbers.next_1d())
+        let u = sampler.get_sample();
+        glass.sample(wo, u, sampler.next_1d())
     })
 }
 
-/// Hard case 89. All false alarms together have a chance of 1e-6, a deviation of 10 % (root mean square) is sure to be
-/// seen; another roughness is. Smoother glass has a peak that is narrower than the cells are integrated by.
+/// Hard case 89. The significance level of all tests together is 1e-6. They detect every deviation
+/// of 10 % (root mean square), so also another roughness. Smoother glass has a peak that is too
+/// narrow for the integration over the cells.
 #[test]
-fn samples_fall_where_the_pdf_says() {
-    let alarm = sidak(1e-6, 20);
+fn samples_follow_the_pdf() {
+    let significance = sidak(1e-6, 20);
     for roughness in [0.7, 1.0] {
         for wo in views() {
             for glass in [glass(roughness), refraction(roughness)] {
@@ -55,88 +57,88 @@ fn samples_fall_where_the_pdf_says() {
                     chi_square::fit_samples(50_000, 13, sample, |wi| other.pdf(wo, wi))
                 };
                 let fit = fit_to(glass);
-                assert!(fit.p > alarm, "{glass:?} from {wo}: {fit:?}");
-                assert!(fit.smallest_sure_deviation(alarm) < 0.1);
+                assert!(fit.p > significance, "{glass:?} from {wo}: {fit:?}");
+                assert!(fit.detectable_deviation(significance) < 0.1);
                 let other = RoughGlass {
                     roughness: 0.7 * roughness,
                     ..glass
                 };
-                assert!(fit_to(other).p < alarm, "{glass:?} from {wo}");
+                assert!(fit_to(other).p < significance, "{glass:?} from {wo}");
             }
         }
     }
 }
 
-/// Hard case 83. White glass never sends on more light than comes in, and all of it as it gets smooth. Radiance is counted
-/// without the squeeze of η².
+/// Hard case 83. The albedo of white glass is at most 1, and approaches 1 for smooth glass.
+/// Radiance is counted without the factor η².
 #[test]
-fn a_furnace_is_not_outshone() {
-    let sent_on = |glass: RoughGlass, wo: Vec3| {
-        let light = drawn(glass, wo, 20_000).map(|sample| {
+fn albedo_is_at_most_one() {
+    let albedo = |glass: RoughGlass, wo: Vec3| {
+        let light = samples(glass, wo, 20_000).map(|sample| {
             sample.map_or(0.0, |s| {
                 let eta = glass.index(wo);
-                let squeeze = if s.wi.z * wo.z < 0.0 { eta * eta } else { 1.0 };
-                s.weight().g / squeeze
+                let scale = if s.wi.z * wo.z < 0.0 { eta * eta } else { 1.0 };
+                s.weight().g / scale
             })
         });
         light.collect::<Tally>().mean()
     };
     for wo in views() {
         for roughness in [0.001, 0.1, 0.5, 1.0, 7.0] {
-            let all = sent_on(glass(roughness), wo);
+            let all = albedo(glass(roughness), wo);
             assert!((0.3..=1.0 + 1e-9).contains(&all), "{roughness} {wo}: {all}");
         }
-        assert!(sent_on(glass(0.001), wo) > 0.99);
+        assert!(albedo(glass(0.001), wo) > 0.99);
     }
-    assert!(sent_on(refraction(0.001), Vec3::Z) > 0.99);
-    // Beyond the critical angle nothing passes.
-    assert!(sent_on(refraction(0.001), views()[4]) < 0.01);
+    assert!(albedo(refraction(0.001), Vec3::Z) > 0.99);
+    // Beyond the critical angle nothing is refracted.
+    assert!(albedo(refraction(0.001), views()[4]) < 0.01);
 }
 
-/// Light runs the same way back, but for the squeeze.
+/// The BSDF is reciprocal, except for the factor η².
 #[test]
-fn light_runs_both_ways() {
-    let mut numbers = PixelSampler::new(0, 0, 1);
-    let mut passed = 0;
+fn bsdf_is_reciprocal() {
+    let mut sampler = PixelSampler::new(0, 0, 1);
+    let mut refracted = 0;
     for _ in 0..2000 {
-        let [a, b] = [numbers.get_sample(), numbers.next_2d()].map(warp::uniform_sphere);
+        let [a, b] = [sampler.get_sample(), sampler.next_2d()].map(warp::uniform_sphere);
         let glass = glass(0.5);
-        let (there, back) = (glass.f(a, b).g, glass.f(b, a).g);
+        let (forward, reverse) = (glass.f(a, b).g, glass.f(b, a).g);
         let eta = if a.z * b.z < 0.0 { glass.index(a) } else { 1.0 };
-        passed += u32::from(there > 0.0 && eta != 1.0);
-        assert!((there - back * eta * eta).abs() <= 1e-9 * there.abs());
+        refracted += u32::from(forward > 0.0 && eta != 1.0);
+        assert!((forward - reverse * eta * eta).abs() <= 1e-9 * forward.abs());
     }
-    assert!(passed > 100);
+    assert!(refracted > 100);
 }
 
-/// The estimate by samples equals the integral over all directions: f and pdf belong together. A bias of 20 % is sure to
-/// be seen.
+/// The estimate with samples equals the integral over all directions, so `f` and the pdf are
+/// consistent. A bias of 20 % is detected.
 #[test]
-fn the_weight_of_samples_is_the_integral_of_f() {
-    let alarm = sidak(1e-6, 5);
+fn mean_sample_weight_is_the_integral_of_f() {
+    let significance = sidak(1e-6, 5);
     for wo in views() {
         let glass = glass(0.6);
-        let weights = drawn(glass, wo, 200_000).map(|s| s.map_or(0.0, |s| s.weight().g));
+        let weights = samples(glass, wo, 200_000).map(|s| s.map_or(0.0, |s| s.weight().g));
         let by_samples: Tally = weights.collect();
-        let mut numbers = PixelSampler::new(0, 0, 3);
-        let uniformly: Tally = (0..200_000)
+        let mut sampler = PixelSampler::new(0, 0, 3);
+        let uniform: Tally = (0..200_000)
             .map(|_| {
-                let wi = warp::uniform_sphere(numbers.get_sample());
+                let wi = warp::uniform_sphere(sampler.get_sample());
                 glass.f(wo, wi).g * wi.z.abs() * 4.0 * std::f64::consts::PI
             })
             .collect();
-        let p = two_sided(uniformly.z_between(&by_samples));
-        assert!(p > alarm, "{} {}", by_samples.mean(), uniformly.mean());
-        let sure = smallest_sure_bias(uniformly.standard_error(), alarm);
+        let p = two_sided(uniform.z_between(&by_samples));
+        assert!(p > significance, "{} {}", by_samples.mean(), uniform.mean());
+        let sure = detectable_bias(uniform.standard_error(), significance);
         assert!(sure < 0.2 * by_samples.mean(), "{wo}: {sure}");
     }
 }
 
 #[test]
-fn nearly_smooth_glass_is_nearly_smooth() {
+fn very_small_roughness_approaches_smooth_glass() {
     for wo in views() {
         let mut far = 0;
-        for sample in drawn(glass(0.001), wo, 1000).flatten() {
+        for sample in samples(glass(0.001), wo, 1000).flatten() {
             let smooth = if sample.wi.z * wo.z > 0.0 {
                 Some(reflect(wo))
             } else {
@@ -145,14 +147,15 @@ fn nearly_smooth_glass_is_nearly_smooth() {
             let off = smooth.map_or(2.0, |smooth| (sample.wi - smooth).length());
             far += u32::from(off > 0.1);
         }
-        // GGX has long tails: a few facets in a thousand are turned by fifty times the roughness.
+        // GGX has long tails: the normals of a few facets in a thousand deviate by fifty times the
+        // roughness.
         assert!(far < 10, "{wo}: {far}");
     }
 }
 
 /// Hard case 75.
 #[test]
-fn in_the_plane_of_the_surface_nothing_leaves() {
+fn directions_in_the_plane_of_the_surface_are_black() {
     let glass = glass(0.5);
     assert_eq!(glass.sample(Vec3::X, Vec2::splat(0.5), 0.5), None);
     assert!(glass.f(Vec3::X, Vec3::Z).is_black() && glass.f(Vec3::Z, Vec3::X).is_black());

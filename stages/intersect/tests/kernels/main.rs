@@ -1,8 +1,8 @@
-//! What rays do at triangles and spheres.
+//! Tests of the ray/triangle and ray/sphere kernels.
 //!
-//! [`triangle`] and [`sphere`] hold the plain cases. The other files go where textbook formulas fail,
-//! each test with a line on how; [`truth`] is the slow and exact computation that they are held
-//! against.
+//! [`triangle`] and [`sphere`] test simple cases. The other files test cases in which textbook
+//! formulas fail; each test explains the failure in a line. [`truth`] computes the expected
+//! results, slowly and exactly.
 
 mod sphere;
 mod sphere_grazed;
@@ -18,8 +18,8 @@ mod triangle_scales;
 mod truth;
 
 // BEGIN SOLUTION(part1.task3)
-/// Property tests try the same `cases` inputs on every run, so that a run can be repeated;
-/// `PROPTEST_RNG_SEED=7 cargo test` tries others.
+/// Configures property tests to use the same `cases` inputs on every run.
+/// `PROPTEST_RNG_SEED=7 cargo test` uses others.
 fn cases(cases: u32) -> proptest::test_runner::Config {
     use proptest::test_runner::{Config, RngSeed};
     let config = Config::with_cases(cases);

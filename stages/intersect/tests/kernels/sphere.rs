@@ -1,4 +1,4 @@
-//! Part 1, task 4: what a ray does at a sphere, in plain cases.
+//! Part 1, task 4: simple cases of the ray/sphere intersection.
 // BEGIN SOLUTION(part1.task4)
 use intersect::{intersect_sphere, test_sphere};
 use kit::{PrimId, Ray, Sphere, Vec2, Vec3};
@@ -10,19 +10,19 @@ const BALL: Sphere = Sphere {
 };
 
 #[test]
-fn the_nearer_crossing_is_the_hit() {
+fn near_intersection_is_the_hit() {
     let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
     assert_eq!(test_sphere(&BALL, &ray), Some(2.0));
 }
 
 #[test]
-fn a_ray_beside_it_misses() {
+fn ray_outside_of_the_radius_misses() {
     let ray = Ray::new(Vec3::new(3.1, 0.0, 0.0), Vec3::NEG_Z);
     assert_eq!(test_sphere(&BALL, &ray), None);
 }
 
 #[test]
-fn a_hit_is_recorded_and_shortens_the_ray() {
+fn hit_is_recorded_and_shortens_the_ray() {
     let mut ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
     let hit = intersect_sphere(&BALL, PrimId(7), &mut ray).unwrap();
     assert_eq!(ray.max_t, 2.0);
@@ -34,7 +34,7 @@ fn a_hit_is_recorded_and_shortens_the_ray() {
 }
 
 #[test]
-fn a_miss_leaves_the_ray_alone() {
+fn miss_does_not_change_the_ray() {
     let before = Ray::new(Vec3::ZERO, Vec3::Z);
     let mut ray = before;
     assert_eq!(intersect_sphere(&BALL, PrimId(0), &mut ray), None);
@@ -42,7 +42,7 @@ fn a_miss_leaves_the_ray_alone() {
 }
 
 #[test]
-fn the_normal_points_outward_also_from_inside() {
+fn normal_points_outward_also_from_inside() {
     let mut ray = Ray::new(BALL.center, Vec3::X);
     let hit = intersect_sphere(&BALL, PrimId(0), &mut ray).unwrap();
     assert_eq!((hit.t, hit.n), (3.0, Vec3::X));

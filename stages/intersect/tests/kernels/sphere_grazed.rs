@@ -1,17 +1,17 @@
-//! Spheres that are touched, far away or huge: where the discriminant cancels.
+//! Tangent rays, distant and very large spheres: cases in which the discriminant cancels.
 // BEGIN SOLUTION(part1.task4)
 use crate::truth::{discriminant, error_of_root};
 use intersect::test_sphere;
 use kit::{Ray, Sphere, Vec3};
 
-/// The relative error that a root may have: a few roundings, far from where the two roots meet.
+/// Tolerance for a root, relative: a few rounding errors, if the two roots are well separated.
 const FEW_ULP: f64 = 8.0 * f64::EPSILON;
 
-/// Hard case 36. `b² - a·c` of a tangent is exactly 0 here, and its terms are large: one rounding error
-/// decides.
+/// Hard case 36. `b² - a·c` of a tangent is exactly 0 here, but its terms are large, so a single
+/// rounding error decides.
 #[test]
-fn tangent_in_whole_numbers_is_one_hit() {
-    // Points on spheres of whole radius, and directions at right angles to them.
+fn tangent_with_integer_coordinates_is_one_hit() {
+    // Points on spheres with integer radius, and directions perpendicular to their normals.
     let tangents = [
         (Vec3::new(5.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), 5.0),
         (Vec3::new(3.0, 4.0, 0.0), Vec3::new(-4.0, 3.0, 0.0), 5.0),
@@ -28,7 +28,7 @@ fn tangent_in_whole_numbers_is_one_hit() {
             for t in [1.0, 3.0, 1000.0, 65536.0] {
                 let ray = Ray::new(center + point - t * d, d);
                 let s = Sphere { center, radius };
-                assert_eq!(discriminant(&s, &ray), 0.0, "the probe itself");
+                assert_eq!(discriminant(&s, &ray), 0.0, "the test ray is not tangent");
                 assert_eq!(test_sphere(&s, &ray), Some(t), "{s:?} {ray:?}");
                 let smaller = Sphere {
                     center,
@@ -45,9 +45,10 @@ fn tangent_in_whole_numbers_is_one_hit() {
     }
 }
 
-/// Hard case 37. A millionth inside is a hit, a millionth outside a miss, however far the origin.
+/// Hard case 37. A ray 1e-6 radii inside hits and one 1e-6 radii outside misses, at any distance of
+/// the origin.
 #[test]
-fn grazing_by_a_millionth_is_decided() {
+fn ray_within_1e6th_of_a_tangent_hits_or_misses_correctly() {
     for radius in [1e-3, 1.0, 250.0] {
         for distance in [3.0, 1e3, 1e6] {
             let s = Sphere {
@@ -70,8 +71,8 @@ fn grazing_by_a_millionth_is_decided() {
     }
 }
 
-/// Hard case 38. `b²` and `a·c` are the square of the distance, their difference that of the radius: at
-/// 1e8 radii nothing is left of it in f64, at 1e4 radii in f32.
+/// Hard case 38. `b²` and `a·c` are the square of the distance, and their difference is the square
+/// of the radius. It vanishes at 1e8 radii in f64 and at 1e4 radii in f32.
 #[test]
 fn far_sphere_is_hit() {
     for distance in [1e3, 1e4, 1e5, 1e6, 1e9, 1e12] {
@@ -84,22 +85,23 @@ fn far_sphere_is_hit() {
             let side = offset * Vec3::new(3.0, 2.0, 0.0).normalize();
             let ray = Ray::new(s.center + side - distance * d, d);
             if discriminant(&s, &ray) > 0.01 {
-                let t = test_sphere(&s, &ray).expect("a hit");
+                let t = test_sphere(&s, &ray).expect("the ray hits");
                 assert!(
                     error_of_root(&s, &ray, t) <= FEW_ULP * t,
                     "{distance} {offset}"
                 );
             } else {
-                // The origin is so coarse there that the line is another one.
+                // The origin is rounded so coarsely that the line is a different one.
                 assert!(distance >= 1e12, "{distance} {offset}");
             }
         }
     }
 }
 
-/// Hard case 39. Near a huge sphere `c = f·f - r²` cancels, and with it the smaller root.
+/// Hard case 39. Near a very large sphere `c = f·f - r²` cancels, and the smaller root is
+/// inaccurate.
 #[test]
-fn ground_sphere_is_hit_where_it_is() {
+fn very_large_sphere_has_an_accurate_hit() {
     let ground = Sphere {
         center: Vec3::new(0.0, -1e5, 0.0),
         radius: 1e5,
@@ -108,7 +110,7 @@ fn ground_sphere_is_hit_where_it_is() {
         for down in [1.0, 0.3, 0.05, 0.03] {
             let d = Vec3::new(0.6, -down, 0.8).normalize();
             let ray = Ray::new(Vec3::new(0.3, height, -0.2), d);
-            let t = test_sphere(&ground, &ray).expect("a hit");
+            let t = test_sphere(&ground, &ray).expect("the ray hits");
             assert!(t < 1e4);
             assert!(
                 error_of_root(&ground, &ray, t) <= FEW_ULP * t,
@@ -118,9 +120,10 @@ fn ground_sphere_is_hit_where_it_is() {
     }
 }
 
-/// The same scene a thousand orders of magnitude apart: squares overflow at 1e154 and underflow at 1e-154.
+/// The same scene at scales from 2^-1000 to 2^1000. Squares overflow at 1e154 and underflow at
+/// 1e-154.
 #[test]
-fn size_of_the_scene_does_not_matter() {
+fn result_does_not_depend_on_the_scale() {
     let s = Sphere {
         center: Vec3::new(1.0, 2.0, -9.0),
         radius: 3.0,
@@ -133,13 +136,13 @@ fn size_of_the_scene_does_not_matter() {
             center: k * s.center,
             radius: k * s.radius,
         };
-        let t = test_sphere(&scaled, &Ray::new(k * ray.o, ray.d)).expect("a hit");
+        let t = test_sphere(&scaled, &Ray::new(k * ray.o, ray.d)).expect("the ray hits");
         assert!(
             (t / k - reference).abs() <= FEW_ULP * reference,
             "{exponent}"
         );
         // Hard case 48: `d` of any length.
-        let t = test_sphere(&s, &Ray::new(ray.o, k * ray.d)).expect("a hit");
+        let t = test_sphere(&s, &Ray::new(ray.o, k * ray.d)).expect("the ray hits");
         assert!(
             (t * k - reference).abs() <= FEW_ULP * reference,
             "{exponent}"

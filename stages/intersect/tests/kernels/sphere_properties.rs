@@ -1,4 +1,4 @@
-//! What holds for every sphere and ray.
+//! Properties that hold for every sphere and ray.
 // BEGIN SOLUTION(part1.task4)
 use crate::cases;
 use crate::truth::{discriminant, error_of_root};
@@ -30,15 +30,16 @@ proptest! {
         let everywhere = Ray { min_t: f64::NEG_INFINITY, ..ray };
         let disc = discriminant(&s, &ray);
         let near = test_sphere(&s, &everywhere);
-        // What is decided in double-double or far from 0 is decided right.
+        // In double-double, or if the discriminant is far from 0, the decision is exact.
         prop_assert_eq!(near.is_some(), disc >= 0.0);
         let Some(near) = near else { return Ok(()) };
-        // What rounding moves the line by, and how much more the crossings move where it grazes the sphere.
+        // The distance by which rounding moves the line, and the factor for the intersections of a
+        // nearly tangent ray.
         let half_chord = disc.sqrt() / ray.d.length();
         let size = (ray.o - s.center).length() + s.radius;
         let moved = 8.0 * f64::EPSILON * size / ray.d.length();
         let bound = moved * (s.radius / half_chord).max(1.0);
-        // Where the roots nearly meet, Newton's step from one of them says little.
+        // If the roots are nearly equal, a Newton step from one of them is no measure of its error.
         if half_chord > 1e-4 * s.radius {
             let far = test_sphere(&s, &Ray { min_t: near.next_up(), ..ray }).expect("two roots");
             prop_assert!(error_of_root(&s, &ray, near) <= bound);
@@ -46,9 +47,10 @@ proptest! {
         }
     }
 
-    /// A line that touches the sphere to sixteen digits is a hit or a miss by the seventeenth.
+    /// For rays that are tangent up to sixteen digits, the seventeenth decides between hit and
+    /// miss.
     #[test]
-    fn grazing_is_decided_exactly(
+    fn nearly_tangent_rays_are_decided_exactly(
         (s, direction) in (pair().prop_map(|(s, _)| s), point()),
         distance in 0.0..6.0_f64,
         gap in 3.0..17.0_f64,
@@ -58,17 +60,17 @@ proptest! {
         let d = direction.normalize_or(Vec3::X);
         let side = d.any_orthonormal_vector() * (s.radius * (1.0 + gap));
         let o = s.center + side - kit::math::pow(10.0, distance) * s.radius * d;
-        // The origin is rounded: the radius that makes the gap is found for it as it is.
+        // The origin is rounded. Computes the radius that gives this gap for the rounded origin.
         let f = o - s.center;
         let radius = f.cross(d).length() / d.length() * (1.0 - gap);
         let (s, ray) = (Sphere { radius, ..s }, Ray::new(o, d));
         prop_assert_eq!(test_sphere(&s, &ray).is_some(), discriminant(&s, &ray) >= 0.0);
     }
 
-    /// At 1e14 radii the vector from the centre to the line is mostly rounding error, if it is found
-    /// from the origin.
+    /// At 1e14 radii the vector from the centre to the line is mostly rounding error if it is
+    /// computed from the origin.
     #[test]
-    fn far_sphere_is_hit_or_missed_as_it_should(
+    fn distant_sphere_agrees_with_exact_arithmetic(
         (s, direction) in (pair().prop_map(|(s, _)| s), point()),
         distance in 6.0..16.0_f64,
         gap in -0.1..0.1_f64,
@@ -81,7 +83,7 @@ proptest! {
     }
 
     #[test]
-    fn range_decides_by_the_distance_that_is_returned((s, ray) in pair()) {
+    fn range_is_compared_with_the_returned_distance((s, ray) in pair()) {
         if let Some(t) = test_sphere(&s, &ray) {
             prop_assert_eq!(test_sphere(&s, &Ray { min_t: t, max_t: t, ..ray }), Some(t));
             prop_assert_eq!(test_sphere(&s, &Ray { max_t: t.next_down(), ..ray }), None);
@@ -89,7 +91,7 @@ proptest! {
     }
 
     #[test]
-    fn record_agrees_with_the_test((s, ray) in pair()) {
+    fn recorded_hit_agrees_with_the_test((s, ray) in pair()) {
         let mut shortened = ray;
         let hit = intersect_sphere(&s, PrimId(5), &mut shortened);
         prop_assert_eq!(hit.map(|hit| hit.t), test_sphere(&s, &ray));

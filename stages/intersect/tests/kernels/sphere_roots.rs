@@ -1,4 +1,4 @@
-//! Which of the two crossings is the hit, and how it is recorded.
+//! The choice between the two roots, and the recorded hit.
 // BEGIN SOLUTION(part1.task4)
 use crate::truth::{distance_from_sphere, error_of_root};
 use intersect::{intersect_sphere, test_sphere};
@@ -14,17 +14,17 @@ fn along_x(o: f64) -> Ray {
     Ray::new(Vec3::new(o, 0.0, 0.0), Vec3::X)
 }
 
-/// Hard case 40. Code that looks at the near root alone sees nothing from inside.
+/// Hard case 40. Code that tests only the near root misses from inside.
 #[test]
-fn from_inside_the_far_root_is_hit() {
+fn ray_from_inside_hits_at_the_far_root() {
     assert_eq!(test_sphere(&BALL, &along_x(-1.0)), Some(3.0));
     assert_eq!(test_sphere(&BALL, &along_x(1.0)), Some(1.0));
 }
 
-/// Hard case 41. At the centre `b` is 0: with `signum(0) = 0` in `q = b + signum(b)·sqrt(..)` both
-/// roots collapse.
+/// Hard case 41. At the centre `b` is 0. With `signum(0) = 0` in `q = b + signum(b)·sqrt(..)` both
+/// roots are wrong.
 #[test]
-fn from_the_centre_the_radius_is_hit() {
+fn ray_from_the_centre_hits_at_the_radius() {
     assert_eq!(test_sphere(&BALL, &along_x(0.0)), Some(2.0));
     let slow = Ray::new(Vec3::ZERO, Vec3::new(0.0, -0.25, 0.0));
     assert_eq!(test_sphere(&BALL, &slow), Some(8.0));
@@ -36,9 +36,9 @@ fn from_the_centre_the_radius_is_hit() {
     }
 }
 
-/// Hard case 42. The root at the origin of the ray counts only if the range begins there.
+/// Hard case 42. The root at the origin of the ray counts only if the range contains it.
 #[test]
-fn from_the_surface_outward_there_is_no_positive_root() {
+fn outward_ray_from_the_surface_has_no_positive_root() {
     let outward = along_x(2.0);
     assert_eq!(test_sphere(&BALL, &outward), Some(0.0));
     let beyond = Ray {
@@ -46,21 +46,22 @@ fn from_the_surface_outward_there_is_no_positive_root() {
         ..outward
     };
     assert_eq!(test_sphere(&BALL, &beyond), None);
-    // Both roots are 0: (b + sqrt(b² - a·c)) is 0, and the other root c divided by it is 0/0.
+    // Both roots are 0: b + sqrt(b² - a·c) is 0, and the other root, c divided by it, is 0/0.
     let tangent = Ray::new(Vec3::new(2.0, 0.0, 0.0), Vec3::Y);
     assert_eq!(test_sphere(&BALL, &tangent), Some(0.0));
 }
 
-/// Hard case 43. The crossing at the origin of the ray must not come out as a tiny positive `t` in
-/// place of the other side.
+/// Hard case 43. The root at the origin of the ray must not be computed as a tiny positive `t`,
+/// which would replace the far root.
 #[test]
-fn from_the_surface_inward_the_chord_is_hit() {
+fn inward_ray_from_the_surface_hits_the_far_side() {
     let inward = Ray {
         min_t: 1e-300,
         ..along_x(-2.0)
     };
     assert_eq!(test_sphere(&BALL, &inward), Some(4.0));
-    // At (2, 3, 6)/7 of the radius 7 along (-3, 2, 0), turned inward a little.
+    // Rays from (2, 3, 6) on the sphere of radius 7 around the origin. The second is nearly
+    // tangent.
     let ball = Sphere {
         center: Vec3::ZERO,
         radius: 7.0,
@@ -88,7 +89,7 @@ fn sphere_behind_is_missed() {
 
 /// Hard case 45.
 #[test]
-fn near_root_out_of_range_leaves_the_far_one() {
+fn far_root_counts_if_the_near_root_is_out_of_range() {
     let ray = Ray {
         min_t: 2.0,
         ..along_x(-3.0)
@@ -114,26 +115,27 @@ fn ends_of_the_range_count() {
     assert_eq!(test_sphere(&BALL, &ranged(0.0, 1.0_f64.next_down())), None);
 }
 
-/// Hard case 46. A sphere that is a point has no direction from its centre: 0/0.
+/// Hard case 46. On a sphere of radius 0 the normal is 0/0.
 #[test]
-fn point_sphere_is_hit_exactly_or_not_at_all() {
+fn sphere_of_radius_zero_is_hit_only_exactly() {
     let point = Sphere {
         center: Vec3::new(1.0, 2.0, 3.0),
         radius: 0.0,
     };
-    let mut through = Ray::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.5, 1.0, 1.0));
-    let hit = intersect_sphere(&point, PrimId(0), &mut through).unwrap();
+    let mut exact = Ray::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.5, 1.0, 1.0));
+    let hit = intersect_sphere(&point, PrimId(0), &mut exact).unwrap();
     assert_eq!((hit.t, hit.p), (2.0, point.center));
-    assert_eq!(hit.n, -through.d.normalize());
-    let beside = Ray::new(Vec3::new(0.0, 1e-15, 1.0), through.d);
+    assert_eq!(hit.n, -exact.d.normalize());
+    let beside = Ray::new(Vec3::new(0.0, 1e-15, 1.0), exact.d);
     assert_eq!(test_sphere(&point, &beside), None);
     let from_it = Ray::new(point.center, Vec3::X);
     assert_eq!(test_sphere(&point, &from_it), Some(0.0));
 }
 
-/// Hard case 47 is an error of the file; a sphere made by hand has no points then.
+/// Hard case 47 is an error in a scene file. A sphere constructed in code with a negative radius is
+/// empty.
 #[test]
-fn negative_or_nan_numbers_are_a_miss() {
+fn negative_radius_and_non_finite_numbers_are_misses() {
     let ray = along_x(-3.0);
     for radius in [-2.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(
@@ -156,8 +158,8 @@ fn negative_or_nan_numbers_are_a_miss() {
     assert_eq!(test_sphere(&BALL, &Ray::new(Vec3::ZERO, Vec3::ZERO)), None);
 }
 
-/// Hard case 49. `o + t·d` is off by the rounding error of `t`; a ray that leaves from there starts
-/// inside or outside.
+/// Hard case 49. `o + t·d` has the rounding error of `t`. A ray that starts there starts inside or
+/// outside.
 #[test]
 fn hit_point_is_on_the_sphere() {
     for distance in [1.0, 1e3, 1e6, 1e9] {

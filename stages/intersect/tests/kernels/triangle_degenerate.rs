@@ -1,9 +1,9 @@
-//! Triangles and rays that are hardly any: no hit, and never a NaN.
+//! Degenerate triangles and rays: they are misses, and never give a NaN.
 // BEGIN SOLUTION(part1.task3)
 use intersect::{intersect_triangle, test_triangle};
 use kit::{PrimId, Ray, Triangle, Vec3};
 
-/// In the plane z = 0, the origin in the middle of its longest edge.
+/// A triangle in the plane z = 0. The origin is the midpoint of its longest edge.
 fn flat_on_z() -> Triangle {
     Triangle::flat(
         Vec3::new(-1.0, 0.0, 0.0),
@@ -12,32 +12,32 @@ fn flat_on_z() -> Triangle {
     )
 }
 
-/// The same triangle, turned so that no coordinate is a round number.
-fn askew() -> Triangle {
-    let turn = kit::Mat3::from_axis_angle(Vec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
+/// The same triangle, rotated so that no coordinate is exact.
+fn rotated() -> Triangle {
+    let rotation = kit::Mat3::from_axis_angle(Vec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
     let tri = flat_on_z();
-    Triangle::flat(turn * tri.p0, turn * tri.p1, turn * tri.p2)
+    Triangle::flat(rotation * tri.p0, rotation * tri.p1, rotation * tri.p2)
 }
 
-/// Hard case 12. The determinant of a parallel ray is 0 or what rounding left of it; divided by that,
-/// anything is a hit.
+/// Hard case 12. The determinant of a parallel ray is 0 or a rounding error. A division by it can
+/// give any result.
 #[test]
 fn parallel_ray_above_the_plane_misses() {
-    for tri in [flat_on_z(), askew()] {
+    for tri in [flat_on_z(), rotated()] {
         let normal = (tri.p1 - tri.p0).cross(tri.p2 - tri.p0);
         for height in [1e-9, 1e-3, 1.0, 1e3] {
             for (w1, w2) in [(1.0, 0.0), (0.0, 1.0), (0.6, 0.8), (0.3, -0.9)] {
                 let d = w1 * (tri.p1 - tri.p0) + w2 * (tri.p2 - tri.p0);
-                let over_the_middle = (tri.p0 + tri.p1 + tri.p2) / 3.0 + height * normal;
-                let ray = Ray::new(over_the_middle - 3.0 * d, d);
+                let above_the_centroid = (tri.p0 + tri.p1 + tri.p2) / 3.0 + height * normal;
+                let ray = Ray::new(above_the_centroid - 3.0 * d, d);
                 assert_eq!(test_triangle(&tri, &ray), None, "{ray:?}");
             }
         }
     }
 }
 
-/// Hard case 13. A ray in the plane meets a whole stretch of the triangle, not a point: a miss, by
-/// convention.
+/// Hard case 13. A ray in the plane intersects the triangle in a segment, not in a point. By
+/// convention it misses.
 #[test]
 fn coplanar_ray_through_the_triangle_misses() {
     for d in [Vec3::X, Vec3::new(1.0, 0.5, 0.0), Vec3::Y] {
@@ -46,7 +46,7 @@ fn coplanar_ray_through_the_triangle_misses() {
     }
 }
 
-/// Hard cases 14 to 16. Without area, the formulas divide 0 by 0.
+/// Hard cases 14 to 16. Without area the formulas compute 0/0.
 #[test]
 fn triangle_without_area_is_missed() {
     let (a, b) = (Vec3::new(-1.0, -1.0, -2.0), Vec3::new(3.0, 1.0, -4.0));
@@ -71,9 +71,9 @@ fn triangle_without_area_is_missed() {
     }
 }
 
-/// Hard case 32. Every comparison with a NaN is false: `if b1 < 0 { miss }` lets it pass.
+/// Hard case 32. Every comparison with a NaN is false, so `if b1 < 0 { miss }` does not reject it.
 #[test]
-fn nan_or_infinite_number_is_a_miss() {
+fn non_finite_numbers_are_misses() {
     let ray = Ray::new(Vec3::new(0.0, 0.25, 1.0), Vec3::NEG_Z);
     assert!(test_triangle(&flat_on_z(), &ray).is_some());
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -110,7 +110,7 @@ fn ray_without_direction_misses() {
     }
 }
 
-/// Hard case 34. Half way between two opposite normals their mean is 0, and 0 has no direction.
+/// Hard case 34. The mean of two opposite normals is 0 and cannot be normalised.
 #[test]
 fn opposing_vertex_normals_give_a_finite_shading_normal() {
     let mut tri = flat_on_z();

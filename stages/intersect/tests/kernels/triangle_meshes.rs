@@ -1,4 +1,4 @@
-//! Rays at the seams of meshes: no ray slips through.
+//! Rays through the shared edges and vertices of meshes: none passes between the triangles.
 // BEGIN SOLUTION(part1.task3)
 use crate::cases;
 use intersect::test_triangle;
@@ -9,9 +9,9 @@ fn point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-1.0..1.0_f64).prop_map(Vec3::from_array)
 }
 
-/// A closed surface around the origin: an octahedron with every edge halved `levels` times, its
-/// vertices on the unit sphere. Convex.
-fn ball(levels: u32) -> Vec<[Vec3; 3]> {
+/// A closed convex mesh around the origin: an octahedron, subdivided `levels` times, with its
+/// vertices on the unit sphere.
+fn octasphere(levels: u32) -> Vec<[Vec3; 3]> {
     let mut faces = Vec::new();
     for x in [Vec3::X, Vec3::NEG_X] {
         for y in [Vec3::Y, Vec3::NEG_Y] {
@@ -31,19 +31,19 @@ fn ball(levels: u32) -> Vec<[Vec3; 3]> {
     faces
 }
 
-/// Moves every vertex along its own direction by a factor in [1/2, 3/2) that depends on nothing but the
-/// vertex.
-fn dented(v: Vec3) -> Vec3 {
-    let mixed = v.to_array().into_iter().fold(0_u64, |h, x| {
-        // -0 and +0 are one vertex.
+/// Scales every vertex by a factor in [1/2, 3/2) that depends only on the vertex.
+fn displaced(v: Vec3) -> Vec3 {
+    let hash = v.to_array().into_iter().fold(0_u64, |h, x| {
+        // -0 and +0 are the same vertex.
         (h ^ (x + 0.0).to_bits())
             .wrapping_mul(0x9e37_79b9_7f4a_7c15)
             .rotate_left(29)
     });
-    v * (0.5 + (mixed >> 11) as f64 / (1_u64 << 53) as f64)
+    v * (0.5 + (hash >> 11) as f64 / (1_u64 << 53) as f64)
 }
 
-/// Aims from `origin` at every vertex of `mesh` and at places on its edges; the ray must hit something.
+/// Traces rays from `origin` to every vertex of `mesh` and to a point on each edge. Each ray must
+/// hit a triangle.
 fn assert_closed(mesh: &[[Vec3; 3]], origin: Vec3, along: f64) -> Result<(), TestCaseError> {
     for [a, b, c] in mesh {
         for (from, to) in [(a, b), (b, c), (c, a)] {
@@ -52,7 +52,7 @@ fn assert_closed(mesh: &[[Vec3; 3]], origin: Vec3, along: f64) -> Result<(), Tes
                 let hits = mesh
                     .iter()
                     .any(|[a, b, c]| test_triangle(&Triangle::flat(*a, *b, *c), &ray).is_some());
-                prop_assert!(hits, "{ray:?} leaves through the seam {from} .. {to}");
+                prop_assert!(hits, "{ray:?} misses at the edge {from} .. {to}");
             }
         }
     }
@@ -62,10 +62,10 @@ fn assert_closed(mesh: &[[Vec3; 3]], origin: Vec3, along: f64) -> Result<(), Tes
 proptest! {
     #![proptest_config(cases(200))]
 
-    /// Hard case 7. Möller-Trumbore rounds the same edge differently from its two sides: of rays at
-    /// shared edges about one in ten slips through.
+    /// Hard case 7. Möller-Trumbore rounds a shared edge differently in the two triangles. About
+    /// one in ten rays at shared edges passes between them.
     #[test]
-    fn shared_edge_lets_no_ray_through(
+    fn shared_edge_is_watertight(
         (a, b, c) in (point(), point(), point()),
         o in point(),
         along in prop::collection::vec(0.01..0.99_f64, 50),
@@ -81,14 +81,15 @@ proptest! {
         }
     }
 
-    /// Hard case 8. Signed volumes (Plücker coordinates) agree along an edge, but not around a vertex.
+    /// Hard case 8. Signed volumes (Plücker coordinates) are consistent along an edge, but not
+    /// around a vertex.
     #[test]
-    fn shared_vertex_lets_no_ray_through(apex in point(), o in point(), spokes in 3..12_u32) {
+    fn shared_vertex_is_watertight(apex in point(), o in point(), spokes in 3..12_u32) {
         let rim = |i: u32| {
             let angle = f64::from(i % spokes) * std::f64::consts::TAU / f64::from(spokes);
             apex + Vec3::new(kit::math::cos(angle), kit::math::sin(angle), 0.3)
         };
-        // From above, so that the fan surrounds its apex.
+        // From above, so that the triangle fan surrounds the apex.
         let o = apex + o + Vec3::new(0.0, 0.0, 10.0);
         let ray = Ray::new(o, (apex - o).normalize());
         let hits = (0..spokes)
@@ -101,22 +102,29 @@ proptest! {
     #![proptest_config(cases(12))]
 
     #[test]
-    fn closed_mesh_never_leaks(from in point(), along in 0.0..1.0_f64) {
-        assert_closed(&ball(2), 0.5 * from, along)?;
-        let dented: Vec<[Vec3; 3]> = ball(2).into_iter().map(|face| face.map(dented)).collect();
-        assert_closed(&dented, Vec3::ZERO, along)?;
+    fn closed_mesh_is_watertight(from in point(), along in 0.0..1.0_f64) {
+        assert_closed(&octasphere(2), 0.5 * from, along)?;
+        let displaced: Vec<[Vec3; 3]> = octasphere(2)
+            .into_iter()
+            .map(|face| face.map(displaced))
+            .collect();
+        assert_closed(&displaced, Vec3::ZERO, along)?;
     }
 
-    /// Hard case 21. Every face of a ball that is stretched a millionfold is a needle. A test that
-    /// drops a hit because its `t` is uncertain makes holes here: both neighbours are uncertain.
+    /// Hard case 21. Every face of an octasphere that is stretched by up to a million is a needle.
+    /// A test that rejects a hit because its `t` is uncertain makes holes here, because both
+    /// adjacent triangles are uncertain.
     #[test]
-    fn closed_mesh_of_needles_never_leaks(
+    fn closed_mesh_of_needles_is_watertight(
         from in point(),
         along in 0.0..1.0_f64,
         stretch in prop::array::uniform3(-3.0..3.0_f64),
     ) {
         let stretch = Vec3::from_array(stretch.map(|e| kit::math::pow(10.0, e)));
-        let needles: Vec<[Vec3; 3]> = ball(2).into_iter().map(|face| face.map(|v| v * stretch)).collect();
+        let needles: Vec<[Vec3; 3]> = octasphere(2)
+            .into_iter()
+            .map(|face| face.map(|v| v * stretch))
+            .collect();
         assert_closed(&needles, 0.5 * from * stretch, along)?;
     }
 }

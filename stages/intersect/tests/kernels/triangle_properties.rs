@@ -1,4 +1,4 @@
-//! What holds for every triangle and ray.
+//! Properties that hold for every triangle and ray.
 // BEGIN SOLUTION(part1.task3)
 use crate::cases;
 use crate::triangle_scales::distance_bound;
@@ -7,15 +7,16 @@ use intersect::{intersect_triangle, test_triangle};
 use kit::{PrimId, Ray, Triangle, Vec3};
 use proptest::prelude::*;
 
-/// Nearer to an edge than this, as a barycentric weight, rounding may decide. Well-shaped triangles at
-/// a distance of a few units: coordinates are off by some 1e-16, and the smallest area is 1e-2.
+/// Smallest barycentric weight, in magnitude, for which rounding cannot change the decision. It
+/// holds for well-shaped triangles at a distance of a few units: rounding errors of coordinates are
+/// about 1e-16, and the smallest area is 1e-2.
 const UNDECIDABLE: f64 = 1e-12;
 
 fn point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-1.0..1.0_f64).prop_map(Vec3::from_array)
 }
 
-/// A triangle and a ray through its plane, inside or outside.
+/// A triangle and a ray through its plane, inside or outside of the triangle.
 fn pair() -> impl Strategy<Value = (Triangle, Ray)> {
     let weight = -0.5..1.5_f64;
     (point(), point(), point(), point(), weight.clone(), weight)
@@ -27,9 +28,10 @@ fn pair() -> impl Strategy<Value = (Triangle, Ray)> {
                 Ray::new(o, (target - o).normalize()),
             )
         })
-        .prop_filter("a fair area seen from the ray", |(tri, ray)| {
-            (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).dot(ray.d).abs() > 0.01
-        })
+        .prop_filter(
+            "the projected area along the ray is large enough",
+            |(tri, ray)| (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).dot(ray.d).abs() > 0.01,
+        )
 }
 
 proptest! {
@@ -47,17 +49,17 @@ proptest! {
         }
     }
 
-    /// Renaming the axes in a circle changes nothing, not even the last bit.
+    /// A cyclic permutation of the axes does not change a bit of the result.
     #[test]
-    fn turning_the_axes_changes_nothing((tri, ray) in pair()) {
-        let turn = |v: Vec3| Vec3::new(v.y, v.z, v.x);
-        let turned = Triangle::flat(turn(tri.p0), turn(tri.p1), turn(tri.p2));
-        let turned_ray = Ray { o: turn(ray.o), d: turn(ray.d), ..ray };
-        prop_assert_eq!(test_triangle(&turned, &turned_ray), test_triangle(&tri, &ray));
+    fn permuted_axes_give_identical_results((tri, ray) in pair()) {
+        let permute = |v: Vec3| Vec3::new(v.y, v.z, v.x);
+        let permuted = Triangle::flat(permute(tri.p0), permute(tri.p1), permute(tri.p2));
+        let permuted_ray = Ray { o: permute(ray.o), d: permute(ray.d), ..ray };
+        prop_assert_eq!(test_triangle(&permuted, &permuted_ray), test_triangle(&tri, &ray));
     }
 
     #[test]
-    fn order_of_the_vertices_does_not_decide((tri, ray) in pair()) {
+    fn result_does_not_depend_on_the_vertex_order((tri, ray) in pair()) {
         let hits = test_triangle(&tri, &ray).is_some();
         let (a, b, c) = (tri.p0, tri.p1, tri.p2);
         for (p0, p1, p2) in [(b, c, a), (c, a, b), (a, c, b), (c, b, a), (b, a, c)] {
@@ -66,7 +68,7 @@ proptest! {
     }
 
     #[test]
-    fn range_decides_by_the_distance_that_is_returned((tri, ray) in pair()) {
+    fn range_is_compared_with_the_returned_distance((tri, ray) in pair()) {
         if let Some(hit) = test_triangle(&tri, &ray) {
             for (min_t, max_t, hits) in [
                 (hit.t, hit.t, true),
@@ -80,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn record_agrees_with_the_test((tri, ray) in pair(), normals in (point(), point(), point())) {
+    fn recorded_hit_agrees_with_the_test((tri, ray) in pair(), normals in (point(), point(), point())) {
         let mut tri = tri;
         (tri.n0, tri.n1, tri.n2) =
             (normals.0.normalize(), normals.1.normalize(), normals.2.normalize());
@@ -97,8 +99,8 @@ proptest! {
             prop_assert!(hit.ng.dot(tri.p1 - tri.p0).abs() < 1e-14);
             prop_assert!(hit.ng.dot(tri.p2 - tri.p0).abs() < 1e-14);
             let b0 = 1.0 - hit.uv.x - hit.uv.y;
-            let blend = b0 * tri.n0 + hit.uv.x * tri.n1 + hit.uv.y * tri.n2;
-            prop_assert!((hit.n * blend.length() - blend).length() < 1e-14);
+            let interpolated = b0 * tri.n0 + hit.uv.x * tri.n1 + hit.uv.y * tri.n2;
+            prop_assert!((hit.n * interpolated.length() - interpolated).length() < 1e-14);
         }
     }
 }

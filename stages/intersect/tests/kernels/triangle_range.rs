@@ -1,4 +1,4 @@
-//! The range of a ray: both ends count, and only a hit changes it.
+//! The range of a ray: both ends count, and only a hit changes `max_t`.
 // BEGIN SOLUTION(part1.task3)
 use intersect::{intersect_triangle, test_triangle};
 use kit::{PrimId, Ray, Triangle, Vec3};
@@ -11,7 +11,7 @@ fn wall() -> Triangle {
     )
 }
 
-/// The ray of the plain case, which meets the wall at t = 3, with another range.
+/// A ray that intersects the plane of `wall` at t = 3, with the given range.
 fn ranged(min_t: f64, max_t: f64) -> Ray {
     Ray {
         min_t,
@@ -20,10 +20,10 @@ fn ranged(min_t: f64, max_t: f64) -> Ray {
     }
 }
 
-/// Hard cases 26 and 27. A fixed `t > 1e-4` loses rays that start on a surface on purpose, with a range
-/// that says so.
+/// Hard cases 26 and 27. A fixed `t > 1e-4` rejects valid hits of rays that start on a surface and
+/// whose range includes 0.
 #[test]
-fn origin_on_the_plane_hits_at_zero_if_the_range_has_it() {
+fn origin_on_the_plane_hits_at_zero_if_in_range() {
     let vertices = [wall().p0, wall().p1, wall().p2];
     let inside = Vec3::new(0.0, 0.25, -3.0);
     for o in vertices.into_iter().chain([inside]) {
@@ -40,8 +40,8 @@ fn origin_on_the_plane_hits_at_zero_if_the_range_has_it() {
     }
 }
 
-/// Hard cases 28 and 29. `t < max_t` loses the hit that another ray's range ends at: of two equal
-/// surfaces, the second one.
+/// Hard cases 28 and 29. `t < max_t` rejects a hit at the end of the range, such as the second of
+/// two coincident surfaces.
 #[test]
 fn ends_of_the_range_count() {
     let t = |ray: Ray| test_triangle(&wall(), &ray).map(|hit| hit.t);
@@ -53,14 +53,14 @@ fn ends_of_the_range_count() {
 }
 
 #[test]
-fn hit_in_a_range_of_negative_distances_counts() {
+fn negative_distances_in_the_range_count() {
     let mut ray = ranged(-5.0, -1.0);
     ray.d = Vec3::Z;
     assert_eq!(test_triangle(&wall(), &ray).map(|hit| hit.t), Some(-3.0));
 }
 
-/// Hard case 30. A test that shortens the ray before it has looked at the edges hides everything behind
-/// the miss.
+/// Hard case 30. A test that shortens the ray before it tests the edges hides everything behind a
+/// miss.
 #[test]
 fn only_a_hit_shortens_the_ray() {
     let beside = Ray::new(Vec3::new(2.5, 2.5, 0.0), Vec3::NEG_Z);

@@ -1,4 +1,4 @@
-//! Triangles that are very small, large, thin or far: no fixed epsilon fits all of them.
+//! Very small, large, thin or distant triangles: no fixed epsilon works for all of them.
 // BEGIN SOLUTION(part1.task3)
 use crate::cases;
 use crate::truth::{Crossing, distance_from_plane, unit_normal};
@@ -6,16 +6,15 @@ use intersect::{intersect_triangle, test_triangle};
 use kit::{PrimId, Ray, Triangle, TriangleHit, Vec3};
 use proptest::prelude::*;
 
-/// How far a float `t` may be from the truth: the bound on the rounding errors of the watertight test,
-/// doubled as the grader does. Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition,
-/// section 6.8.7. For unit `d`.
+/// Bound on the error of `t`: the bound for the watertight test, doubled as in the grader, for unit
+/// `d` (Pharr, Jakob, Humphreys, "Physically Based Rendering", 4th edition, section 6.8.7).
 pub(crate) fn distance_bound(tri: &Triangle, ray: &Ray) -> f64 {
     let gamma = |n: f64| n * 0.5 * f64::EPSILON / (1.0 - n * 0.5 * f64::EPSILON);
     let longest = ray.d.abs().max_position();
-    let turned = |v: Vec3| Vec3::from_array([1, 2, 0].map(|i| v[(longest + i) % 3]));
-    let d = turned(ray.d);
+    let permuted = |v: Vec3| Vec3::from_array([1, 2, 0].map(|i| v[(longest + i) % 3]));
+    let d = permuted(ray.d);
     let points = [tri.p0, tri.p1, tri.p2].map(|p| {
-        let p = turned(p - ray.o);
+        let p = permuted(p - ray.o);
         Vec3::new(p.x - d.x / d.z * p.z, p.y - d.y / d.z * p.z, p.z / d.z)
     });
     let largest = points.iter().fold(Vec3::ZERO, |m, p| m.max(p.abs()));
@@ -34,12 +33,12 @@ pub(crate) fn distance_bound(tri: &Triangle, ray: &Ray) -> f64 {
     2.0 * delta_t
 }
 
-/// A hit, as near to the truth as the bound allows.
+/// Asserts that `ray` hits `tri` and that the error of `t` is within the bound.
 fn assert_hit_within_bound(tri: &Triangle, ray: &Ray) -> Result<(), TestCaseError> {
-    let truth = Crossing::of(tri, ray).expect("a ray that is not parallel");
+    let truth = Crossing::of(tri, ray).expect("the ray is not parallel");
     prop_assert!(
         truth.is_inside(),
-        "the probe itself misses by {:e}",
+        "the test ray misses by {:e}",
         truth.margin()
     );
     let hit = test_triangle(tri, ray);
@@ -48,7 +47,7 @@ fn assert_hit_within_bound(tri: &Triangle, ray: &Ray) -> Result<(), TestCaseErro
     let bound = distance_bound(tri, ray);
     prop_assert!(
         error <= bound,
-        "t is off by {error:e}, allowed is {bound:e}"
+        "the error of t is {error:e}, the bound is {bound:e}"
     );
     Ok(())
 }
@@ -57,8 +56,9 @@ fn point() -> impl Strategy<Value = Vec3> {
     prop::array::uniform3(-1.0..1.0_f64).prop_map(Vec3::from_array)
 }
 
-/// A triangle with a fair area, in a cube of size 2, and a unit ray from a distance of about 5 at its middle.
-fn fair_hit() -> impl Strategy<Value = (Triangle, Ray)> {
+/// A triangle of sufficient area in a cube of size 2, and a unit ray from a distance of about 5 to
+/// its interior.
+fn well_shaped_hit() -> impl Strategy<Value = (Triangle, Ray)> {
     let triangle = (point(), point(), point()).prop_map(|(a, b, c)| Triangle::flat(a, b, c));
     (triangle, point())
         .prop_map(|(tri, o)| {
@@ -66,18 +66,20 @@ fn fair_hit() -> impl Strategy<Value = (Triangle, Ray)> {
             let o = target + 5.0 * o;
             (tri, Ray::new(o, (target - o).normalize()))
         })
-        .prop_filter("a fair area seen from the ray", |(tri, ray)| {
-            (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).dot(ray.d).abs() > 0.01
-        })
+        .prop_filter(
+            "the projected area along the ray is large enough",
+            |(tri, ray)| (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).dot(ray.d).abs() > 0.01,
+        )
 }
 
 fn scaled(tri: &Triangle, s: f64) -> Triangle {
     Triangle::flat(s * tri.p0, s * tri.p1, s * tri.p2)
 }
 
-/// Products of coordinates and direction leave the range of floats in every way there is, denormals included.
+/// Products of coordinates and direction overflow, underflow and become denormal in all
+/// combinations.
 #[test]
-fn size_and_speed_in_every_combination() {
+fn all_scales_of_scene_and_direction() {
     let tri = Triangle::flat(
         Vec3::new(-0.7, -0.9, 0.1),
         Vec3::new(0.8, -0.3, -0.2),
@@ -92,7 +94,7 @@ fn size_and_speed_in_every_combination() {
         {
             let (size, speed) = (2.0_f64.powi(size), 2.0_f64.powi(speed));
             let hit = test_triangle(&scaled(&tri, size), &Ray::new(size * ray.o, speed * ray.d));
-            let t = hit.expect("a hit").t / (size / speed);
+            let t = hit.expect("the ray hits").t / (size / speed);
             assert!(
                 (t - reference).abs() <= 4.0 * f64::EPSILON * reference,
                 "{size:e} {speed:e}: {t}"
@@ -101,20 +103,20 @@ fn size_and_speed_in_every_combination() {
     }
 }
 
-/// A cross product is taken as it is while at most ten bits of its 53 cancel.
-const KEPT_DIGITS: f64 = 4096.0 * f64::EPSILON;
+/// Tolerance for normals: a plain cross product is accepted if at most ten of its 53 bits cancel.
+const NORMAL_TOLERANCE: f64 = 4096.0 * f64::EPSILON;
 
 proptest! {
     #![proptest_config(cases(300))]
 
-    /// Hard cases 17, 18 and 19. `if det.abs() < 1e-8 { miss }` loses every triangle of a small scene. In
-    /// f32 the products of coordinates underflow at 1e-15 and overflow at 1e15; in f64 they do at 1e-100
-    /// and 1e100.
+    /// Hard cases 17, 18 and 19. `if det.abs() < 1e-8 { miss }` rejects every triangle of a small
+    /// scene. In f32 the products of coordinates underflow at 1e-15 and overflow at 1e15; in f64
+    /// they do at 1e-100 and 1e100.
     #[test]
-    fn size_of_the_scene_does_not_matter((tri, ray) in fair_hit(), exponent in -900..900_i32) {
+    fn result_does_not_depend_on_the_scale((tri, ray) in well_shaped_hit(), exponent in -900..900_i32) {
         let reference = test_triangle(&tri, &ray).unwrap();
         for exponent in [exponent, -20, -50, 50, -500, 500] {
-            // Powers of two, so that the scaled scene is the same scene.
+            // Powers of two, so that scaling is exact.
             let s = 2.0_f64.powi(exponent);
             let hit = test_triangle(&scaled(&tri, s), &Ray::new(s * ray.o, ray.d));
             prop_assert!(hit.is_some(), "missed at a scale of {s:e}");
@@ -124,11 +126,12 @@ proptest! {
         }
     }
 
-    /// Hard case 31. A direction that is not unit is right, too: `t` counts its lengths. Far beyond any
-    /// scene, products of coordinates and direction leave the range of floats in every way there is.
+    /// Hard case 31. A direction without unit length is valid: `t` counts multiples of its length.
+    /// At extreme scales the products of coordinates and direction overflow and underflow in all
+    /// combinations.
     #[test]
     fn t_is_measured_in_lengths_of_d(
-        (tri, ray) in fair_hit(),
+        (tri, ray) in well_shaped_hit(),
         size in -900..900_i32,
         speed in -900..900_i32,
     ) {
@@ -144,11 +147,11 @@ proptest! {
         }
     }
 
-    /// The normal of a needle is a small difference of products, and that of a tiny triangle underflows. With a
-    /// vertex at the origin the edges are exact, and nothing is lost.
+    /// The normal of a needle is a small difference of products, and the normal of a tiny triangle
+    /// underflows. With a vertex at the origin the edges are exact.
     #[test]
     fn geometric_normal_is_that_of_the_plane(
-        (tri, ray) in fair_hit(),
+        (tri, ray) in well_shaped_hit(),
         width in 0.0..12.0_f64,
         size in -900..900_i32,
     ) {
@@ -159,18 +162,18 @@ proptest! {
         let s = 2.0_f64.powi(size);
         let mut ray = Ray::new(s * (target - ray.d), ray.d);
         let hit = intersect_triangle(&scaled(&needle, s), PrimId(0), &mut ray);
-        // The middle of the thinnest ones is rounded off them.
+        // The midpoint of the thinnest needles is rounded to a point outside of them.
         prop_assert!(hit.is_some() || width > 10.0);
         if let Some(hit) = hit {
-            prop_assert!((hit.ng - unit_normal(&needle)).length() < KEPT_DIGITS);
+            prop_assert!((hit.ng - unit_normal(&needle)).length() < NORMAL_TOLERANCE);
         }
     }
 
-    /// The signs of the weights are right without further care, but where their products cancel their
-    /// digits are noise. Seen along an axis nothing else is rounded, so `t` can be right to the last
-    /// few.
+    /// The plain formula gives the exact signs of the weights, but their digits are rounding errors
+    /// if the products cancel. Along an axis nothing else is rounded, so `t` can be accurate to the
+    /// last few bits.
     #[test]
-    fn needle_across_the_line_of_sight_keeps_its_depth(
+    fn needle_seen_along_an_axis_has_an_accurate_distance(
         (a, b) in (point(), point()),
         along in 0.1..0.9_f64,
         width in 8.0..13.0_f64,
@@ -191,7 +194,7 @@ proptest! {
 
     /// Hard case 20.
     #[test]
-    fn sliver_is_hit((tri, ray) in fair_hit(), width in 3.0..9.0_f64) {
+    fn sliver_is_hit((tri, ray) in well_shaped_hit(), width in 3.0..9.0_f64) {
         let thin = kit::math::pow(10.0, -width);
         let p2 = tri.p0.lerp(tri.p1, 0.37) + thin * (tri.p2 - tri.p0);
         let sliver = Triangle::flat(tri.p0, tri.p1, p2);
@@ -200,22 +203,22 @@ proptest! {
         assert_hit_within_bound(&sliver, &ray)?;
     }
 
-    /// Hard case 22. `if t <= delta_t { miss }`, meant against hits behind the origin, loses hits in
-    /// front of it.
+    /// Hard case 22. `if t <= delta_t { miss }`, meant to reject hits behind the origin, rejects
+    /// hits in front of it.
     #[test]
-    fn pancake_is_hit((tri, ray) in fair_hit(), flat in 3.0..6.0_f64) {
+    fn flattened_triangle_is_hit((tri, ray) in well_shaped_hit(), flat in 3.0..6.0_f64) {
         let thin = kit::math::pow(10.0, -flat);
         let flatten = |p: Vec3| Vec3::new(p.x, p.y, thin * p.z);
-        let pancake = Triangle::flat(flatten(tri.p0), flatten(tri.p1), flatten(tri.p2));
-        let target = 0.4 * pancake.p0 + 0.3 * pancake.p1 + 0.3 * pancake.p2;
+        let flattened = Triangle::flat(flatten(tri.p0), flatten(tri.p1), flatten(tri.p2));
+        let target = 0.4 * flattened.p0 + 0.3 * flattened.p1 + 0.3 * flattened.p2;
         let o = flatten(ray.o);
-        prop_assert!(test_triangle(&pancake, &Ray::new(o, target - o)).is_some());
+        prop_assert!(test_triangle(&flattened, &Ray::new(o, target - o)).is_some());
     }
 
-    /// Hard case 23. Far from the origin coordinates are coarse, and the input is another triangle than
-    /// meant: that one is to be hit.
+    /// Hard case 23. Far from the origin coordinates are coarse, and the input is a rounded
+    /// triangle. The result must be correct for the rounded triangle.
     #[test]
-    fn offset_of_a_million_is_exact_on_the_rounded_input((tri, ray) in fair_hit(), offset in point()) {
+    fn offset_of_a_million_is_exact_on_the_rounded_input((tri, ray) in well_shaped_hit(), offset in point()) {
         let offset = 1e6 * offset;
         let far = Triangle::flat(tri.p0 + offset, tri.p1 + offset, tri.p2 + offset);
         let o = ray.o + offset;
@@ -223,11 +226,11 @@ proptest! {
         assert_hit_within_bound(&far, &Ray::new(o, (target - o).normalize()))?;
     }
 
-    /// Hard cases 24 and 35. At an angle of 1e-4 and less to the plane the determinant is small against
-    /// its terms.
+    /// Hard cases 24 and 35. At an angle of 1e-4 or less to the plane the determinant is small
+    /// compared to its terms.
     #[test]
     fn grazing_ray_is_within_the_bound(
-        (tri, _) in fair_hit(),
+        (tri, _) in well_shaped_hit(),
         grazing in 4.0..7.0_f64,
         turn in 0.0..std::f64::consts::TAU,
     ) {
@@ -239,15 +242,15 @@ proptest! {
         assert_hit_within_bound(&tri, &Ray::new(target - 3.0 * d, d))?;
     }
 
-    /// Hard case 25. `o + t·d` is off by the rounding error of `t`, a millionth of a unit at t = 1e10;
-    /// the vertices are not.
+    /// Hard case 25. `o + t·d` has the rounding error of `t`, which is 1e-6 at t = 1e10. The
+    /// vertices do not.
     #[test]
-    fn hit_point_is_on_the_plane_however_far_the_origin((tri, ray) in fair_hit(), distance in 0.0..9.0_f64) {
+    fn hit_point_is_on_the_plane_however_far_the_origin((tri, ray) in well_shaped_hit(), distance in 0.0..9.0_f64) {
         let target = 0.4 * tri.p0 + 0.3 * tri.p1 + 0.3 * tri.p2;
         let o = target - kit::math::pow(10.0, distance) * ray.d;
         let mut ray = Ray::new(o, ray.d);
         if let Some(hit) = intersect_triangle(&tri, PrimId(0), &mut ray) {
-            // Coordinates are at most 1: a few units in their last place.
+            // Coordinates are at most 1, so this is a few units in the last place.
             prop_assert!(distance_from_plane(&tri, hit.p) < 8.0 * f64::EPSILON);
         }
     }

@@ -1,4 +1,4 @@
-//! Exact answers, in rational numbers: slow, plain, and without a rounding error.
+//! Exact results in rational arithmetic: slow, simple, and without rounding errors.
 // BEGIN SOLUTION(part1.task3)
 use kit::{Ray, Sphere, Triangle, Vec3};
 use num_rational::BigRational;
@@ -7,7 +7,7 @@ type Exact = BigRational;
 type ExactVec = [Exact; 3];
 
 fn exact(x: f64) -> Exact {
-    Exact::from_float(x).expect("truth is asked about finite numbers only")
+    Exact::from_float(x).expect("inputs are finite")
 }
 
 fn exact_vec(v: Vec3) -> ExactVec {
@@ -30,9 +30,9 @@ fn dot(a: &ExactVec, b: &ExactVec) -> Exact {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
 }
 
-/// `x` to the nearest float or next to it.
+/// `x` rounded to a float, with an error of at most 1 ulp.
 fn to_f64(x: &Exact) -> f64 {
-    // Through a whole number of 2^-k with k chosen so that it has well over 53 bits.
+    // Converts an integer multiple of 2^-k, with k chosen so that it has well over 53 bits.
     let size = x.numer().bits() as i64 - x.denom().bits() as i64;
     let shift = 80 - size;
     let scaled = if shift >= 0 {
@@ -40,12 +40,15 @@ fn to_f64(x: &Exact) -> f64 {
     } else {
         x.numer() / (x.denom() << (-shift) as usize)
     };
-    let digits: f64 = scaled.to_string().parse().expect("a whole number");
+    let digits: f64 = scaled
+        .to_string()
+        .parse()
+        .expect("an integer has decimal digits");
     let half = (-shift / 2) as i32;
     digits * 2.0_f64.powi(half) * 2.0_f64.powi(-shift as i32 - half)
 }
 
-/// Where the whole line of a ray crosses the plane of a triangle.
+/// The intersection of the infinite line of a ray with the plane of a triangle.
 pub(crate) struct Crossing {
     t: Exact,
     weights: [Exact; 3],
@@ -71,23 +74,24 @@ impl Crossing {
         })
     }
 
-    /// Whether the crossing is on the triangle, its edges included.
+    /// Whether the intersection is inside the triangle, including its edges.
     pub(crate) fn is_inside(&self) -> bool {
         self.weights.iter().all(|w| *w >= exact(0.0))
     }
 
-    /// The smallest barycentric weight: how far inside (or, negative, outside) the crossing is.
+    /// The smallest barycentric weight. It is negative if the intersection is outside of the
+    /// triangle.
     pub(crate) fn margin(&self) -> f64 {
         let [a, b, c] = &self.weights;
         to_f64(a.min(b).min(c))
     }
 
-    /// Where on the ray, rounded.
+    /// The distance along the ray, rounded.
     pub(crate) fn t(&self) -> f64 {
         to_f64(&self.t)
     }
 
-    /// How far `t` is from the truth.
+    /// The absolute error of `t`.
     pub(crate) fn error_of(&self, t: f64) -> f64 {
         to_f64(&(exact(t) - &self.t)).abs()
     }
@@ -101,7 +105,7 @@ pub(crate) fn unit_normal(tri: &Triangle) -> Vec3 {
         .iter()
         .map(|x| x.max(&-x).clone())
         .max()
-        .expect("three numbers");
+        .expect("there are three components");
     let zero = exact(0.0);
     Vec3::from_array(normal.map(|x| {
         if x == zero {
@@ -113,15 +117,15 @@ pub(crate) fn unit_normal(tri: &Triangle) -> Vec3 {
     .normalize()
 }
 
-/// The distance of `p` from the plane of `tri`, to first order exact.
+/// The distance of `p` from the plane of `tri`, exact to first order.
 pub(crate) fn distance_from_plane(tri: &Triangle, p: Vec3) -> f64 {
     let [p0, p1, p2, p] = [tri.p0, tri.p1, tri.p2, p].map(exact_vec);
     let normal = cross(&minus(&p1, &p0), &minus(&p2, &p0));
     to_f64(&dot(&normal, &minus(&p, &p0))).abs() / to_f64(&dot(&normal, &normal)).sqrt()
 }
 
-/// `b² - a·c` of the quadratic equation of ray and sphere, its sign exact: negative for a line that
-/// misses, 0 for a tangent.
+/// The discriminant `b² - a·c` of the ray/sphere equation, with exact sign: negative for a line
+/// that misses, 0 for a tangent.
 pub(crate) fn discriminant(s: &Sphere, ray: &Ray) -> f64 {
     let [center, o, d] = [s.center, ray.o, ray.d].map(exact_vec);
     let f = minus(&o, &center);
@@ -135,8 +139,8 @@ pub(crate) fn discriminant(s: &Sphere, ray: &Ray) -> f64 {
     }
 }
 
-/// How far `t` is from the nearest crossing of ray and sphere: one exact step of Newton's method, so
-/// meaningful for errors that are small against the distance of the two crossings.
+/// The distance of `t` from the nearest root of the ray/sphere equation, by one exact Newton step.
+/// It is accurate if the error is small compared to the distance between the roots.
 pub(crate) fn error_of_root(s: &Sphere, ray: &Ray, t: f64) -> f64 {
     let [center, o, d] = [s.center, ray.o, ray.d].map(exact_vec);
     let t = exact(t);

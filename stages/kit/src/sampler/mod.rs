@@ -1,45 +1,46 @@
-//! Random numbers that depend on nothing but where they are used.
+//! Samplers: random numbers that depend only on where they are used.
 //!
-//! A number is a function of (seed, pixel, sample, dimension): a counter goes through a hash, there is no
-//! hidden state that threads could share. So a picture is the same for any number of threads and any order
-//! of tiles.
+//! A number is a hash of (seed, pixel, sample, dimension). There is no state that threads could
+//! share, so an image is the same for any number of threads and any order of tiles.
 
-mod side_by_side;
+mod pixel_samplers;
 
-pub use side_by_side::PixelSamplers;
+pub use pixel_samplers::PixelSamplers;
 
 use crate::Vec2;
 use crate::{sobol, stratified};
 
-/// How the samples of a pixel lie to each other.
+/// How the samples of a pixel are distributed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pattern {
-    /// None knows of another.
+    /// Independent samples.
     #[default]
     Independent,
-    /// One in each of equal cells of the pixel.
+    /// One sample in each of `samples` equal cells of the pixel.
     Stratified {
-        /// How many cells: the samples of a pixel, best a square number. Further ones start over.
+        /// Number of cells: the number of samples per pixel, preferably a square number. Further
+        /// samples start again with the first cell of a new order.
         samples: u32,
     },
-    /// Scrambled Sobol points: in every pair of dimensions the samples of a pixel keep apart, which leaves less noise.
-    /// Best with a power of two of them.
+    /// Owen-scrambled Sobol points. The samples are well distributed in each pair of dimensions,
+    /// which reduces noise. Best with a power of two of samples.
     Sobol,
 }
 
-/// Where the random numbers of a picture come from.
+/// Parameters of the samplers of an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sampling {
-    /// How the samples of a pixel lie to each other.
+    /// How the samples of a pixel are distributed.
     pub pattern: Pattern,
-    /// Different seeds give independent pictures.
+    /// Images with different seeds are independent.
     pub seed: u64,
-    /// The first of the samples of a pixel that are drawn: a picture is continued by starting where it stopped.
+    /// Index of the first sample of each pixel. To continue an image, start with the number of
+    /// samples that it already has.
     pub first_sample: u32,
 }
 
 impl From<u64> for Sampling {
-    /// Independent samples.
+    /// Independent samples with this seed.
     fn from(seed: u64) -> Sampling {
         Sampling {
             seed,
@@ -48,7 +49,7 @@ impl From<u64> for Sampling {
     }
 }
 
-/// The random numbers of one pixel, sample after sample, dimension after dimension.
+/// The random numbers of one pixel, by sample and dimension.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PixelSampler {
     pattern: Pattern,
@@ -58,7 +59,7 @@ pub struct PixelSampler {
 }
 
 impl PixelSampler {
-    /// The sampler of the pixel in column `x` and row `y`. `sampling` may be a seed alone.
+    /// The sampler of the pixel in column `x` and row `y`. A seed alone means independent samples.
     pub fn new(x: u32, y: u32, sampling: impl Into<Sampling>) -> PixelSampler {
         let Sampling {
             pattern,
@@ -74,47 +75,48 @@ impl PixelSampler {
         }
     }
 
-    /// Starts the next camera sample of this pixel and gives its place inside the pixel: uniform in
-    /// [0, 1)², with (0, 0) at the pixel's bottom left.
+    /// Starts the next camera sample of this pixel. Returns its position in the pixel: uniform in
+    /// [0, 1)², with (0, 0) at the bottom left of the pixel.
     pub fn get_sample(&mut self) -> Vec2 {
         self.start_sample();
         self.next_2d()
     }
 
-    /// Starts the next camera sample without drawing its place: [`PixelSampler::get_sample`] is this and a
-    /// [`PixelSampler::next_2d`].
+    /// Starts the next camera sample without computing its position. [`PixelSampler::get_sample`]
+    /// is this followed by [`PixelSampler::next_2d`].
     #[inline]
     pub fn start_sample(&mut self) {
         self.samples_started += 1;
         self.dimension = 0;
     }
 
-    /// How many samples of the pixel have started, with those before [`Sampling::first_sample`].
+    /// Number of samples of the pixel that have started, including those before
+    /// [`Sampling::first_sample`].
     #[inline]
     pub fn samples_started(&self) -> u32 {
         self.samples_started
     }
 
-    /// Leaves out what [`PixelSampler::next_1d`] would give.
+    /// Skips the number that [`PixelSampler::next_1d`] would return.
     #[inline]
     pub fn skip_1d(&mut self) {
         self.dimension += 1;
     }
 
-    /// The next number of the current sample: uniform in [0, 1).
+    /// Returns the next number of the current sample: uniform in [0, 1).
     #[inline]
     pub fn next_1d(&mut self) -> f64 {
         match self.pattern {
             Pattern::Independent => self.independent(),
             Pattern::Stratified { samples } => {
                 let (index, key) = self.sample_and_key();
-                stratified::number(index, samples.max(1), key, self.independent())
+                stratified::sample_1d(index, samples.max(1), key, self.independent())
             }
             Pattern::Sobol => self.sobol().x,
         }
     }
 
-    /// The next two numbers of the current sample: uniform in [0, 1)².
+    /// Returns the next two numbers of the current sample: uniform in [0, 1)².
     #[inline]
     pub fn next_2d(&mut self) -> Vec2 {
         match self.pattern {
@@ -125,7 +127,7 @@ impl PixelSampler {
             Pattern::Stratified { samples } => {
                 let (index, key) = self.sample_and_key();
                 let jitter = [self.independent(), self.independent()];
-                stratified::point(index, samples.max(1), key, jitter).into()
+                stratified::sample_2d(index, samples.max(1), key, jitter).into()
             }
             Pattern::Sobol => self.sobol(),
         }
@@ -135,19 +137,21 @@ impl PixelSampler {
     fn independent(&mut self) -> f64 {
         let counter = u64::from(self.samples_started) << 32 | u64::from(self.dimension);
         self.dimension += 1;
-        // 53 bits: every result is a float below 1, exactly.
+        // 53 bits: the result is exact and below 1.
         (mix(self.key ^ mix(counter)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Which sample this is, counted from 0, and the key of this dimension: the same for all samples of the pixel.
+    /// The index of the current sample, from 0, and the key of the current dimension, which all
+    /// samples of the pixel share.
     #[inline(always)]
     fn sample_and_key(&self) -> (u32, u64) {
         let key = mix(self.key ^ mix(u64::from(self.dimension)));
-        // The first sample is number 1 here; before it, the numbers of a sample 0 are as good as any.
+        // The counter of the first sample is 1. If no sample has started, the result is still a
+        // valid index.
         (self.samples_started.wrapping_sub(1), key)
     }
 
-    /// A point of this dimension's own sequence; its number is that of the sample.
+    /// The next Sobol point of the current sample. Each pair of dimensions has its own sequence.
     #[inline]
     fn sobol(&mut self) -> Vec2 {
         let (index, key) = self.sample_and_key();
@@ -157,8 +161,8 @@ impl PixelSampler {
     }
 }
 
-/// A hash of 64 bits to 64 bits, the same on every platform: the finaliser of SplitMix64
-/// (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
+/// A 64-bit hash, the same on every platform: the finalizer of SplitMix64 (Steele, Lea, Flood,
+/// "Fast splittable pseudorandom number generators", 2014).
 #[inline]
 pub fn mix(x: u64) -> u64 {
     let x = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -172,7 +176,7 @@ mod tests {
     use super::*;
     use crate::Tally;
 
-    pub(super) fn all() -> [Sampling; 3] {
+    pub(super) fn all_patterns() -> [Sampling; 3] {
         let stratified = Pattern::Stratified { samples: 256 };
         [Pattern::Independent, stratified, Pattern::Sobol].map(|pattern| Sampling {
             pattern,
@@ -183,7 +187,7 @@ mod tests {
 
     #[test]
     fn numbers_are_uniform_and_below_one() {
-        for sampling in all() {
+        for sampling in all_patterns() {
             let mut sampler = PixelSampler::new(4, 2, sampling);
             let mut numbers = Tally::default();
             for _ in 0..4096 {
@@ -193,16 +197,16 @@ mod tests {
                     numbers.push(x);
                 }
             }
-            // Standard error 0.0026 at most.
+            // The standard error is at most 0.0026.
             assert!((numbers.mean() - 0.5).abs() < 0.013);
             assert!((numbers.variance() - 1.0 / 12.0).abs() < 0.005);
         }
     }
 
-    /// A number depends on where it is used, not on what was drawn before in other samples.
+    /// A number does not depend on how many numbers other samples used.
     #[test]
-    fn samples_do_not_know_how_many_numbers_the_others_took() {
-        for sampling in all() {
+    fn samples_do_not_depend_on_the_dimensions_used_by_others() {
+        for sampling in all_patterns() {
             let (mut a, mut b) = (
                 PixelSampler::new(1, 2, sampling),
                 PixelSampler::new(1, 2, sampling),
@@ -216,8 +220,8 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_goes_on_where_it_stopped() {
-        for sampling in all() {
+    fn first_sample_continues_the_sequence() {
+        for sampling in all_patterns() {
             let mut whole = PixelSampler::new(1, 2, sampling);
             let mut rest = PixelSampler::new(
                 1,
@@ -236,8 +240,8 @@ mod tests {
     }
 
     #[test]
-    fn pixels_and_seeds_differ() {
-        for sampling in all() {
+    fn pixels_and_seeds_give_different_samples() {
+        for sampling in all_patterns() {
             let first = |x, y, sampling: Sampling| PixelSampler::new(x, y, sampling).get_sample();
             let other = Sampling {
                 seed: 4,
@@ -248,10 +252,10 @@ mod tests {
         }
     }
 
-    /// What they are for: the mean of a smooth function over 256 samples, in a later dimension. Independent samples have a
-    /// standard error of 0.018 here; in cells 16 a side 1/16 of that is left or less.
+    /// The mean of a smooth function over 256 samples, in later dimensions. The standard error of
+    /// independent samples is 0.018 here. With 16 x 16 cells it is about 1/16 of that.
     #[test]
-    fn sobol_points_and_cells_leave_less_noise() {
+    fn sobol_and_stratified_samples_reduce_noise() {
         let error = |sampling| {
             let means: Tally = (0..64)
                 .map(|x| {
@@ -267,7 +271,7 @@ mod tests {
                 .collect();
             means.variance().sqrt()
         };
-        let [independent, stratified, sobol] = all().map(error);
+        let [independent, stratified, sobol] = all_patterns().map(error);
         assert!(sobol < 0.02 * independent, "{sobol} {independent}");
         assert!(
             (0.02..0.1).contains(&(stratified / independent)),
@@ -275,10 +279,10 @@ mod tests {
         );
     }
 
-    /// Two dimensions know nothing of each other.
+    /// Numbers of different dimensions are not correlated.
     #[test]
     fn dimensions_are_not_correlated() {
-        for sampling in all() {
+        for sampling in all_patterns() {
             let mut sampler = PixelSampler::new(0, 0, sampling);
             let products: Tally = (0..4096)
                 .map(|_| {

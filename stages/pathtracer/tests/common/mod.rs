@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task1)
-//! What several tests need.
+//! Helpers of several tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ pub(crate) fn own_scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae")
 }
 
-/// The scene files in `folders`, in order; there are some.
+/// The scene files in `folders`, sorted. There has to be at least one.
 pub(crate) fn scene_files(folders: &[PathBuf]) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = folders
         .iter()

@@ -1,4 +1,4 @@
-"""Renders scenes with `pathtracer` and with Mitsuba 3 and prints how far they are apart, with the standard error.
+"""Renders scenes with `pathtracer` and with Mitsuba 3 and prints the difference with its standard error.
 
 Run by hand, from the top of the project:
 
@@ -6,8 +6,8 @@ Run by hand, from the top of the project:
     cargo build --release -p pathtracer
     target/mitsuba/bin/python stages/pathtracer/tests/mitsuba/compare.py
 
-Both render the same picture twice as many times as below, with other random numbers each time. Means over blocks of
-pixels are compared by z-tests: the chance that any block of any scene accuses two equal renderers is 1e-6 (Sidak).
+Each renders the same picture ROUNDS times with different random numbers. The means of blocks of pixels are compared by
+t-tests: the probability that any block of any scene fails for two equal renderers is 1e-6 (Sidak).
 """
 
 import math
@@ -27,7 +27,7 @@ WIDTH, HEIGHT = 96, 72
 BLOCK = 12
 FAMILY = 1e-6
 
-# Scene and depth. Mirrors and glass show lamps one depth earlier in Mitsuba, so there nothing may be cut off.
+# Scene and depth. Mirrors and glass show emitters one depth earlier in Mitsuba: their depth may truncate no path.
 SCENES = [
     ("cornell_spheres", 1),
     ("cornell_spheres", 3),

@@ -1,45 +1,46 @@
 // BEGIN SOLUTION(part6.task1)
-//! What the wide tree says is what asking every primitive says, bit for bit.
+//! The wide tree finds the hits of brute force, bit for bit.
 
-mod checked;
+mod checker;
 
-use checked::{Checked, Numbers};
+use checker::{Checker, Random};
 use kit::{PrimId, Ray, Sphere, Triangle, Vec3};
 use meshes::{MeshKind, generate};
-use simd_bvh::{WideBvh, Work};
+use simd_bvh::{TestCounts, WideBvh};
 use std::path::Path;
 
-fn soup(numbers: &mut Numbers, count: usize, size: f64) -> Vec<Triangle> {
+fn soup(random: &mut Random, count: usize, size: f64) -> Vec<Triangle> {
     (0..count)
         .map(|_| {
-            let p = numbers.point();
-            let corner = |numbers: &mut Numbers| p + size * numbers.point();
-            Triangle::flat(p, corner(numbers), corner(numbers))
+            let p = random.point();
+            let corner = |random: &mut Random| p + size * random.point();
+            Triangle::flat(p, corner(random), corner(random))
         })
         .collect()
 }
 
-/// Rays from anywhere and from on the triangles at points on them, along axes, with both ends of the range cut.
-fn rays_at(checked: &mut Checked, numbers: &mut Numbers, count: usize, scale: f64) {
+/// Checks rays to points on the triangles: from anywhere, from other triangles and along axes, with
+/// full and with cut ranges.
+fn rays_at(checker: &mut Checker, random: &mut Random, count: usize, scale: f64) {
     for i in 0..count {
-        let of = numbers.below(checked.scene.triangles.len());
-        let target = numbers.on(&checked.scene.triangles[of]);
-        let other = numbers.below(checked.scene.triangles.len());
-        let (o, left) = match i % 3 {
-            0 => (2.0 * scale * numbers.point(), None),
+        let of = random.below(checker.scene.triangles.len());
+        let target = random.on(&checker.scene.triangles[of]);
+        let other = random.below(checker.scene.triangles.len());
+        let (o, skip) = match i % 3 {
+            0 => (2.0 * scale * random.point(), None),
             1 => {
-                let from = numbers.on(&checked.scene.triangles[other]);
+                let from = random.on(&checker.scene.triangles[other]);
                 (from, Some(PrimId(other as u32)))
             }
-            _ => (target + scale * numbers.direction(), None),
+            _ => (target + scale * random.direction(), None),
         };
         let mut d = target - o;
         match i % 11 {
             0..=6 => d = d.normalize_or(Vec3::X),
-            7 => d[numbers.below(3)] = 0.0,
-            8 => d = [Vec3::X, -Vec3::Y, Vec3::Z][numbers.below(3)],
+            7 => d[random.below(3)] = 0.0,
+            8 => d = [Vec3::X, -Vec3::Y, Vec3::Z][random.below(3)],
             9 => d *= 1e-3,
-            _ => d[numbers.below(3)] *= 1e-19,
+            _ => d[random.below(3)] *= 1e-19,
         }
         let mut ray = Ray::new(o, d);
         match i % 7 {
@@ -49,57 +50,57 @@ fn rays_at(checked: &mut Checked, numbers: &mut Numbers, count: usize, scale: f6
             3 => (ray.min_t, ray.max_t) = (-3.0 * scale, -0.1 * scale),
             _ => {}
         }
-        checked.check(&ray, left);
+        checker.check(&ray, skip);
     }
 }
 
 #[test]
 fn on_meshes() {
     for kind in MeshKind::ALL {
-        let mut numbers = Numbers::new(1);
-        let mut checked = Checked::new(generate(kind, 1500), Vec::new());
-        rays_at(&mut checked, &mut numbers, 4000, 1.0);
-        assert!(checked.hits > 1000, "{} rays hit", checked.hits);
+        let mut random = Random::new(1);
+        let mut checker = Checker::new(generate(kind, 1500), Vec::new());
+        rays_at(&mut checker, &mut random, 4000, 1.0);
+        assert!(checker.hits > 1000, "{} rays hit", checker.hits);
     }
 }
 
 #[test]
 fn on_soups_of_every_size() {
-    let mut numbers = Numbers::new(2);
+    let mut random = Random::new(2);
     for count in (0..40).chain([100, 300]) {
         for size in [0.01, 0.3, 2.0] {
-            let triangles = soup(&mut numbers, count.max(1), size);
-            let mut checked = Checked::new(triangles, Vec::new());
-            rays_at(&mut checked, &mut numbers, 200, 1.0);
+            let triangles = soup(&mut random, count.max(1), size);
+            let mut checker = Checker::new(triangles, Vec::new());
+            rays_at(&mut checker, &mut random, 200, 1.0);
         }
     }
 }
 
-/// Triangles in each other's planes, twice the same, without area: ties everywhere.
+/// Coplanar, duplicate and degenerate triangles: many ties.
 #[test]
 fn on_ties() {
-    let mut numbers = Numbers::new(3);
-    let corner = |numbers: &mut Numbers| {
-        let mut p = (3.0 * numbers.point()).round() / 3.0;
+    let mut random = Random::new(3);
+    let corner = |random: &mut Random| {
+        let mut p = (3.0 * random.point()).round() / 3.0;
         p.z = p.z.abs().round();
         p
     };
     let mut triangles: Vec<Triangle> = (0..60)
         .map(|_| {
-            let mut next = || corner(&mut numbers);
+            let mut next = || corner(&mut random);
             Triangle::flat(next(), next(), next())
         })
         .collect();
     triangles.extend_from_within(10..40);
-    let mut checked = Checked::new(triangles, Vec::new());
-    rays_at(&mut checked, &mut numbers, 20_000, 1.0);
-    assert!(checked.hits > 10_000, "{} rays hit", checked.hits);
+    let mut checker = Checker::new(triangles, Vec::new());
+    rays_at(&mut checker, &mut random, 20_000, 1.0);
+    assert!(checker.hits > 10_000, "{} rays hit", checker.hits);
 }
 
-/// From a billionth of a billionth to beyond what single precision can hold, and far from the origin.
+/// From far below to far above the range of single precision, and far from the origin.
 #[test]
 fn on_every_scale_and_far_away() {
-    let mut numbers = Numbers::new(4);
+    let mut random = Random::new(4);
     for (scale, offset) in [
         (1e-300, 0.0),
         (1e-42, 0.0),
@@ -114,107 +115,107 @@ fn on_every_scale_and_far_away() {
         (1e150, 0.0),
     ] {
         let place = |p: Vec3| scale * p + Vec3::new(offset, -0.3 * offset, 0.0);
-        let triangles: Vec<Triangle> = soup(&mut numbers, 100, 0.5)
+        let triangles: Vec<Triangle> = soup(&mut random, 100, 0.5)
             .iter()
             .map(|t| Triangle::flat(place(t.p0), place(t.p1), place(t.p2)))
             .collect();
-        let mut checked = Checked::new(triangles, Vec::new());
-        rays_at(&mut checked, &mut numbers, 1500, scale);
-        assert!(checked.hits > 100, "{} rays hit at {scale}", checked.hits);
+        let mut checker = Checker::new(triangles, Vec::new());
+        rays_at(&mut checker, &mut random, 1500, scale);
+        assert!(checker.hits > 100, "{} rays hit at {scale}", checker.hits);
     }
 }
 
-/// From a billion scenes away, where a rounding error of the origin is as large as a triangle.
+/// From so far away that a rounding error of the origin is as large as a triangle.
 #[test]
-fn on_what_is_seen_from_very_far_away() {
-    let mut numbers = Numbers::new(8);
+fn from_very_far_away() {
+    let mut random = Random::new(8);
     for distance in [1e3, 1e5, 1e6, 1e9, 1e12, 1e15] {
-        let triangles = soup(&mut numbers, 200, 0.3);
-        let mut checked = Checked::new(triangles, Vec::new());
+        let triangles = soup(&mut random, 200, 0.3);
+        let mut checker = Checker::new(triangles, Vec::new());
         for i in 0..2000 {
-            let of = numbers.below(200);
-            let target = numbers.on(&checked.scene.triangles[of]);
-            let o = target + distance * numbers.direction();
+            let of = random.below(200);
+            let target = random.on(&checker.scene.triangles[of]);
+            let o = target + distance * random.direction();
             let d = (target - o) * if i % 2 == 0 { 1.0 } else { 1.0 / distance };
-            checked.check(&Ray::new(o, d), None);
+            checker.check(&Ray::new(o, d), None);
         }
-        assert!(checked.hits > 100, "{} rays hit", checked.hits);
+        assert!(checker.hits > 100, "{} rays hit", checker.hits);
     }
 }
 
-/// One huge triangle or sphere, and many small ones near by.
+/// One huge triangle and one huge sphere, and many small triangles near them.
 #[test]
-fn on_small_ones_on_a_ground() {
-    let mut numbers = Numbers::new(9);
+fn on_small_triangles_on_a_ground() {
+    let mut random = Random::new(9);
     for size in [1e3, 1e6, 1e9] {
-        let mut triangles = soup(&mut numbers, 100, 0.2);
+        let mut triangles = soup(&mut random, 100, 0.2);
         let at = |x: f64, z: f64| Vec3::new(size * x, -1.0, size * z);
         triangles.push(Triangle::flat(at(-1.0, -1.0), at(3.0, -1.0), at(-1.0, 3.0)));
         let ground = Sphere {
             center: Vec3::new(0.0, -size - 2.0, 0.0),
             radius: size,
         };
-        let mut checked = Checked::new(triangles, vec![ground]);
-        rays_at(&mut checked, &mut numbers, 3000, 1.0);
+        let mut checker = Checker::new(triangles, vec![ground]);
+        rays_at(&mut checker, &mut random, 3000, 1.0);
         for _ in 0..1000 {
-            let o = 3.0 * numbers.point();
-            checked.check(&Ray::new(o, numbers.direction()), None);
+            let o = 3.0 * random.point();
+            checker.check(&Ray::new(o, random.direction()), None);
         }
-        assert!(checked.hits > 1000, "{} rays hit", checked.hits);
+        assert!(checker.hits > 1000, "{} rays hit", checker.hits);
     }
 }
 
 #[test]
 fn on_spheres_among_triangles() {
-    let mut numbers = Numbers::new(5);
+    let mut random = Random::new(5);
     for count in [1, 2, 7, 20, 90] {
         let spheres = (0..count)
             .map(|_| Sphere {
-                center: numbers.point(),
-                radius: 0.3 * numbers.one(),
+                center: random.point(),
+                radius: 0.3 * random.one(),
             })
             .collect();
-        let mut checked = Checked::new(soup(&mut numbers, 30, 0.3), spheres);
-        rays_at(&mut checked, &mut numbers, 1000, 1.0);
+        let mut checker = Checker::new(soup(&mut random, 30, 0.3), spheres);
+        rays_at(&mut checker, &mut random, 1000, 1.0);
         for _ in 0..1000 {
-            let i = numbers.below(count);
-            let s = checked.scene.spheres[i];
-            let o = s.center + s.radius * numbers.direction();
-            let left = (numbers.one() < 0.5).then_some(PrimId(30 + i as u32));
-            checked.check(&Ray::new(o, numbers.direction()), left);
-            let beside = s.center + s.radius * numbers.direction();
-            let far = 3.0 * numbers.point();
-            checked.check(&Ray::new(far, beside - far), None);
+            let i = random.below(count);
+            let s = checker.scene.spheres[i];
+            let o = s.center + s.radius * random.direction();
+            let skip = (random.one() < 0.5).then_some(PrimId(30 + i as u32));
+            checker.check(&Ray::new(o, random.direction()), skip);
+            let beside = s.center + s.radius * random.direction();
+            let far = 3.0 * random.point();
+            checker.check(&Ray::new(far, beside - far), None);
         }
     }
 }
 
 #[test]
-fn on_nothing_and_on_what_no_ray_can_hit() {
-    let mut numbers = Numbers::new(6);
+fn on_empty_scenes_and_invalid_primitives_and_rays() {
+    let mut random = Random::new(6);
     let ray = Ray::new(-Vec3::Z, Vec3::Z);
-    Checked::new(Vec::new(), Vec::new()).check(&ray, None);
-    let mut triangles = soup(&mut numbers, 20, 0.5);
+    Checker::new(Vec::new(), Vec::new()).check(&ray, None);
+    let mut triangles = soup(&mut random, 20, 0.5);
     for (i, triangle) in triangles.iter_mut().enumerate().step_by(3) {
         triangle.p1[i % 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][i / 3 % 3];
     }
     let spheres = [-0.5, f64::NAN, 0.0, f64::INFINITY].map(|radius| Sphere {
-        center: numbers.point(),
+        center: random.point(),
         radius,
     });
-    let mut checked = Checked::new(triangles, spheres.to_vec());
+    let mut checker = Checker::new(triangles, spheres.to_vec());
     for bad in [f64::NAN, f64::INFINITY, 0.0, 1e300, 5e-324] {
         for axis in 0..3 {
             let (mut o, mut d) = (ray, ray);
             o.o[axis] = bad;
             d.d[axis] = bad;
             for ray in [o, d] {
-                checked.check(&ray, None);
+                checker.check(&ray, None);
             }
         }
     }
     for (min_t, max_t) in [(f64::NAN, 1.0), (0.0, f64::NAN), (2.0, 1.0)] {
-        checked.check(
+        checker.check(
             &Ray {
                 min_t,
                 max_t,
@@ -223,24 +224,24 @@ fn on_nothing_and_on_what_no_ray_can_hit() {
             None,
         );
     }
-    checked.check(
+    checker.check(
         &Ray {
             d: Vec3::ZERO,
             ..ray
         },
         None,
     );
-    rays_at(&mut checked, &mut numbers, 1000, 1.0);
+    rays_at(&mut checker, &mut random, 1000, 1.0);
 }
 
 /// Large meshes and the project's scenes.
 #[test]
 #[ignore = "millions of rays take minutes: cargo test --release -p simd_bvh -- --ignored"]
 fn on_millions_of_rays() {
-    let mut numbers = Numbers::new(10);
+    let mut random = Random::new(10);
     for kind in MeshKind::ALL {
-        let mut checked = Checked::large(generate(kind, 50_000), Vec::new());
-        rays_at(&mut checked, &mut numbers, 300_000, 1.0);
+        let mut checker = Checker::large(generate(kind, 50_000), Vec::new());
+        rays_at(&mut checker, &mut random, 300_000, 1.0);
     }
     let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dae");
     for file in std::fs::read_dir(files).expect("the scene files") {
@@ -248,44 +249,44 @@ fn on_millions_of_rays() {
         let scene = scenes::load(&path).expect("a sound scene file").scene;
         let size = scene.bounds().extent().max_element();
         let of_spheres = scene.triangles.is_empty();
-        let mut checked = Checked::large(scene.triangles, scene.spheres);
+        let mut checker = Checker::large(scene.triangles, scene.spheres);
         if !of_spheres {
-            rays_at(&mut checked, &mut numbers, 150_000, size);
+            rays_at(&mut checker, &mut random, 150_000, size);
         }
         for _ in 0..50_000 {
-            let (from, to) = (size * numbers.point(), size * numbers.point());
-            checked.check(&Ray::new(from, to - from), None);
+            let (from, to) = (size * random.point(), size * random.point());
+            checker.check(&Ray::new(from, to - from), None);
         }
     }
     for (count, size) in [(12, 1.0), (16, 0.3), (17, 0.3), (200, 0.02), (200, 1.0)] {
         for _ in 0..20 {
-            let triangles = soup(&mut numbers, count, size);
-            let mut checked = Checked::new(triangles, Vec::new());
-            rays_at(&mut checked, &mut numbers, 5000, 1.0);
+            let triangles = soup(&mut random, count, size);
+            let mut checker = Checker::new(triangles, Vec::new());
+            rays_at(&mut checker, &mut random, 5000, 1.0);
         }
     }
 }
 
-/// What the tree is for: few of the boxes and triangles are asked.
+/// The tree prunes most of the boxes and triangles.
 #[test]
-fn few_are_asked() {
+fn few_boxes_and_triangles_are_tested() {
     let mesh = generate(MeshKind::ALL[0], 50_000);
     let tree = WideBvh::build(&mesh, &[]);
-    // Full nodes: halves that are opened by their size alone would make a third more of them.
+    // Nodes are nearly full: opening children by surface area alone makes a third more nodes.
     assert!(30 * tree.node_count() < mesh.len(), "{}", tree.node_count());
-    let mut numbers = Numbers::new(7);
-    let mut work = Work::default();
+    let mut random = Random::new(7);
+    let mut counts = TestCounts::default();
     let rays = 2000;
     for _ in 0..rays {
-        let target = numbers.below(mesh.len());
-        let o = 3.0 * numbers.direction();
-        let ray = Ray::new(o, numbers.on(&mesh[target]) - o);
+        let target = random.below(mesh.len());
+        let o = 3.0 * random.direction();
+        let ray = Ray::new(o, random.on(&mesh[target]) - o);
         let exact =
             &mut |id: PrimId, ray: &Ray| intersect::test_triangle(&mesh[id.0 as usize], ray);
-        tree.closest(&ray, None, exact, &mut work);
+        tree.closest(&ray, None, exact, &mut counts);
     }
     let each = |tests: u64| tests / rays;
-    assert!(each(work.box_tests) < 100, "{work:?}");
-    assert!(each(work.prim_tests) < 30, "{work:?}");
+    assert!(each(counts.box_tests) < 100, "{counts:?}");
+    assert!(each(counts.prim_tests) < 30, "{counts:?}");
 }
 // END SOLUTION(part6.task1)

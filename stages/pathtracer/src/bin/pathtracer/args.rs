@@ -1,4 +1,4 @@
-//! The command line: the assignment's flags under its names, with long names beside them.
+//! The command line: the assignment's flags with its short names, and long names.
 
 use crate::values::{
     depth, edge, length, pixels, positive, positive_length, samples, seed, threads,
@@ -36,7 +36,7 @@ pub(crate) struct Args {
     #[arg(short = 'm', long, value_name = "INT", value_parser = depth)]
     pub(crate) max_depth: Option<u32>,
 
-    /// The picture to write: .png as a screen shows it, .exr with linear radiance
+    /// The picture to write: .png (tone-mapped), .exr or .hdr (linear radiance)
     #[arg(short = 'f', long = "file", value_name = "FILENAME")]
     pub(crate) file: Option<PathBuf>,
 
@@ -44,12 +44,12 @@ pub(crate) struct Args {
     #[arg(short = 'r', long, num_args = 2, value_names = ["W", "H"], value_parser = edge)]
     pub(crate) resolution: Option<Vec<u32>>,
 
-    /// Render a cell only: its bottom left pixel, counted from the picture's bottom left, and its size, which is
-    /// also the written picture's
+    /// Render only a cell of the picture: its bottom left pixel, counted from the bottom left of
+    /// the picture, and its size, which is also the size of the written picture
     #[arg(short = 'p', long = "cell", num_args = 4, value_names = ["X", "Y", "DX", "DY"], value_parser = pixels)]
     pub(crate) cell: Option<Vec<u32>>,
 
-    /// Camera file [default: the scene's camera, else one that sees all of the scene]
+    /// Camera file [default: the scene's camera, else one that shows the whole scene]
     #[arg(short = 'c', long, value_name = "FILENAME")]
     pub(crate) camera: Option<PathBuf>,
 
@@ -57,20 +57,20 @@ pub(crate) struct Args {
     #[arg(short = 'a', long, num_args = 2, value_names = ["INT", "FLOAT"])]
     pub(crate) adaptive: Option<Vec<String>>,
 
-    /// Sample the hemisphere for direct lighting
+    /// Sample the hemisphere uniformly for direct lighting
     #[arg(short = 'H', long)]
     pub(crate) hemisphere: bool,
 
-    /// Sample lights and surfaces for direct lighting, weighed by how good each is
+    /// Sample the lights and the BSDF for direct lighting (multiple importance sampling)
     #[arg(long, conflicts_with = "hemisphere")]
     pub(crate) mis: bool,
 
-    /// Follow dim paths to their end instead of playing Russian roulette
+    /// Trace dim paths to the maximum depth, without Russian roulette
     #[arg(long)]
     pub(crate) no_roulette: bool,
 
-    /// How the samples of a pixel lie to each other
-    // At equal noise Sobol points take less than half of the time of independent ones.
+    /// The distribution of a pixel's samples
+    // At equal noise, Sobol points need less than half the time of independent samples.
     #[arg(long, value_enum, default_value_t = SamplerName::Sobol)]
     pub(crate) sampler: SamplerName,
 
@@ -78,99 +78,100 @@ pub(crate) struct Args {
     #[arg(short = 'e', long, value_name = "FILENAME")]
     pub(crate) environment: Option<PathBuf>,
 
-    /// Radius of the camera's lens, for depth of field: 0 is a pinhole
+    /// Radius of the camera's lens for depth of field; 0 is a pinhole
     #[arg(long, value_name = "LENGTH", default_value_t = 0.0, value_parser = length)]
     pub(crate) lens_radius: f64,
 
-    /// Distance from the lens to the plane that is sharp
+    /// Distance from the lens to the plane of focus
     #[arg(long, value_name = "LENGTH", value_parser = positive_length, requires = "lens_radius")]
     pub(crate) focus: Option<f64>,
 
-    /// What a surface shows
+    /// What the picture shows
     #[arg(long, value_enum, default_value_t = DEFAULT_SHADE)]
     pub(crate) shade: Shade,
 
-    /// Render in rounds of -s samples (16 if that is 1) for so many seconds
+    /// Render passes of -s samples (16 if that is 1) for this many seconds
     #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
     pub(crate) time: Option<f64>,
 
-    /// Render in rounds of -s samples (16 if that is 1) until the noise of a pixel, on average, is this share of the
-    /// picture's mean, such as 0.02; with --time whichever comes first
+    /// Render passes of -s samples (16 if that is 1) until the mean noise of the pixels is at most
+    /// this fraction of the mean luminance, such as 0.02; with --time until either limit is reached
     #[arg(long, value_name = "TARGET", value_parser = positive, conflicts_with = "adaptive")]
     pub(crate) error: Option<f64>,
 
-    /// An .exr to write beside the picture, with albedo, normal, depth, primitive number and variance
+    /// Also write an .exr with albedo, normal, depth, primitive number and variance
     #[arg(long, value_name = "FILENAME")]
     pub(crate) layers: Option<PathBuf>,
 
-    /// Write the scene for another renderer instead of a picture; the only one is mitsuba
+    /// Export the scene for another renderer instead of rendering; only mitsuba is supported
     #[arg(long, num_args = 2, value_names = ["mitsuba", "OUT.xml"])]
     pub(crate) export: Option<Vec<String>>,
 
-    /// Tell where the time went
+    /// Print how the time was spent
     #[arg(long)]
     pub(crate) stats: bool,
 
-    /// Tell which effects the scene calls for, why, what they took, and what they would take if all were forced on: the
-    /// picture is made once more, to count
+    /// Print which effects the scene calls for and why, how many operations they take, and how many
+    /// all effects would take (the picture is rendered a second time to count these)
     #[arg(long)]
     pub(crate) explain: bool,
 
-    /// Simulate every effect, called for or not: the same picture, more work
+    /// Simulate every effect, called for or not: the same picture with more operations
     #[arg(long)]
     pub(crate) force_effects: bool,
 
-    /// How hits are found
+    /// How ray intersections are found
     #[arg(long, value_enum, default_value_t = DEFAULT_ACCEL)]
     pub(crate) accel: AccelName,
 
-    /// Which random numbers to take: another seed gives another noise
+    /// Seed of the random numbers
     #[arg(long, value_name = "INT", default_value_t = 0, value_parser = seed)]
     pub(crate) seed: u64,
 }
 
-/// What a surface shows.
+/// What the picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Shade {
     /// Light if the scene has any, else normals
     Auto,
-    /// Which way it faces
+    /// Surface normals as colours
     Normals,
-    /// The light that it sends to the camera
+    /// Light
     Lit,
 }
 
-// What a project can do without asking for it: who has finished part 2 goes on to light.
+// A project whose part 2 is done renders light by default.
 // BEGIN SOLUTION(part2.task3)
 const DEFAULT_SHADE: Shade = Shade::Auto;
 // STUB: const DEFAULT_SHADE: Shade = Shade::Normals;
 // END SOLUTION(part2.task3)
 
-// The same hits either way; the wide tree is the last thing that a student writes.
+// All choices find the same hits. The wide tree is the last task of the course.
 // BEGIN SOLUTION(part6.task1)
 const DEFAULT_ACCEL: AccelName = AccelName::Simd;
 // STUB: const DEFAULT_ACCEL: AccelName = AccelName::Bvh;
 // END SOLUTION(part6.task1)
 
-/// How the samples of a pixel lie to each other.
+/// The distribution of a pixel's samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SamplerName {
-    /// None knows of another
+    /// Independent random samples
     Independent,
-    /// One in each of -s cells of the pixel (jittered)
+    /// One random sample in each of -s cells of the pixel (jittered)
     Stratified,
-    /// Evenly (Owen-scrambled Sobol points): less noise
+    /// Owen-scrambled Sobol points: less noise
     Sobol,
 }
 
-/// How hits are found.
+/// How ray intersections are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum AccelName {
-    /// Every ray asks every primitive
+    /// Every ray tests every primitive
     Brute,
-    /// Through a bounding volume hierarchy
+    /// A binary bounding volume hierarchy
     Bvh,
-    /// Through a wide one, eight boxes or triangles at a time; and eight paths of light at a time where they fit
+    /// A wide bounding volume hierarchy that tests eight boxes or triangles at a time; traces paths
+    /// in packets of eight where possible
     Simd,
 }
 

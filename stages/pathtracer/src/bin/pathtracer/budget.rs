@@ -1,18 +1,19 @@
-//! Rendering for as long as it is worth it: rounds of samples until the time is up or the noise is low enough.
+//! Rendering in passes, until a time limit or a noise target is reached (`--time`, `--error`).
 
 use crate::args::Args;
 use pathtracer::{Job, Rendered};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Samples of a round if `-s` does not say more than one: a single one would be through the pixel's centre every time.
-pub(crate) const SAMPLES_OF_A_ROUND: u32 = 16;
+/// Samples of a pass if `-s` is 1: a single sample would always go through the pixel's centre.
+pub(crate) const SAMPLES_PER_PASS: u32 = 16;
 
-/// Samples of a pixel after which no budget goes on: their numbers have 32 bits.
-const MOST_SAMPLES: u32 = 1 << 30;
+/// The largest number of samples of a pixel: sample numbers have 32 bits.
+const MAX_SAMPLES: u32 = 1 << 30;
 
-/// Samples after which a black picture is taken to be black, and not to have missed its light so far.
-const BLACK_IS_BLACK: u64 = 4096;
+/// Samples of a pixel after which a black picture is accepted: with fewer it may have missed the
+/// light.
+const MIN_SAMPLES_IF_BLACK: u64 = 4096;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,10 +23,10 @@ pub(crate) struct Budget {
 }
 
 impl Budget {
-    /// What `--time` and `--error` say; `None` without both.
-    pub(crate) fn of(args: &Args) -> Option<Budget> {
+    /// The limits of `--time` and `--error`; `None` without both.
+    pub(crate) fn new(args: &Args) -> Option<Budget> {
         let budget = Budget {
-            // Beyond what a duration can hold nobody waits.
+            // A time too long for a `Duration` is no limit.
             time: args
                 .time
                 .map(|s| Duration::try_from_secs_f64(s).unwrap_or(Duration::MAX)),
@@ -34,37 +35,37 @@ impl Budget {
         (budget.time.is_some() || budget.error.is_some()).then_some(budget)
     }
 
-    /// Renders rounds of `job`, each with samples of its own, until the budget is spent or `stop` is set. There is one round
-    /// at least. The last round may take half of its time beyond the budget, or end as much before.
-    pub(crate) fn spend(
+    /// Calls `pass` for passes of `job` with different samples until the budget is spent or `stop`
+    /// is set, at least once. The total time may differ from the limit by half the time of a pass.
+    pub(crate) fn render(
         &self,
         job: &Job,
         stop: &AtomicBool,
-        mut round: impl FnMut(&Job) -> Rendered,
+        mut pass: impl FnMut(&Job) -> Rendered,
     ) -> Rendered {
         let start = Instant::now();
         let mut job = *job;
-        let mut all = round(&job);
+        let mut result = pass(&job);
         let mut last = start.elapsed();
-        while !stop.load(Ordering::Relaxed) && !self.is_spent(&all, start.elapsed() + last / 2) {
+        while !stop.load(Ordering::Relaxed) && !self.is_spent(&result, start.elapsed() + last / 2) {
             job.sampling.first_sample += job.samples;
-            if job.sampling.first_sample >= MOST_SAMPLES {
+            if job.sampling.first_sample >= MAX_SAMPLES {
                 break;
             }
             let before = Instant::now();
-            all.add(&round(&job));
+            result.add(&pass(&job));
             last = before.elapsed();
         }
-        all
+        result
     }
 
     fn is_spent(&self, so_far: &Rendered, time: Duration) -> bool {
-        self.time.is_some_and(|most| time >= most)
+        self.time.is_some_and(|limit| time >= limit)
             || self.error.is_some_and(|target| {
                 let is_black = so_far.luminance.iter().all(|pixel| pixel.mean() == 0.0);
                 let samples = so_far.luminance.iter().map(|pixel| pixel.count());
-                let known = !is_black || samples.max() >= Some(BLACK_IS_BLACK);
-                known && so_far.relative_error().is_some_and(|error| error <= target)
+                let is_reliable = !is_black || samples.max() >= Some(MIN_SAMPLES_IF_BLACK);
+                is_reliable && so_far.relative_error().is_some_and(|error| error <= target)
             })
     }
 }

@@ -1,4 +1,4 @@
-//! Scenes for another renderer.
+//! `--export`: writes the scene for another renderer.
 
 use crate::args::Args;
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Writes the scene of `args` for `renderer` to `path`, and its meshes beside it.
+/// Exports the scene of `args` for `renderer` to `path`, with its meshes in the same folder.
 pub(crate) fn run(
     args: &Args,
     light: &LightSettings,
@@ -18,7 +18,7 @@ pub(crate) fn run(
 ) -> Result<ExitCode, Failure> {
     if renderer != "mitsuba" || path.extension().is_none_or(|e| e != "xml") {
         return Err(Failure::Input(format!(
-            "--export {renderer} {}: say --export mitsuba and a name that ends in .xml",
+            "--export {renderer} {}: use --export mitsuba and a name that ends in .xml",
             path.display()
         )));
     }
@@ -36,14 +36,15 @@ pub(crate) fn run(
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let files = to_mitsuba(&lit, &job, light, &stem).map_err(|problems| {
         Failure::Input(format!(
-            "Mitsuba cannot show the same:\n  {}",
+            "the scene cannot be exported exactly:\n  {}",
             problems.join("\n  ")
         ))
     })?;
-    // All of them beside their places first: an old scene never goes with new meshes.
+    // Write all files before any is renamed, so that an old scene is never combined with new
+    // meshes.
     let mut written = Vec::new();
     for file in files {
-        let path = path.with_file_name(format!("{stem}{}", file.ending));
+        let path = path.with_file_name(format!("{stem}{}", file.suffix));
         let part = PartFile::create(&path)
             .and_then(|part| part.file().write_all(file.text.as_bytes()).map(|()| part))
             .map_err(|why| cannot_write(&path, &why))?;
@@ -59,7 +60,7 @@ pub(crate) fn run(
 
 fn cannot_write(path: &Path, why: &io::Error) -> Failure {
     Failure::Input(format!(
-        "cannot write {}: {why}: choose a place that exists and that you may write to",
+        "cannot write {}: {why}: choose an existing folder with write permission",
         path.display()
     ))
 }

@@ -1,4 +1,4 @@
-//! Why there is no picture, as it is told.
+//! Errors that end the program, their messages and exit codes.
 
 use kit::hole::Hole;
 use pathtracer::{EnvironmentFileError, OutputError};
@@ -7,41 +7,41 @@ use std::any::Any;
 use std::io::{IsTerminal, stderr};
 use std::process::ExitCode;
 
-/// Exit code when a stage is not written yet, or broke off.
+/// Exit code if a stage is not written yet or panicked.
 const STAGE_FAILED: u8 = 1;
-/// Exit code for input that cannot be used; `clap` has the same for flags.
+/// Exit code for invalid input; `clap` uses the same for flags.
 const BAD_INPUT: u8 = 2;
 
-/// What ends the program before there is a picture.
+/// An error that ends the program without a picture.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A flag or a picture file cannot be used.
+    /// A flag or a picture file is invalid.
     Input(String),
     /// A scene or camera file cannot be read.
     Scene(SceneError),
     /// A stage is not written yet.
     Hole(Hole),
-    /// A stage broke off, and its panic has been told.
+    /// A stage panicked. The panic hook has printed the message.
     Panic,
 }
 
 impl Failure {
-    /// From what a panic carries.
-    pub(crate) fn of_panic(payload: Box<dyn Any + Send>) -> Failure {
+    /// From the payload of a panic.
+    pub(crate) fn from_panic(payload: Box<dyn Any + Send>) -> Failure {
         match payload.downcast::<Hole>() {
             Ok(hole) => Failure::Hole(*hole),
             Err(_) => Failure::Panic,
         }
     }
 
-    /// Tells what happened; returns the program's exit code.
+    /// Prints the error; returns the exit code.
     pub(crate) fn report(&self) -> ExitCode {
         match self {
             Failure::Input(why) => eprintln!("error: {why}"),
             Failure::Scene(why) if stderr().is_terminal() => eprintln!("{}", why.styled()),
             Failure::Scene(why) => eprintln!("{why}"),
-            Failure::Hole(hole) => eprintln!("{hole}: {}", way_around(hole)),
-            Failure::Panic => eprintln!("no picture: a stage panicked, see above"),
+            Failure::Hole(hole) => eprintln!("{hole}: {}", needed_for(hole)),
+            Failure::Panic => eprintln!("no picture was written: a stage panicked (see above)"),
         }
         ExitCode::from(match self {
             Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,
@@ -50,8 +50,8 @@ impl Failure {
     }
 }
 
-/// What to do about a hole, other than to write it.
-fn way_around(hole: &Hole) -> &'static str {
+/// What the missing stage is needed for.
+fn needed_for(hole: &Hole) -> &'static str {
     let needed_for_normals = ["part1.", "part2."];
     if needed_for_normals
         .iter()
@@ -59,7 +59,7 @@ fn way_around(hole: &Hole) -> &'static str {
     {
         "every picture needs it"
     } else {
-        "light needs it; --shade normals shows the scene without"
+        "light needs it; --shade normals renders without it"
     }
 }
 
@@ -92,17 +92,17 @@ mod tests {
     use super::*;
     use std::panic::{AssertUnwindSafe, catch_unwind};
 
-    /// As a stage runs: on another thread, below rayon.
+    /// Runs `stage` on a thread pool, as the program does.
     fn failure_of(stage: impl Fn() + Send + Sync) -> Failure {
         let threads = rayon::ThreadPoolBuilder::new().build().expect("threads");
         let run = catch_unwind(AssertUnwindSafe(|| threads.install(stage)));
-        Failure::of_panic(run.expect_err("the stage does not return"))
+        Failure::from_panic(run.expect_err("the stage does not return"))
     }
 
     #[test]
-    fn a_hole_is_told_by_its_key() {
+    fn a_hole_is_reported_with_its_key() {
         let Failure::Hole(hole) = failure_of(|| kit::hole!("part1.task3")) else {
-            panic!("a hole is known as one");
+            panic!("the failure is a hole");
         };
         assert_eq!(hole.to_string(), "part1.task3 is not written yet");
     }

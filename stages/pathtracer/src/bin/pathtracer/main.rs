@@ -1,7 +1,6 @@
-//! The `pathtracer` program: from a scene file to a picture file.
+//! The `pathtracer` program: renders a scene file to a picture file.
 
 mod args;
-mod asked;
 mod budget;
 mod explain;
 mod export;
@@ -9,6 +8,7 @@ mod failure;
 mod outputs;
 mod progress;
 mod run;
+mod settings;
 mod summary;
 mod values;
 mod view;
@@ -22,16 +22,16 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let args = Args::parse();
-    // A hole is told in one line, at the end; a panic of a stage as usual, with its place.
-    let tell_panic = panic::take_hook();
+    // A hole is reported in one line, at the end; another panic as usual, with its location.
+    let print_panic = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
         if !info.payload().is::<Hole>() {
-            tell_panic(info);
+            print_panic(info);
         }
     }));
     match panic::catch_unwind(|| run::run(&args)) {
         Ok(Ok(code)) => code,
         Ok(Err(failure)) => failure.report(),
-        Err(payload) => Failure::of_panic(payload).report(),
+        Err(payload) => Failure::from_panic(payload).report(),
     }
 }

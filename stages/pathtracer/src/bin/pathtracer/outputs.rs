@@ -1,4 +1,4 @@
-//! The files that a run writes: each opened before the rendering, no two of them the same.
+//! The files that a run writes. All are created before rendering, and no two are the same.
 
 use crate::args::Args;
 use crate::failure::Failure;
@@ -6,38 +6,38 @@ use pathtracer::Output;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A file to be written, and its name as it is told.
-pub(crate) struct Named {
+/// A file to write and its path as given.
+pub(crate) struct NamedOutput {
     pub(crate) path: PathBuf,
     pub(crate) file: Output,
 }
 
-impl Named {
-    fn create(path: &Path) -> Result<Named, Failure> {
-        Ok(Named {
+impl NamedOutput {
+    fn create(path: &Path) -> Result<NamedOutput, Failure> {
+        Ok(NamedOutput {
             path: path.to_owned(),
             file: Output::create(path)?,
         })
     }
 }
 
-/// All that `args` ask to be written.
+/// All files that a run writes.
 pub(crate) struct Outputs {
     /// The picture of `-f`.
-    pub(crate) picture: Named,
-    /// How many samples each pixel took, where `-a` decides.
-    pub(crate) rate: Option<Named>,
-    /// What `--layers` names.
-    pub(crate) layers: Option<Named>,
+    pub(crate) picture: NamedOutput,
+    /// The sample counts of the pixels, with `-a`.
+    pub(crate) rate: Option<NamedOutput>,
+    /// The file of `--layers`.
+    pub(crate) layers: Option<NamedOutput>,
 }
 
 impl Outputs {
-    /// Makes sure that all files can be written: the `picture`, and what goes with it.
+    /// Creates the `picture` and the other files of `args`.
     pub(crate) fn create(args: &Args, picture: &Path) -> Result<Outputs, Failure> {
         let layers = args.layers.as_deref();
         if let Some(path) = layers.filter(|path| path.extension().is_none_or(|e| e != "exr")) {
             return Err(Failure::Input(format!(
-                "--layers {}: only an .exr has room for layers: end the name in .exr",
+                "--layers {}: layers need an .exr file: use a name that ends in .exr",
                 path.display()
             )));
         }
@@ -53,14 +53,14 @@ impl Outputs {
             refuse_taken("--layers", layers, &taken)?;
         }
         Ok(Outputs {
-            picture: Named::create(picture)?,
-            rate: rate.as_deref().map(Named::create).transpose()?,
-            layers: layers.map(Named::create).transpose()?,
+            picture: NamedOutput::create(picture)?,
+            rate: rate.as_deref().map(NamedOutput::create).transpose()?,
+            layers: layers.map(NamedOutput::create).transpose()?,
         })
     }
 }
 
-/// The files that a run reads by name.
+/// The files that a run reads, with their names for messages.
 pub(crate) fn inputs(args: &Args) -> Vec<(&'static str, &Path)> {
     let mut read = vec![("the scene", args.scene.as_path())];
     read.extend(
@@ -76,7 +76,7 @@ pub(crate) fn inputs(args: &Args) -> Vec<(&'static str, &Path)> {
     read
 }
 
-/// Refuses to write `path` for `what` where it is one of the files that are `taken`.
+/// Returns an error if `path`, to be written for `what`, is one of the files in `taken`.
 pub(crate) fn refuse_taken(
     what: &str,
     path: &Path,
@@ -84,20 +84,20 @@ pub(crate) fn refuse_taken(
 ) -> Result<(), Failure> {
     match taken.iter().find(|(_, other)| is_same_file(path, other)) {
         Some((owner, _)) => Err(Failure::Input(format!(
-            "{what}: {} is {owner} itself: choose another name",
+            "{what}: {} is also {owner}: choose another name",
             path.display()
         ))),
         None => Ok(()),
     }
 }
 
-/// Do both names lead to one file, be it there already or not?
+/// Whether both paths name the same file, which may not exist yet.
 fn is_same_file(a: &Path, b: &Path) -> bool {
-    place(a) == place(b)
+    resolved(a) == resolved(b)
 }
 
-/// The path with its folder's links followed, and its own if there is a file.
-fn place(path: &Path) -> PathBuf {
+/// The path with symbolic links resolved: those of the folder, and of the file if it exists.
+fn resolved(path: &Path) -> PathBuf {
     let folder = match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
@@ -108,7 +108,7 @@ fn place(path: &Path) -> PathBuf {
     })
 }
 
-/// Beside `picture.png`, `picture_rate.png`: how many samples each pixel took.
+/// The path of the sample counts: `picture_rate.png` for `picture.png`.
 fn rate_path(picture: &Path) -> PathBuf {
     let stem = picture.file_stem().unwrap_or_default().to_string_lossy();
     picture.with_file_name(format!("{stem}_rate.png"))

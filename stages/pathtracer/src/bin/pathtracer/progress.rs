@@ -1,4 +1,4 @@
-//! A bar on a terminal; nothing where the output is kept in a file or a pipe.
+//! A progress bar, if stderr is a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use kit::film::Cell;
@@ -6,7 +6,7 @@ use std::io::{IsTerminal, stderr};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// How far the rendering is, and how fast.
+/// The progress of the rendering and the rate of rays.
 pub(crate) struct Progress {
     bar: ProgressBar,
     start: Instant,
@@ -14,7 +14,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// A bar that counts to `pixels`.
+    /// A bar for `pixels` pixels.
     pub(crate) fn new(pixels: u64) -> Progress {
         Progress {
             bar: bar(pixels),
@@ -23,12 +23,12 @@ impl Progress {
         }
     }
 
-    /// Starts again, with the rays so far.
-    pub(crate) fn next_round(&self) {
+    /// Restarts the bar for the next pass. Rays keep counting.
+    pub(crate) fn next_pass(&self) {
         self.bar.set_position(0);
     }
 
-    /// A tile is done, which took so many rays.
+    /// Adds a finished tile, for which `rays` rays were traced.
     pub(crate) fn tile_done(&self, tile: Cell, rays: u64) {
         let rays = self.rays.fetch_add(rays, Ordering::Relaxed) + rays;
         self.bar.inc(tile.area());
@@ -39,7 +39,7 @@ impl Progress {
         }
     }
 
-    /// Takes the bar off the terminal.
+    /// Removes the bar from the terminal.
     pub(crate) fn finish(&self) {
         self.bar.finish_and_clear();
     }
@@ -50,7 +50,7 @@ fn bar(pixels: u64) -> ProgressBar {
         return ProgressBar::hidden();
     }
     let template = "Rendering {bar:40} {percent:>3}%  {msg}  {eta} left";
-    let style = ProgressStyle::with_template(template).expect("the template is right");
+    let style = ProgressStyle::with_template(template).expect("the template is valid");
     let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::stderr());
     bar.set_style(style);
     bar.enable_steady_tick(Duration::from_millis(200));

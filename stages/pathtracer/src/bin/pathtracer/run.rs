@@ -1,7 +1,7 @@
-//! The job itself, step by step.
+//! The steps of a run: load, build, render, write, report.
 
 use crate::args::{Args, Shade};
-use crate::budget::{Budget, SAMPLES_OF_A_ROUND};
+use crate::budget::{Budget, SAMPLES_PER_PASS};
 use crate::explain;
 use crate::export;
 use crate::failure::Failure;
@@ -11,8 +11,8 @@ use crate::{summary, view};
 use kit::hole;
 use kit::{Emitter, Environment, LitScene, Scene};
 use pathtracer::{
-    Accel, Job, LightSettings, Looking, layers::channels, layers::features, load_environment,
-    render_lit, render_normals,
+    Accel, DirectSampling, Job, LightSettings, layers::channels, layers::features,
+    load_environment, render_lit, render_normals,
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
@@ -20,23 +20,20 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// Exit code after Ctrl-C, as shells have it.
+/// Exit code after Ctrl-C, as in shells.
 const INTERRUPTED: u8 = 130;
 
-/// Renders what `args` ask for. What cannot work is found out before the rendering.
+/// Renders the scene of `args`. Invalid input is reported before rendering.
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
     if let Some([renderer, path]) = args.export.as_deref() {
-        tell_idle(
-            &args.idle_in_export(),
-            "--export writes the scene instead of a picture",
-        );
+        note_unused(&args.unused_by_export(), "--export writes no picture");
         return export::run(args, &light, renderer, Path::new(path));
     }
     let Some(path) = &args.file else {
         let scene = args.scene.display();
         return Err(Failure::Input(format!(
-            "there is no window yet: name the picture to write with -f, as in\n  pathtracer -f picture.png {scene}"
+            "there is no viewer yet: add -f and the file to write, as in\n  pathtracer -f picture.png {scene}"
         )));
     };
     let start = Instant::now();
@@ -50,12 +47,12 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         Some(path) => Some(load_environment(path)?),
         None => None,
     };
-    let picture = Picture::of(args, scene, environment);
+    let picture = Picture::new(args, scene, environment);
     match &picture {
-        Picture::Normals(_) => tell_idle_flags(args),
+        Picture::Normals(_) => note_unused_by_normals(args),
         Picture::Lit(lit) => {
-            tell_what_is_left_out(lit, light.looking);
-            tell_whole_batch(light.adaptive, args.samples);
+            note_missing_lights(lit, light.direct_sampling);
+            note_single_batch(light.adaptive, args.samples);
         }
     }
     let scene = picture.scene();
@@ -67,11 +64,11 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     println!("{}", summary::accel(&accel, building));
 
     let budget = match &picture {
-        Picture::Lit(_) => Budget::of(args),
+        Picture::Lit(_) => Budget::new(args),
         Picture::Normals(_) => None,
     };
     let samples = match budget {
-        Some(_) if args.samples == 1 => SAMPLES_OF_A_ROUND,
+        Some(_) if args.samples == 1 => SAMPLES_PER_PASS,
         _ => args.samples,
     };
     let job = Job {
@@ -88,8 +85,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         .map_err(|why| Failure::Input(format!("cannot start {} threads: {why}", args.threads)))?;
     let progress = Progress::new(cell.area());
     let start = Instant::now();
-    let round = |job: &Job| {
-        progress.next_round();
+    let pass = |job: &Job| {
+        progress.next_pass();
         let tile_done = &|tile, rays| progress.tile_done(tile, rays);
         threads.install(|| match &picture {
             Picture::Normals(scene) => render_normals(scene, &accel, job, &stop, tile_done),
@@ -97,8 +94,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         })
     };
     let rendered = match &budget {
-        None => round(&job),
-        Some(budget) => budget.spend(&job, &stop, round),
+        None => pass(&job),
+        Some(budget) => budget.render(&job, &stop, pass),
     };
     let time = start.elapsed();
     progress.finish();
@@ -124,7 +121,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     }
     if args.explain {
         match &picture {
-            Picture::Normals(_) => println!("No light is simulated: nothing to explain"),
+            Picture::Normals(_) => {
+                println!("Effects     none: normals are shown, no light is simulated")
+            }
             Picture::Lit(lit) => {
                 let forced = if light.force_effects {
                     rendered.effects
@@ -145,7 +144,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                         .install(|| render_lit(lit, &textures, &accel, &whole, &all, &stop, hook))
                         .effects
                 };
-                // Counts of half a picture say nothing.
+                // The counts of an incomplete picture cannot be compared.
                 let forced = (!stop.load(Ordering::Relaxed)).then_some(&forced);
                 println!(
                     "{}",
@@ -160,10 +159,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     untouched.sort_unstable();
     untouched.dedup();
     for task in untouched {
-        eprintln!("note: {task} is not written yet: its given start is right, but slow");
+        eprintln!("note: {task} is not written yet: the given code is correct, but slow");
     }
     if stop.load(Ordering::Relaxed) {
-        eprintln!("note: stopped early: pixels that were not rendered yet are black");
+        eprintln!("note: interrupted: the remaining pixels are black");
         return Ok(ExitCode::from(INTERRUPTED));
     }
     Ok(ExitCode::SUCCESS)
@@ -171,15 +170,15 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
 
 /// What the picture shows.
 enum Picture {
-    /// Which way surfaces face.
+    /// Surface normals.
     Normals(Scene),
     /// Light.
     Lit(LitScene),
 }
 
 impl Picture {
-    /// What `args` want to see of `scene`.
-    fn of(args: &Args, scene: Scene, environment: Option<Environment>) -> Picture {
+    /// Selects by `--shade`.
+    fn new(args: &Args, scene: Scene, environment: Option<Environment>) -> Picture {
         match args.shade {
             Shade::Normals => Picture::Normals(scene),
             Shade::Lit => Picture::Lit(LitScene::new(scene, environment)),
@@ -202,43 +201,45 @@ impl Picture {
     }
 }
 
-/// Says once which of the given flags do nothing in a picture of normals.
-fn tell_idle_flags(args: &Args) {
+/// Prints which of the given flags have no effect on a picture of normals.
+fn note_unused_by_normals(args: &Args) {
     let why = match args.shade {
         Shade::Normals => "normals are shown",
         Shade::Auto | Shade::Lit => "the scene has no light, so normals are shown",
     };
-    tell_idle(&args.without_effect(), why);
+    note_unused(&args.unused_by_normals(), why);
 }
 
-/// Says that the flags in `idle` do nothing, and `why`.
-fn tell_idle(idle: &[&str], why: &str) {
-    if !idle.is_empty() {
-        eprintln!("note: no effect: {}: {why}", idle.join(" "));
+/// Prints that `flags` have no effect, and why.
+fn note_unused(flags: &[&str], why: &str) {
+    if !flags.is_empty() {
+        eprintln!("note: no effect: {}: {why}", flags.join(" "));
     }
 }
 
-/// Says what of the scene the picture will not show.
-fn tell_what_is_left_out(lit: &LitScene, looking: Looking) {
-    if looking == Looking::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
+/// Prints a note if the scene has lights that `-H` cannot sample.
+fn note_missing_lights(lit: &LitScene, sampling: DirectSampling) {
+    if sampling == DirectSampling::Hemisphere && lit.emitters.iter().any(Emitter::is_delta) {
         eprintln!(
-            "note: points, spots and suns have no size, so -H never finds them: leave it out to see their light"
+            "note: point, spot and directional lights have no area, so -H never hits them: omit -H to include their light"
         );
     }
 }
 
-/// Says so where the first batch of `-a` is all of `-s`, so that nothing is left to decide.
-fn tell_whole_batch(adaptive: Option<(u32, f64)>, samples: u32) {
+/// Prints a note if the first batch of `-a` has all samples of `-s`, so that no pixel can stop
+/// early.
+fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
     if let Some((batch, tolerance)) = adaptive.filter(|&(batch, _)| batch >= samples) {
         eprintln!(
-            "note: no effect: -a {batch} {tolerance}: a batch is no less than the -s {samples} samples that a pixel may take at \
-             most: give a larger -s, such as -s {}",
+            "note: no effect: -a {batch} {tolerance}: a batch has all -s {samples} samples of a pixel: use a larger \
+             -s, such as -s {}",
             batch.saturating_mul(16)
         );
     }
 }
 
-/// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends the program.
+/// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends
+/// the program.
 fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let pressed = Arc::clone(&stop);
@@ -248,7 +249,7 @@ fn stop_on_ctrl_c() -> Arc<AtomicBool> {
         }
     };
     if let Err(why) = ctrlc::set_handler(handler) {
-        eprintln!("note: Ctrl-C will lose the picture: {why}");
+        eprintln!("note: Ctrl-C will end the program without a picture: {why}");
     }
     stop
 }

@@ -1,4 +1,4 @@
-//! What is told on the way to a picture: the numbers that the assignment's program tells.
+//! The lines that the program prints, with the numbers of the assignment's program.
 
 use kit::effects::Effect;
 use kit::{Bvh, Scene};
@@ -6,7 +6,7 @@ use pathtracer::{Accel, Counters, Job, Rendered};
 use std::path::Path;
 use std::time::Duration;
 
-/// What is rendered.
+/// The scene and its size.
 pub(crate) fn scene(path: &Path, scene: &Scene, load: Duration) -> String {
     format!(
         "Scene       {}: {} primitives ({} triangles, {} spheres), loaded in {}",
@@ -18,10 +18,10 @@ pub(crate) fn scene(path: &Path, scene: &Scene, load: Duration) -> String {
     )
 }
 
-/// What hits are found with.
+/// The acceleration structure.
 pub(crate) fn accel(accel: &Accel, build: Duration) -> String {
     match accel {
-        Accel::Brute { .. } => "Hits        by asking every primitive".to_owned(),
+        Accel::Brute => "Hits        brute force: every ray tests every primitive".to_owned(),
         Accel::Bvh(Bvh { nodes, order }) => format!(
             "BVH         {} nodes over {} primitives, built in {}",
             nodes.len(),
@@ -37,7 +37,7 @@ pub(crate) fn accel(accel: &Accel, build: Duration) -> String {
     }
 }
 
-/// How the rendering went. Counts are exact, rates are rounded.
+/// Rays, tests, time and noise of the rendering. Counts are exact, rates are rounded.
 pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Duration) -> String {
     let Counters {
         rays,
@@ -45,7 +45,7 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         prim_tests,
     } = rendered.counters;
     let each = |tests: u64| tests as f64 / rays.max(1) as f64;
-    let mut told = format!(
+    let mut text = format!(
         "Rendering   {} x {} pixels, -s {} -t {threads}: {}\n\
          Rays        {rays}, {:.2} million per second\n\
          Tests       {:.2} per ray: {:.2} of boxes ({box_tests}), {:.2} of primitives ({prim_tests})",
@@ -59,7 +59,7 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         each(prim_tests),
     );
     if let Some(noise) = rendered.relative_error() {
-        told += &format!(
+        text += &format!(
             "\nNoise       {:.2} % of the mean in a pixel, {:.1} samples each",
             100.0 * noise,
             rendered.samples() as f64 / job.cell.area() as f64
@@ -67,12 +67,12 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
     }
     let nan = rendered.nan_pixels();
     if nan > 0 {
-        told += &format!("\nNaN         {nan} pixels, shown in magenta");
+        text += &format!("\nNaN         {nan} pixels, shown in magenta");
     }
-    told
+    text
 }
 
-/// Where the time went, and what kind of rays there were.
+/// How the time was spent, and the rays by kind.
 pub(crate) fn stats(
     rendered: &Rendered,
     loading: Duration,
@@ -82,12 +82,12 @@ pub(crate) fn stats(
     let each_second = |n: u64| n as f64 / time.as_secs_f64().max(1e-9) / 1e6;
     let (rays, samples) = (rendered.counters.rays, rendered.samples());
     let direct = rendered.effects.of(Effect::DirectLight);
-    let all = (loading + building + time).as_secs_f64().max(1e-9);
-    let share = |part: Duration| 100.0 * part.as_secs_f64() / all;
+    let total = (loading + building + time).as_secs_f64().max(1e-9);
+    let share = |part: Duration| 100.0 * part.as_secs_f64() / total;
     format!(
         "Time        {:.1} % loading, {:.1} % building, {:.1} % rendering\n\
          Rates       {:.3} million samples per second, {:.2} million rays per second\n\
-         Rays        {samples} from the camera, {direct} towards light, {} further on",
+         Rays        {samples} camera rays, {direct} light rays, {} bounce rays",
         share(loading),
         share(building),
         share(time),

@@ -1,4 +1,4 @@
-//! The scene, and from where it is seen.
+//! Loads the scene, its textures and the camera.
 
 use crate::args::Args;
 use crate::failure::Failure;
@@ -8,7 +8,7 @@ use scenes::{CameraFile, placement};
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
 
-/// Reads the scene and tells what was mended in it.
+/// Reads the scene and prints its warnings.
 pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
     let loaded = scenes::load(path)?;
     for warning in &loaded.warnings {
@@ -21,7 +21,7 @@ pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
     Ok(loaded.scene)
 }
 
-/// Reads the pictures that surfaces of the scene in `file` carry, and tells which are missing.
+/// Reads the textures of the scene in `file` and prints a warning for each that cannot be read.
 pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
     let (textures, missing) = Textures::load(scene, file.parent().unwrap_or(Path::new("")));
     for texture in missing {
@@ -30,14 +30,15 @@ pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
     textures
 }
 
-/// The camera of `-c` with its angles as they are, else the scene's; and the picture's size.
+/// The camera and the size of the picture: those of the camera file `-c` with its angles unchanged,
+/// else those of the scene.
 pub(crate) fn camera_and_film(args: &Args, scene: &Scene) -> Result<(Camera, FilmSize), Failure> {
     let Some(path) = &args.camera else {
         let film = args.film(None)?;
         if placement::is_edge_on(scene) {
             eprintln!(
-                "note: the scene's camera looks along the edge of the scene, so that half of the picture would be empty: \
-                 the whole scene is framed instead (-c gives another camera)"
+                "note: with the scene's camera half of the picture would be empty, so the camera frames the whole \
+                 scene instead: use -c for another camera"
             );
         }
         return Ok((placement::place(scene, film).camera, film));

@@ -1,0 +1,365 @@
+//! What the grader reads was written by a process in which the student's code ran: records of every kind of work are
+//! spoilt here in every way, and nothing of it may end the grader or score.
+
+use grader::records;
+use grader::runner::Ending;
+use judge::Tier;
+use judge::cases::{self, Spec};
+use judge::tally::Finding;
+use std::collections::BTreeMap;
+use std::io::Cursor;
+use wire::answer::{HitsAnswer, VisitsAnswer};
+use wire::file::{FrameReader, MAX_FRAME_BYTES, write_frame};
+use wire::work::{Probe, Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
+use wire::{Answer, Case, Frame, Outcome, Record, Work};
+
+/// Random numbers (Marsaglia's xorshift64), the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    /// Below `end`, which is not 0.
+    fn below(&mut self, end: usize) -> usize {
+        (self.next() % end as u64) as usize
+    }
+}
+
+/// A case, whose answers are judged if it is one of the grader's, and what the reference answers.
+#[derive(Clone)]
+struct Answered {
+    case: Case,
+    spec: Option<Spec>,
+    answer: Answer,
+}
+
+/// Every case; in a handout without those whose tasks are carved.
+fn answered() -> Vec<Answered> {
+    let specs = cases::all(0).into_iter();
+    let of_tasks = specs.map(|spec| (spec.case(), Some(spec)));
+    let all = of_tasks.chain(measurements().into_iter().map(|case| (case, None)));
+    all.filter_map(|(case, spec)| match worker::run(0, &case).outcome {
+        Outcome::Answered(answer) => Some(Answered { case, spec, answer }),
+        Outcome::NotAttempted { .. } => None,
+        outcome => panic!("{} {}: {outcome:?}", case.task, case.name),
+    })
+    .collect()
+}
+
+/// A case of each kind of work that is not judged.
+fn measurements() -> Vec<Case> {
+    let specs = cases::all(0);
+    let scene = specs.iter().find_map(|spec| match &spec.work {
+        Work::SceneHits(work) => Some(work),
+        _ => None,
+    });
+    let scene = scene.expect("a case is about a whole scene");
+    let rays: Vec<Ray> = scene.rays[..20].to_vec();
+    let timing = Work::Timing(TimingWork {
+        scene: SceneSource::Generated("smooth".into(), 100),
+        max_leaf_size: 4,
+        rays: rays.clone(),
+        brute_force_rays: 2,
+        rounds: 3,
+    });
+    let test = Work::TimeTest(TestTiming {
+        shapes: Shapes::Boxes(vec![[[0.0; 3], [1.0; 3]]; 20]),
+        rays: rays.clone(),
+        per_ray: 1,
+        passes: 2,
+        rounds: 3,
+    });
+    let visits = Work::Visits(VisitsWork {
+        scene: scene.scene.clone(),
+        tree: scene.tree.clone(),
+        rays,
+    });
+    let case = |work: Work| Case {
+        task: "part2.task3".into(),
+        name: "measurement".into(),
+        limit_ms: 5000,
+        work,
+    };
+    [timing, test, visits].map(case).to_vec()
+}
+
+/// How many entries an answer has, counted without the grader's help: where there are several lists, of each.
+fn entries(answer: &Answer) -> Vec<usize> {
+    match answer {
+        Answer::Pixels(answers) => {
+            let of = |a: &wire::answer::PixelAnswer| a.traced.len() == a.traced_radiance.len();
+            vec![answers.len(), usize::from(answers.iter().all(of))]
+        }
+        Answer::CameraRays(answers) => vec![answers.len()],
+        Answer::Triangles(answers) => vec![answers.len()],
+        Answer::Spheres(answers) => vec![answers.len()],
+        Answer::BruteForce(answer) | Answer::SceneHits(answer) => {
+            vec![answer.hits.len(), answer.max_t.len()]
+        }
+        Answer::Boxes(answers) => vec![answers.len()],
+        // Any number of nodes may be a tree: that is judged.
+        Answer::Build(_) => vec![],
+        Answer::Traverse(answers) => vec![answers.len()],
+        Answer::Timing(answer) => [&answer.build_s, &answer.tree_s, &answer.brute_s]
+            .map(|s| s.len())
+            .to_vec(),
+        Answer::TimeTest(seconds) => vec![seconds.len()],
+        Answer::Visits(answer) => vec![answer.rays.len()],
+        Answer::Lambert(answers) => vec![answers.len()],
+        Answer::Direct(answers) => vec![answers.len()],
+        Answer::Specular(answers) => vec![answers.len()],
+        Answer::Paths(answers) => vec![answers.len()],
+        Answer::Roulette(answers) => vec![answers.len()],
+        Answer::Stop(answers) | Answer::SureStop(answers) => vec![answers.len()],
+        Answer::AdaptivePixels(answers) => vec![answers.len()],
+    }
+}
+
+/// What is done to a list of answers.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    DropLast,
+    DropFirst,
+    DuplicateLast,
+    Empty,
+}
+
+impl Change {
+    /// The list after the change.
+    fn of<T: Clone>(self, list: &[T]) -> Vec<T> {
+        match (self, list) {
+            (Change::DropLast, [rest @ .., _]) | (Change::DropFirst, [_, rest @ ..]) => {
+                rest.to_vec()
+            }
+            (Change::DuplicateLast, [.., last]) => [list, std::slice::from_ref(last)].concat(),
+            (Change::Empty, _) | (_, []) => Vec::new(),
+        }
+    }
+
+    /// The hits with either of their lists changed.
+    fn of_hits(self, hits: &HitsAnswer) -> [HitsAnswer; 2] {
+        let (mut fewer_hits, mut fewer_ends) = (hits.clone(), hits.clone());
+        fewer_hits.hits = self.of(&hits.hits);
+        fewer_ends.max_t = self.of(&hits.max_t);
+        [fewer_hits, fewer_ends]
+    }
+
+    /// The answers with one of its lists changed.
+    fn of_answer(self, answer: &Answer) -> Vec<Answer> {
+        macro_rules! with_lists {
+            ($($kind:ident)*) => {
+                match answer {
+                    $(Answer::$kind(list) => vec![Answer::$kind(self.of(list))],)*
+                    Answer::BruteForce(hits) => self.of_hits(hits).map(Answer::BruteForce).to_vec(),
+                    Answer::SceneHits(hits) => self.of_hits(hits).map(Answer::SceneHits).to_vec(),
+                    Answer::Build(build) => {
+                        let (mut nodes, mut order) = (build.clone(), build.clone());
+                        nodes.tree.nodes = self.of(&build.tree.nodes);
+                        order.tree.order = self.of(&build.tree.order);
+                        vec![Answer::Build(nodes), Answer::Build(order)]
+                    }
+                    Answer::Timing(times) => {
+                        let mut times = times.clone();
+                        times.tree_s = self.of(&times.tree_s);
+                        vec![Answer::Timing(times)]
+                    }
+                    Answer::Visits(visits) => {
+                        let rays = self.of(&visits.rays);
+                        vec![Answer::Visits(VisitsAnswer { rays })]
+                    }
+                }
+            };
+        }
+        let mut changed = with_lists!(Pixels CameraRays Triangles Spheres Boxes Traverse TimeTest
+            Lambert Direct Specular Paths Roulette Stop SureStop AdaptivePixels);
+        if let Answer::Pixels(answers) = answer {
+            let mut answers = answers.clone();
+            answers[0].traced_radiance = self.of(&answers[0].traced_radiance);
+            changed.push(Answer::Pixels(answers));
+        }
+        changed
+    }
+}
+
+fn bytes_of(frame: &Frame) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    write_frame(&mut bytes, frame).expect("memory takes it");
+    bytes
+}
+
+fn done(case: u32, answer: Answer) -> Vec<u8> {
+    bytes_of(&Frame::Done(Record {
+        case,
+        untouched: Vec::new(),
+        outcome: Outcome::Answered(answer),
+    }))
+}
+
+fn read(bytes: Vec<u8>, cases: &[Case]) -> Vec<Ending> {
+    let frames = FrameReader::new(Box::new(Cursor::new(bytes)));
+    records::read(frames, cases, 0).endings
+}
+
+/// The answer inside an ending.
+fn answer_of(ending: &Ending) -> Option<&Answer> {
+    match ending.outcome() {
+        Some(Outcome::Answered(answer)) => Some(answer),
+        _ => None,
+    }
+}
+
+/// Whether the answer earns all points of its case. All else that is done with an answer is done, too: nothing of it may
+/// panic.
+fn scores_in_full(spec: &Spec, answer: &Answer) -> bool {
+    let _ = judge::picture::colours(&spec.work, answer);
+    let _ = judge::snapshot::full(&spec.work, answer);
+    let findings = judge::judge(spec, Tier::Core, answer);
+    for worst in findings.iter().filter_map(|finding| finding.worst.as_ref()) {
+        let _ = judge::repro::test(spec, Tier::Core, worst.call as usize);
+    }
+    !findings.is_empty() && findings.iter().all(Finding::passed)
+}
+
+#[test]
+fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
+    let changes = [
+        Change::DropLast,
+        Change::DropFirst,
+        Change::DuplicateLast,
+        Change::Empty,
+    ];
+    for Answered { case, spec, answer } in answered() {
+        let name = format!("{} {}", case.task, case.name);
+        let written = done(0, answer.clone());
+        assert!(
+            written.len() < MAX_FRAME_BYTES as usize / 8,
+            "{name} has a record of {} bytes",
+            written.len()
+        );
+        let start = bytes_of(&Frame::Started { case: 0 });
+        let right = read(
+            [start.clone(), written.clone()].concat(),
+            std::slice::from_ref(&case),
+        );
+        assert!(answer_of(&right[0]).is_some(), "{name}: {right:?}");
+        for change in changes {
+            for changed in change.of_answer(&answer) {
+                let frame = done(0, changed);
+                // Nothing to drop.
+                if frame == written {
+                    continue;
+                }
+                let endings = read([start.clone(), frame].concat(), std::slice::from_ref(&case));
+                let [ending] = endings.as_slice() else {
+                    panic!("{name} {change:?}: {endings:?}")
+                };
+                let scores = answer_of(ending).zip(spec.as_ref());
+                let scores = scores.is_some_and(|(answer, spec)| scores_in_full(spec, answer));
+                assert!(!scores, "{name} scores after {change:?}");
+                let is_tree = matches!(answer, Answer::Build(_));
+                assert!(is_tree || answer_of(ending).is_none(), "{name} {change:?}");
+            }
+        }
+    }
+}
+
+/// Three cases of each kind of work: the two with the shortest answers, and the one with the longest of those that are
+/// soon judged.
+fn three_of_each_kind() -> Vec<Vec<Answered>> {
+    const SOON_JUDGED: usize = 150_000;
+    let mut by_kind: BTreeMap<&str, Vec<(usize, Answered)>> = BTreeMap::new();
+    for answered in answered() {
+        let size = done(0, answered.answer.clone()).len();
+        let kind = by_kind.entry(answered.case.work.kind()).or_default();
+        kind.push((size, answered));
+    }
+    let three = by_kind.into_values().map(|mut of_kind| {
+        of_kind.sort_by_key(|(size, _)| *size);
+        of_kind.truncate(
+            of_kind
+                .partition_point(|(size, _)| *size < SOON_JUDGED)
+                .max(3),
+        );
+        let longest = of_kind.split_off(of_kind.len() - 1);
+        of_kind.truncate(2);
+        let three = of_kind.into_iter().chain(longest);
+        three.map(|(_, answered)| answered).collect()
+    });
+    three.collect()
+}
+
+/// The frames in some other state than a sound worker leaves them in.
+fn spoil(frames: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
+    let mut frames = frames.to_vec();
+    let (some, other) = (random.below(frames.len()), random.below(frames.len()));
+    match random.below(5) {
+        0 => frames.swap(some, other),
+        1 => frames.insert(some, frames[other].clone()),
+        2 => drop(frames.remove(some)),
+        _ => {}
+    }
+    let mut bytes = frames.concat();
+    let at = random.below(bytes.len());
+    match random.below(4) {
+        0 => bytes.truncate(at),
+        // A long number in the place of a short one, such as a length.
+        1 => bytes[at..].iter_mut().take(4).for_each(|byte| *byte = 0xFF),
+        _ => {
+            for _ in 0..=random.below(3) {
+                let at = random.below(bytes.len());
+                bytes[at] ^= 1 << random.below(8);
+            }
+        }
+    }
+    bytes
+}
+
+#[test]
+fn spoilt_records_end_nothing_and_do_not_score() {
+    /// Spoilt files of each kind of work.
+    const FILES: usize = 300;
+    let mut random = Random(0x2545_F491_4F6C_DD1D);
+    let (mut accepted, mut rejected) = (0, 0);
+    for of_kind in three_of_each_kind() {
+        let cases: Vec<Case> = of_kind.iter().map(|a| a.case.clone()).collect();
+        let frames = (0..).zip(&of_kind).flat_map(|(case, a)| {
+            [
+                bytes_of(&Frame::Started { case }),
+                done(case, a.answer.clone()),
+            ]
+        });
+        let frames: Vec<Vec<u8>> = frames.collect();
+        for _ in 0..FILES {
+            let endings = read(spoil(&frames, &mut random), &cases);
+            assert!(endings.len() <= cases.len());
+            for (ending, right) in endings.iter().zip(&of_kind) {
+                let Some(answer) = answer_of(ending) else {
+                    rejected += 1;
+                    continue;
+                };
+                accepted += 1;
+                assert_eq!(answer.kind(), right.answer.kind());
+                assert_eq!(
+                    entries(answer),
+                    entries(&right.answer),
+                    "{}",
+                    right.case.name
+                );
+                // Frames that were left alone need not be judged again.
+                let is_right = done(0, answer.clone()) == done(0, right.answer.clone());
+                if let (Some(spec), false) = (&right.spec, is_right) {
+                    scores_in_full(spec, answer);
+                }
+            }
+        }
+    }
+    assert!(
+        accepted.min(rejected) > 1000 || accepted + rejected == 0,
+        "{accepted} {rejected}"
+    );
+}

@@ -1,0 +1,117 @@
+//! Selects the files of a handout, and the tasks whose solutions are removed.
+
+use super::carve::Carver;
+use grader::course::Course;
+use grader::error::GraderError;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use submission::packages::members::{self, Member};
+
+/// The programs of a handout. It contains their crates and what these depend on, and no other
+/// crates.
+const PROGRAMS: [&str; 6] = [
+    "grader",
+    "worker",
+    "pathtracer",
+    "cost",
+    "review",
+    "submission",
+];
+
+/// Files in the root folder that a handout contains.
+const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
+
+/// Selects the files and crates of a handout.
+#[derive(Clone, Debug)]
+pub(super) struct FileSelection<'a> {
+    members: &'a [Member],
+    needed: BTreeSet<&'a str>,
+}
+
+impl<'a> FileSelection<'a> {
+    pub(super) fn new(members: &'a [Member]) -> FileSelection<'a> {
+        let needed = members::with_dependencies(members, &PROGRAMS);
+        FileSelection { members, needed }
+    }
+
+    /// Whether a handout contains the file `path`, apart from files that consist of solutions only.
+    pub(super) fn includes(&self, path: &Path) -> bool {
+        let top = path
+            .iter()
+            .next()
+            .map(|top| top.to_string_lossy())
+            .unwrap_or_default();
+        let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+        let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
+        // Students need the goldens as data. The test of the goldens and the tables of mutants are
+        // about the reference.
+        if top == "golden" {
+            return !is_rust && !is_manifest && !path.starts_with("golden/mutants");
+        }
+        let Some(owner) = members::containing_member(self.members, path) else {
+            let at_the_top = path.components().count() == 1;
+            let is_known = is_manifest || top.starts_with("LICENSE") || ROOT_FILES.contains(&&*top);
+            return path == Path::new("stages/course.toml")
+                || top == ".cargo"
+                || at_the_top && is_known;
+        };
+        let inside = path.strip_prefix(&owner.folder).unwrap_or(path);
+        self.needed.contains(owner.name.as_str())
+            && (!is_grader_crate(owner) || is_manifest || inside.starts_with("src"))
+    }
+
+    /// The crate that contains the file `path`.
+    pub(super) fn owner(&self, path: &Path) -> Option<&'a Member> {
+        members::containing_member(self.members, path)
+    }
+
+    /// Whether the file `path` is a test of its crate, or something else that runs the crate's
+    /// code.
+    pub(super) fn is_test(&self, path: &Path) -> bool {
+        let inside = self
+            .owner(path)
+            .and_then(|owner| path.strip_prefix(&owner.folder).ok());
+        let folder = inside.and_then(|inside| inside.iter().next());
+        folder.is_some_and(|folder| members::TEST_FOLDERS.iter().any(|test| folder == *test))
+    }
+
+    /// Whether the crate's tests run code of the crates `carved`: the crate or one of its
+    /// dependencies is among them. The grader's tests always run the reference.
+    pub(super) fn tests_carved_code(&self, member: &Member, carved: &BTreeSet<&str>) -> bool {
+        is_grader_crate(member)
+            || !members::with_dependencies(self.members, &[&member.name]).is_disjoint(carved)
+    }
+
+    /// The folders of the crates that a handout does not contain.
+    pub(super) fn removed_folders(&self) -> Vec<PathBuf> {
+        self.members
+            .iter()
+            .filter(|member| !self.needed.contains(member.name.as_str()))
+            .map(|member| member.folder.clone())
+            .collect()
+    }
+}
+
+/// Whether the crate belongs to the grader.
+pub(super) fn is_grader_crate(member: &Member) -> bool {
+    member.folder.starts_with("grader")
+}
+
+/// The carver for the handout of `part`: it removes the solutions of this part and later ones.
+pub(super) fn carver(course: &Course, part: u32) -> Result<Carver, GraderError> {
+    if !course.parts.iter().any(|p| p.number == part) {
+        let parts: Vec<String> = course.parts.iter().map(|p| p.number.to_string()).collect();
+        return Err(GraderError::new(format!(
+            "the course has no part {part}. Its parts are {}",
+            parts.join(", ")
+        )));
+    }
+    let keys = |chosen: &dyn Fn(u32) -> bool| {
+        let chosen = course.holes().filter(|(number, _)| chosen(*number));
+        chosen.map(|(_, key)| key.to_string()).collect()
+    };
+    Ok(Carver {
+        all_keys: keys(&|_| true),
+        carved_keys: keys(&|number| number >= part),
+    })
+}

@@ -1,0 +1,462 @@
+//! Builds many versions of a stage as modules of one crate.
+//!
+//! Building one worker per mutant would take minutes. So all versions of a stage are modules of one
+//! crate, and the environment variable [`VERSION_VARIABLE`] selects the one that its functions
+//! call.
+
+use super::corpus::Sources;
+use grader::compile::{BuildOutcome, WorkerBuild};
+use grader::error::GraderError;
+use grader::workspace::Workspace;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// The environment variable with the number of the version to run, counted from 0.
+pub const VERSION_VARIABLE: &str = "FIRSTLIGHT_VERSION";
+
+/// The signature of a function of a stage.
+struct StageFunction {
+    stage: &'static str,
+    function: &'static str,
+    generics: &'static str,
+    parameters: &'static [(&'static str, &'static str)],
+    returns: &'static str,
+}
+
+const RAY: (&str, &str) = ("ray", "&Ray");
+const RAY_MUT: (&str, &str) = ("ray", "&mut Ray");
+
+const STAGE_FUNCTIONS: &[StageFunction] = &[
+    StageFunction {
+        stage: "raygen",
+        function: "raytrace_pixel",
+        generics: "",
+        parameters: &[
+            ("x", "u32"),
+            ("y", "u32"),
+            ("film", "FilmSize"),
+            ("ns_aa", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("camera_ray", "&mut impl FnMut(Vec2) -> Ray"),
+            (
+                "trace_ray",
+                "&mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum",
+            ),
+        ],
+        returns: "PixelEstimate",
+    },
+    StageFunction {
+        stage: "raygen",
+        function: "generate_ray",
+        generics: "",
+        parameters: &[("camera", "&Camera"), ("sensor", "Vec2")],
+        returns: "Ray",
+    },
+    StageFunction {
+        stage: "intersect",
+        function: "test_triangle",
+        generics: "",
+        parameters: &[("tri", "&Triangle"), RAY],
+        returns: "Option<TriangleHit>",
+    },
+    StageFunction {
+        stage: "intersect",
+        function: "intersect_triangle",
+        generics: "",
+        parameters: &[("tri", "&Triangle"), ("id", "PrimId"), RAY_MUT],
+        returns: "Option<Hit>",
+    },
+    StageFunction {
+        stage: "intersect",
+        function: "test_sphere",
+        generics: "",
+        parameters: &[("s", "&Sphere"), RAY],
+        returns: "Option<f64>",
+    },
+    StageFunction {
+        stage: "intersect",
+        function: "intersect_sphere",
+        generics: "",
+        parameters: &[("s", "&Sphere"), ("id", "PrimId"), RAY_MUT],
+        returns: "Option<Hit>",
+    },
+    StageFunction {
+        stage: "bbox",
+        function: "intersect_bbox",
+        generics: "",
+        parameters: &[("b", "&Aabb"), RAY],
+        returns: "Option<Interval>",
+    },
+    StageFunction {
+        stage: "bvh",
+        function: "construct_bvh",
+        generics: "",
+        parameters: &[("bounds", "&[Aabb]"), ("max_leaf_size", "usize")],
+        returns: "Bvh",
+    },
+    StageFunction {
+        stage: "bvh",
+        function: "intersect_bvh",
+        generics: "<W: World>",
+        parameters: &[("bvh", "&Bvh"), RAY_MUT, ("world", "&mut W")],
+        returns: "Option<Hit>",
+    },
+    StageFunction {
+        stage: "bvh",
+        function: "occludes_bvh",
+        generics: "<W: World>",
+        parameters: &[("bvh", "&Bvh"), RAY, ("world", "&mut W")],
+        returns: "bool",
+    },
+    StageFunction {
+        stage: "direct",
+        function: "lambert_f",
+        generics: "",
+        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("wi", "Vec3")],
+        returns: "Spectrum",
+    },
+    StageFunction {
+        stage: "direct",
+        function: "lambert_pdf",
+        generics: "",
+        parameters: &[("wo", "Vec3"), ("wi", "Vec3")],
+        returns: "f64",
+    },
+    StageFunction {
+        stage: "direct",
+        function: "lambert_sample",
+        generics: "",
+        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3"), ("u", "Vec2")],
+        returns: "Option<BsdfSample>",
+    },
+    StageFunction {
+        stage: "direct",
+        function: "zero_bounce_radiance",
+        generics: "",
+        parameters: &[("surface", "&Surface"), ("wo", "Vec3")],
+        returns: "Spectrum",
+    },
+    StageFunction {
+        stage: "direct",
+        function: "estimate_direct_lighting_hemisphere",
+        generics: "",
+        parameters: &[
+            ("lit", "&LitScene"),
+            ("surface", "&Surface"),
+            ("wo", "Vec3"),
+            ("samples", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("scattering", "&impl Scattering"),
+            ("trace", "&mut impl FnMut(&Ray) -> Option<Hit>"),
+        ],
+        returns: "Spectrum",
+    },
+    StageFunction {
+        stage: "direct",
+        function: "estimate_direct_lighting_importance",
+        generics: "",
+        parameters: &[
+            ("lit", "&LitScene"),
+            ("surface", "&Surface"),
+            ("wo", "Vec3"),
+            ("ns_area_light", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("scattering", "&impl Scattering"),
+            ("occluded", "&mut impl FnMut(&Ray) -> bool"),
+        ],
+        returns: "Spectrum",
+    },
+    StageFunction {
+        stage: "global",
+        function: "fresnel_dielectric",
+        generics: "",
+        parameters: &[("cos_i", "f64"), ("eta", "f64")],
+        returns: "f64",
+    },
+    StageFunction {
+        stage: "global",
+        function: "reflect",
+        generics: "",
+        parameters: &[("wo", "Vec3")],
+        returns: "Vec3",
+    },
+    StageFunction {
+        stage: "global",
+        function: "refract",
+        generics: "",
+        parameters: &[("wo", "Vec3"), ("ior", "f64")],
+        returns: "Option<Vec3>",
+    },
+    StageFunction {
+        stage: "global",
+        function: "mirror_sample",
+        generics: "",
+        parameters: &[("reflectance", "Spectrum"), ("wo", "Vec3")],
+        returns: "Option<BsdfSample>",
+    },
+    StageFunction {
+        stage: "global",
+        function: "refraction_sample",
+        generics: "",
+        parameters: &[
+            ("transmittance", "Spectrum"),
+            ("ior", "f64"),
+            ("wo", "Vec3"),
+        ],
+        returns: "Option<BsdfSample>",
+    },
+    StageFunction {
+        stage: "global",
+        function: "glass_sample",
+        generics: "",
+        parameters: &[
+            ("reflectance", "Spectrum"),
+            ("transmittance", "Spectrum"),
+            ("ior", "f64"),
+            ("wo", "Vec3"),
+            ("chosen", "f64"),
+        ],
+        returns: "Option<BsdfSample>",
+    },
+    StageFunction {
+        stage: "global",
+        function: "estimate_radiance",
+        generics: "",
+        parameters: &[
+            ("lit", "&LitScene"),
+            ("ray", "&Ray"),
+            ("max_depth", "u32"),
+            ("sampler", "&mut PixelSampler"),
+            ("scattering", "&impl Scattering"),
+            ("trace", "&mut impl FnMut(&Ray) -> Option<Hit>"),
+            (
+                "direct",
+                "&mut impl FnMut(&Surface, Vec3, &mut PixelSampler) -> Spectrum",
+            ),
+            (
+                "roulette",
+                "&mut impl FnMut(Spectrum, u32, f64) -> Option<Spectrum>",
+            ),
+        ],
+        returns: "Spectrum",
+    },
+    StageFunction {
+        stage: "global",
+        function: "play_roulette",
+        generics: "",
+        parameters: &[("throughput", "Spectrum"), ("bounces", "u32"), ("u", "f64")],
+        returns: "Option<Spectrum>",
+    },
+    StageFunction {
+        stage: "adaptive",
+        function: "has_converged",
+        generics: "",
+        parameters: &[("samples", "&Tally"), ("tolerance", "f64")],
+        returns: "bool",
+    },
+    StageFunction {
+        stage: "adaptive",
+        function: "has_surely_converged",
+        generics: "",
+        parameters: &[
+            ("samples", "&Tally"),
+            ("tolerance", "f64"),
+            ("rule", "&mut impl FnMut(&Tally, f64) -> bool"),
+        ],
+        returns: "bool",
+    },
+    StageFunction {
+        stage: "adaptive",
+        function: "raytrace_pixel_adaptive",
+        generics: "",
+        parameters: &[
+            ("place", "(u32, u32)"),
+            ("film", "FilmSize"),
+            ("budget", "Budget"),
+            ("sampler", "&mut PixelSampler"),
+            ("camera_ray", "&mut impl FnMut(Vec2) -> Ray"),
+            (
+                "trace_ray",
+                "&mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum",
+            ),
+            ("stop", "&mut impl FnMut(&Tally, f64) -> bool"),
+        ],
+        returns: "PixelEstimate",
+    },
+];
+
+/// Builds a worker whose `stage` contains all `versions`. [`VERSION_VARIABLE`] selects one of them.
+/// The other stages are the workspace's own.
+pub fn worker(
+    workspace: &Workspace,
+    stage: &str,
+    versions: &[Sources],
+) -> Result<PathBuf, GraderError> {
+    let job = workspace.root().join("target/mutants/jobs").join(stage);
+    write_versions(&job.join("host"), stage, versions)?;
+    write_workspace(workspace, &job, stage)?;
+    let target = workspace.root().join("target/mutants/target");
+    let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
+    match (WorkerBuild {
+        root: &job,
+        features,
+        target: Some(&target),
+        sealed: false,
+    })
+    .run()?
+    {
+        BuildOutcome::Worker(program) => Ok(program),
+        BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
+            "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",
+            job.display()
+        ))),
+    }
+}
+
+/// Writes the crate that contains all versions.
+fn write_versions(folder: &Path, stage: &str, versions: &[Sources]) -> Result<(), GraderError> {
+    // Files of earlier runs may stay, because no `mod` names them. Cargo rebuilds only what
+    // changed.
+    let src = folder.join("src");
+    let manifest = format!(
+        "[package]\nname = \"{stage}\"\nversion.workspace = true\nedition.workspace = true\n\n[dependencies]\nkit.workspace = true\n"
+    );
+    write(&folder.join("Cargo.toml"), &manifest)?;
+    write(&src.join("lib.rs"), &library(stage, versions.len()))?;
+    for (i, sources) in versions.iter().enumerate() {
+        for (path, text) in sources {
+            let path = if path == Path::new("lib.rs") {
+                Path::new("mod.rs")
+            } else {
+                path
+            };
+            write(
+                &src.join(module(i)).join(path),
+                &text.replace("crate::", &format!("crate::{}::", module(i))),
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn module(version: usize) -> String {
+    format!("v{version}")
+}
+
+/// The `lib.rs` of the crate: each function of the stage calls the selected version.
+fn library(stage: &str, versions: usize) -> String {
+    let mut text = String::from("#![allow(warnings)]\nuse kit::*;\n");
+    for i in 0..versions {
+        let _ = writeln!(text, "mod {};", module(i));
+    }
+    let _ = writeln!(
+        text,
+        "fn choice() -> usize {{\n    static VERSION_VARIABLE: std::sync::OnceLock<usize> = std::sync::OnceLock::new();\n    \
+         *VERSION_VARIABLE.get_or_init(|| std::env::var(\"{VERSION_VARIABLE}\").unwrap().parse().unwrap())\n}}"
+    );
+    for function in STAGE_FUNCTIONS
+        .iter()
+        .filter(|function| function.stage == stage)
+    {
+        let StageFunction {
+            function,
+            generics,
+            parameters,
+            returns,
+            ..
+        } = function;
+        let declared: Vec<String> = parameters
+            .iter()
+            .map(|(name, of)| format!("{name}: {of}"))
+            .collect();
+        let names: Vec<&str> = parameters.iter().map(|(name, _)| *name).collect();
+        let _ = writeln!(
+            text,
+            "pub fn {function}{generics}({}) -> {returns} {{\n    match choice() {{",
+            declared.join(", ")
+        );
+        for i in 0..versions {
+            let _ = writeln!(
+                text,
+                "        {i} => {}::{function}({}),",
+                module(i),
+                names.join(", ")
+            );
+        }
+        let _ = writeln!(text, "        _ => unreachable!(),\n    }}\n}}");
+    }
+    text
+}
+
+/// Writes a workspace of two crates, the versions and the worker. Their dependencies are in the
+/// course's workspace.
+fn write_workspace(workspace: &Workspace, job: &Path, stage: &str) -> Result<(), GraderError> {
+    let root = workspace.root();
+    let path = root.join("Cargo.toml");
+    let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
+    let mut manifest: toml::Table = text
+        .parse()
+        .map_err(|e| GraderError::file("parse", &path, e))?;
+    let no_table = || GraderError::file("use", &path, "it has no [workspace.dependencies]");
+    let spec = manifest
+        .get_mut("workspace")
+        .and_then(toml::Value::as_table_mut)
+        .ok_or_else(no_table)?;
+    spec.insert("members".into(), toml::Value::from(vec!["host", "worker"]));
+    let dependencies = spec
+        .get_mut("dependencies")
+        .and_then(toml::Value::as_table_mut)
+        .ok_or_else(no_table)?;
+    for (name, dependency) in dependencies.iter_mut() {
+        let Some(path) = dependency.get_mut("path") else {
+            continue;
+        };
+        let folder = match path.as_str() {
+            _ if name == stage => job.join("host"),
+            _ if name == "worker" => job.join("worker"),
+            Some(below) => root.join(below),
+            None => continue,
+        };
+        *path = toml::Value::from(folder.display().to_string());
+    }
+    // A hundred versions build faster with little optimisation, and compute the same floats.
+    if let Some(release) = manifest
+        .get_mut("profile")
+        .and_then(|profile| profile.get_mut("release"))
+        .and_then(toml::Value::as_table_mut)
+    {
+        let light = toml::Table::from_iter([("opt-level".to_string(), 1.into())]);
+        let packages = toml::Table::from_iter([(stage.to_string(), light.into())]);
+        release.insert("debug".into(), false.into());
+        release.insert("package".into(), packages.into());
+    }
+    write(&job.join("Cargo.toml"), &manifest.to_string())?;
+    copy(&root.join("Cargo.lock"), &job.join("Cargo.lock"))?;
+    copy(
+        &root.join("grader/worker/Cargo.toml"),
+        &job.join("worker/Cargo.toml"),
+    )?;
+    for file in std::fs::read_dir(root.join("grader/worker/src"))
+        .map_err(|e| GraderError::file("read", root, e))?
+    {
+        let file = file.map_err(|e| GraderError::file("read", root, e))?;
+        copy(&file.path(), &job.join("worker/src").join(file.file_name()))?;
+    }
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), GraderError> {
+    let text = std::fs::read_to_string(from).map_err(|e| GraderError::file("read", from, e))?;
+    write(to, &text)
+}
+
+/// Writes a file and creates its parent folders. Does not write a file again that is up to date, so
+/// that cargo does not rebuild it.
+fn write(path: &Path, text: &str) -> Result<(), GraderError> {
+    if std::fs::read_to_string(path).is_ok_and(|old| old == text) {
+        return Ok(());
+    }
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(path, text));
+    written.map_err(|e| GraderError::file("write", path, e))
+}

@@ -1,0 +1,211 @@
+//! Colours, markers and dashes that can be distinguished by colour-blind readers and in print
+//! without colour.
+
+use super::canvas::{Canvas, DrawResult, Position};
+use plotters::style::{RGBColor, WHITE};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The palette of Okabe and Ito, "Color universal design" (2008), strongest contrasts first. Its
+/// yellow has too little contrast for lines on white.
+const PALETTE: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(0, 0, 0),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
+
+/// Bluish green: correct.
+pub(crate) const GREEN: RGBColor = PALETTE[2];
+/// Sky blue: within the bound.
+pub(crate) const SKY: RGBColor = PALETTE[6];
+/// Yellow: beyond the bound.
+pub(crate) const YELLOW: RGBColor = RGBColor(240, 228, 66);
+/// Vermilion: wrong.
+pub(crate) const VERMILION: RGBColor = PALETTE[1];
+/// Reddish purple: leaks.
+pub(crate) const PURPLE: RGBColor = PALETTE[4];
+/// Grid lines.
+pub(crate) const GRID: RGBColor = RGBColor(222, 222, 222);
+/// Error bounds.
+pub(crate) const BOUND: RGBColor = RGBColor(170, 170, 170);
+/// Axes and annotations.
+pub(crate) const INK: RGBColor = RGBColor(60, 60, 60);
+
+/// Lengths of dashes and gaps in points; `None` is a solid line.
+const DASHES: [Option<[f64; 2]>; 4] = [None, Some([7.0, 3.0]), Some([2.0, 2.5]), Some([11.0, 2.5])];
+
+/// The shape of a marker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Marker {
+    Disc,
+    Square,
+    Triangle,
+    Diamond,
+    Down,
+    Star,
+}
+
+const MARKERS: [Marker; 5] = [
+    Marker::Disc,
+    Marker::Square,
+    Marker::Triangle,
+    Marker::Diamond,
+    Marker::Down,
+];
+
+/// Colour, marker and dashes of a series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SeriesStyle {
+    pub(crate) color: RGBColor,
+    pub(crate) marker: Marker,
+    /// Whether only the marker's outline is drawn.
+    pub(crate) hollow: bool,
+    pub(crate) dashes: Option<[f64; 2]>,
+}
+
+impl SeriesStyle {
+    /// Returns the style of series `i`. Colours, markers and dashes repeat with different periods,
+    /// so that the first dozens of styles are all different.
+    pub(crate) fn of(i: usize) -> SeriesStyle {
+        SeriesStyle {
+            color: PALETTE[i % PALETTE.len()],
+            marker: MARKERS[i % MARKERS.len()],
+            hollow: false,
+            dashes: DASHES[i % DASHES.len()],
+        }
+    }
+}
+
+/// Width of the rim around markers, in points.
+const RIM: f64 = 0.8;
+
+/// Draws a marker with an area of about `area` square points.
+pub(crate) fn marker(
+    canvas: &Canvas,
+    style: SeriesStyle,
+    center: Position,
+    area: f64,
+) -> DrawResult {
+    let radius = (area / PI).sqrt();
+    if !style.hollow {
+        // A white outline separates overlapping markers.
+        filled(canvas, style.marker, center, radius + RIM, WHITE)?;
+        return filled(canvas, style.marker, center, radius, style.color);
+    }
+    if style.marker == Marker::Disc {
+        return canvas.disc(center, radius, style.color, Some(1.5));
+    }
+    let mut closed = outline(style.marker, center, radius);
+    closed.extend_from_within(..1);
+    canvas.line(&closed, style.color, 1.5)
+}
+
+fn filled(
+    canvas: &Canvas,
+    marker: Marker,
+    center: Position,
+    radius: f64,
+    color: RGBColor,
+) -> DrawResult {
+    if marker == Marker::Disc {
+        canvas.disc(center, radius, color, None)
+    } else {
+        canvas.polygon(&outline(marker, center, radius), color)
+    }
+}
+
+/// Returns the corners of a marker with the area of a disc of `radius`.
+fn outline(marker: Marker, (x, y): Position, radius: f64) -> Vec<Position> {
+    // Number of corners, their distance from the centre, and the angle of the first one.
+    let (corners, out, first) = match marker {
+        Marker::Disc => (24, 1.0, 0.0),
+        Marker::Square => (4, 1.25, FRAC_PI_2 / 2.0),
+        Marker::Diamond => (4, 1.25, 0.0),
+        Marker::Triangle => (3, 1.55, -FRAC_PI_2),
+        Marker::Down => (3, 1.55, FRAC_PI_2),
+        Marker::Star => (10, 1.9, -FRAC_PI_2),
+    };
+    (0..corners)
+        .map(|i| {
+            let inner = marker == Marker::Star && i % 2 == 1;
+            let out = if inner { 0.45 * out } else { out };
+            let angle = first + 2.0 * PI * f64::from(i) / f64::from(corners);
+            (
+                x + out * radius * angle.cos(),
+                y + out * radius * angle.sin(),
+            )
+        })
+        .collect()
+}
+
+/// Draws a line in this style.
+pub(crate) fn line(
+    canvas: &Canvas,
+    style: SeriesStyle,
+    positions: &[Position],
+    width: f64,
+) -> DrawResult {
+    match style.dashes {
+        None => canvas.line(positions, style.color, width),
+        Some(dashes) => canvas.dashes(positions, style.color, width, dashes),
+    }
+}
+
+/// Returns white or black, whichever has more contrast on `color` (relative luminance of WCAG 2,
+/// linearised by a power).
+pub(crate) fn text_color_on(color: RGBColor) -> RGBColor {
+    let linear = |c: u8| (f64::from(c) / 255.0).powf(2.2);
+    let luminance = 0.2126 * linear(color.0) + 0.7152 * linear(color.1) + 0.0722 * linear(color.2);
+    if luminance > 0.18 {
+        RGBColor(0, 0, 0)
+    } else {
+        RGBColor(255, 255, 255)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn styles_of_series_differ() {
+        for i in 0..24 {
+            for j in 0..i {
+                assert_ne!(SeriesStyle::of(i), SeriesStyle::of(j), "{i} and {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn markers_have_equal_areas() {
+        let area = |marker| {
+            let corners = outline(marker, (0.0, 0.0), 1.0);
+            let next = corners.iter().cycle().skip(1);
+            let twice: f64 = corners
+                .iter()
+                .zip(next)
+                .map(|(a, b)| a.0 * b.1 - a.1 * b.0)
+                .sum();
+            twice.abs() / 2.0
+        };
+        for marker in MARKERS {
+            assert!(
+                (area(marker) / PI - 1.0).abs() < 0.06,
+                "{marker:?} {}",
+                area(marker)
+            );
+        }
+    }
+
+    #[test]
+    fn text_contrasts_with_its_background() {
+        assert_eq!(
+            text_color_on(RGBColor(0, 114, 178)),
+            RGBColor(255, 255, 255)
+        );
+        assert_eq!(text_color_on(YELLOW), RGBColor(0, 0, 0));
+    }
+}

@@ -1,0 +1,31 @@
+//! Pictures from answers: the colour of each call.
+
+use crate::tasks;
+use wire::answer::Hit;
+use wire::work::Xyz;
+use wire::{Answer, Work};
+
+/// The linear colour of each call, each channel from 0 to 1; `None` for work whose answers have no colours.
+///
+/// Hits show their normal, camera rays their direction, boxes the distance at which the ray enters them (near is
+/// bright); a miss is black.
+pub fn colours(work: &Work, answer: &Answer) -> Option<Vec<Xyz>> {
+    tasks::asked(work).colours(answer)
+}
+
+/// The colour of a hit: that of its normal.
+pub fn hit(hit: Option<&Hit>) -> Xyz {
+    hit.map_or([0.0; 3], |hit| direction(hit.n))
+}
+
+/// The colour of a unit vector: each component from -1..1 to 0..1.
+pub(crate) fn direction(d: Xyz) -> Xyz {
+    d.map(|component| component / 2.0 + 0.5)
+}
+
+/// The colour of a distance along a ray.
+pub(crate) fn distance(t: Option<f64>) -> Xyz {
+    t.map_or([0.0; 3], |t| {
+        [0.2, 0.5, 1.0].map(|tint| (-tint * t / 4.0).exp())
+    })
+}

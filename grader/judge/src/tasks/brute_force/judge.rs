@@ -1,0 +1,35 @@
+//! Judging rays through a list of shapes.
+
+use crate::expected::Expected;
+use crate::hits::{Call, expect, record};
+use crate::tally::Tally;
+use wire::answer::HitsAnswer;
+use wire::work::Ray;
+
+/// Judges rays that went through a list of shapes, one `intersect_*` after the other.
+pub(crate) fn brute_force(
+    tally: &mut Tally,
+    rays: &[Ray],
+    expected: &[Expected],
+    answer: &HitsAnswer,
+) {
+    let answers = answer.hits.iter().zip(&answer.max_t);
+    let calls = rays.iter().zip(expected).zip(answers);
+    for (number, ((ray, expected), (hit, max_t))) in calls.enumerate() {
+        let with_uv = expected.hits.iter().all(|hit| hit.uv.is_some());
+        expect(tally, expected, with_uv);
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: "going through all shapes in order",
+            ray,
+        };
+        record(&mut call, expected, hit.as_ref());
+        if let Some(hit) = hit
+            && let Some(right) = expected.closest_to(hit.prim, hit.t)
+        {
+            call.barycentrics(right, hit.uv);
+        }
+        call.max_t_after(hit.map(|hit| hit.t), *max_t);
+    }
+}

@@ -1,0 +1,72 @@
+//! Rays through a list of shapes: pictures and many shapes of `part1.task3` and `part1.task4`.
+
+mod judge;
+pub(crate) mod pictures;
+mod repro;
+
+use crate::cases::Spec;
+use crate::check::{Check, Content, same_length};
+use crate::expected::Expected;
+use crate::snapshot::lines::{self, each};
+use crate::tally::Tally;
+use crate::{Tier, convert, picture, truth};
+use kit::Primitive;
+use wire::answer::HitsAnswer;
+use wire::work::{BruteForceWork, Xyz};
+
+/// `intersect_triangle` and `intersect_sphere`, called in order for all shapes with one ray.
+pub(crate) struct BruteForce;
+
+impl Check for BruteForce {
+    type Question = BruteForceWork;
+    type Answer = HitsAnswer;
+
+    fn calls(work: &BruteForceWork) -> usize {
+        work.rays.len()
+    }
+
+    fn fits(work: &BruteForceWork, answer: &HitsAnswer) -> Result<(), String> {
+        hits_fit(Self::calls(work), answer)
+    }
+
+    fn expected(work: &BruteForceWork, tier: Tier, enclosed: bool) -> Vec<Expected> {
+        let scene = convert::scene(&work.triangles, &work.spheres);
+        let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+        let rays = work.rays.iter();
+        rays.map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), enclosed))
+            .collect()
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        spec: &Spec,
+        tier: Tier,
+        work: &BruteForceWork,
+        answer: &HitsAnswer,
+    ) {
+        let expected = spec.truths.of_shapes(spec, tier);
+        judge::brute_force(tally, &work.rays, expected, answer);
+    }
+
+    fn lines(work: &BruteForceWork, answer: &HitsAnswer) -> Option<Content> {
+        let lines = each(&work.rays, &answer.hits, |ray, hit| {
+            lines::hit(None, ray, hit.as_ref())
+        });
+        Some((Vec::new(), lines))
+    }
+
+    fn repro(tier: Tier, work: &BruteForceWork, call: usize) -> Option<String> {
+        repro::first_of(tier, &work.triangles, &work.spheres, work.rays.get(call)?)
+    }
+
+    fn colours(answer: &HitsAnswer) -> Option<Vec<Xyz>> {
+        let hits = answer.hits.iter().map(Option::as_ref);
+        Some(hits.map(picture::hit).collect())
+    }
+}
+
+/// Whether there is a hit or a miss and a `max_t` for each of so many rays.
+pub(super) fn hits_fit(rays: usize, answer: &HitsAnswer) -> Result<(), String> {
+    same_length("hits or misses", answer.hits.len(), rays)?;
+    same_length("max_t", answer.max_t.len(), rays)
+}

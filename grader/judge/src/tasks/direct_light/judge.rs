@@ -1,0 +1,408 @@
+//! Judging direct light: by the rays that an estimate asked for, and what it made of the answers.
+//!
+//! An estimate is judged by its own rays, whatever random numbers they came from: given the rays,
+//! the right sum is known to the last digit. That rays are distributed as they should be, and that
+//! the mean is right, is tested apart.
+
+use super::lamps::{Part, Place, SKY_PDF, arrives, surroundings};
+use super::mistakes;
+use crate::chance::{self, MANY};
+use crate::hits::show;
+use crate::numbers;
+use crate::tally::{Aspect, Class, Tally};
+use kit::{Environment, LightSample, Tally as Numbers, Vec3};
+use std::collections::HashSet;
+use std::f64::consts::TAU;
+use wire::direct::{AskedRay, DirectAnswer, DirectWork, ShadedPoint, Strategy};
+use wire::light::{Light, Material, Panel};
+
+/// How far a sum may be off, as a share: thousands of roundings, or a π with ten digits.
+const SUM_BOUND: f64 = 1e-9;
+
+/// How far an origin may be off, in units: worlds here are ten units large, and the errors of
+/// points 2e-12.
+const ORIGIN_BOUND: f64 = 2e-13;
+
+/// How far a direction may be off.
+const DIRECTION_BOUND: f64 = 1e-6;
+
+/// How far before a light a shadow ray may end, as a share of its length.
+const LONGEST_GAP: f64 = 1e-6;
+
+/// A shadow ray is meant for a light if its range ends so near, as a share of its length.
+const MISSED_BY: f64 = 1e-2;
+
+/// Judges every estimate of `work`.
+pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
+        let one = One {
+            work,
+            point,
+            place: Place::of(point),
+            answer,
+            call,
+        };
+        match work.strategy {
+            Strategy::ZeroBounce => one.zero_bounce(tally),
+            Strategy::Hemisphere => one.hemisphere(tally),
+            Strategy::Lights => one.lights(tally),
+        }
+    }
+    if work.strategy != Strategy::ZeroBounce && answers.len() >= MANY {
+        by_chance(tally, work, answers);
+    }
+}
+
+/// All points of `work` are the same; the estimates differ by chance.
+fn by_chance(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    let place = Place::of(&work.points[0]);
+    if work.strategy == Strategy::Hemisphere {
+        let rays = answers.iter().flat_map(|answer| &answer.asked);
+        let directions: Vec<Option<Vec3>> = rays
+            .map(|asked| Some(place.frame.to_local(asked.ray.d.into())))
+            .collect();
+        let side = place.wo.z.signum();
+        let density = |w: Vec3| if w.z * side > 0.0 { 1.0 / TAU } else { 0.0 };
+        chance::spread(tally, &directions, density, "uniformly over the hemisphere");
+    }
+    let green: Numbers = answers.iter().map(|answer| answer.radiance[1]).collect();
+    chance::mean(tally, "estimates", &green, place.lit_by(&work.world).y);
+}
+
+struct One<'a> {
+    work: &'a DirectWork,
+    point: &'a ShadedPoint,
+    place: Place,
+    answer: &'a DirectAnswer,
+    call: usize,
+}
+
+impl One<'_> {
+    fn about(&self) -> String {
+        format!(
+            "Point {:?} with the normal {:?}, {:?}, seen along wo = {:?}, {} samples",
+            self.point.p, self.point.n, self.point.material, self.point.wo, self.work.samples
+        )
+    }
+
+    /// Judges the sum; a wrong one that a suspect makes of the same rays has its name, whatever the
+    /// rays are.
+    fn radiance(&self, tally: &mut Tally, right: Vec3, suspects: &[(&'static str, Vec3)]) {
+        tally.expect(Aspect::Radiance);
+        let answered = self.answer.radiance;
+        let (aspect, call) = (Aspect::Radiance, self.call);
+        let is = |sum: Vec3| numbers::same_colour(answered, sum.into(), SUM_BOUND);
+        let named = suspects.iter().find(|(_, sum)| !is(right) && is(*sum));
+        if let Some((name, _)) = named {
+            let class = Some(Class::Named(name));
+            tally.judge_class(aspect, call, class, 1.0, || {
+                let right = right.to_array();
+                format!("it is {answered:?}, right is {right:?}. {}", self.about())
+            });
+            return;
+        }
+        numbers::colour(
+            tally,
+            aspect,
+            call,
+            answered,
+            right.into(),
+            SUM_BOUND,
+            || self.about(),
+        );
+    }
+
+    fn zero_bounce(&self, tally: &mut Tally) {
+        let right = match self.point.material {
+            Material::Emission(radiance) if self.place.wo.z > 0.0 => radiance.into(),
+            _ => Vec3::ZERO,
+        };
+        self.radiance(tally, right, &[]);
+    }
+
+    fn hemisphere(&self, tally: &mut Tally) {
+        let samples = self.work.samples;
+        let is_delta = matches!(
+            self.point.material,
+            Material::Mirror(_) | Material::Glass(_)
+        );
+        let wanted = if is_delta { 0 } else { samples };
+        self.count(tally, wanted, wanted);
+        let mut sum = Vec3::ZERO;
+        let mut suspects = mistakes::LookingAround::default();
+        let wrong_side = self.wrong_side();
+        for asked in &self.answer.asked {
+            let d = Vec3::from(asked.ray.d);
+            self.start(tally, asked);
+            tally.expect(Aspect::Range);
+            let whole = asked.ray.min_t == 0.0 && asked.ray.max_t == f64::INFINITY;
+            tally.judge(Aspect::Range, self.call, whole, 1.0, || {
+                format!(
+                    "a ray has the range [{:?}, {:?}], right is all of it, [0, inf]. {}",
+                    asked.ray.min_t,
+                    asked.ray.max_t,
+                    self.about()
+                )
+            });
+            tally.expect(Aspect::Direction);
+            let side = self.place.frame.to_local(d).z * self.place.wo.z;
+            let length = d.length();
+            let class = if (length - 1.0).abs() > DIRECTION_BOUND || length.is_nan() {
+                Some(Class::WrongLength)
+            } else {
+                (side < 0.0).then_some(wrong_side)
+            };
+            tally.judge_class(Aspect::Direction, self.call, class, 1.0, || {
+                format!(
+                    "a ray goes along d = {}, right is a unit vector on the side of wo. {}",
+                    show(d),
+                    self.about()
+                )
+            });
+            sum += self.place.scattered(d) * Vec3::from(asked.seen);
+            suspects.see(&self.place, asked);
+        }
+        self.distinct(tally);
+        let share = TAU / f64::from(samples.max(1));
+        self.radiance(tally, sum * share, &suspects.sums(share));
+    }
+
+    /// The class of rays that go to the wrong side of the surface.
+    fn wrong_side(&self) -> Class {
+        let to_viewer = self.place.wo.z;
+        let all = |z: &dyn Fn(Vec3) -> f64| {
+            let mut rays = self.answer.asked.iter();
+            rays.all(|asked| z(asked.ray.d.into()) * to_viewer > 0.0)
+        };
+        if all(&|d| -self.place.frame.to_local(d).z) {
+            Class::Named("all on the other side")
+        } else if all(&|d| d.z) {
+            Class::Named("as if they were local")
+        } else {
+            Class::Negated
+        }
+    }
+
+    fn lights(&self, tally: &mut Tally) {
+        let sources = self.sources();
+        let targets: Vec<Option<(usize, f64)>> = self
+            .answer
+            .asked
+            .iter()
+            .map(|asked| target(&sources, self.place.p, asked))
+            .collect();
+        let is_delta = matches!(
+            self.point.material,
+            Material::Mirror(_) | Material::Glass(_)
+        );
+        let (least, most) = if is_delta {
+            (0, 0)
+        } else {
+            let add = |(least, most), source: &Source| {
+                let (few, many) = self.rays_to(source);
+                (least + few, most + many)
+            };
+            sources.iter().fold((0, 0), add)
+        };
+        self.count(tally, least, most);
+        let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
+        for (asked, target) in self.answer.asked.iter().zip(&targets) {
+            self.start(tally, asked);
+            self.shadow_ray(tally, asked, target.map(|(_, far)| far));
+            if let (Some((source, far)), false) = (target, asked.hit) {
+                let light = self.brings(&sources[*source], *far, asked.ray.d.into());
+                sum += light;
+                with_distance_twice += if far.is_finite() {
+                    light / (far * far)
+                } else {
+                    light
+                };
+            }
+        }
+        self.distinct(tally);
+        self.radiance(tally, sum, &[("distance twice", with_distance_twice)]);
+    }
+
+    /// The lights that shine here.
+    fn sources(&self) -> Vec<Source> {
+        let world = &self.work.world;
+        let lights =
+            world
+                .lights
+                .iter()
+                .filter_map(|light| match (arrives(light, self.place.p), light) {
+                    (Some(sample), _) => sample.map(Source::Point),
+                    (None, Light::Sky(radiance)) => Some(Source::Sky((*radiance).into())),
+                    (None, _) => None,
+                });
+        let panels = world
+            .panels
+            .iter()
+            .filter_map(|panel| match panel.material {
+                Material::Emission(radiance) if self.place.sees(panel) != Part::None => {
+                    Some(Source::Lamp(*panel, radiance.into()))
+                }
+                _ => None,
+            });
+        let around = surroundings(world).map(Source::Picture);
+        lights.chain(around).chain(panels).collect()
+    }
+
+    /// How many shadow rays a light gets, at least and at most.
+    fn rays_to(&self, source: &Source) -> (u32, u32) {
+        let samples = self.work.samples;
+        match source {
+            Source::Point(light) => {
+                let one = u32::from(self.place.scattered(light.wi) != Vec3::ZERO);
+                (one, one)
+            }
+            Source::Lamp(panel, _) if self.place.sees(panel) == Part::All => (samples, samples),
+            Source::Lamp(..) | Source::Sky(_) | Source::Picture(_) => (0, samples),
+        }
+    }
+
+    /// What an open ray along `d` to a light that is `far` away adds to the estimate.
+    fn brings(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
+        let share = 1.0 / f64::from(self.work.samples.max(1));
+        let scattered = self.place.scattered(d);
+        match source {
+            Source::Point(light) => scattered * Vec3::from(light.radiance.to_array()),
+            Source::Sky(radiance) => scattered * *radiance * (share / SKY_PDF),
+            Source::Picture(picture) => {
+                let radiance = Vec3::from(picture.radiance(d).to_array());
+                scattered * radiance * (share / picture.pdf(d))
+            }
+            Source::Lamp(panel, radiance) => {
+                let facing = (-d.dot(panel.front().into())).max(0.0);
+                scattered * *radiance * (share * facing * panel.area() / (far * far))
+            }
+        }
+    }
+
+    /// A shadow ray goes to a light that shines here, and ends just before it.
+    fn shadow_ray(&self, tally: &mut Tally, asked: &AskedRay, far: Option<f64>) {
+        tally.expect(Aspect::Direction);
+        tally.expect(Aspect::Range);
+        tally.judge(Aspect::Direction, self.call, far.is_some(), 1.0, || {
+            format!(
+                "a shadow ray with d = {:?} and max_t = {:?} ends at no light that shines here. {}",
+                asked.ray.d,
+                asked.ray.max_t,
+                self.about()
+            )
+        });
+        let in_vain = self.place.scattered(asked.ray.d.into()) == Vec3::ZERO;
+        tally.judge(Aspect::Rays, self.call, !in_vain, 1.0, || {
+            format!(
+                "a shadow ray along d = {:?} was in vain: nothing of that light is scattered to wo. {}",
+                asked.ray.d,
+                self.about()
+            )
+        });
+        let Some(far) = far else { return };
+        let gap = (far - asked.ray.max_t) / far;
+        let ends_right =
+            far == f64::INFINITY && asked.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
+        let right = asked.ray.min_t == 0.0 && ends_right;
+        tally.judge(Aspect::Range, self.call, right, 1.0, || {
+            format!(
+                "a shadow ray has the range [{:?}, {:?}]; it begins at 0 and ends just before the light, which is {far:?} away. {}",
+                asked.ray.min_t,
+                asked.ray.max_t,
+                self.about()
+            )
+        });
+    }
+
+    fn count(&self, tally: &mut Tally, least: u32, most: u32) {
+        tally.expect(Aspect::Rays);
+        let asked = self.answer.asked.len();
+        let right = (least as usize..=most as usize).contains(&asked);
+        let (wanted, size) = (f64::from(least), asked as f64 - f64::from(most));
+        let class = (!right).then(|| Class::of_number(asked as f64, wanted));
+        tally.judge_class(Aspect::Rays, self.call, class, size.abs(), || {
+            let right = if least == most {
+                format!("{least}")
+            } else {
+                format!("{least} to {most}")
+            };
+            format!(
+                "{asked} rays were asked for, right are {right}. {}",
+                self.about()
+            )
+        });
+    }
+
+    /// Rays start on the surface, off by its error bound.
+    fn start(&self, tally: &mut Tally, asked: &AskedRay) {
+        tally.expect(Aspect::Origin);
+        let right = self.place.start(asked.ray.d.into());
+        let off = (Vec3::from(asked.ray.o) - right).length();
+        let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
+        tally.judge_class(Aspect::Origin, self.call, class, off, || {
+            format!(
+                "a ray starts at {}, where Surface::leave puts it is {}. {}",
+                show(asked.ray.o.into()),
+                show(right),
+                self.about()
+            )
+        });
+    }
+
+    /// No random number serves two samples.
+    fn distinct(&self, tally: &mut Tally) {
+        let endless = |light: &Light| matches!(light, Light::Directional { .. });
+        let by_design = self.work.world.lights.iter().filter(|l| endless(l)).count() > 1;
+        if self.answer.asked.len() < 2 || by_design {
+            return;
+        }
+        tally.expect(Aspect::Spread);
+        let bits = |asked: &AskedRay| asked.ray.d.map(f64::to_bits);
+        let different: HashSet<_> = self.answer.asked.iter().map(bits).collect();
+        let (all, different) = (self.answer.asked.len(), different.len());
+        let right = all == different;
+        tally.judge(Aspect::Spread, self.call, right, 1e3, || {
+            format!(
+                "only {different} of {all} rays have different directions: each sample needs its own random numbers. {}",
+                self.about()
+            )
+        });
+    }
+}
+
+/// A light that shines at a point.
+enum Source {
+    /// One without extent, and what arrives from it.
+    Point(LightSample),
+    /// A panel and its radiance.
+    Lamp(Panel, Vec3),
+    /// A sky and its radiance.
+    Sky(Vec3),
+    /// A picture all around.
+    Picture(Environment),
+}
+
+/// Which light a shadow ray from `p` is meant for, and how far away that is: of those along its way
+/// the one whose distance is nearest to the end of its range.
+fn target(sources: &[Source], p: Vec3, asked: &AskedRay) -> Option<(usize, f64)> {
+    let (d, max_t) = (Vec3::from(asked.ray.d), asked.ray.max_t);
+    let along = |source: &Source| match source {
+        Source::Point(light) => {
+            ((d - light.wi).length() < DIRECTION_BOUND).then_some(light.distance)
+        }
+        Source::Lamp(panel, _) => Some(panel.meets(p.into(), asked.ray.d)?.0),
+        Source::Sky(_) => (d.y >= 0.0).then_some(f64::INFINITY),
+        Source::Picture(picture) => (picture.pdf(d) > 0.0).then_some(f64::INFINITY),
+    };
+    let off = |far: f64| {
+        if far == max_t {
+            0.0
+        } else {
+            ((far - max_t) / far).abs()
+        }
+    };
+    let ways = sources.iter().enumerate();
+    ways.filter_map(|(i, source)| Some((i, along(source)?)))
+        .filter(|(_, far)| *far > 0.0 && off(*far) <= MISSED_BY)
+        .min_by(|a, b| off(a.1).total_cmp(&off(b.1)))
+}

@@ -1,0 +1,73 @@
+//! What typical mistakes make of the same rays: whoever draws other rays makes the same mistake in other numbers.
+
+use super::lamps::Place;
+use kit::{Spectrum, Vec3};
+use wire::direct::AskedRay;
+
+/// What an estimate by looking around adds up to if it is wrong in one of these ways.
+#[derive(Default)]
+pub(crate) struct LookingAround {
+    without_cosine: Vec3,
+    cosine_of_wo: Vec3,
+    swapped: Vec3,
+    without_background: Vec3,
+    cosine_twice: Vec3,
+    sine: Vec3,
+    clamped: Vec3,
+    local: Vec3,
+    world_wi: Vec3,
+    world_up: Vec3,
+    grey: Vec3,
+    last: Vec3,
+    right: Vec3,
+    rays: u32,
+    rays_to_light: u32,
+}
+
+impl LookingAround {
+    /// Takes in one ray and what it sees.
+    pub(crate) fn see(&mut self, place: &Place, asked: &AskedRay) {
+        let (wo, wi) = (place.wo, place.frame.to_local(asked.ray.d.into()));
+        let seen = Vec3::from(asked.seen);
+        let light = place.f(wo, wi) * seen;
+        self.without_cosine += light;
+        self.cosine_of_wo += light * wo.z.abs();
+        self.swapped += place.f(wi, wo) * seen * wi.z.abs();
+        if asked.hit {
+            self.without_background += light * wi.z.abs();
+        }
+        self.cosine_twice += light * wi.z * wi.z;
+        self.sine += light * (1.0 - wi.z * wi.z).max(0.0).sqrt();
+        self.clamped += place.f(wo, wi) * seen.min(Vec3::ONE) * wi.z.abs();
+        let d = Vec3::from(asked.ray.d);
+        self.local += place.f(wo, d) * seen * d.z.abs();
+        self.world_wi += place.f(wo, d) * seen * wi.z.abs();
+        self.world_up += light * d.y.abs();
+        let luminance = Spectrum::from(asked.seen).luminance();
+        self.grey += place.f(wo, wi) * luminance * wi.z.abs();
+        self.last = light * wi.z.abs();
+        self.right += light * wi.z.abs();
+        self.rays += 1;
+        self.rays_to_light += u32::from(seen != Vec3::ZERO);
+    }
+
+    /// The sums, each ray weighed by `share`, with the names of their mistakes.
+    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 13] {
+        let of_those = f64::from(self.rays) / f64::from(self.rays_to_light.max(1));
+        [
+            ("without the cosine", self.without_cosine * share),
+            ("the cosine of wo", self.cosine_of_wo * share),
+            ("wo and wi swapped", self.swapped * share),
+            ("without the background", self.without_background * share),
+            ("the cosine twice", self.cosine_twice * share),
+            ("the sine", self.sine * share),
+            ("light clamped", self.clamped * share),
+            ("along local directions", self.local * share),
+            ("f of the world's wi", self.world_wi * share),
+            ("the cosine to the world's up", self.world_up * share),
+            ("grey light", self.grey * share),
+            ("the last ray alone", self.last * share),
+            ("mean of what finds light", self.right * share * of_those),
+        ]
+    }
+}

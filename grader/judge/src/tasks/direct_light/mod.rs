@@ -1,0 +1,57 @@
+//! Direct light: the kind of work of `part3.task2` and `part3.task3`.
+
+mod judge;
+mod lamps;
+mod mistakes;
+pub(crate) mod worlds;
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, one_each};
+use crate::snapshot::lines::each;
+use crate::snapshot::{field, forms, number, vector};
+use crate::tally::Tally;
+use wire::direct::{DirectAnswer, DirectWork};
+
+/// One of the estimates of direct light, called at each point.
+pub(crate) struct Direct;
+
+impl Check for Direct {
+    type Question = DirectWork;
+    type Answer = Vec<DirectAnswer>;
+
+    fn calls(work: &DirectWork) -> usize {
+        work.points.len()
+    }
+
+    fn fits(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Result<(), String> {
+        one_each(Self::calls(work), answers)
+    }
+
+    fn judge(tally: &mut Tally, _: &Spec, _: Tier, work: &DirectWork, answers: &Vec<DirectAnswer>) {
+        judge::direct(tally, work, answers);
+    }
+
+    fn lines(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Option<Content> {
+        let lines = each(&work.points, answers, |point, answer| {
+            let question = vec![
+                field("p", vector(&point.p)),
+                field("n", vector(&point.n)),
+                field("wo", vector(&point.wo)),
+            ];
+            let short = vec![
+                field("radiance", vector(&answer.radiance)),
+                number("rays", answer.asked.len() as f64),
+            ];
+            let mut full = short.clone();
+            full.extend(answer.asked.iter().take(2).flat_map(|asked| {
+                [
+                    field("d", vector(&asked.ray.d)),
+                    number("max_t", asked.ray.max_t),
+                ]
+            }));
+            forms(question, short, full)
+        });
+        Some((Vec::new(), lines))
+    }
+}

@@ -1,0 +1,158 @@
+//! Points, lamps and walls.
+
+use crate::cases::probes::Dice;
+use kit::Vec3;
+use wire::Work;
+use wire::direct::{DirectWork, ShadedPoint, Strategy};
+use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
+use wire::work::Xyz;
+
+/// How far the coordinates of points here may be off: far more than rounding, so that it shows whether rays leave
+/// surfaces by it, and far less than the gap that shadow rays leave before their light.
+const POINT_ERROR: f64 = 2e-12;
+
+/// A lamp at the height `at` over the plane of x and z, between -1 and 1 in both, shining down.
+pub(crate) fn lamp(at: f64, radiance: Xyz) -> Panel {
+    Panel {
+        axis: 1,
+        at,
+        min: [-1.0; 2],
+        max: [1.0; 2],
+        faces: -1.0,
+        material: Material::Emission(radiance),
+    }
+}
+
+/// The same as a wall that emits nothing.
+pub(crate) fn wall(panel: Panel) -> Panel {
+    Panel {
+        material: Material::Diffuse([0.5; 3]),
+        ..panel
+    }
+}
+
+/// A matte point in the plane y = 0, seen from above.
+pub(crate) fn floor() -> ShadedPoint {
+    ShadedPoint {
+        p: [0.3, 0.0, -0.2],
+        n: [0.0, 1.0, 0.0],
+        error: POINT_ERROR,
+        material: Material::Diffuse([0.8, 0.5, 0.25]),
+        wo: [0.48, 0.64, 0.6],
+    }
+}
+
+/// The floor with another material.
+pub(crate) fn floor_of(material: Material) -> ShadedPoint {
+    ShadedPoint {
+        material,
+        ..floor()
+    }
+}
+
+/// The floor seen from below.
+pub(crate) fn ceiling() -> ShadedPoint {
+    let [x, y, z] = floor().wo;
+    ShadedPoint {
+        wo: [x, -y, z],
+        ..floor()
+    }
+}
+
+/// A matte point within one unit of the origin, with any normal, seen from the side of its normal.
+pub(crate) fn anywhere(dice: &mut Dice) -> ShadedPoint {
+    let n = dice.direction();
+    let wo = loop {
+        let wo = dice.direction();
+        if wo.dot(n) > 0.1 {
+            break wo;
+        }
+    };
+    ShadedPoint {
+        p: (0.8 * dice.in_cube()).into(),
+        n: n.into(),
+        error: POINT_ERROR,
+        material: Material::Diffuse([0.7, 0.4, 0.2].map(|rho: f64| rho * dice.range(0.5, 1.0))),
+        wo: wo.into(),
+    }
+}
+
+/// A room of six panels around the origin, some of which emit, with a hole in its roof through which the sky is seen.
+pub(crate) fn room() -> LitWorld {
+    let side = |axis: usize, sign: f64, material: Material| Panel {
+        axis,
+        at: 3.0 * sign,
+        min: [-3.0; 2],
+        max: [3.0; 2],
+        faces: -sign,
+        material,
+    };
+    let grey = Material::Diffuse([0.5; 3]);
+    let roof = Panel {
+        min: [-3.0, -3.0],
+        max: [3.0, 1.0],
+        ..side(1, 1.0, Material::Emission([4.0, 2.0, 1.0]))
+    };
+    LitWorld {
+        panels: vec![
+            side(0, 1.0, Material::Emission([0.0, 3.0, 0.5])),
+            side(0, -1.0, grey),
+            roof,
+            side(1, -1.0, grey),
+            side(2, 1.0, grey),
+            // Its dark side faces the room.
+            Panel {
+                faces: -1.0,
+                ..side(2, -1.0, Material::Emission([9.0; 3]))
+            },
+        ],
+        // Only upwards: whoever looks the wrong way does not see it.
+        lights: vec![Light::Sky([6.0, 2.0, 1.0])],
+        environment: Some(Surroundings::uniform([0.5, 1.0, 2.0])),
+    }
+}
+
+/// The work of estimating direct light at `points`.
+pub(crate) fn work(
+    strategy: Strategy,
+    world: LitWorld,
+    points: Vec<ShadedPoint>,
+    samples: u32,
+    seed: u64,
+) -> Work {
+    Work::Direct(DirectWork {
+        world,
+        strategy,
+        points,
+        samples,
+        seed,
+    })
+}
+
+/// A world of panels alone.
+pub(crate) fn of_panels(panels: Vec<Panel>) -> LitWorld {
+    LitWorld {
+        panels,
+        ..LitWorld::default()
+    }
+}
+
+/// A lamp in front of the surface at `p`: its place is drawn from `dice`.
+pub(crate) fn any_lamp(dice: &mut Dice) -> Panel {
+    let axis = dice.below(3);
+    let faces = dice.one_of(&[-1.0, 1.0]);
+    let corner = [dice.range(-2.0, 0.0), dice.range(-2.0, 0.0)];
+    Panel {
+        axis,
+        at: -faces * dice.range(1.5, 3.0),
+        min: corner,
+        max: corner.map(|least| least + dice.range(0.5, 2.0)),
+        faces,
+        material: Material::Emission([1.0, 2.0, 3.0].map(|most| dice.range(0.1, most))),
+    }
+}
+
+/// A unit vector from its direction.
+pub(crate) fn unit(v: [f64; 3]) -> Xyz {
+    Vec3::from(v).normalize().into()
+}

@@ -1,0 +1,103 @@
+//! Kinds of work that are not judged: times are reported, box tests are drawn.
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, LARGE_LIMIT_MS, in_range, same_length};
+use crate::tally::Tally;
+use wire::answer::{TimingAnswer, VisitsAnswer};
+use wire::work::{TestTiming, TimingWork, VisitsWork};
+
+/// The student's tree against the student's brute force.
+pub(crate) struct Timing;
+
+/// One intersection test, over and over.
+pub(crate) struct TimeTest;
+
+/// Which boxes of a tree are tested.
+pub(crate) struct Visits;
+
+impl Check for Timing {
+    type Question = TimingWork;
+    type Answer = TimingAnswer;
+
+    const NEEDS_NEIGHBOURS: bool = true;
+
+    const LIMIT_MS: u64 = LARGE_LIMIT_MS;
+
+    fn calls(work: &TimingWork) -> usize {
+        work.rays.len()
+    }
+
+    fn fits(work: &TimingWork, answer: &TimingAnswer) -> Result<(), String> {
+        for seconds in [&answer.build_s, &answer.tree_s, &answer.brute_s] {
+            times_fit(work.rounds, seconds)?;
+        }
+        Ok(())
+    }
+
+    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &TimingWork, _: &TimingAnswer) {}
+
+    fn lines(_: &TimingWork, _: &TimingAnswer) -> Option<Content> {
+        None
+    }
+}
+
+impl Check for TimeTest {
+    type Question = TestTiming;
+    type Answer = Vec<f64>;
+
+    fn calls(work: &TestTiming) -> usize {
+        work.rounds as usize
+    }
+
+    fn fits(work: &TestTiming, seconds: &Vec<f64>) -> Result<(), String> {
+        times_fit(work.rounds, seconds)
+    }
+
+    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
+
+    fn lines(_: &TestTiming, _: &Vec<f64>) -> Option<Content> {
+        None
+    }
+}
+
+impl Check for Visits {
+    type Question = VisitsWork;
+    type Answer = VisitsAnswer;
+
+    const NEEDS_NEIGHBOURS: bool = true;
+
+    fn calls(work: &VisitsWork) -> usize {
+        work.rays.len()
+    }
+
+    fn fits(work: &VisitsWork, answer: &VisitsAnswer) -> Result<(), String> {
+        same_length("lists of visits", answer.rays.len(), Self::calls(work))?;
+        for (call, visits) in answer.rays.iter().enumerate() {
+            for visit in visits {
+                in_range("node", call, visit.node, work.tree.nodes.len())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
+
+    fn lines(_: &VisitsWork, _: &VisitsAnswer) -> Option<Content> {
+        None
+    }
+}
+
+/// Whether there is a time for each round.
+fn times_fit(rounds: u32, seconds: &[f64]) -> Result<(), String> {
+    if seconds.len() != rounds as usize {
+        return Err(format!(
+            "expected the times of {rounds} rounds, found {}",
+            seconds.len()
+        ));
+    }
+    match seconds.iter().find(|s| !(s.is_finite() && **s >= 0.0)) {
+        Some(wrong) => Err(format!("a round takes {wrong} s")),
+        None => Ok(()),
+    }
+}

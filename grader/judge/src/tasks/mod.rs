@@ -1,0 +1,94 @@
+//! The tasks: a folder each, with its cases and all that is done with their answers.
+//!
+//! In a folder, `mod.rs` has the [`Check`] of the task's kind of work, `cases` what its code is checked with, `judge` what
+//! is right and wrong about an answer, `lines` how a snapshot shows it, `repro` the Rust test that is pasted. Kinds of work
+//! that several tasks have are in folders of their own: [`brute_force`] (rays through a list of shapes), [`direct_light`],
+//! [`scene_hits`]. [`measurements`] are not judged.
+
+pub(crate) mod brute_force;
+pub(crate) mod direct_light;
+pub(crate) mod measurements;
+pub(crate) mod part1_task1;
+pub(crate) mod part1_task2;
+pub(crate) mod part1_task3;
+pub(crate) mod part1_task4;
+pub(crate) mod part2_task1;
+pub(crate) mod part2_task2;
+pub(crate) mod part2_task3;
+pub(crate) mod part3_task1;
+pub(crate) mod part3_task2;
+pub(crate) mod part3_task3;
+pub(crate) mod part4_task1;
+pub(crate) mod part4_task2;
+pub(crate) mod part4_task3;
+pub(crate) mod part5_task1;
+pub(crate) mod part5_task2;
+pub(crate) mod scene_hits;
+
+use crate::cases::Spec;
+use crate::check::{Asked, Question};
+use wire::{Answer, Work};
+
+/// Makes [`asked`] from the list of kinds of work and their checks.
+macro_rules! checks {
+    ($($kind:ident => $check:ty,)*) => {
+        /// A question with the check of its kind.
+        pub(crate) fn asked(work: &Work) -> Box<dyn Asked + '_> {
+            match work {
+                $(Work::$kind(question) => Box::new(Question::<'_, $check> {
+                    question,
+                    of_kind: |answer| match answer {
+                        Answer::$kind(answer) => Some(answer),
+                        _ => None,
+                    },
+                }),)*
+            }
+        }
+    };
+}
+
+checks! {
+    Pixels => part1_task1::Pixels,
+    CameraRays => part1_task2::CameraRays,
+    Triangles => part1_task3::Triangles,
+    Spheres => part1_task4::Spheres,
+    BruteForce => brute_force::BruteForce,
+    Build => part2_task1::Build,
+    Boxes => part2_task2::Boxes,
+    Traverse => part2_task3::Traverse,
+    SceneHits => scene_hits::SceneHits,
+    Lambert => part3_task1::Lambert,
+    Direct => direct_light::Direct,
+    Specular => part4_task1::Specular,
+    Paths => part4_task2::Paths,
+    Roulette => part4_task3::Roulette,
+    Stop => part5_task1::Stop,
+    AdaptivePixels => part5_task1::AdaptivePixels,
+    SureStop => part5_task2::SureStop,
+    Timing => measurements::Timing,
+    TimeTest => measurements::TimeTest,
+    Visits => measurements::Visits,
+}
+
+/// All cases of all tasks.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    [
+        part1_task1::cases::cases(seed),
+        part1_task2::cases::cases(seed),
+        part1_task3::cases::cases(seed),
+        part1_task4::cases::cases(seed),
+        part2_task1::cases::cases(),
+        part2_task2::cases::cases(seed),
+        part2_task3::cases::cases(),
+        scene_hits::cases::cases(),
+        part3_task1::cases::cases(seed),
+        part3_task2::cases(seed),
+        part3_task3::cases(seed),
+        part4_task1::cases::cases(seed),
+        part4_task2::cases::cases(seed),
+        part4_task3::cases::cases(seed),
+        part5_task1::cases::cases(seed),
+        part5_task2::cases::cases(seed),
+    ]
+    .concat()
+}

@@ -1,0 +1,284 @@
+//! Judging the sample loop of a pixel.
+//!
+//! How samples spread is judged by z-tests over all pixels of a case, so that every sound way of sampling passes:
+//! independent, jittered, a low-discrepancy set, in any order.
+
+use crate::tally::{Aspect, Class, Tally};
+use std::collections::HashSet;
+use wire::answer::PixelAnswer;
+use wire::work::PixelWork;
+
+/// How far a point may be off or outside its pixel, in pixels: `x / w` and back rounds a few times, on a film
+/// thousands of pixels wide.
+const PLACE_BOUND: f64 = 1e-9;
+
+/// How far a radiance may be off, as a part of the brightest sample: a thousand samples are a thousand roundings.
+const RADIANCE_BOUND: f64 = 1e-12;
+
+/// A test fails beyond so many standard deviations: sound independent samples do with probability 8e-11, at most
+/// 1e-9 with the skew of a thousand squares. A mean that is off by a seventh of a pixel over a thousand samples
+/// is sure to be seen.
+const SIGMAS: f64 = 6.5;
+
+/// Judges `raytrace_pixel`.
+pub(crate) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+    for (call, (pixel, answer)) in work.pixels.iter().zip(answers).enumerate() {
+        calls(tally, call, *pixel, work.ns_aa, answer);
+        placement(tally, call, *pixel, work, answer);
+        radiance(tally, call, *pixel, answer);
+    }
+    if work.ns_aa > 1 {
+        spread(tally, work, answers);
+    }
+}
+
+/// Every sample is one point, one camera ray, one traced ray, counted once.
+fn calls(tally: &mut Tally, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &PixelAnswer) {
+    tally.expect(Aspect::Calls);
+    let asked = format!("Pixel ({x}, {y}), ns_aa = {ns_aa}");
+    let (points, traced) = (answer.points.len(), answer.traced.len());
+    let right = points == ns_aa as usize && traced == ns_aa as usize && answer.samples == ns_aa;
+    let off = points.abs_diff(ns_aa as usize) + traced.abs_diff(ns_aa as usize);
+    let class = (!right).then(|| match (points.min(traced), points.max(traced)) {
+        (_, most) if most > ns_aa as usize => Class::Named("too many"),
+        (1, _) if ns_aa > 1 => Class::Named("only one"),
+        (least, _) if least < ns_aa as usize => Class::Named("too few"),
+        _ => Class::Named("count"),
+    });
+    tally.judge_class(Aspect::Calls, call, class, off as f64, || {
+        format!(
+            "camera_ray was called {points} times, trace_ray {traced} times, and the estimate says {} samples. {asked}",
+            answer.samples
+        )
+    });
+    let foreign = answer.traced.iter().filter(|from| from.is_none()).count();
+    tally.judge(Aspect::Calls, call, foreign == 0, foreign as f64, || {
+        format!(
+            "trace_ray was given {foreign} rays that camera_ray did not make: hand them on as they are. {asked}"
+        )
+    });
+    let distinct: HashSet<u32> = answer.traced.iter().flatten().copied().collect();
+    let repeated = traced - foreign - distinct.len();
+    tally.judge(Aspect::Calls, call, repeated == 0, repeated as f64, || {
+        format!("{repeated} of {traced} traced rays went through a point that was traced before. {asked}")
+    });
+}
+
+/// One sample goes through the centre of the pixel, several stay inside it.
+fn placement(
+    tally: &mut Tally,
+    call: usize,
+    pixel: [u32; 2],
+    work: &PixelWork,
+    answer: &PixelAnswer,
+) {
+    tally.expect(Aspect::Placement);
+    for &[u, v] in &answer.points {
+        let offset = offset(work.film, pixel, [u, v]);
+        let from_center = offset.map(|offset| (offset - 0.5).abs());
+        let allowed = if work.ns_aa == 1 { 0.0 } else { 0.5 } + PLACE_BOUND;
+        let off = from_center[0].max(from_center[1]);
+        let right = from_center.iter().all(|off| *off <= allowed);
+        tally.judge(Aspect::Placement, call, right, off, || {
+            let [x, y] = pixel;
+            let [w, h] = work.film;
+            let (left, bottom) = (f64::from(x), f64::from(y));
+            let wanted = if work.ns_aa == 1 {
+                format!(
+                    "right is the centre of the pixel, ({}, {})",
+                    (left + 0.5) / f64::from(w),
+                    (bottom + 0.5) / f64::from(h)
+                )
+            } else {
+                format!(
+                    "the pixel is from ({}, {}) to ({}, {})",
+                    left / f64::from(w),
+                    bottom / f64::from(h),
+                    (left + 1.0) / f64::from(w),
+                    (bottom + 1.0) / f64::from(h)
+                )
+            };
+            format!(
+                "camera_ray was asked for ({u}, {v}), {wanted}. Pixel ({x}, {y}) of a film of {w} x {h}, ns_aa = {}",
+                work.ns_aa
+            )
+        });
+    }
+}
+
+/// The pixel's radiance is the mean of what its samples brought.
+fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnswer) {
+    tally.expect(Aspect::Radiance);
+    let samples = answer.traced_radiance.len() as f64;
+    let mean = [0, 1, 2].map(|channel| {
+        let sum: f64 = answer.traced_radiance.iter().map(|l| l[channel]).sum();
+        // Of no samples: black.
+        sum / samples.max(1.0)
+    });
+    let brightest = |channel: usize| {
+        let each = answer.traced_radiance.iter().map(|l| l[channel].abs());
+        each.fold(0.0, f64::max)
+    };
+    let off = [0, 1, 2].map(|channel| (answer.radiance[channel] - mean[channel]).abs());
+    let right = [0, 1, 2].map(|channel| off[channel] <= RADIANCE_BOUND * brightest(channel));
+    let worst = off.into_iter().fold(0.0, f64::max);
+    let class = right.iter().position(|right| !right).map(|channel| {
+        // A sum for a mean is so many times too much, wherever the samples fell.
+        Class::of_number(answer.radiance[channel], mean[channel])
+    });
+    tally.judge_class(Aspect::Radiance, call, class, worst, || {
+        format!(
+            "the radiance is {:?}, the mean of the {samples} radiances that trace_ray gave is {mean:?}. Pixel ({x}, {y})",
+            answer.radiance
+        )
+    });
+}
+
+/// Where a point of the film lies in its pixel, [0, 1]².
+fn offset(film: [u32; 2], pixel: [u32; 2], point: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| point[axis] * f64::from(film[axis]) - f64::from(pixel[axis]))
+}
+
+/// The samples of a pixel differ, and those of all pixels fill it evenly.
+fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+    tally.expect(Aspect::Spread);
+    for (call, (pixel, answer)) in work.pixels.iter().zip(answers).enumerate() {
+        let distinct: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
+        let (all, distinct) = (answer.points.len(), distinct.len());
+        let repeated = all - distinct;
+        tally.judge(Aspect::Spread, call, repeated == 0, 1e3, || {
+            format!(
+                "only {distinct} of the {all} points of pixel {pixel:?} differ: each sample needs a random place of its own"
+            )
+        });
+    }
+    let offsets: Vec<[f64; 2]> = work
+        .pixels
+        .iter()
+        .zip(answers)
+        .flat_map(|(pixel, answer)| {
+            let points = answer.points.iter();
+            points.map(|point| offset(work.film, *pixel, *point))
+        })
+        .collect();
+    let mean_of =
+        |f: &dyn Fn(&[f64; 2]) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
+    let mut test = |name: &str, mean: f64, right: f64, variance: f64| {
+        let sigma = (variance / offsets.len() as f64).sqrt();
+        // A regular or low-discrepancy set of n points may be off by about 1/n, the same in every pixel.
+        let slack = 1.0 / f64::from(work.ns_aa);
+        let off = (mean - right).abs();
+        let allowed = slack + SIGMAS * sigma;
+        tally.judge(Aspect::Spread, 0, off <= allowed, off / allowed, || {
+            format!(
+                "over {} samples {name} is {mean:.4}, of even samples {right:.4} (allowed {allowed:.4} off)",
+                offsets.len()
+            )
+        });
+    };
+    // Of a uniform u: mean 1/2, variance 1/12; (u - 1/2)² has variance 1/180, (u - 1/2)(v - 1/2) has 1/144.
+    for (axis, name) in [(0, "x"), (1, "y")] {
+        let center = format!("the mean place in the pixel along {name}");
+        test(&center, mean_of(&|o| o[axis]), 0.5, 1.0 / 12.0);
+        let variance = format!("the variance of the place in the pixel along {name}");
+        let square = mean_of(&|o| (o[axis] - 0.5).powi(2));
+        test(&variance, square, 1.0 / 12.0, 1.0 / 180.0);
+    }
+    let product = mean_of(&|o| (o[0] - 0.5) * (o[1] - 0.5));
+    let name = "the covariance of the places along x and y";
+    test(name, product, 0.0, 1.0 / 144.0);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::{PixelSampler, Vec2};
+    use wire::work::PixelWorld;
+
+    fn work(ns_aa: u32) -> PixelWork {
+        PixelWork {
+            film: [8, 9],
+            pixels: (0..9).flat_map(|y| (0..8).map(move |x| [x, y])).collect(),
+            ns_aa,
+            seed: 0,
+            world: PixelWorld::Ramp,
+        }
+    }
+
+    /// What is wrong about a sound loop whose samples are put where `place` says and whose answer is then spoilt.
+    fn wrong(
+        ns_aa: u32,
+        place: impl Fn(Vec2) -> Vec2,
+        spoil: impl Fn(&mut PixelAnswer),
+    ) -> Vec<Aspect> {
+        let work = work(ns_aa);
+        let answer = |&[x, y]: &[u32; 2]| {
+            let mut sampler = PixelSampler::new(x, y, 5);
+            let corner = Vec2::new(f64::from(x), f64::from(y));
+            let mut point = || {
+                let offset = if ns_aa == 1 {
+                    Vec2::splat(0.5)
+                } else {
+                    sampler.get_sample()
+                };
+                ((corner + place(offset)) / Vec2::new(8.0, 9.0)).into()
+            };
+            let points: Vec<[f64; 2]> = (0..ns_aa).map(|_| point()).collect();
+            let radiance: Vec<[f64; 3]> = points.iter().map(|[u, v]| [*u, *v, 20.0]).collect();
+            let sum = |channel: usize| radiance.iter().map(|l| l[channel]).sum::<f64>();
+            let mut answer = PixelAnswer {
+                traced: (0..ns_aa).map(Some).collect(),
+                radiance: [0, 1, 2].map(|channel| sum(channel) / f64::from(ns_aa)),
+                samples: ns_aa,
+                traced_radiance: radiance,
+                points,
+            };
+            spoil(&mut answer);
+            answer
+        };
+        let answers: Vec<PixelAnswer> = work.pixels.iter().map(answer).collect();
+        let mut tally = Tally::default();
+        pixels(&mut tally, &work, &answers);
+        let findings = tally.into_findings().into_iter();
+        let failed = findings.filter(|finding| !finding.passed());
+        failed.map(|finding| finding.aspect).collect()
+    }
+
+    fn sound(_: &mut PixelAnswer) {}
+
+    #[test]
+    fn sound_sampling_passes() {
+        for ns_aa in [1, 2, 4, 16, 64] {
+            assert_eq!(wrong(ns_aa, |s| s, sound), []);
+            assert_eq!(wrong(ns_aa, |s| 1.0 - s, sound), []);
+        }
+    }
+
+    #[test]
+    fn samples_in_the_wrong_place_fail() {
+        assert_eq!(
+            wrong(16, |s| s - 0.5, sound),
+            [Aspect::Placement, Aspect::Spread]
+        );
+        assert_eq!(wrong(16, |s| 0.5 * s, sound), [Aspect::Spread]);
+        assert_eq!(wrong(16, |s| s * s, sound), [Aspect::Spread]);
+        assert_eq!(wrong(16, |s| Vec2::new(s.x, s.x), sound), [Aspect::Spread]);
+        assert_eq!(wrong(16, |_| Vec2::splat(0.25), sound), [Aspect::Spread]);
+        assert_eq!(wrong(1, |_| Vec2::ZERO, sound), [Aspect::Placement]);
+    }
+
+    #[test]
+    fn wrong_counts_and_sums_fail() {
+        assert_eq!(wrong(4, |s| s, |a| a.samples = 3), [Aspect::Calls]);
+        assert_eq!(wrong(4, |s| s, |a| a.traced[2] = None), [Aspect::Calls]);
+        assert_eq!(wrong(4, |s| s, |a| a.traced[2] = Some(0)), [Aspect::Calls]);
+        assert_eq!(
+            wrong(4, |s| s, |a| a.radiance[2] *= 4.0),
+            [Aspect::Radiance]
+        );
+        assert_eq!(
+            wrong(4, |s| s, |a| a.radiance[1] = f64::NAN),
+            [Aspect::Radiance]
+        );
+    }
+}

@@ -1,0 +1,21 @@
+//! How a snapshot shows the samples of a pixel.
+
+use crate::snapshot::lines::each;
+use crate::snapshot::{Forms, field, forms, number, vector};
+use wire::answer::PixelAnswer;
+use wire::work::PixelWork;
+
+/// Samples and radiance; on full lines the first points, too.
+pub(super) fn pixels(work: &PixelWork, answers: &[PixelAnswer]) -> Vec<Forms> {
+    each(&work.pixels, answers, |pixel, answer| {
+        let question = vec![field("pixel", vector(&pixel.map(f64::from)))];
+        let short = vec![
+            number("samples", f64::from(answer.samples)),
+            field("radiance", vector(&answer.radiance)),
+        ];
+        let mut full = short.clone();
+        let points = answer.points.iter().take(4);
+        full.extend(points.map(|point| field("at", vector(point))));
+        forms(question, short, full)
+    })
+}

@@ -1,0 +1,58 @@
+//! `part1.task1`: the sample loop of a pixel.
+
+pub(crate) mod cases;
+pub(crate) mod judge;
+mod lines;
+mod repro;
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, in_range, one_each};
+use crate::tally::Tally;
+use wire::answer::PixelAnswer;
+use wire::work::{PixelWork, Xyz};
+
+/// `raytrace_pixel`, called for each pixel.
+pub(crate) struct Pixels;
+
+impl Check for Pixels {
+    type Question = PixelWork;
+    type Answer = Vec<PixelAnswer>;
+
+    fn calls(work: &PixelWork) -> usize {
+        work.pixels.len()
+    }
+
+    fn fits(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Result<(), String> {
+        one_each(Self::calls(work), answers)?;
+        for (call, answer) in answers.iter().enumerate() {
+            let traced = answer.traced.len();
+            if answer.traced_radiance.len() != traced {
+                return Err(format!(
+                    "call {call} traces {traced} rays and has the radiances of {}",
+                    answer.traced_radiance.len()
+                ));
+            }
+            for &point in answer.traced.iter().flatten() {
+                in_range("point", call, point, answer.points.len())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn judge(tally: &mut Tally, _: &Spec, _: Tier, work: &PixelWork, answers: &Vec<PixelAnswer>) {
+        judge::pixels(tally, work, answers);
+    }
+
+    fn lines(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Option<Content> {
+        Some((Vec::new(), lines::pixels(work, answers)))
+    }
+
+    fn repro(_: Tier, work: &PixelWork, call: usize) -> Option<String> {
+        Some(repro::samples(work, *work.pixels.get(call)?))
+    }
+
+    fn colours(answers: &Vec<PixelAnswer>) -> Option<Vec<Xyz>> {
+        Some(answers.iter().map(|pixel| pixel.radiance).collect())
+    }
+}

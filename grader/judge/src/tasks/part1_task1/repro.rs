@@ -1,0 +1,90 @@
+//! Tests of the sample loop.
+
+use wire::work::PixelWork;
+
+/// One pixel, looked at sample by sample; then, for several samples, how they spread over all pixels of a film.
+pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2]) -> String {
+    let PixelWork {
+        film: [w, h],
+        ns_aa,
+        seed,
+        ..
+    } = work;
+    let one = format!(
+        "use kit::{{FilmSize, PixelSampler, Ray, Spectrum, Vec2, Vec3}};
+let film = FilmSize {{ w: {w}, h: {h} }};
+let mut points: Vec<Vec2> = Vec::new();
+let mut traced: Vec<Ray> = Vec::new();
+// By turns dark and brighter than white.
+let light = |i: usize| Spectrum::new([0.0, 20.0, 0.25][i % 3], 3.0, 0.4);
+let estimate = raygen::raytrace_pixel(
+    {x},
+    {y},
+    film,
+    {ns_aa},
+    &mut PixelSampler::new({x}, {y}, {seed}),
+    &mut |point: Vec2| {{
+        points.push(point);
+        Ray::new(Vec3::new(point.x, point.y, points.len() as f64), Vec3::NEG_Z)
+    }},
+    &mut |ray: &Ray, _: &mut PixelSampler| {{
+        traced.push(*ray);
+        light(traced.len() - 1)
+    }},
+);
+assert_eq!((points.len(), traced.len(), estimate.samples), ({ns_aa}, {ns_aa}, {ns_aa}));
+assert!(traced.iter().all(|ray| points.contains(&Vec2::new(ray.o.x, ray.o.y))), \"another ray\");
+for (i, ray) in traced.iter().enumerate() {{
+    assert!(traced[..i].iter().all(|other| other.o != ray.o), \"a ray was traced twice\");
+}}
+for (i, point) in points.iter().enumerate() {{
+    let offset = *point * Vec2::new({w}.0, {h}.0) - Vec2::new({x}.0, {y}.0);
+    let off = (offset - 0.5).abs().max_element();
+    assert!(off <= {allowed:?}, \"{{point}} is not where it should be in pixel ({x}, {y})\");
+    assert!(points[..i].iter().all(|other| other != point), \"two samples at {{point}}\");
+}}
+let mean = (0..{ns_aa}).map(light).sum::<Spectrum>() / f64::from({ns_aa});
+let off = [estimate.radiance.r - mean.r, estimate.radiance.g - mean.g, estimate.radiance.b - mean.b];
+assert!(off.iter().all(|off| off.abs() <= 1e-10), \"{{:?}}, the mean is {{mean:?}}\", estimate.radiance);
+",
+        allowed = if *ns_aa == 1 { 1e-9 } else { 0.5 + 1e-9 },
+    );
+    if *ns_aa == 1 {
+        one
+    } else {
+        one + &spread(*ns_aa)
+    }
+}
+
+/// Mean, variance and covariance of the places in the pixel, over a film of 64 x 64.
+fn spread(ns_aa: u32) -> String {
+    format!(
+        "let film = FilmSize {{ w: 64, h: 64 }};
+let mut offsets: Vec<Vec2> = Vec::new();
+for pixel in 0..64 * 64 {{
+    let (x, y) = (pixel % 64, pixel / 64);
+    let corner = Vec2::new(f64::from(x), f64::from(y));
+    raygen::raytrace_pixel(
+        x,
+        y,
+        film,
+        {ns_aa},
+        &mut PixelSampler::new(x, y, 0),
+        &mut |point: Vec2| {{
+            offsets.push(64.0 * point - corner);
+            Ray::new(Vec3::ZERO, Vec3::NEG_Z)
+        }},
+        &mut |_: &Ray, _: &mut PixelSampler| Spectrum::BLACK,
+    );
+}}
+let mean = |f: &dyn Fn(&Vec2) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
+// A regular pattern of {ns_aa} samples may be off by 1/{ns_aa}.
+let slack = 0.02 + 1.0 / {ns_aa}.0;
+assert!((mean(&|o| o.x) - 0.5).abs() <= slack && (mean(&|o| o.y) - 0.5).abs() <= slack, \"off centre\");
+for variance in [mean(&|o| (o.x - 0.5).powi(2)), mean(&|o| (o.y - 0.5).powi(2))] {{
+    assert!((variance - 1.0 / 12.0).abs() <= slack, \"the variance is {{variance}}, of even samples 1/12\");
+}}
+assert!(mean(&|o| (o.x - 0.5) * (o.y - 0.5)).abs() <= slack, \"x and y belong together\");
+"
+    )
+}

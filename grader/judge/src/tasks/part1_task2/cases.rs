@@ -1,0 +1,215 @@
+//! Camera rays.
+
+use crate::cases::Spec;
+use crate::cases::probes::Dice;
+use crate::tally::Aspect::{Direction, Origin, Range, UnitLength};
+use kit::{Mat3, Vec3};
+use wire::Work;
+use wire::work::{Camera, CameraWork};
+
+/// The cases of `part1.task2`.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    vec![
+        case(
+            "sensor_corners",
+            "A camera without rotation: (0, 0) is the bottom left of the sensor, (1, 1) the \
+             top right.",
+            vec![camera(Vec3::new(1.0, 2.0, 3.0), Mat3::IDENTITY, 60.0, 40.0)],
+            nine_points(),
+        ),
+        case(
+            "fields_of_view",
+            "Each field of view is an angle in degrees and has its own axis; the half extent \
+             of the sensor is tan(fov / 2).",
+            fields_of_view(),
+            nine_points(),
+        )
+        .only(&[Direction, UnitLength]),
+        case(
+            "camera_to_world",
+            "Rotated and rolled cameras: c2w takes the direction to world space. Pitfall: its \
+             transpose turns the other way.",
+            rotated(),
+            nine_points(),
+        )
+        .only(&[Direction]),
+        case(
+            "pinhole",
+            "All rays of a camera start at pos, near the world's origin and far from it, whatever \
+             n_clip is.",
+            positions(),
+            grid([3, 3]),
+        )
+        .only(&[Origin]),
+        case(
+            "clip_distances",
+            "The range is n_clip to f_clip along the unit ray, the same in the corner as in \
+             the centre.",
+            clipped(),
+            nine_points(),
+        )
+        .only(&[Range]),
+        case(
+            "fresh_cameras",
+            "Cameras that differ for each seed.",
+            fresh(seed),
+            nine_points(),
+        ),
+        Spec {
+            picture: Some(PICTURE),
+            ..case(
+                "picture_of_directions",
+                "The directions of all rays of a picture.",
+                vec![Camera {
+                    h_fov: 80.0,
+                    v_fov: 64.0,
+                    ..placed(Vec3::new(4.0, 3.0, 5.0), Vec3::ZERO, Vec3::Y)
+                }],
+                grid(PICTURE),
+            )
+            .only(&[Direction, UnitLength])
+        },
+        case(
+            "extreme_lenses",
+            "Fields of view from a millionth of a degree to 180: directions stay finite and \
+             unit, the centre stays the centre.",
+            extreme_lenses(),
+            nine_points(),
+        )
+        .only(&[Direction, UnitLength]),
+    ]
+}
+
+/// Width and height of the picture.
+const PICTURE: [u32; 2] = [128, 96];
+
+fn case(
+    name: &'static str,
+    about: &'static str,
+    cameras: Vec<Camera>,
+    sensor: Vec<[f64; 2]>,
+) -> Spec {
+    Spec::new(
+        "part1.task2",
+        name,
+        about,
+        Work::CameraRays(CameraWork { cameras, sensor }),
+    )
+}
+
+fn camera(pos: Vec3, c2w: Mat3, h_fov: f64, v_fov: f64) -> Camera {
+    Camera {
+        pos: pos.into(),
+        c2w: [c2w.x_axis, c2w.y_axis, c2w.z_axis].map(Vec3::into),
+        h_fov,
+        v_fov,
+        n_clip: 0.0,
+        f_clip: f64::INFINITY,
+    }
+}
+
+fn placed(pos: Vec3, target: Vec3, up: Vec3) -> Camera {
+    let c2w = kit::Camera::look_at(pos, target, up).expect("the cases look along no up direction");
+    camera(pos, c2w, 50.0, 35.0)
+}
+
+/// The corners, the middles of the edges and the centre.
+fn nine_points() -> Vec<[f64; 2]> {
+    let ends = [0.0, 0.5, 1.0];
+    let mut points: Vec<[f64; 2]> = ends.iter().flat_map(|v| ends.map(|u| [u, *v])).collect();
+    // Off every axis of symmetry.
+    points.extend([[0.2, 0.9], [0.7, 0.3], [0.05, 0.15]]);
+    points
+}
+
+/// The centres of the pixels of a film, row by row from the bottom left.
+fn grid([w, h]: [u32; 2]) -> Vec<[f64; 2]> {
+    let center = |i: u32, count: u32| (f64::from(i) + 0.5) / f64::from(count);
+    (0..h)
+        .flat_map(|y| (0..w).map(move |x| [center(x, w), center(y, h)]))
+        .collect()
+}
+
+fn fields_of_view() -> Vec<Camera> {
+    let fovs = [
+        (20.0, 90.0),
+        (90.0, 20.0),
+        (50.0, 35.0),
+        (120.0, 100.0),
+        (1.0, 2.0),
+        (90.0, 90.0),
+    ];
+    fovs.map(|(h_fov, v_fov)| camera(Vec3::ZERO, Mat3::IDENTITY, h_fov, v_fov))
+        .to_vec()
+}
+
+fn rotated() -> Vec<Camera> {
+    let [up, tilted] = [Vec3::Y, Vec3::new(0.6, 0.8, 0.1)];
+    vec![
+        placed(Vec3::new(3.0, 0.0, 0.0), Vec3::ZERO, up),
+        placed(Vec3::new(1.0, 2.0, -3.0), Vec3::new(0.0, 1.0, 0.0), up),
+        placed(Vec3::new(-4.0, 3.0, 2.0), Vec3::new(1.0, 0.0, 0.5), tilted),
+        placed(Vec3::new(0.5, -6.0, 1.0), Vec3::new(0.0, 0.0, 2.0), tilted),
+    ]
+}
+
+fn positions() -> Vec<Camera> {
+    let places = [
+        Vec3::ZERO,
+        Vec3::new(0.25, -7.5, 12.0),
+        Vec3::new(-300.0, 20.0, 4000.0),
+        Vec3::new(1e6, -2e6, 3e6),
+    ];
+    let at = |pos| Camera {
+        n_clip: 0.5,
+        ..placed(pos, pos + Vec3::new(1.0, -0.5, -2.0), Vec3::Y)
+    };
+    places.map(at).to_vec()
+}
+
+fn clipped() -> Vec<Camera> {
+    let ranges = [(0.1, 100.0), (5.0, 6.0), (1e-3, 1e9), (2.0, f64::INFINITY)];
+    let with_range = |(n_clip, f_clip)| Camera {
+        n_clip,
+        f_clip,
+        ..placed(Vec3::new(1.0, 1.0, 4.0), Vec3::ZERO, Vec3::Y)
+    };
+    ranges.map(with_range).to_vec()
+}
+
+fn fresh(seed: u64) -> Vec<Camera> {
+    let mut dice = Dice::new("fresh_cameras", seed);
+    let mut one = || {
+        let pos = 10.0 * dice.in_cube();
+        let backward = dice.direction();
+        let up = loop {
+            let up = dice.direction();
+            if up.cross(backward).length() > 0.3 {
+                break up;
+            }
+        };
+        let n_clip = dice.range(0.0, 1.0);
+        Camera {
+            h_fov: dice.range(5.0, 140.0),
+            v_fov: dice.range(5.0, 140.0),
+            n_clip,
+            f_clip: n_clip + dice.range(1.0, 1e3),
+            ..placed(pos, pos - backward, up)
+        }
+    };
+    (0..20).map(|_| one()).collect()
+}
+
+fn extreme_lenses() -> Vec<Camera> {
+    let fovs = [
+        (1e-6, 1e-6),
+        (1e-3, 60.0),
+        (170.0, 10.0),
+        (179.0, 179.0),
+        (179.99, 90.0),
+        (179.999_999, 45.0),
+        (180.0, 180.0),
+    ];
+    fovs.map(|(h_fov, v_fov)| camera(Vec3::ZERO, Mat3::IDENTITY, h_fov, v_fov))
+        .to_vec()
+}

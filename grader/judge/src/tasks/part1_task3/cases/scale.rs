@@ -1,0 +1,160 @@
+//! Large and small, thin and far, at a slant and by a hair: where digits are lost.
+
+use super::hits::MARGIN;
+use crate::cases::probes::{Dice, Probes, at, through};
+use kit::{Ray, Triangle, Vec3};
+use wire::Work;
+
+fn scaled(t: &Triangle, scale: f64) -> Triangle {
+    Triangle {
+        p0: scale * t.p0,
+        p1: scale * t.p1,
+        p2: scale * t.p2,
+        ..*t
+    }
+}
+
+fn shifted(t: &Triangle, offset: Vec3) -> Triangle {
+    Triangle {
+        p0: t.p0 + offset,
+        p1: t.p1 + offset,
+        p2: t.p2 + offset,
+        ..*t
+    }
+}
+
+/// Rays at a triangle, most of them inside.
+fn shots(dice: &mut Dice, probes: &mut Probes, t: &Triangle, size: f64, count: usize) {
+    probes.triangle(t);
+    for i in 0..count {
+        let b = match i % 4 {
+            3 => [dice.range(-1.0, -0.01), dice.range(0.0, 1.0)],
+            _ => dice.inside(MARGIN),
+        };
+        let (side, distance) = (dice.one_of(&[1.0, -1.0]), size * dice.range(0.5, 20.0));
+        probes.ray(dice.ray_to(t, b, side, distance));
+    }
+}
+
+pub(super) fn tiny_and_huge() -> Work {
+    let mut dice = Dice::new("tiny_and_huge", 0);
+    let mut probes = Probes::default();
+    for scale in [1e-30, 1e-15, 1e-9, 1e-6, 1e-4, 1e6, 1e15, 1e30] {
+        for _ in 0..5 {
+            let t = scaled(&dice.triangle(), scale);
+            shots(&mut dice, &mut probes, &t, scale, 8);
+        }
+    }
+    probes.work()
+}
+
+/// A triangle of length 1 and width `width`, turned anyhow.
+fn sliver(dice: &mut Dice, width: f64) -> Triangle {
+    let along = dice.direction();
+    let across = along.any_orthonormal_vector();
+    let p0 = dice.in_cube();
+    let flat = Triangle::flat(
+        p0,
+        p0 + along,
+        p0 + dice.range(0.1, 0.9) * along + width * across,
+    );
+    dice.with_normals(flat)
+}
+
+pub(super) fn slivers() -> Work {
+    let mut dice = Dice::new("slivers", 0);
+    let mut probes = Probes::default();
+    for width in [1e-3, 1e-4, 1e-5, 1e-6] {
+        for _ in 0..8 {
+            let t = sliver(&mut dice, width);
+            shots(&mut dice, &mut probes, &t, 1.0, 8);
+        }
+    }
+    probes.work()
+}
+
+pub(super) fn far_from_the_world_origin() -> Work {
+    let mut dice = Dice::new("far_from_the_world_origin", 0);
+    let mut probes = Probes::default();
+    for _ in 0..30 {
+        let t = shifted(&dice.triangle(), 1e6 * dice.direction());
+        shots(&mut dice, &mut probes, &t, 1.0, 8);
+    }
+    probes.work()
+}
+
+/// A ray at the point `b` of the triangle's plane, at the angle `angle` to the plane.
+fn grazing_ray(dice: &mut Dice, t: &Triangle, b: [f64; 2], angle: f64, distance: f64) -> Ray {
+    let normal = (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
+    let along = dice.direction().reject_from_normalized(normal).normalize();
+    let side = dice.one_of(&[1.0, -1.0]);
+    through(
+        at(t, b) + distance * (along + side * angle * normal),
+        at(t, b),
+    )
+}
+
+pub(super) fn grazing() -> Work {
+    let mut dice = Dice::new("grazing", 0);
+    let mut probes = Probes::default();
+    for _ in 0..30 {
+        let t = dice.triangle();
+        probes.triangle(&t);
+        for angle in [1e-2, 1e-3, 1e-4, 1e-6] {
+            for _ in 0..2 {
+                let (b, distance) = (dice.inside(0.1), dice.range(2.0, 10.0));
+                probes.ray(grazing_ray(&mut dice, &t, b, angle, distance));
+            }
+        }
+    }
+    probes.work()
+}
+
+pub(super) fn a_million_away() -> Work {
+    let mut dice = Dice::new("a_million_away", 0);
+    let mut probes = Probes::default();
+    for _ in 0..30 {
+        let t = dice.triangle();
+        shots(&mut dice, &mut probes, &t, 1e5, 8);
+    }
+    probes.work()
+}
+
+pub(super) fn by_a_hair() -> Work {
+    let mut dice = Dice::new("by_a_hair", 0);
+    let mut probes = Probes::default();
+    for _ in 0..30 {
+        let t = dice.triangle();
+        probes.triangle(&t);
+        for hair in [1e-9, -1e-9, 1e-11, -1e-11, 1e-13, -1e-13] {
+            let along = dice.range(0.1, 0.8);
+            for b in [[hair, along], [along, hair], [along, 1.0 - along - hair]] {
+                let (side, distance) = (dice.one_of(&[1.0, -1.0]), dice.range(0.5, 5.0));
+                probes.ray(dice.ray_to(&t, b, side, distance));
+            }
+        }
+    }
+    probes.work()
+}
+
+pub(super) fn fresh(seed: u64) -> Work {
+    let mut dice = Dice::new("fresh_hard_triangles", seed);
+    let mut probes = Probes::default();
+    for i in 0..60 {
+        let scale = dice.one_of(&[1e-9, 1e-3, 1.0, 1e3, 1e9]);
+        let t = match i % 3 {
+            0 => sliver(&mut dice, 1e-5),
+            _ => dice.triangle(),
+        };
+        let t = scaled(
+            &shifted(&t, dice.one_of(&[0.0, 10.0, 1e4]) * dice.direction()),
+            scale,
+        );
+        shots(&mut dice, &mut probes, &t, scale, 6);
+        if i % 3 == 1 {
+            let b = dice.inside(0.1);
+            probes.ray(grazing_ray(&mut dice, &t, b, 1e-4, 5.0 * scale));
+        }
+    }
+    probes.work()
+}

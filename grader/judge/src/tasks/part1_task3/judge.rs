@@ -1,0 +1,159 @@
+//! Judging probes against single triangles.
+
+use crate::expected::Expected;
+use crate::hits::{Call, expect, record};
+use crate::tally::Tally;
+use wire::answer::TriangleAnswer;
+use wire::work::Probe;
+
+/// Judges `test_triangle` and `intersect_triangle`.
+pub(crate) fn triangles(
+    tally: &mut Tally,
+    probes: &[Probe],
+    expected: &[Expected],
+    answers: &[TriangleAnswer],
+) {
+    let [test, intersect] = ["test_triangle", "intersect_triangle"];
+    let calls = probes.iter().zip(expected).zip(answers);
+    for (number, ((probe, expected), answer)) in calls.enumerate() {
+        expect(tally, expected, true);
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: test,
+            ray: &probe.ray,
+        };
+        let tested = answer.test.map(|[t, ..]| t);
+        call.decision(expected, tested);
+        if let Some([t, b1, b2]) = answer.test
+            && let Some(right) = expected.closest_to(probe.shape, t)
+        {
+            call.t(right, t);
+            call.barycentrics(right, [b1, b2]);
+        }
+        let hit = answer.hit.as_ref();
+        call.function = intersect;
+        record(&mut call, expected, hit);
+        if let Some(hit) = hit
+            && let Some(right) = expected.closest_to(probe.shape, hit.t)
+        {
+            call.barycentrics(right, hit.uv);
+        }
+        call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
+        call.agrees_with(test, tested.is_some(), hit.is_some());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Tier;
+    use crate::expected::Expected;
+    use crate::tally::Aspect::{self, *};
+    use crate::{convert, truth};
+    use kit::Vec3;
+    use wire::answer::Hit;
+    use wire::work::Ray;
+
+    const TRIANGLE: [[f64; 3]; 6] = [
+        [0.0, 0.0, 0.0],
+        [3.0, 0.5, 0.0],
+        [0.5, 3.0, 1.0],
+        [0.6, 0.0, 0.8],
+        [0.0, 0.6, 0.8],
+        [0.0, 0.0, 1.0],
+    ];
+
+    fn ray(x: f64, y: f64) -> Ray {
+        Ray {
+            o: [x, y, 4.0],
+            d: [0.0, 0.0, -2.0],
+            min_t: 0.0,
+            max_t: 100.0,
+        }
+    }
+
+    fn expected(ray: &Ray) -> Expected {
+        let triangle = convert::triangle(&TRIANGLE);
+        truth::triangle(Tier::Robust, 0, &triangle, &convert::ray(ray))
+    }
+
+    /// The right answer.
+    fn answer(ray: &Ray) -> TriangleAnswer {
+        let right = expected(ray);
+        let hit = right.hits.first().map(|hit| Hit {
+            t: hit.t,
+            p: hit.p.into(),
+            n: hit.n.unwrap_or(Vec3::Z).into(),
+            ng: hit.ng.unwrap_or(Vec3::Z).into(),
+            uv: hit.uv.map_or([0.0; 2], |(uv, _)| uv.into()),
+            prim: 0,
+        });
+        TriangleAnswer {
+            test: hit.map(|hit| [hit.t, hit.uv[0], hit.uv[1]]),
+            hit,
+            ray_after: Ray {
+                max_t: hit.map_or(ray.max_t, |hit| hit.t),
+                ..*ray
+            },
+        }
+    }
+
+    /// What is wrong about the right answer to `ray` after `spoil`.
+    fn wrong(ray: Ray, spoil: impl Fn(&mut TriangleAnswer)) -> Vec<Aspect> {
+        let mut answer = answer(&ray);
+        spoil(&mut answer);
+        let mut tally = Tally::default();
+        let probe = Probe { shape: 0, ray };
+        triangles(&mut tally, &[probe], &[expected(&ray)], &[answer]);
+        let findings = tally.into_findings().into_iter();
+        let failed = findings.filter(|finding| finding.wrong > 0);
+        failed.map(|finding| finding.aspect).collect()
+    }
+
+    /// Changes the hit record.
+    fn hit(spoil: impl Fn(&mut Hit)) -> impl Fn(&mut TriangleAnswer) {
+        move |answer| answer.hit.iter_mut().for_each(&spoil)
+    }
+
+    #[test]
+    fn each_field_of_a_hit_is_judged_apart() {
+        let inside = ray(1.0, 1.25);
+        assert_eq!(wrong(inside, |_| {}), []);
+        assert_eq!(wrong(inside, hit(|h| h.prim = 7)), [Primitive]);
+        assert_eq!(wrong(inside, hit(|h| h.p[1] += 1e-9)), [Position]);
+        assert_eq!(wrong(inside, hit(|h| h.n = h.n.map(|x| -x))), [Normal]);
+        assert_eq!(wrong(inside, hit(|h| h.n = h.n.map(|x| 1.1 * x))), [Normal]);
+        assert_eq!(
+            wrong(inside, hit(|h| h.ng[0] = f64::NAN)),
+            [GeometricNormal]
+        );
+        assert_eq!(wrong(inside, hit(|h| h.uv.swap(0, 1))), [Barycentrics]);
+        assert_eq!(wrong(inside, |a| a.ray_after.max_t = 100.0), [RayAfter]);
+        assert_eq!(wrong(inside, |a| a.ray_after.min_t = 1.0), [RayAfter]);
+    }
+
+    #[test]
+    fn both_functions_are_judged() {
+        let inside = ray(1.0, 1.25);
+        let shift = |a: &mut TriangleAnswer| a.test.iter_mut().for_each(|[t, ..]| *t += 1e-9);
+        assert_eq!(wrong(inside, shift), [T]);
+        assert_eq!(wrong(inside, |a| a.test = None), [Decision]);
+        let miss = |a: &mut TriangleAnswer| {
+            a.hit = None;
+            a.ray_after = ray(1.0, 1.25);
+        };
+        assert_eq!(wrong(inside, miss), [Decision]);
+    }
+
+    #[test]
+    fn a_miss_changes_nothing() {
+        let beside = ray(3.0, 3.0);
+        assert_eq!(wrong(beside, |_| {}), []);
+        assert_eq!(wrong(beside, |a| a.ray_after.max_t = 2.0), [RayAfter]);
+        assert_eq!(
+            wrong(beside, |a| a.test = Some([2.0, 0.5, 0.5])),
+            [Decision]
+        );
+    }
+}

@@ -1,0 +1,102 @@
+//! Tangents, ends of the range and rays abreast of the centre in short integers: the formula does not round them.
+
+use crate::cases::probes::{Probes, within};
+use kit::{Ray, Sphere, Vec3};
+use wire::Work;
+
+/// The unit vectors along the axes, both ways.
+const ALONG_AXES: [Vec3; 6] = [
+    Vec3::X,
+    Vec3::Y,
+    Vec3::Z,
+    Vec3::NEG_X,
+    Vec3::NEG_Y,
+    Vec3::NEG_Z,
+];
+
+/// Through the centre of spheres whose radius is a power of two: so the roots are exact for who divides by it, too.
+pub(super) fn range_ends() -> Work {
+    let mut probes = Probes::default();
+    for radius in [0.5, 1.0, 8.0] {
+        at_the_ends(&mut probes, radius, &[(0.0, radius)]);
+    }
+    probes.work()
+}
+
+/// Beside the centre: 3, 4, 5. The ray passes the centre at 3, the roots are 4 before and behind.
+pub(super) fn range_ends_beside_the_center() -> Work {
+    let mut probes = Probes::default();
+    at_the_ends(&mut probes, 5.0, &[(0.0, 5.0), (3.0, 4.0), (4.0, 3.0)]);
+    probes.work()
+}
+
+/// Rays that pass the centre at some distance and so have half a chord, with ranges that end at the roots.
+fn at_the_ends(probes: &mut Probes, radius: f64, distance_and_half: &[(f64, f64)]) {
+    let s = Sphere {
+        center: Vec3::new(3.0, -2.0, 5.0),
+        radius,
+    };
+    probes.sphere(&s);
+    for d in ALONG_AXES {
+        let aside = Vec3::new(d.y.abs(), d.z.abs(), d.x.abs());
+        for (distance, half) in distance_and_half {
+            let o = s.center + *distance * aside - 16.0 * d;
+            let (near, far): (f64, f64) = (16.0 - half, 16.0 + half);
+            for (min_t, max_t) in [
+                (near, near),
+                (0.0, near),
+                (0.0, near.next_down()),
+                (near.next_up(), far),
+                (far, f64::INFINITY),
+                (far.next_up(), f64::INFINITY),
+                (near.next_up(), far.next_down()),
+            ] {
+                probes.ray(within(Ray::new(o, d), min_t, max_t));
+            }
+        }
+    }
+}
+
+pub(super) fn tangent() -> Work {
+    let mut probes = Probes::default();
+    for radius in [1.0, 2.0, 3.0, 7.0] {
+        let s = Sphere {
+            center: Vec3::new(2.0, -3.0, 1.0),
+            radius,
+        };
+        probes.sphere(&s);
+        for d in ALONG_AXES {
+            for side in [1.0, -1.0] {
+                let aside = side * Vec3::new(d.y.abs(), d.z.abs(), d.x.abs());
+                let o = s.center + radius * aside - 8.0 * d;
+                probes.ray(Ray::new(o, d));
+                probes.ray(Ray::new(o, 2.0 * d));
+                // A 64th beside the rim, and inside of it.
+                probes.ray(Ray::new(o + aside / 64.0, d));
+                probes.ray(Ray::new(o - aside / 64.0, d));
+            }
+        }
+    }
+    probes.work()
+}
+
+pub(super) fn abreast() -> Work {
+    let mut probes = Probes::default();
+    for radius in [1.0, 2.5, 10.0] {
+        let s = Sphere {
+            center: Vec3::new(-1.0, 2.0, 4.0),
+            radius,
+        };
+        probes.sphere(&s);
+        for d in ALONG_AXES {
+            let aside = Vec3::new(d.y, d.z, d.x);
+            for impact in [0.0, 0.25, 0.5, 1.5] {
+                let o = s.center + impact * radius * aside;
+                probes.ray(Ray::new(o, d));
+                probes.ray(Ray::new(o, 4.0 * d));
+                probes.ray(within(Ray::new(o, d), 0.0, 100.0));
+            }
+        }
+    }
+    probes.work()
+}

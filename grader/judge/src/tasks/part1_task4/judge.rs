@@ -1,0 +1,38 @@
+//! Judging probes against single spheres.
+
+use crate::expected::Expected;
+use crate::hits::{Call, expect, record};
+use crate::tally::Tally;
+use wire::answer::SphereAnswer;
+use wire::work::Probe;
+
+/// Judges `test_sphere` and `intersect_sphere`.
+pub(crate) fn spheres(
+    tally: &mut Tally,
+    probes: &[Probe],
+    expected: &[Expected],
+    answers: &[SphereAnswer],
+) {
+    let [test, intersect] = ["test_sphere", "intersect_sphere"];
+    let calls = probes.iter().zip(expected).zip(answers);
+    for (number, ((probe, expected), answer)) in calls.enumerate() {
+        expect(tally, expected, false);
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: test,
+            ray: &probe.ray,
+        };
+        call.decision(expected, answer.test);
+        if let Some(t) = answer.test
+            && let Some(right) = expected.closest_to(probe.shape, t)
+        {
+            call.t(right, t);
+        }
+        let hit = answer.hit.as_ref();
+        call.function = intersect;
+        record(&mut call, expected, hit);
+        call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
+        call.agrees_with(test, answer.test.is_some(), hit.is_some());
+    }
+}

@@ -1,0 +1,25 @@
+//! Tests of spheres.
+
+use crate::repro::hits::{asserts, sphere_literal};
+use crate::repro::numbers::ray;
+use crate::{Tier, convert, truth};
+use std::fmt::Write;
+use wire::work::{Probe, Xyz};
+
+/// Both functions on one probe. `None` where either answer scores.
+pub(crate) fn sphere(tier: Tier, spheres: &[(Xyz, f64)], probe: &Probe) -> Option<String> {
+    let numbers = spheres.get(probe.shape as usize)?;
+    let shape = convert::sphere(numbers);
+    let expected = truth::sphere(tier, probe.shape, &shape, &convert::ray(&probe.ray));
+    let mut text = String::from("use kit::{PrimId, Ray, Sphere, Vec3};\n");
+    let _ = writeln!(text, "let s = {};", sphere_literal(numbers));
+    ray(&mut text, &probe.ray);
+    asserts(
+        &mut text,
+        &expected,
+        "intersect::test_sphere(&s, &ray)",
+        "intersect::intersect_sphere(&s",
+        probe.shape,
+    )?;
+    Some(text)
+}

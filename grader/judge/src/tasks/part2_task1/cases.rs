@@ -1,0 +1,317 @@
+//! Building the tree.
+
+use crate::cases::Spec;
+use kit::{Aabb, PixelSampler, Vec3};
+use wire::Work;
+use wire::work::BuildWork;
+
+/// The cases of `part2.task1`.
+pub(crate) fn cases() -> Vec<Spec> {
+    vec![
+        case(
+            "no_primitives",
+            "An empty scene: a tree over nothing, not a panic.",
+            Vec::new(),
+            4,
+        ),
+        case(
+            "one_primitive",
+            "One primitive and leaves of one: one leaf. Pitfall: `<` instead of `<=` in the leaf's \
+             condition never ends here.",
+            vec![cube(Vec3::new(1.0, 2.0, 3.0), 0.5)],
+            1,
+        ),
+        case(
+            "two_primitives",
+            "Two primitives and leaves of one: one split, two leaves.",
+            vec![cube(Vec3::ZERO, 0.5), cube(Vec3::X * 3.0, 0.5)],
+            1,
+        ),
+        case(
+            "exactly_max_leaf_size",
+            "max_leaf_size primitives in one place: \"at most\" counts the end, so they may share a leaf, and no split tells them apart.",
+            vec![cube(Vec3::ONE, 0.5); 2],
+            2,
+        ),
+        case(
+            "equal_centroids",
+            "Nested boxes with one centre: no split point tells them apart, yet the recursion must end and no leaf may be too large.",
+            (1..=50)
+                .map(|i| cube(Vec3::new(4.0, -2.0, 1.0), f64::from(i)))
+                .collect(),
+            4,
+        ),
+        case(
+            "duplicates_among_others",
+            "Forty copies of one box among others. Pitfall: once the others are split off, one side \
+             of every split is empty.",
+            duplicates_among_others(),
+            4,
+        ),
+        case(
+            "one_side_empty",
+            "A huge box beside small ones. Pitfall: the middle of the node's box leaves one side of \
+             the split empty.",
+            one_side_empty(),
+            2,
+        ),
+        case(
+            "centroids_on_the_split",
+            "A grid whose centroids lie on the split planes: each primitive goes to one side. \
+             Pitfall: with `<` for one side and `>` for the other they are lost.",
+            grid(),
+            4,
+        ),
+        case(
+            "long_boxes",
+            "Boxes that are long for their distance. Pitfall: splitting by a corner instead of the \
+             centroid peels off one at a time, and boxes around centroids are too small.",
+            long_boxes(),
+            4,
+        ),
+        case(
+            "far_from_the_origin",
+            "A cloud of boxes far away: each node's box holds its primitives and no more. Pitfall: \
+             a box that starts at (0, 0, 0) instead of empty reaches back to the origin.",
+            cloud(500, Vec3::new(3e3, -5e3, 4e3)),
+            4,
+        ),
+        strip_case("strip_along_x", 0),
+        strip_case("strip_along_y", 1),
+        strip_case("strip_along_z", 2),
+        case(
+            "large_mesh",
+            "The boxes of a terrain of 100,000 triangles: the time grows as n log n, or the time limit ends it.",
+            terrain(),
+            4,
+        ),
+        case(
+            "leaf_size_0",
+            "Leaves of at most 0 primitives: that counts as 1. Pitfall: a recursion that never ends.",
+            cloud(20, Vec3::ZERO),
+            0,
+        ),
+        case(
+            "halving_distances",
+            "Each box half as far as the one before. Pitfall: midpoint splits peel them off one by \
+             one, a thousand levels deep.",
+            (0..1000).map(halving).collect(),
+            1,
+        ),
+        case(
+            "thin_boxes",
+            "Boxes without extent on one axis, nearly none on another. Pitfall: a division by the \
+             extent finds no bin.",
+            thin_boxes(),
+            2,
+        ),
+        case(
+            "near_the_largest_float",
+            "Coordinates near f64::MAX. Pitfall: max - min and min + max overflow.",
+            near_max(),
+            2,
+        ),
+        case(
+            "nan_and_empty_boxes",
+            "Boxes of broken primitives among sound ones: they keep their place in the order and spoil no other box.",
+            broken_boxes(),
+            2,
+        ),
+        case(
+            "infinite_boxes",
+            "Boxes without end on an axis: their centroid is NaN or infinite.",
+            infinite_boxes(),
+            2,
+        ),
+    ]
+}
+
+fn case(name: &'static str, about: &'static str, boxes: Vec<Aabb>, max_leaf_size: u32) -> Spec {
+    let bounds = boxes.iter().map(|b| [b.min.into(), b.max.into()]).collect();
+    let work = Work::Build(BuildWork {
+        bounds,
+        max_leaf_size,
+    });
+    Spec::new("part2.task1", name, about, work)
+}
+
+fn cube(center: Vec3, half: f64) -> Aabb {
+    Aabb {
+        min: center - half,
+        max: center + half,
+    }
+}
+
+/// Uniform in the unit cube.
+fn random_point(sampler: &mut PixelSampler) -> Vec3 {
+    let xy = sampler.next_2d();
+    xy.extend(sampler.next_1d())
+}
+
+fn duplicates_among_others() -> Vec<Aabb> {
+    let copies = std::iter::repeat_n(cube(Vec3::new(5.0, 5.0, 5.0), 0.25), 40);
+    copies.chain(cloud(60, Vec3::ZERO)).collect()
+}
+
+fn one_side_empty() -> Vec<Aabb> {
+    let small = (0..30).map(|i| cube(Vec3::new(f64::from(i), 0.0, 0.0), 0.25));
+    let huge = Aabb {
+        min: Vec3::new(-1.0, -1.0, -1.0),
+        max: Vec3::new(1000.0, 1.0, 1.0),
+    };
+    small.chain([huge]).collect()
+}
+
+/// Unit cubes on the points of a grid, 9 a side: every middle is a centroid, again and again.
+fn grid() -> Vec<Aabb> {
+    let side = || (-4..=4).map(f64::from);
+    let points = side().flat_map(|x| side().flat_map(move |y| side().map(move |z| (x, y, z))));
+    points
+        .map(|(x, y, z)| cube(Vec3::new(x, y, z), 0.5))
+        .collect()
+}
+
+/// Box `i` reaches from just beyond `i / 2` to `3i / 2` along x, and another set likewise against it. Of all boxes up
+/// to `k` only the last ones lie beyond the middle, `k / 2`, with their nearer corner.
+fn long_boxes() -> Vec<Aabb> {
+    let along_x = (0..300).map(|i| {
+        let i = f64::from(i);
+        Aabb {
+            min: Vec3::new(0.502 * i, 0.0, 0.0),
+            max: Vec3::new(1.498 * i, 1.0, 1.0),
+        }
+    });
+    let back = along_x.clone().map(|b| Aabb {
+        min: Vec3::new(-b.max.x, 2.0, 0.0),
+        max: Vec3::new(-b.min.x, 3.0, 1.0),
+    });
+    along_x.chain(back).collect()
+}
+
+/// `n` boxes of about a tenth of a unit in a cube of 10 units around `center`.
+fn cloud(n: u32, center: Vec3) -> Vec<Aabb> {
+    let mut sampler = PixelSampler::new(n, 0, 1);
+    let mut one = || {
+        let at = center + 10.0 * random_point(&mut sampler) - 5.0;
+        cube(at, 0.05 + 0.1 * sampler.next_1d())
+    };
+    (0..n).map(|_| one()).collect()
+}
+
+fn strip_case(name: &'static str, axis: usize) -> Spec {
+    case(
+        name,
+        "A strip of boxes, in no order. Pitfall: only splits along the longest axis get anywhere.",
+        strip(axis),
+        4,
+    )
+}
+
+/// 256 boxes one behind the other along an axis, a little out of line, in no order.
+fn strip(axis: usize) -> Vec<Aabb> {
+    let mut sampler = PixelSampler::new(axis as u32, 0, 2);
+    // 91 has no divisor in common with 256, so every place comes once.
+    (0..256_u32)
+        .map(|i| {
+            let mut center = random_point(&mut sampler);
+            center[axis] = f64::from(91 * i % 256);
+            cube(center, 0.25)
+        })
+        .collect()
+}
+
+/// The boxes of the triangles of a hilly height field with 224 cells a side.
+fn terrain() -> Vec<Aabb> {
+    const SIDE: u32 = 224;
+    let vertex = |i: u32, j: u32| {
+        let (x, z) = (f64::from(i), f64::from(j));
+        let hills = 12.0 * kit::math::sin(0.05 * x) * kit::math::cos(0.07 * z)
+            + kit::math::sin(0.9 * x + 0.4 * z);
+        Vec3::new(x, hills, z)
+    };
+    let cells = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
+    cells
+        .flat_map(|(i, j)| {
+            let corners = [
+                vertex(i, j),
+                vertex(i + 1, j),
+                vertex(i, j + 1),
+                vertex(i + 1, j + 1),
+            ];
+            [
+                Aabb::of([corners[0], corners[1], corners[2]]),
+                Aabb::of([corners[3], corners[1], corners[2]]),
+            ]
+        })
+        .collect()
+}
+
+fn halving(k: i32) -> Aabb {
+    let at = 2.0_f64.powi(-k);
+    Aabb {
+        min: Vec3::new(at, 0.0, 0.0),
+        max: Vec3::new(at * 1.0625, at, at),
+    }
+}
+
+fn thin_boxes() -> Vec<Aabb> {
+    let mut boxes: Vec<Aabb> = (0..100)
+        .map(|i| {
+            let x = 1e-300 * f64::from(i);
+            Aabb {
+                min: Vec3::new(x, 7.0, f64::from(i % 10)),
+                max: Vec3::new(x, 7.0, f64::from(i % 10 + 1)),
+            }
+        })
+        .collect();
+    boxes.push(Aabb {
+        min: Vec3::new(1.0, 7.0, 0.0),
+        max: Vec3::new(1.0_f64.next_up(), 7.0, 1e-12),
+    });
+    boxes
+}
+
+fn near_max() -> Vec<Aabb> {
+    (-10..=10)
+        .map(|i| {
+            let x = f64::MAX * 0.0999 * f64::from(i);
+            Aabb {
+                min: Vec3::new(x - f64::MAX * 5e-4, 0.0, -1.0),
+                max: Vec3::new(x + f64::MAX * 5e-4, f64::from(i + 10), 1.0),
+            }
+        })
+        .collect()
+}
+
+fn broken_boxes() -> Vec<Aabb> {
+    let nan = Aabb {
+        min: Vec3::new(0.0, f64::NAN, 0.0),
+        max: Vec3::ONE,
+    };
+    let all_nan = Aabb {
+        min: Vec3::NAN,
+        max: Vec3::NAN,
+    };
+    let mut boxes = cloud(30, Vec3::ZERO);
+    for (at, broken) in [(0, nan), (7, Aabb::EMPTY), (11, all_nan), (33, Aabb::EMPTY)] {
+        boxes.insert(at, broken);
+    }
+    boxes
+}
+
+fn infinite_boxes() -> Vec<Aabb> {
+    let mut boxes = cloud(30, Vec3::ZERO);
+    boxes.push(Aabb {
+        min: Vec3::NEG_INFINITY,
+        max: Vec3::INFINITY,
+    });
+    boxes.push(Aabb {
+        min: Vec3::new(f64::NEG_INFINITY, 0.0, 0.0),
+        max: Vec3::ONE,
+    });
+    boxes.push(Aabb {
+        min: Vec3::ZERO,
+        max: Vec3::new(1.0, 1.0, f64::INFINITY),
+    });
+    boxes
+}

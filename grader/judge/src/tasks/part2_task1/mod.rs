@@ -1,0 +1,50 @@
+//! `part2.task1`: building the tree.
+
+pub(crate) mod cases;
+pub(crate) mod judge;
+mod lines;
+mod repro;
+
+use crate::Tier;
+use crate::cases::{Spec, recorded};
+use crate::check::{Check, Content};
+use crate::snapshot::number;
+use crate::tally::{Aspect, Tally};
+use wire::answer::BuildAnswer;
+use wire::work::BuildWork;
+
+/// `construct_bvh`, called twice.
+pub(crate) struct Build;
+
+impl Check for Build {
+    type Question = BuildWork;
+    type Answer = BuildAnswer;
+
+    fn calls(_: &BuildWork) -> usize {
+        2
+    }
+
+    /// Any tree fits: whether it is one over the primitives is judged, node by node.
+    fn fits(_: &BuildWork, _: &BuildAnswer) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn judge(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
+        let recorded = recorded::tree(spec.name);
+        judge::build(tally, &work.bounds, work.max_leaf_size, answer, recorded);
+    }
+
+    fn lines(_: &BuildWork, answer: &BuildAnswer) -> Option<Content> {
+        let totals = vec![number("nodes", answer.tree.nodes.len() as f64)];
+        Some((totals, lines::nodes(&answer.tree)))
+    }
+
+    fn repro(_: Tier, work: &BuildWork, _: usize) -> Option<String> {
+        repro::over(&work.bounds, work.max_leaf_size)
+    }
+
+    /// The test does not count what the tree costs.
+    fn repro_shows(aspect: Aspect) -> bool {
+        aspect != Aspect::Work
+    }
+}

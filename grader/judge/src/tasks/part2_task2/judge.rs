@@ -1,0 +1,132 @@
+//! Judging where rays are inside boxes.
+
+use crate::Tier;
+use crate::convert;
+use crate::hits;
+use crate::tally::{Aspect, Tally};
+use kit::{Aabb, Interval, Vec3};
+use oracle::{self, BoxJudgement, Kernel};
+use wire::work::{Probe, Xyz};
+
+/// Judges the answers of `intersect_bbox` by the exact oracle.
+///
+/// A box test serves a tree: a hit it does not see is a hole in the picture, a hit that is none costs a test. So a
+/// false miss is always wrong, and a false hit only if the ray misses by more than rounding.
+pub(crate) fn boxes(
+    tally: &mut Tally,
+    tier: Tier,
+    boxes: &[[Xyz; 2]],
+    probes: &[Probe],
+    answers: &[Option<[f64; 2]>],
+) {
+    let kernel = match tier {
+        Tier::Core => Kernel::Textbook,
+        Tier::Robust => Kernel::Robust,
+    };
+    for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
+        let [min, max] = boxes[probe.shape as usize].map(Vec3::from);
+        let b = Aabb { min, max };
+        let verdict = oracle::bbox(&b, &convert::ray(&probe.ray));
+        let judgement = verdict.judge(kernel, answer.map(|[min, max]| Interval { min, max }));
+        tally.expect(Aspect::Decision);
+        if verdict.hits() && !verdict.undecidable(kernel) {
+            tally.expect(Aspect::Interval);
+        }
+        let decided = !matches!(judgement, BoxJudgement::FalseHit | BoxJudgement::FalseMiss);
+        let about = || {
+            format!(
+                "Box: {} to {}. {}",
+                hits::show(min),
+                hits::show(max),
+                hits::show_ray(&probe.ray)
+            )
+        };
+        let class = hits::decision_class(decided, answer.is_some());
+        tally.judge_class(Aspect::Decision, call, class, 1.0, || match *answer {
+            None => {
+                let [from, to] = verdict
+                    .ends
+                    .map_or([f64::NAN; 2], |(near, far)| [near.to_f64(), far.to_f64()]);
+                format!(
+                    "intersect_bbox says miss; the ray is inside from t = {from} to t = {to}. {}",
+                    about()
+                )
+            }
+            Some([from, to]) => format!(
+                "intersect_bbox says inside from t = {from} to t = {to}; the ray misses. {}",
+                about()
+            ),
+        });
+        let (true, Some([from, to])) = (decided, *answer) else {
+            continue;
+        };
+        let end = match judgement {
+            BoxJudgement::WrongStart(t) => Some(("start", from, t)),
+            BoxJudgement::WrongEnd(t) => Some(("end", to, t)),
+            _ => None,
+        };
+        let off = end.map_or(0.0, |(_, given, right)| (given - right).abs());
+        tally.judge(Aspect::Interval, call, end.is_none(), off, || {
+            let (which, given, right) = end.unwrap_or(("", from, from));
+            format!(
+                "intersect_bbox gives an interval that {which}s at t = {given}, right is t = {right}. {}",
+                about()
+            )
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wire::work::Ray;
+
+    const UNIT: [[Xyz; 2]; 1] = [[[0.0; 3], [1.0; 3]]];
+
+    fn failed(ray: Ray, answer: Option<[f64; 2]>) -> Vec<Aspect> {
+        let mut tally = Tally::default();
+        let probe = Probe { shape: 0, ray };
+        boxes(&mut tally, Tier::Robust, &UNIT, &[probe], &[answer]);
+        let findings = tally.into_findings();
+        let failed = findings.iter().filter(|finding| !finding.passed());
+        failed.map(|finding| finding.aspect).collect()
+    }
+
+    /// Enters the unit box at t = 2, leaves it at t = 3.
+    const THROUGH: Ray = Ray {
+        o: [0.5, 0.5, -2.0],
+        d: [0.0, 0.0, 1.0],
+        min_t: 0.0,
+        max_t: f64::INFINITY,
+    };
+
+    #[test]
+    fn a_hit_needs_its_interval() {
+        assert_eq!(failed(THROUGH, Some([2.0, 3.0])), []);
+        assert_eq!(failed(THROUGH, Some([2.0, 3.0_f64.next_up()])), []);
+        assert_eq!(failed(THROUGH, Some([0.0, 3.0])), [Aspect::Interval]);
+        assert_eq!(failed(THROUGH, Some([2.0, f64::NAN])), [Aspect::Interval]);
+        assert_eq!(failed(THROUGH, None), [Aspect::Decision, Aspect::Interval]);
+    }
+
+    #[test]
+    fn a_miss_by_more_than_rounding_is_a_miss() {
+        let beside = Ray {
+            o: [1.5, 0.5, -2.0],
+            ..THROUGH
+        };
+        assert_eq!(failed(beside, None), []);
+        assert_eq!(failed(beside, Some([2.0, 3.0])), [Aspect::Decision]);
+    }
+
+    /// The ray touches an edge: the reference may not lose it, not even by a bit.
+    #[test]
+    fn an_edge_is_never_missed() {
+        let along_the_face = Ray {
+            o: [1.0, 0.5, -2.0],
+            ..THROUGH
+        };
+        assert_eq!(failed(along_the_face, Some([2.0, 3.0])), []);
+        assert!(!failed(along_the_face, None).is_empty());
+    }
+}

@@ -1,0 +1,443 @@
+//! Walking the tree.
+
+use crate::cases::Spec;
+use crate::cases::crosses::{Cross, World, along};
+use crate::cases::plan::Plan;
+use kit::{PixelSampler, Ray, Vec3};
+use wire::Work;
+use wire::work::NodeKind;
+
+/// The cases of `part2.task3` in worlds of their own; none of them needs another task.
+pub(crate) fn cases() -> Vec<Spec> {
+    let mut cases = by_hand();
+    cases.extend(at_random());
+    cases.extend(counted());
+    cases.extend(deep());
+    cases
+}
+
+/// Whether the tests that a case makes are counted.
+pub(crate) fn counts_work(case: &str) -> bool {
+    ["nearer_first", "stops_at_first_hit"].contains(&case)
+}
+
+fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
+    Spec::new("part2.task3", name, about, work)
+}
+
+/// The box with the corners (x0, -1, -1) and (x1, 1, 1).
+fn block(x0: f64, x1: f64) -> Cross {
+    Cross::new(Vec3::new(x0, -1.0, -1.0), Vec3::new(x1, 1.0, 1.0))
+}
+
+/// The same box, its plate across x at `x`.
+fn block_with_plate(x0: f64, x1: f64, x: f64) -> Cross {
+    block(x0, x1).with_plates(Vec3::new(x, 0.0, 0.0))
+}
+
+/// Rays along x, forwards and backwards and with steps of 1 and 2, at different heights.
+fn through_blocks() -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for y in [0.0, 0.5, -0.75, 1.5] {
+        for (x, step) in [
+            (-10.0, 1.0),
+            (-10.0, 2.0),
+            (30.0, -1.0),
+            (30.0, -0.5),
+            (30.0, 1.0),
+        ] {
+            rays.push(along(0, step, Vec3::new(x, y, 0.25)));
+        }
+    }
+    rays
+}
+
+fn leaf(ids: &[u32]) -> Plan {
+    Plan::Leaf(ids.to_vec())
+}
+
+fn by_hand() -> Vec<Spec> {
+    let one_leaf = World::new(
+        vec![block(0.0, 1.0), block(3.0, 4.0), block(6.0, 7.0)],
+        &leaf(&[0, 1, 2]),
+    );
+    let siblings = World::new(
+        vec![
+            block(0.0, 1.0),
+            Cross::new(Vec3::new(4.0, 0.25, -1.0), Vec3::new(5.0, 2.0, 1.0)),
+            block(8.0, 9.0),
+        ],
+        &Plan::split(Plan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
+    );
+    let box_in_box = World::new(
+        vec![
+            block_with_plate(0.0, 20.0, 19.0),
+            block_with_plate(8.0, 12.0, 9.0),
+        ],
+        &Plan::split(leaf(&[0]), leaf(&[1])),
+    );
+    let reversed = World::new(
+        vec![
+            block_with_plate(0.0, 4.0, 3.0),
+            block_with_plate(0.0, 4.0, 1.0),
+            block(6.0, 7.0),
+        ],
+        &Plan::split(leaf(&[0, 1]), leaf(&[2])),
+    );
+    let flat = World::new(
+        vec![block(1.0, 1.0), block(5.0, 5.0), block(9.0, 9.0)],
+        &Plan::split(leaf(&[0]), Plan::split(leaf(&[1]), leaf(&[2]))),
+    );
+    let twins = World::new(
+        vec![
+            block(0.0, 2.0),
+            block(0.0, 2.0),
+            block(-1.0, 3.0),
+            block(7.0, 9.0),
+        ],
+        &Plan::split(leaf(&[3, 0]), Plan::split(leaf(&[2]), leaf(&[1]))),
+    );
+    vec![
+        case(
+            "empty_tree",
+            "A tree without nodes: every ray misses.",
+            World::empty().closest(&through_blocks()),
+        ),
+        case(
+            "one_leaf",
+            "A root that is a leaf of three.",
+            one_leaf.closest(&through_blocks()),
+        ),
+        case(
+            "both_children",
+            "Hits on the left, on the right and on both sides. Pitfall: one child alone, or `||` \
+             between the two, loses some.",
+            siblings.closest(&through_blocks()),
+        ),
+        case(
+            "box_in_box",
+            "The box that the ray enters first holds the farther hit. Pitfall: the first hit found \
+             is not the closest.",
+            box_in_box.closest(&through_blocks()),
+        ),
+        case(
+            "leaf_in_any_order",
+            "A leaf whose farther primitive comes first: all of a leaf is asked.",
+            reversed.closest(&through_blocks()),
+        ),
+        case(
+            "flat_boxes",
+            "Boxes without depth, as walls have: their interval is a single t, with min == max.",
+            flat.closest(&through_blocks()),
+        ),
+        case(
+            "ties",
+            "Primitives in one place, in one leaf and in two: any of them, at their t.",
+            twins.closest(&through_blocks()),
+        ),
+        case(
+            "clipped_rays",
+            "Ranges that begin or end before, between and behind the hits: what is out of range does not count, and a miss leaves max_t alone.",
+            siblings.closest(&clipped()),
+        ),
+        case(
+            "clipped_rays_any_hit",
+            "The same question for any hit.",
+            siblings.any(&clipped()),
+        ),
+        case(
+            "range_ends",
+            "Ranges that begin or end exactly at a hit in a flat box: both ends count, for the box too.",
+            flat.closest(&range_ends()),
+        ),
+        case(
+            "rounded_boxes",
+            "Boxes that begin a few units in the last place behind their primitive, as rounding has \
+             it. Pitfall: skipping them against max_t without slack loses the closest hit.",
+            rounded_boxes(),
+        ),
+    ]
+}
+
+fn clipped() -> Vec<Ray> {
+    let ranges = [
+        (0.0, 5.0),
+        (0.0, 9.5),
+        (11.0, 13.0),
+        (11.0, 100.0),
+        (15.0, 17.0),
+        (20.0, 100.0),
+        (-20.0, 0.0),
+    ];
+    let each = through_blocks()
+        .into_iter()
+        .flat_map(|ray| ranges.map(|range| (ray, range)));
+    each.map(|(ray, (min_t, max_t))| Ray {
+        min_t,
+        max_t,
+        ..ray
+    })
+    .collect()
+}
+
+fn range_ends() -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for ray in [along(0, 1.0, Vec3::ZERO), along(0, -2.0, Vec3::X * 10.0)] {
+        for x in [1.0, 5.0, 9.0] {
+            let t = (x - ray.o.x) / ray.d.x;
+            rays.push(Ray { max_t: t, ..ray });
+            rays.push(Ray { min_t: t, ..ray });
+            rays.push(Ray {
+                min_t: t,
+                max_t: t,
+                ..ray
+            });
+            rays.push(Ray {
+                min_t: t.next_up(),
+                ..ray
+            });
+            rays.push(Ray {
+                max_t: t.next_down(),
+                ..ray
+            });
+        }
+    }
+    rays
+}
+
+/// Pairs of primitives 2 ulp apart; the box of the nearer one comes out 6 ulp behind it.
+fn rounded_boxes() -> Work {
+    const NEARER: [u32; 2] = [0, 3];
+    let wall = |y: f64, half: f64| {
+        Cross::new(
+            Vec3::new(1.0, y - half, -1.0),
+            Vec3::new(1.0, y + half, 1.0),
+        )
+    };
+    let world = World::new(
+        vec![
+            wall(0.0, 1.0),
+            wall(0.0, 0.75),
+            wall(4.0, 0.75),
+            wall(4.0, 1.0),
+        ],
+        &Plan::split(
+            Plan::split(leaf(&[0]), leaf(&[1])),
+            Plan::split(leaf(&[2]), leaf(&[3])),
+        ),
+    );
+    let from = |x: f64, step: f64| [0.0, 4.0].map(|y| along(0, step, Vec3::new(x, y, 0.0)));
+    let rays: Vec<Ray> = [(-0.1, 1.0), (-2.7, 1.0), (1.3, -1.0), (77.7, -1.0)]
+        .into_iter()
+        .flat_map(|(x, step)| from(x, step))
+        .collect();
+    let mut script = world.script(&rays, false);
+    for scripted in &mut script.rays {
+        for id in NEARER {
+            let t = &mut scripted.prims[id as usize];
+            *t = t.map(|t| t.next_down().next_down());
+        }
+        for (at, node) in script.tree.nodes.iter().enumerate().rev() {
+            let span = match node.kind {
+                NodeKind::Leaf { first, .. }
+                    if NEARER.contains(&script.tree.order[first as usize]) =>
+                {
+                    scripted.spans[at]
+                        .map(|[enters, _]| [(0..4).fold(enters, |t, _| t.next_up()); 2])
+                }
+                NodeKind::Leaf { .. } => scripted.spans[at],
+                NodeKind::Interior { left, right } => {
+                    let children = [left, right].map(|child| scripted.spans[child as usize]);
+                    children
+                        .into_iter()
+                        .flatten()
+                        .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+                }
+            };
+            scripted.spans[at] = span;
+        }
+    }
+    Work::Traverse(script)
+}
+
+fn at_random() -> Vec<Spec> {
+    let (world, rays) = random_world(60, 600);
+    vec![
+        case(
+            "random_trees",
+            "Crowded boxes in a tree that pairs them at random, so that siblings overlap everywhere: the closest of all hits.",
+            world.closest(&rays),
+        ),
+        case(
+            "random_trees_any_hit",
+            "The same rays: any hit exactly where there is a closest one.",
+            world.any(&rays),
+        ),
+    ]
+}
+
+/// Boxes on a grid of halves, some flat, in a tree that joins random pairs from the leaves up; rays along all axes
+/// through cell middles, where nothing touches.
+fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
+    let mut sampler = PixelSampler::new(boxes, rays, 3);
+    let mut whole = |n: f64| (n * sampler.next_1d()).floor();
+    let mut crosses = Vec::new();
+    for i in 0..boxes {
+        let min = Vec3::new(whole(16.0), whole(16.0), whole(16.0));
+        let mut size = Vec3::new(1.0 + whole(8.0), 1.0 + whole(8.0), 1.0 + whole(8.0));
+        if i % 4 == 0 {
+            size[(i / 4 % 3) as usize] = 0.0;
+        }
+        let inside = Vec3::new(whole(5.0), whole(5.0), whole(5.0)) / 4.0;
+        crosses.push(Cross::new(min, min + size).with_plates(min + size * inside));
+    }
+    let mut plans: Vec<Plan> = (0..boxes / 2).map(|i| leaf(&[2 * i + 1, 2 * i])).collect();
+    while plans.len() > 1 {
+        let left = plans.swap_remove(whole(plans.len() as f64) as usize);
+        let right = plans.swap_remove(whole(plans.len() as f64) as usize);
+        plans.push(Plan::split(left, right));
+    }
+    let rays = (0..rays).map(|i| {
+        let o = Vec3::new(whole(24.0), whole(24.0), whole(24.0)) + 0.5;
+        let step = if whole(2.0) == 0.0 { 1.0 } else { -1.0 };
+        let min_t = whole(8.0);
+        let max_t = if i % 3 == 0 {
+            f64::INFINITY
+        } else {
+            min_t + whole(12.0)
+        };
+        Ray {
+            min_t,
+            max_t,
+            ..along((i % 3) as usize, step, o)
+        }
+    });
+    let rays = rays.collect();
+    (World::new(crosses, &plans.remove(0)), rays)
+}
+
+fn counted() -> Vec<Spec> {
+    vec![
+        case(
+            "nearer_first",
+            "Layers behind layers: after a hit, boxes beyond max_t are skipped. Left child first is fine, nearer child first is better. Pitfall: the farther child first, or every box, is too much.",
+            layers(),
+        ),
+        case(
+            "stops_at_first_hit",
+            "A crowd of overlapping boxes, most of them hit: a shadow ray stops at the first.",
+            crowd(),
+        ),
+    ]
+}
+
+/// A stack of layers along each axis, and rays through them from both ends.
+fn layers() -> Work {
+    const LAYERS: u32 = 256;
+    let mut crosses = Vec::new();
+    let mut rays = Vec::new();
+    let mut stacks = Vec::new();
+    for axis in 0..3 {
+        let corner = 2000.0 * Vec3::AXES[(axis + 1) % 3];
+        let first = crosses.len() as u32;
+        for i in 0..LAYERS {
+            let min = corner + f64::from(2 * i) * Vec3::AXES[axis];
+            let mut size = Vec3::splat(16.0);
+            size[axis] = 1.0;
+            crosses.push(Cross::new(min, min + size));
+        }
+        let ids: Vec<u32> = (first..first + LAYERS).collect();
+        stacks.push(Plan::halves(&ids, 1));
+        for i in 0..16 {
+            let mut start =
+                corner + 0.5 + f64::from(i % 4) * Vec3::AXES[(axis + 2) % 3] + f64::from(i / 4);
+            start[axis] = -8.0;
+            rays.push(along(axis, 1.0, start));
+            start[axis] = f64::from(2 * LAYERS + 8);
+            rays.push(along(axis, -1.0, start));
+        }
+    }
+    let plan = stacks.into_iter().reduce(Plan::split);
+    let plan = plan.unwrap_or_else(|| leaf(&[]));
+    World::new(crosses, &plan).closest(&rays)
+}
+
+/// Boxes that all reach from end to end along x, with their plates anywhere inside.
+fn crowd() -> Work {
+    let mut sampler = PixelSampler::new(0, 0, 4);
+    let crosses: Vec<Cross> = (0..256)
+        .map(|i| {
+            let reach = 0.25 * f64::from(i % 8);
+            let x = (1.0 + 98.0 * sampler.next_1d()).floor();
+            block_with_plate(-reach, 100.0 + reach, x)
+        })
+        .collect();
+    let ids: Vec<u32> = (0..256).collect();
+    let rays: Vec<Ray> = (0..32)
+        .map(|i| {
+            let y = f64::from(i % 8) / 8.0 - 0.5;
+            if i < 16 {
+                along(0, 1.0, Vec3::new(-50.0, y, 0.0))
+            } else {
+                along(0, -1.0, Vec3::new(150.0, y, 0.0))
+            }
+        })
+        .collect();
+    World::new(crosses, &Plan::halves(&ids, 1)).any(&rays)
+}
+
+fn deep() -> Vec<Spec> {
+    vec![
+        case(
+            "deep_tree",
+            "A tree of 48 levels whose last leaf holds the hit. Pitfall: a stack of 32 nodes is too \
+             small.",
+            chains(48),
+        ),
+        case(
+            "very_deep_tree",
+            "The same with 500 levels. Pitfall: a stack of fixed size overflows.",
+            chains(500),
+        ),
+    ]
+}
+
+/// Four chains, one above the other: from level to level the rest of the chain is the left child or the right one,
+/// nearer than its sibling, a leaf, or farther. Whichever child a traversal prefers, in one of them all leaves wait
+/// on its stack until it comes to the end, and the only hit is in the last of them.
+fn chains(levels: u32) -> Work {
+    let mut crosses = Vec::new();
+    let mut chains = Vec::new();
+    let mut rays = Vec::new();
+    for (rest_on_left, outwards) in [(false, 1.0), (false, -1.0), (true, 1.0), (true, -1.0)] {
+        let y = 4.0 * chains.len() as f64;
+        let mut plan = None;
+        for level in 0..levels {
+            let id = crosses.len() as u32;
+            let x = outwards * f64::from(2 * level);
+            let cross = Cross::new(
+                Vec3::new(x, y - 1.0, -1.0),
+                Vec3::new(x + 1.0, y + 1.0, 1.0),
+            );
+            crosses.push(if level == 1 {
+                cross
+            } else {
+                cross.without_plates()
+            });
+            plan = Some(match (plan, rest_on_left) {
+                (None, _) => leaf(&[id]),
+                (Some(rest), true) => Plan::split(rest, leaf(&[id])),
+                (Some(rest), false) => Plan::split(leaf(&[id]), rest),
+            });
+        }
+        chains.extend(plan);
+        let far = f64::from(2 * levels + 10);
+        rays.push(along(0, 1.0, Vec3::new(-far, y, 0.0)));
+        rays.push(along(0, -1.0, Vec3::new(far, y, 0.0)));
+    }
+    let plan = chains
+        .into_iter()
+        .reduce(Plan::split)
+        .unwrap_or_else(|| leaf(&[]));
+    World::new(crosses, &plan).closest(&rays)
+}

@@ -1,0 +1,65 @@
+//! `part2.task3`: walking the tree in worlds whose answers are given. Whole scenes are in [`super::scene_hits`].
+
+pub(crate) mod cases;
+mod judge;
+mod repro;
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, one_each};
+use crate::snapshot::lines::{each, ray_at};
+use crate::snapshot::{Fields, forms, number};
+use crate::tally::{Aspect, Tally};
+use wire::answer::TraverseAnswer;
+use wire::work::ScriptedWorld;
+
+/// `intersect_bvh` or `occludes_bvh`, called for each ray.
+pub(crate) struct Traverse;
+
+impl Check for Traverse {
+    type Question = ScriptedWorld;
+    type Answer = Vec<TraverseAnswer>;
+
+    fn calls(world: &ScriptedWorld) -> usize {
+        world.rays.len()
+    }
+
+    fn fits(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Result<(), String> {
+        one_each(Self::calls(world), answers)
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        spec: &Spec,
+        _: Tier,
+        world: &ScriptedWorld,
+        answers: &Vec<TraverseAnswer>,
+    ) {
+        let counts_work = cases::counts_work(spec.name);
+        judge::traverse(tally, world, answers, counts_work);
+    }
+
+    fn lines(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Option<Content> {
+        let lines = each(&world.rays, answers, |scripted, answer| {
+            let mut fields = Fields::new();
+            if let Some((t, prim)) = answer.hit {
+                fields.extend([number("t", t), number("prim", f64::from(prim))]);
+            }
+            fields.extend([
+                number("box_tests", f64::from(answer.box_tests)),
+                number("prim_tests", f64::from(answer.prim_tests)),
+            ]);
+            forms(ray_at(None, &scripted.ray), fields.clone(), fields)
+        });
+        Some((Vec::new(), lines))
+    }
+
+    fn repro(_: Tier, world: &ScriptedWorld, call: usize) -> Option<String> {
+        repro::walk(world, call)
+    }
+
+    /// The test does not count box and primitive tests.
+    fn repro_shows(aspect: Aspect) -> bool {
+        aspect != Aspect::Work
+    }
+}

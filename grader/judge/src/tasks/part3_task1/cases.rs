@@ -1,0 +1,142 @@
+//! Matte surfaces: value, density, samples.
+
+use crate::cases::Spec;
+use crate::cases::probes::Dice;
+use crate::tally::Aspect::{Bsdf, Decision, Pdf, SampleRecord, SampledDirection, Spread};
+use kit::Vec3;
+use wire::Work;
+use wire::direct::LambertProbe;
+
+/// The cases of `part3.task1`.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    vec![
+        case(
+            "value",
+            "f of two directions above the surface is reflectance / π, the same for all of them. \
+             Pitfall: without the π a white wall gives back three times what it gets.",
+            probes("value", 0, 200, |dice| (above(dice), above(dice))),
+        )
+        .only(&[Bsdf]),
+        case(
+            "both_sides",
+            "Both directions below the surface are on one side, too. One above and one below: \
+             black, and density 0, since nothing passes through.",
+            probes("both_sides", 0, 200, |dice| {
+                let (wo, wi) = (above(dice), above(dice));
+                (dice.one_of(&[-wo, wo]), dice.one_of(&[-wi, wi]))
+            }),
+        )
+        .only(&[Bsdf, Pdf]),
+        case(
+            "density",
+            "The density is |cos θ| / π of wi. Pitfall: that of wo is another, and so is 1 / 2π.",
+            probes("density", 0, 200, |dice| (above(dice), above(dice))),
+        )
+        .only(&[Pdf]),
+        case(
+            "in_the_plane",
+            "A direction in the plane of the surface, z = 0, is on no side: f is black, the \
+             density 0, and from there nothing is sampled.",
+            probes("in_the_plane", 0, 40, |dice| {
+                let flat = dice.one_of(&[Vec3::X, Vec3::NEG_Y, Vec3::new(0.6, -0.8, 0.0)]);
+                let other = above(dice);
+                dice.one_of(&[(flat, other), (other, flat)])
+            }),
+        )
+        .only(&[Bsdf, Pdf, Decision]),
+        case(
+            "sampled_directions",
+            "Many samples: unit vectors on the side of wo, as dense as the cosine to the normal (a \
+             χ² test over 512 cells). A deviation of 24 % is sure to be seen. Pitfall: a radius of u \
+             instead of its root crowds them at the normal.",
+            probes("sampled_directions", 0, 16_000, |dice| {
+                let wo = above(dice);
+                (dice.one_of(&[wo, -wo]), wo)
+            }),
+        )
+        .only(&[SampledDirection, Spread]),
+        case(
+            "seen_from_below",
+            "wo is below the surface: so is the sampled direction.",
+            probes("seen_from_below", 0, 100, |dice| {
+                (-above(dice), -above(dice))
+            }),
+        )
+        .only(&[SampledDirection, SampleRecord]),
+        case(
+            "record_of_the_sample",
+            "A sample carries f and the density of its own direction, and is no delta: \
+             f · cos θ / pdf is the reflectance for every sample.",
+            probes("record_of_the_sample", 0, 200, |dice| {
+                (above(dice), above(dice))
+            }),
+        )
+        .only(&[SampleRecord]),
+        case(
+            "fresh_directions",
+            "Directions and numbers that differ for each seed. A deviation of 40 % is sure to be \
+             seen.",
+            probes("fresh_directions", seed, 4000, |dice| {
+                let (wo, wi) = (above(dice), above(dice));
+                (dice.one_of(&[wo, -wo]), dice.one_of(&[wi, -wi]))
+            }),
+        ),
+        case(
+            "corners_of_the_square",
+            "u at the corners of the unit square: the direction and f / pdf stay finite. Pitfall: 1 \
+             - x² - y² rounds to 0 or below at the rim, the density to 0, and f / pdf to infinity; \
+             the height is the root of 1 - u, which is exact.",
+            corners(),
+        )
+        .only(&[SampledDirection, SampleRecord]),
+    ]
+}
+
+fn case(name: &'static str, about: &'static str, probes: Vec<LambertProbe>) -> Spec {
+    Spec::new("part3.task1", name, about, Work::Lambert(probes))
+}
+
+/// A unit direction above the surface, not too flat.
+fn above(dice: &mut Dice) -> Vec3 {
+    loop {
+        let d = dice.direction();
+        if d.z > 0.05 {
+            return d;
+        }
+    }
+}
+
+fn probes(
+    name: &str,
+    seed: u64,
+    count: usize,
+    mut directions: impl FnMut(&mut Dice) -> (Vec3, Vec3),
+) -> Vec<LambertProbe> {
+    let mut dice = Dice::new(name, seed);
+    let probe = |_| {
+        let (wo, wi) = directions(&mut dice);
+        LambertProbe {
+            reflectance: [dice.range(0.1, 1.0), dice.range(0.1, 1.0), 0.0],
+            wo: wo.into(),
+            wi: wi.into(),
+            u: [dice.range(0.0, 1.0), dice.range(0.0, 1.0)],
+        }
+    };
+    (0..count).map(probe).collect()
+}
+
+fn corners() -> Vec<LambertProbe> {
+    let below_one = 1.0 - f64::EPSILON / 2.0;
+    let numbers = [0.0, 1e-300, 0.5, 1.0 - 1e-12, 1.0 - 1e-14, below_one];
+    let squares = numbers
+        .iter()
+        .flat_map(|&x| numbers.iter().map(move |&y| [x, y]));
+    squares
+        .map(|u| LambertProbe {
+            reflectance: [0.5; 3],
+            wo: [0.6, 0.0, 0.8],
+            wi: [0.0, 0.0, 1.0],
+            u,
+        })
+        .collect()
+}

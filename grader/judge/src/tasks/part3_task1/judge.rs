@@ -1,0 +1,161 @@
+//! Judging matte surfaces.
+
+use crate::chance::{self, MANY};
+use crate::hits::show;
+use crate::numbers::{self, same_colour};
+use crate::tally::{Aspect, Class, Tally};
+use kit::Vec3;
+use std::f64::consts::PI;
+use wire::direct::{LambertAnswer, LambertProbe};
+use wire::work::Xyz;
+
+/// A handful of roundings, and room for a π with ten digits.
+pub(crate) const BOUND: f64 = 1e-9;
+
+/// Judges the three functions.
+pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+    for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
+        one(tally, call, probe, answer);
+    }
+    if probes.len() < MANY {
+        return;
+    }
+    for side in [1.0, -1.0] {
+        let pairs = probes.iter().zip(answers);
+        let directions: Vec<Option<Vec3>> = pairs
+            .filter(|(probe, _)| probe.wo[2] * side > 0.0)
+            .map(|(_, answer)| answer.sample.map(|sample| sample.wi.into()))
+            .collect();
+        if directions.len() >= MANY {
+            let density = |w: Vec3| (w.z * side).max(0.0) / PI;
+            chance::spread(tally, &directions, density, "by the cosine to the normal");
+        }
+    }
+}
+
+/// The right f and density of a probe.
+pub(crate) fn right(probe: &LambertProbe) -> (Xyz, f64) {
+    let [wo, wi] = [probe.wo[2], probe.wi[2]];
+    if wo * wi > 0.0 {
+        (probe.reflectance.map(|rho| rho / PI), wi.abs() / PI)
+    } else {
+        ([0.0; 3], 0.0)
+    }
+}
+
+fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
+    for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::Decision] {
+        tally.expect(aspect);
+    }
+    let (wo, wi) = (Vec3::from(probe.wo), Vec3::from(probe.wi));
+    let asked = || format!("wo = {}, wi = {}", show(wo), show(wi));
+    let share = probe.reflectance.map(|rho| rho / PI);
+    // How much of it is on the side of the viewer: 0 below and in the plane of the surface.
+    let seen = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
+    let (right_f, right_pdf) = right(probe);
+    numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
+        format!(
+            "lambert_f: reflectance = {:?}, {}",
+            probe.reflectance,
+            asked()
+        )
+    });
+    let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
+    numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
+        format!("lambert_pdf: {}", asked())
+    });
+
+    let drawn = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
+    let Some(sample) = answer.sample else {
+        let class = (wo.z != 0.0).then_some(Class::FalseMiss);
+        tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+            format!("there is no sample, and should be one. {}", drawn())
+        });
+        return;
+    };
+    let class = (wo.z == 0.0).then_some(Class::FalseHit);
+    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+        format!(
+            "there is a sample; in the plane of the surface nothing leaves. {}",
+            drawn()
+        )
+    });
+    if wo.z == 0.0 {
+        return;
+    }
+    tally.expect(Aspect::SampledDirection);
+    tally.expect(Aspect::SampleRecord);
+    let drawn_wi = Vec3::from(sample.wi);
+    let off = (drawn_wi.length() - 1.0).abs();
+    let class = if off.is_nan() || off > BOUND {
+        Some(Class::WrongLength)
+    } else {
+        (seen(drawn_wi) == 0.0).then_some(Class::Negated)
+    };
+    tally.judge_class(Aspect::SampledDirection, call, class, off, || {
+        format!(
+            "wi = {} has length {}; right is a unit vector on the side of wo. {}",
+            show(drawn_wi),
+            drawn_wi.length(),
+            drawn()
+        )
+    });
+    // Whoever draws other directions makes the same mistake in other numbers: the kind has a name.
+    let f = sample.f;
+    let cosine = seen(drawn_wi);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let suspects = [
+        ("f times the cosine", share.map(|channel| channel * cosine)),
+        ("f over the cosine", share.map(|channel| channel / cosine)),
+        ("f without pi", probe.reflectance),
+        ("f without the reflectance", [1.0 / PI; 3]),
+    ];
+    let is = |right: Xyz| same_colour(f, right, BOUND);
+    let named = suspects
+        .iter()
+        .find(|(_, wrong)| is(*wrong) && !is(share))
+        .map(|(name, _)| Class::Named(name));
+    if named.is_some() {
+        tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
+            format!("f = {f:?}, right is {share:?}. f of {}", drawn())
+        });
+    } else {
+        numbers::colour(tally, Aspect::SampleRecord, call, f, share, BOUND, || {
+            format!("f of {}", drawn())
+        });
+    }
+    let right = cosine / PI;
+    // Near the horizon the sample may know its height better than its z says.
+    let bound = BOUND + 1e-15 / right.max(1e-300);
+    let suspects = [
+        ("pdf 1", 1.0),
+        ("pdf of uniform directions", 0.5 / PI),
+        ("pdf without pi", cosine),
+        ("pdf of the sine", sine / PI),
+        ("pdf of wo", wo.z.abs() / PI),
+        ("pdf negative", -right),
+    ];
+    let pdf = sample.pdf;
+    let named = suspects
+        .iter()
+        .find(|(_, wrong)| (pdf - wrong).abs() <= BOUND && (right - wrong).abs() > bound)
+        .map(|(name, _)| Class::Named(name));
+    if named.is_some() {
+        tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
+            format!("pdf = {pdf:?}, right is {right:?}. {}", drawn())
+        });
+    } else {
+        numbers::number(tally, Aspect::SampleRecord, call, pdf, right, bound, || {
+            format!("pdf of {}", drawn())
+        });
+    }
+    let usable = sample.pdf > 0.0 && !sample.delta;
+    tally.judge(Aspect::SampleRecord, call, usable, 1.0, || {
+        format!(
+            "pdf = {}, delta = {}; a sample that is drawn has a density above 0, and a matte surface no delta. {}",
+            sample.pdf,
+            sample.delta,
+            drawn()
+        )
+    });
+}

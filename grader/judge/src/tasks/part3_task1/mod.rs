@@ -1,0 +1,52 @@
+//! `part3.task1`: matte surfaces.
+
+pub(crate) mod cases;
+pub(crate) mod judge;
+mod lines;
+mod repro;
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, one_each};
+use crate::snapshot::lines::each;
+use crate::tally::{Aspect, Tally};
+use wire::direct::{LambertAnswer, LambertProbe};
+
+/// `lambert_f`, `lambert_pdf` and `lambert_sample`, all called for each probe.
+pub(crate) struct Lambert;
+
+impl Check for Lambert {
+    type Question = Vec<LambertProbe>;
+    type Answer = Vec<LambertAnswer>;
+
+    fn calls(probes: &Vec<LambertProbe>) -> usize {
+        probes.len()
+    }
+
+    fn fits(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Result<(), String> {
+        one_each(Self::calls(probes), answers)
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        probes: &Vec<LambertProbe>,
+        answers: &Vec<LambertAnswer>,
+    ) {
+        judge::lambert(tally, probes, answers);
+    }
+
+    fn lines(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Option<Content> {
+        Some((Vec::new(), each(probes, answers, lines::lambert)))
+    }
+
+    fn repro(_: Tier, probes: &Vec<LambertProbe>, call: usize) -> Option<String> {
+        Some(repro::matte(probes.get(call)?))
+    }
+
+    /// The test makes one call: nothing that only many show.
+    fn repro_shows(aspect: Aspect) -> bool {
+        !matches!(aspect, Aspect::Spread | Aspect::Mean)
+    }
+}

@@ -1,0 +1,191 @@
+//! Emission, and direct light by looking around at random.
+
+use super::direct_light::worlds::{
+    any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, room, wall, work,
+};
+use crate::cases::Spec;
+use crate::cases::probes::Dice;
+use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
+use wire::Work;
+use wire::direct::{ShadedPoint, Strategy};
+use wire::light::{LitWorld, Material, Panel, Surroundings};
+
+/// Estimates of a case about their mean.
+const ESTIMATES: usize = 4000;
+
+/// The cases of `part3.task2`.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    vec![
+        case(
+            "glowing_surface",
+            "zero_bounce_radiance is what the surface emits: on its front side, whatever the \
+             angle, and nothing behind, edge-on, or on a surface that does not emit.",
+            work(Strategy::ZeroBounce, LitWorld::default(), glowing(), 0, 0),
+        ),
+        case(
+            "rays_start_at_the_surface",
+            "Every ray starts where Surface::leave puts it, with all of its range. Pitfall: a ray \
+             from the point itself may hit the surface that it leaves.",
+            hemisphere("start", around(0.5), 60, 4),
+        )
+        .only(&[Origin, Range]),
+        case(
+            "rays_fill_the_hemisphere",
+            "As many rays as samples, each a unit vector in world space above the surface, and \
+             all of them together even over the hemisphere (a χ² test). A deviation of 24 % is sure \
+             to be seen.",
+            same(around(1.0), floor(), 2000, 4),
+        )
+        .only(&[Rays, Direction, Spread]),
+        case(
+            "side_of_the_viewer",
+            "Seen from below, light from below counts: directions are drawn on the side of wo. A \
+             bias of 9 % is sure to be seen. A deviation of 24 % is sure to be seen.",
+            same(around(1.0), ceiling(), 2000, 4),
+        )
+        .only(&[Rays, Direction, Spread, Mean]),
+        case(
+            "tilted_surfaces",
+            "Surfaces with normals in all directions: f is asked for local directions, rays are \
+             traced along world ones.",
+            hemisphere("tilted", room(), 60, 4),
+        )
+        .only(&[Direction, Radiance]),
+        case(
+            "sum_of_what_is_seen",
+            "Given the rays that were asked for, the sum of f · L · |cos θ| · 2π over their \
+             number is known to the last digit: emission only, from the front, and the \
+             background where nothing is hit.",
+            hemisphere("sum", room(), 60, 8),
+        )
+        .only(&[Radiance]),
+        case(
+            "uniform_environment",
+            "The same light from everywhere: the mean of many estimates is the integral of f \
+             times the cosine. A bias of 6 % is sure to be seen.",
+            same(around(2.0), floor(), ESTIMATES, 4),
+        )
+        .only(&[Mean]),
+        case(
+            "square_lamp",
+            "A lamp above the floor: the mean of many estimates is its form factor. A bias of \
+             15 % is sure to be seen.",
+            same(of_panels(vec![lamp(1.0, [5.0; 3])]), floor(), ESTIMATES, 4),
+        )
+        .only(&[Mean]),
+        case(
+            "lamp_that_faces_away",
+            "A lamp shines to one side; seen from behind, or behind a wall, it is black.",
+            away(),
+        )
+        .only(&[Radiance]),
+        case(
+            "mirrors_ask_for_nothing",
+            "No random direction is a mirror's or glass's own: they get no light this way, and \
+             cast no ray.",
+            work(
+                Strategy::Hemisphere,
+                around(1.0),
+                vec![
+                    floor_of(Material::Mirror([1.0; 3])),
+                    floor_of(Material::Glass(1.5)),
+                    floor(),
+                ],
+                16,
+                0,
+            ),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "no_samples",
+            "0 samples are black, not 0 / 0.",
+            work(Strategy::Hemisphere, around(1.0), vec![floor(); 3], 0, 0),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "fresh_lamps",
+            "Lamps, points and numbers that differ for each seed.",
+            fresh(seed),
+        ),
+    ]
+}
+
+fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
+    Spec::new("part3.task2", name, about, work)
+}
+
+/// Nothing but light from everywhere.
+fn around(radiance: f64) -> LitWorld {
+    LitWorld {
+        environment: Some(Surroundings::uniform([
+            radiance,
+            2.0 * radiance,
+            0.5 * radiance,
+        ])),
+        ..LitWorld::default()
+    }
+}
+
+fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work {
+    let mut dice = Dice::new(name, 0);
+    let points = (0..points).map(|_| anywhere(&mut dice)).collect();
+    work(Strategy::Hemisphere, world, points, samples, 0)
+}
+
+/// Many estimates of the same.
+fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> Work {
+    let points = vec![point; estimates];
+    work(Strategy::Hemisphere, world, points, samples, 1)
+}
+
+fn glowing() -> Vec<ShadedPoint> {
+    let mut dice = Dice::new("glowing", 0);
+    let mut points = vec![ShadedPoint {
+        // Exactly edge-on.
+        wo: [0.6, 0.0, -0.8],
+        ..floor_of(Material::Emission([1.0; 3]))
+    }];
+    let materials = [
+        Material::Emission([3.0, 2.0, 0.0]),
+        Material::Emission([0.01, 50.0, 7.0]),
+        Material::Diffuse([0.5; 3]),
+        Material::Mirror([1.0; 3]),
+    ];
+    for i in 0..60 {
+        let point = ShadedPoint {
+            material: materials[i % materials.len()],
+            ..anywhere(&mut dice)
+        };
+        let wo = point.wo.map(|x| dice.one_of(&[1.0, 1.0, -1.0]) * x);
+        points.push(ShadedPoint { wo, ..point });
+        points.push(ShadedPoint {
+            wo: point.wo.map(|x| -x),
+            ..point
+        });
+        points.push(point);
+    }
+    points
+}
+
+fn away() -> Work {
+    let world = of_panels(vec![
+        Panel {
+            faces: 1.0,
+            ..lamp(1.0, [5.0; 3])
+        },
+        lamp(2.0, [5.0; 3]),
+        wall(Panel {
+            min: [-9.0; 2],
+            max: [9.0; 2],
+            ..lamp(1.5, [0.0; 3])
+        }),
+    ]);
+    work(Strategy::Hemisphere, world, vec![floor(); 20], 16, 0)
+}
+
+fn fresh(seed: u64) -> Work {
+    let mut dice = Dice::new("fresh_lamps", seed);
+    let lamps = (0..3).map(|_| any_lamp(&mut dice)).collect();
+    let points = (0..60).map(|_| anywhere(&mut dice)).collect();
+    work(Strategy::Hemisphere, of_panels(lamps), points, 16, seed)
+}

@@ -1,0 +1,304 @@
+//! Direct light by sampling the lights.
+
+use super::direct_light::worlds::{
+    any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, unit, wall, work,
+};
+use crate::cases::Spec;
+use crate::cases::probes::Dice;
+use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
+use wire::Work;
+use wire::direct::{ShadedPoint, Strategy};
+use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
+
+/// Estimates of a case about their mean.
+const ESTIMATES: usize = 4000;
+
+/// The cases of `part3.task3`.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    vec![
+        case(
+            "point_light",
+            "A point light arrives with its intensity over the squared distance, times f and the \
+             cosine: the answer is exact.",
+            anywhere_lit(vec![point()], Vec::new(), 1),
+        )
+        .only(&[Radiance]),
+        case(
+            "spot_light",
+            "A spot shines into its cone alone.",
+            anywhere_lit(vec![spot()], Vec::new(), 1),
+        )
+        .only(&[Radiance, Rays]),
+        case(
+            "sun",
+            "A sun is infinitely far away: so far the shadow ray reaches.",
+            anywhere_lit(vec![sun()], Vec::new(), 1),
+        )
+        .only(&[Radiance, Range]),
+        case(
+            "one_sample_of_a_point",
+            "A light without extent gets one sample, whatever -l says: more would all be the same. \
+             Pitfall: its light is not divided by -l.",
+            anywhere_lit(vec![point(), sun()], Vec::new(), 4),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "shadow_rays",
+            "A shadow ray starts where Surface::leave puts it, goes to the light, and ends just \
+             before it: a lamp does not stand in its own way.",
+            anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 4),
+        )
+        .only(&[Origin, Direction, Range]),
+        case(
+            "in_the_shadow",
+            "What stands before a light takes it away; what stands behind it does not.",
+            shadows(),
+        )
+        .only(&[Radiance, Rays]),
+        case(
+            "lamp_overhead",
+            "A lamp above the floor: f · L · |cos θ| / pdf of each sample, and their mean is the \
+             form factor. A bias of 12 % is sure to be seen.",
+            same(vec![lamp(1.0, [5.0; 3])], Vec::new(), floor(), 1),
+        )
+        .only(&[Radiance, Mean]),
+        case(
+            "several_samples",
+            "With -l 4 a lamp gives the mean of four different samples. A bias of 4 % is sure to be \
+             seen. Pitfall: their sum is four times as bright.",
+            same(vec![lamp(1.5, [5.0; 3])], Vec::new(), floor(), 4),
+        )
+        .only(&[Rays, Radiance, Spread, Mean]),
+        case(
+            "many_lights",
+            "The light of all lights is their sum, each averaged by itself.",
+            anywhere_lit(
+                vec![point(), sun(), spot()],
+                vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()],
+                3,
+            ),
+        )
+        .only(&[Radiance, Rays]),
+        case(
+            "nothing_arrives",
+            "A lamp that faces away, a light below the horizon, a point outside the cone: black, \
+             and no shadow ray is cast in vain.",
+            nothing(),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "half_below_the_horizon",
+            "A lamp that reaches below the horizon: samples of its lower part count as 0 in the \
+             mean, they do not drop out of it. A bias of 16 % is sure to be seen.",
+            same(vec![half_below()], Vec::new(), floor(), 2),
+        )
+        .only(&[Radiance, Mean]),
+        case(
+            "sky",
+            "A sky shines from the whole upper half. A bias of 7 % is sure to be seen.",
+            same(Vec::new(), vec![Light::Sky([1.0, 1.5, 2.0])], floor(), 3),
+        )
+        .only(&[Radiance, Mean]),
+        case(
+            "environment",
+            "A picture all around: its directions are drawn by its light, so the density \
+             differs from texel to texel, and L is that of the texel. A bias of 9 % is sure to be \
+             seen.",
+            pictured(),
+        )
+        .only(&[Origin, Direction, Range, Rays, Radiance, Mean]),
+        case(
+            "seen_from_below",
+            "Seen from below, only light from below is scattered.",
+            below(),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "mirrors_ask_for_nothing",
+            "A mirror or glass scatters no sampled light, and casts no shadow ray.",
+            mirrors(),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "no_samples",
+            "With -l 0 lamps give nothing (and not 0 / 0); points and suns still do.",
+            anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 0),
+        )
+        .only(&[Rays, Radiance]),
+        case(
+            "fresh_lights",
+            "Lights, points and numbers that differ for each seed.",
+            fresh(seed),
+        ),
+    ]
+}
+
+fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
+    Spec::new("part3.task3", name, about, work)
+}
+
+fn point() -> Light {
+    Light::Point {
+        position: [0.5, 2.0, -1.0],
+        intensity: [6.0, 3.0, 1.0],
+    }
+}
+
+fn spot() -> Light {
+    Light::Spot {
+        position: [0.0, 3.0, 0.5],
+        direction: [0.0, -1.0, 0.0],
+        intensity: [8.0, 4.0, 4.0],
+        falloff_angle: 40.0,
+        falloff_exponent: 2.0,
+    }
+}
+
+fn sun() -> Light {
+    Light::Directional {
+        direction: unit([1.0, -2.0, -2.0]),
+        irradiance: [1.5, 1.0, 0.5],
+    }
+}
+
+fn side_lamp() -> Panel {
+    Panel {
+        axis: 0,
+        at: -2.5,
+        faces: 1.0,
+        ..lamp(0.0, [0.5, 2.0, 2.0])
+    }
+}
+
+fn world(lights: Vec<Light>, panels: Vec<Panel>) -> LitWorld {
+    LitWorld {
+        lights,
+        ..of_panels(panels)
+    }
+}
+
+/// Points with any normal near the origin.
+fn anywhere_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
+    let mut dice = Dice::new("points under lights", 0);
+    let points = (0..80).map(|_| anywhere(&mut dice)).collect();
+    work(Strategy::Lights, world(lights, panels), points, samples, 0)
+}
+
+/// Many estimates of the same.
+fn same(panels: Vec<Panel>, lights: Vec<Light>, point: ShadedPoint, samples: u32) -> Work {
+    let points = vec![point; ESTIMATES];
+    work(Strategy::Lights, world(lights, panels), points, samples, 1)
+}
+
+/// A wall shades half of the plane; another is behind the lights.
+fn shadows() -> Work {
+    let half = wall(Panel {
+        min: [-9.0, 0.0],
+        max: [9.0, 9.0],
+        ..lamp(1.0, [0.0; 3])
+    });
+    let behind = wall(Panel {
+        min: [-9.0; 2],
+        max: [9.0; 2],
+        ..lamp(3.5, [0.0; 3])
+    });
+    let mut dice = Dice::new("shadows", 0);
+    let points = (0..80).map(|_| ShadedPoint {
+        p: [dice.range(-3.0, 3.0), 0.0, dice.range(-3.0, 3.0)],
+        ..floor()
+    });
+    let world = world(vec![point()], vec![lamp(3.0, [4.0; 3]), half, behind]);
+    work(Strategy::Lights, world, points.collect(), 4, 0)
+}
+
+fn nothing() -> Work {
+    let up = Panel {
+        faces: 1.0,
+        ..lamp(2.0, [5.0; 3])
+    };
+    let deep = Panel {
+        faces: 1.0,
+        ..lamp(-2.0, [5.0; 3])
+    };
+    let low = Light::Point {
+        position: [0.5, -2.0, 0.0],
+        intensity: [5.0; 3],
+    };
+    let aside = Light::Spot {
+        position: [9.0, 3.0, 0.0],
+        direction: [0.0, -1.0, 0.0],
+        intensity: [5.0; 3],
+        falloff_angle: 30.0,
+        falloff_exponent: 0.0,
+    };
+    let risen = Light::Directional {
+        direction: [0.0, 1.0, 0.0],
+        irradiance: [1.0; 3],
+    };
+    let world = world(vec![low, aside, risen], vec![up, deep]);
+    work(Strategy::Lights, world, vec![floor(); 20], 2, 0)
+}
+
+/// A sunset: bright low in one direction, dim above, dark below.
+fn pictured() -> Work {
+    let texel = |x: i32, y: i32| {
+        let towards_the_sun = f64::from(if x == 5 { 6 } else { x.min(1) });
+        let high = f64::from(4 - y);
+        if y < 4 {
+            [0.3 * towards_the_sun + 0.2 * high, 0.4 * high, 0.9 * high]
+        } else {
+            [0.1 * f64::from(x), 0.0, 0.0]
+        }
+    };
+    let rows = (0..8).flat_map(|y| (0..8).map(move |x| (x, y)));
+    let world = LitWorld {
+        environment: Some(Surroundings {
+            width: 8,
+            texels: rows.map(|(x, y)| texel(x, y)).collect(),
+        }),
+        ..LitWorld::default()
+    };
+    work(Strategy::Lights, world, vec![floor(); ESTIMATES], 2, 1)
+}
+
+fn half_below() -> Panel {
+    Panel {
+        axis: 0,
+        at: -1.5,
+        min: [-1.0; 2],
+        max: [1.0; 2],
+        faces: 1.0,
+        material: Material::Emission([5.0; 3]),
+    }
+}
+
+fn below() -> Work {
+    let deep = Panel {
+        faces: 1.0,
+        ..lamp(-2.0, [5.0; 3])
+    };
+    let world = world(vec![point()], vec![deep]);
+    work(Strategy::Lights, world, vec![ceiling(); 20], 2, 0)
+}
+
+fn mirrors() -> Work {
+    let points = vec![
+        floor_of(Material::Mirror([1.0; 3])),
+        floor_of(Material::Glass(1.5)),
+        floor(),
+    ];
+    let world = world(vec![point()], vec![lamp(3.0, [4.0; 3])]);
+    work(Strategy::Lights, world, points, 8, 0)
+}
+
+fn fresh(seed: u64) -> Work {
+    let mut dice = Dice::new("fresh_lights", seed);
+    let lamps = (0..2).map(|_| any_lamp(&mut dice)).collect();
+    let lights = (0..2).map(|_| Light::Point {
+        position: (4.0 * dice.direction()).into(),
+        intensity: [1.0, 4.0, 9.0].map(|most| dice.range(0.5, most)),
+    });
+    let lights = lights.collect();
+    let points = (0..80).map(|_| anywhere(&mut dice)).collect();
+    work(Strategy::Lights, world(lights, lamps), points, 3, seed)
+}

@@ -1,0 +1,267 @@
+//! Mirrors, refraction and glass.
+
+use crate::cases::Spec;
+use crate::cases::probes::Dice;
+use crate::tally::Aspect::{Bsdf, Decision, Fresnel, Mean, Pdf, SampledDirection};
+use kit::Vec3;
+use wire::Work;
+use wire::global::SpecularCall::{
+    self, Fresnel as Share, Glass, Mirror, Reflect, Refract, Refraction,
+};
+use wire::work::Xyz;
+
+/// Tints that tell the channels apart.
+const TINT: Xyz = [1.0, 0.5, 0.25];
+const OTHER_TINT: Xyz = [0.2, 0.6, 0.9];
+
+/// Indices of water, glass and diamond, and of a bubble in water.
+const INDICES: [f64; 4] = [1.33, 1.5, 2.4, 0.75];
+
+/// The cases of `part4.task1`.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    vec![
+        case(
+            "mirror",
+            "A mirror turns wo by half a turn around the normal, on both sides; the share \
+             reflectance arrives, so f carries 1 / |cos θ|.",
+            calls("mirror", 0, 100, |dice| {
+                let wo = any_side(dice);
+                vec![
+                    Reflect { wo },
+                    Mirror {
+                        reflectance: TINT,
+                        wo,
+                    },
+                ]
+            }),
+        ),
+        case(
+            "edge_on",
+            "wo in the plane of the surface comes from no side: no sample, no direction, and no \
+             division by 0.",
+            edge_on(),
+        )
+        .only(&[Decision]),
+        case(
+            "snells_law",
+            "sin θi = η · sin θo on the other side of the normal and of the surface: η is 1 / ior \
+             on the way in, ior on the way out.",
+            calls("snells_law", 0, 100, |dice| {
+                let ior = dice.one_of(&INDICES);
+                let wo = away_from_critical(dice, ior);
+                vec![Refract { wo, ior }]
+            }),
+        ),
+        case(
+            "total_internal_reflection",
+            "From inside beyond the critical angle nothing passes: refract has no direction, glass \
+             reflects all, whatever the choice.",
+            calls("total_internal_reflection", 0, 60, |dice| {
+                let ior = dice.one_of(&[1.33, 1.5, 2.4]);
+                let sine = dice.range(1.02 / ior, 0.999);
+                let turn = dice.range(0.0, 6.0);
+                let height = (1.0 - sine * sine).sqrt();
+                let wo = [sine * turn.cos(), sine * turn.sin(), -height];
+                vec![
+                    Refract { wo, ior },
+                    Refraction {
+                        transmittance: TINT,
+                        ior,
+                        wo,
+                    },
+                    glass(ior, wo, dice.range(0.0, 1.0)),
+                ]
+            }),
+        ),
+        case(
+            "no_boundary",
+            "An index of 1 is no boundary: light goes straight on and nothing is reflected.",
+            calls("no_boundary", 0, 60, |dice| {
+                let (ior, wo) = (1.0, any_side(dice));
+                let (cos_i, eta) = (wo[2].abs(), 1.0);
+                vec![
+                    Refract { wo, ior },
+                    Share { cos_i, eta },
+                    glass(ior, wo, dice.range(0.01, 1.0)),
+                ]
+            }),
+        )
+        .only(&[Decision, SampledDirection, Fresnel, Bsdf]),
+        case(
+            "fresnel",
+            "Fresnel's share from head-on (0.04 for glass) to grazing (1), into the denser side and \
+             out of it. Pitfall: Schlick's formula is near it, and not it.",
+            shares(),
+        ),
+        case(
+            "squeezed_light",
+            "Radiance that enters a denser material is squeezed into a narrower cone: \
+             transmittance · η² arrives, with η the index of the side of wo over the other.",
+            calls("squeezed_light", 0, 80, |dice| {
+                let ior = dice.one_of(&INDICES);
+                let wo = away_from_critical(dice, ior);
+                vec![Refraction {
+                    transmittance: TINT,
+                    ior,
+                    wo,
+                }]
+            }),
+        )
+        .only(&[Bsdf, Pdf, Decision]),
+        case(
+            "either_way",
+            "Glass reflects if choice < F and refracts else; the pdf is F or 1 - F, and it is in \
+             f, too, so that each way counts in full once it is chosen.",
+            calls("either_way", 0, 80, |dice| {
+                let ior = dice.one_of(&[1.33, 1.5, 2.4]);
+                let wo = away_from_critical(dice, ior);
+                [0.0, 0.003, 0.3, 0.999]
+                    .map(|choice| glass(ior, wo, choice))
+                    .to_vec()
+            }),
+        )
+        .only(&[Bsdf, Pdf, SampledDirection]),
+        case(
+            "how_often",
+            "Over many choices glass reflects as often as Fresnel says. A bias of 25 % is sure to \
+             be seen.",
+            how_often(),
+        )
+        .only(&[Mean]),
+        case(
+            "fresh_boundaries",
+            "Directions and indices that differ for each seed.",
+            calls("fresh_boundaries", seed, 60, |dice| {
+                let ior = dice.range(1.1, 2.5);
+                let wo = away_from_critical(dice, ior);
+                let (cos_i, eta) = (wo[2].abs(), if wo[2] > 0.0 { 1.0 / ior } else { ior });
+                vec![
+                    Reflect { wo },
+                    Refract { wo, ior },
+                    Share { cos_i, eta },
+                    Refraction {
+                        transmittance: OTHER_TINT,
+                        ior,
+                        wo,
+                    },
+                    glass(ior, wo, dice.range(0.0, 1.0)),
+                ]
+            }),
+        ),
+        case(
+            "nearly_grazing",
+            "Light that comes in almost along the surface. Pitfall: 1 - cos² rounds to 1, and the \
+             few digits that the cosine has are lost on the way; η² cos² + (1 - η)(1 + η) keeps \
+             them.",
+            grazing(),
+        )
+        .only(&[Decision, SampledDirection, Fresnel]),
+    ]
+}
+
+fn case(name: &'static str, about: &'static str, calls: Vec<SpecularCall>) -> Spec {
+    Spec::new("part4.task1", name, about, Work::Specular(calls))
+}
+
+fn calls(
+    name: &str,
+    seed: u64,
+    rounds: usize,
+    mut round: impl FnMut(&mut Dice) -> Vec<SpecularCall>,
+) -> Vec<SpecularCall> {
+    let mut dice = Dice::new(name, seed);
+    (0..rounds).flat_map(|_| round(&mut dice)).collect()
+}
+
+fn glass(ior: f64, wo: Xyz, choice: f64) -> SpecularCall {
+    Glass {
+        reflectance: TINT,
+        transmittance: OTHER_TINT,
+        ior,
+        wo,
+        choice,
+    }
+}
+
+/// A direction on either side, not too flat.
+fn any_side(dice: &mut Dice) -> Xyz {
+    loop {
+        let wo = dice.direction();
+        if wo.z.abs() > 0.05 {
+            return wo.into();
+        }
+    }
+}
+
+/// A direction on either side at which light passes, and not near the angle where it stops to.
+fn away_from_critical(dice: &mut Dice, ior: f64) -> Xyz {
+    loop {
+        let wo = any_side(dice);
+        let n = if wo[2] > 0.0 { ior } else { 1.0 / ior };
+        let sine = Vec3::new(wo[0], wo[1], 0.0).length();
+        if sine < 0.98 * n {
+            return wo;
+        }
+    }
+}
+
+fn edge_on() -> Vec<SpecularCall> {
+    let flat = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.6, 0.8, 0.0]];
+    let each = flat.into_iter().flat_map(|wo| {
+        [1.5, 0.75].into_iter().flat_map(move |ior| {
+            [
+                Refract { wo, ior },
+                Mirror {
+                    reflectance: TINT,
+                    wo,
+                },
+                Refraction {
+                    transmittance: TINT,
+                    ior,
+                    wo,
+                },
+                glass(ior, wo, 0.5),
+            ]
+        })
+    });
+    // One that does pass, so that a function which never answers does not.
+    let passes = Refract {
+        wo: [0.0, 0.6, 0.8],
+        ior: 1.5,
+    };
+    each.chain([passes]).collect()
+}
+
+fn shares() -> Vec<SpecularCall> {
+    let etas = [1.0 / 1.33, 1.0 / 1.5, 1.0 / 2.4, 1.33, 1.5, 2.4];
+    let cosines = (0..=40).map(|i| f64::from(i) / 40.0);
+    cosines
+        .flat_map(|cos_i| etas.map(|eta| Share { cos_i, eta }))
+        .collect()
+}
+
+fn how_often() -> Vec<SpecularCall> {
+    let wo = Vec3::new(0.9, 0.1, 0.25).normalize().into();
+    calls("how_often", 0, 8000, |dice| {
+        vec![glass(1.5, wo, dice.range(0.0, 1.0))]
+    })
+}
+
+fn grazing() -> Vec<SpecularCall> {
+    let cosines = [1e-3, 1e-5, 1e-7, 1e-9];
+    let each = cosines.into_iter().flat_map(|cos_i: f64| {
+        [1.33, 1.5, 2.4].into_iter().flat_map(move |ior| {
+            let wo = [(1.0 - cos_i * cos_i).sqrt(), 0.0, cos_i];
+            [
+                Share {
+                    cos_i,
+                    eta: 1.0 / ior,
+                },
+                Refract { wo, ior },
+                Refract { wo, ior: 1.0 },
+                Share { cos_i, eta: 1.0 },
+            ]
+        })
+    });
+    each.collect()
+}

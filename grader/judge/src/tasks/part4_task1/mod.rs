@@ -1,0 +1,61 @@
+//! `part4.task1`: mirrors and glass.
+
+pub(crate) mod cases;
+pub(crate) mod judge;
+mod lines;
+mod repro;
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, one_each};
+use crate::snapshot::lines::each;
+use crate::tally::{Aspect, Tally};
+use wire::global::{SpecularAnswer, SpecularCall};
+
+/// The functions of mirrors and glass, one a call.
+pub(crate) struct Specular;
+
+impl Check for Specular {
+    type Question = Vec<SpecularCall>;
+    type Answer = Vec<SpecularAnswer>;
+
+    fn calls(calls: &Vec<SpecularCall>) -> usize {
+        calls.len()
+    }
+
+    fn fits(calls: &Vec<SpecularCall>, answers: &Vec<SpecularAnswer>) -> Result<(), String> {
+        one_each(Self::calls(calls), answers)?;
+        let mut pairs = calls.iter().zip(answers);
+        match pairs.position(|(call, answer)| !judge::is_answer_to(call, answer)) {
+            Some(call) => Err(format!(
+                "call {call} is of {}, which does not answer {:?}",
+                judge::function(&calls[call]),
+                answers[call]
+            )),
+            None => Ok(()),
+        }
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        _: &Spec,
+        tier: Tier,
+        calls: &Vec<SpecularCall>,
+        answers: &Vec<SpecularAnswer>,
+    ) {
+        judge::specular(tally, tier, calls, answers);
+    }
+
+    fn lines(calls: &Vec<SpecularCall>, answers: &Vec<SpecularAnswer>) -> Option<Content> {
+        Some((Vec::new(), each(calls, answers, lines::specular)))
+    }
+
+    fn repro(tier: Tier, calls: &Vec<SpecularCall>, call: usize) -> Option<String> {
+        Some(repro::smooth(tier, calls.get(call)?))
+    }
+
+    /// The test makes one call: nothing that only many show.
+    fn repro_shows(aspect: Aspect) -> bool {
+        !matches!(aspect, Aspect::Spread | Aspect::Mean)
+    }
+}

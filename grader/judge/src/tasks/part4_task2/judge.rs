@@ -1,0 +1,265 @@
+//! Judging paths: which rays were traced, what neighbours were asked, and the sum of the light.
+
+use super::throughput;
+use crate::hits::show;
+use crate::numbers;
+use crate::tally::{Aspect, Class, Tally};
+use kit::{Frame, Vec3};
+use std::collections::BTreeSet;
+use wire::global::{PathAnswer, ScriptedPath, Step};
+use wire::light::{BsdfSample, Material};
+use wire::work::Ray;
+
+/// How far a sum may be off, as a share; a few roundings a bounce.
+pub(crate) const SUM_BOUND: f64 = 1e-11;
+
+/// How far a direction or an origin may be off.
+const PLACE_BOUND: f64 = 1e-9;
+
+/// What the script of a path makes of it.
+pub(crate) struct Right {
+    /// How many surfaces are met.
+    pub(crate) surfaces: usize,
+    /// Whether one more ray goes on and meets nothing.
+    leaves: bool,
+    /// Directions of the rays, surface after surface, and of the one that leaves.
+    pub(crate) directions: Vec<Vec3>,
+    /// By what factor counts what each of these rays sees.
+    pub(crate) weights: Vec<Vec3>,
+}
+
+/// The factor by which light counts that comes in by `sample`.
+pub(crate) fn factor(sample: &BsdfSample) -> Vec3 {
+    Vec3::from(sample.f) * sample.wi[2].abs() / sample.pdf
+}
+
+/// How a path goes on behind a surface: the direction drawn, and the factor of roulette.
+fn goes_on(step: &Step) -> Option<(BsdfSample, f64)> {
+    step.sample.zip(step.roulette)
+}
+
+impl Right {
+    fn of(path: &ScriptedPath) -> Right {
+        let most = path.max_depth.max(1) as usize;
+        let turns: Vec<(BsdfSample, f64)> = path.steps.iter().map_while(goes_on).collect();
+        let surfaces = path.steps.len().min(turns.len() + 1).min(most);
+        let leaves = turns.len() == path.steps.len() && most > path.steps.len();
+        let drawn = path.steps.iter().zip(&turns);
+        let behind = drawn
+            .map(|(step, (sample, _))| Frame::around(step.n.into()).to_world(sample.wi.into()));
+        let weights = turns.iter().scan(Vec3::ONE, |weight, (sample, lucky)| {
+            *weight *= factor(sample) * *lucky;
+            Some(*weight)
+        });
+        Right {
+            surfaces,
+            leaves,
+            directions: std::iter::once(path.ray.d.into()).chain(behind).collect(),
+            weights: std::iter::once(Vec3::ONE).chain(weights).collect(),
+        }
+    }
+
+    /// What the light adds up to.
+    fn radiance(&self, path: &ScriptedPath) -> Vec3 {
+        let ways = self.directions.iter().zip(&self.weights).enumerate();
+        ways.map(|(i, (d, weight))| {
+            let eye_sees = i == 0 || goes_on(&path.steps[i - 1]).is_some_and(|(s, _)| s.delta);
+            let seen = if i < self.surfaces {
+                self.sent(path, &path.steps[i], *d, eye_sees)
+            } else if i == path.steps.len() && self.leaves && eye_sees {
+                path.background.into()
+            } else {
+                Vec3::ZERO
+            };
+            *weight * seen
+        })
+        .sum()
+    }
+
+    /// What one surface sends back along `d`.
+    fn sent(&self, path: &ScriptedPath, step: &Step, d: Vec3, eye_sees: bool) -> Vec3 {
+        let emitted = match step.material {
+            Material::Emission(radiance) if eye_sees && d.dot(step.n.into()) < 0.0 => {
+                radiance.into()
+            }
+            _ => Vec3::ZERO,
+        };
+        let is_lit = path.max_depth > 0 && !is_delta(step);
+        emitted
+            + if is_lit {
+                step.direct.into()
+            } else {
+                Vec3::ZERO
+            }
+    }
+}
+
+fn is_delta(step: &Step) -> bool {
+    matches!(step.material, Material::Mirror(_) | Material::Glass(_))
+}
+
+/// Judges every path.
+pub(crate) fn paths(tally: &mut Tally, paths: &[ScriptedPath], answers: &[PathAnswer]) {
+    for (call, (path, answer)) in paths.iter().zip(answers).enumerate() {
+        let right = Right::of(path);
+        let about = || {
+            let steps = path.steps.iter().map(|step| format!("{:?}", step.material));
+            format!(
+                "-m {}, a path of {} surfaces: {}",
+                path.max_depth,
+                path.steps.len(),
+                steps.collect::<Vec<_>>().join(", ")
+            )
+        };
+        tally.expect(Aspect::Radiance);
+        let (sum, aspect) = (right.radiance(path), Aspect::Radiance);
+        numbers::colour(
+            tally,
+            aspect,
+            call,
+            answer.radiance,
+            sum.into(),
+            SUM_BOUND,
+            about,
+        );
+        rays(tally, call, path, answer, &right, &about);
+        direct(tally, call, path, answer, &right, &about);
+        throughput::judge(tally, call, path, answer, &right, &about);
+        draws(tally, call, path, answer, &right, &about);
+    }
+}
+
+fn rays(
+    tally: &mut Tally,
+    call: usize,
+    path: &ScriptedPath,
+    answer: &PathAnswer,
+    right: &Right,
+    about: &impl Fn() -> String,
+) {
+    tally.expect(Aspect::Rays);
+    let (asked, wanted) = (
+        answer.rays.len(),
+        right.surfaces + usize::from(right.leaves),
+    );
+    let class = (asked != wanted).then(|| Class::of_size(asked as f64 - wanted as f64));
+    let off = asked.abs_diff(wanted) as f64;
+    tally.judge_class(Aspect::Rays, call, class, off, || {
+        format!("{asked} rays were traced, right are {wanted}. {}", about())
+    });
+    for (i, ray) in answer.rays.iter().enumerate().take(wanted) {
+        tally.expect(Aspect::Direction);
+        let d = right.directions[i];
+        numbers::direction(
+            tally,
+            Aspect::Direction,
+            call,
+            ray.d,
+            d,
+            PLACE_BOUND,
+            || format!("Ray {i} of {}", about()),
+        );
+        tally.expect(Aspect::Origin);
+        let class = match i.checked_sub(1) {
+            None => (*ray != path.ray).then_some(Class::Wrong),
+            Some(before) => leaves(ray, &path.steps[before]),
+        };
+        tally.judge_class(Aspect::Origin, call, class, 1.0, || {
+            let from = i
+                .checked_sub(1)
+                .map_or("it is handed on as it is".into(), |i| {
+                    let p = show(path.steps[i].p.into());
+                    format!("it leaves {p} by Surface::leave, with all of its range")
+                });
+            format!(
+                "ray {i} starts at {} with t in [{:?}, {:?}]; {from}. {}",
+                show(ray.o.into()),
+                ray.min_t,
+                ray.max_t,
+                about()
+            )
+        });
+    }
+}
+
+/// What is wrong with how a ray leaves a surface.
+fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
+    let (n, d) = (Vec3::from(step.n), Vec3::from(ray.d));
+    let off = Vec3::from(ray.o) - Vec3::from(step.p);
+    if off.is_nan() || off.length() > PLACE_BOUND || ray.min_t != 0.0 || ray.max_t != f64::INFINITY
+    {
+        return Some(Class::of_offset(off.length()));
+    }
+    (off.dot(n) * d.dot(n) <= 0.0).then_some(Class::Negated)
+}
+
+/// Direct light is asked for once at every surface that is not smooth.
+fn direct(
+    tally: &mut Tally,
+    call: usize,
+    path: &ScriptedPath,
+    answer: &PathAnswer,
+    right: &Right,
+    about: &impl Fn() -> String,
+) {
+    let surfaces = path
+        .steps
+        .iter()
+        .zip(&right.directions)
+        .take(right.surfaces);
+    let wanted: Vec<(u32, Vec3)> = (0..)
+        .zip(surfaces)
+        .filter(|(_, (step, _))| path.max_depth > 0 && !is_delta(step))
+        .map(|(i, (_, d))| (i, -*d))
+        .collect();
+    tally.expect(Aspect::Questions);
+    let pairs = answer.direct.iter().zip(&wanted);
+    let same = answer.direct.len() == wanted.len()
+        && pairs.into_iter().all(|((i, wo), (j, right))| {
+            i == j && (Vec3::from(*wo) - *right).length() < PLACE_BOUND
+        });
+    tally.judge(Aspect::Questions, call, same, 1.0, || {
+        format!(
+            "direct was asked for (surface, wo) {:?}, right are {wanted:?}. {}",
+            answer.direct,
+            about()
+        )
+    });
+}
+
+/// Directions are drawn in local space, with numbers that serve once.
+fn draws(
+    tally: &mut Tally,
+    call: usize,
+    path: &ScriptedPath,
+    answer: &PathAnswer,
+    right: &Right,
+    about: &impl Fn() -> String,
+) {
+    if answer.samples.is_empty() {
+        return;
+    }
+    tally.expect(Aspect::SampledDirection);
+    for (i, wo, _) in &answer.samples {
+        let Some(d) = right.directions.get(*i as usize) else {
+            continue;
+        };
+        let frame = Frame::around(path.steps[*i as usize].n.into());
+        let (local, aspect) = (frame.to_local(-*d), Aspect::SampledDirection);
+        numbers::direction(tally, aspect, call, *wo, local, PLACE_BOUND, || {
+            format!("wo of surface {i} in its local space. {}", about())
+        });
+    }
+    tally.expect(Aspect::Spread);
+    let drawn = answer.samples.iter().flat_map(|(_, _, numbers)| *numbers);
+    let played = answer.games.iter().map(|(_, _, u)| *u);
+    let all: Vec<u64> = drawn.chain(played).map(f64::to_bits).collect();
+    let different = all.iter().collect::<BTreeSet<_>>().len();
+    tally.judge(Aspect::Spread, call, different == all.len(), 1.0, || {
+        format!(
+            "only {different} of {} random numbers differ: each serves once. {}",
+            all.len(),
+            about()
+        )
+    });
+}

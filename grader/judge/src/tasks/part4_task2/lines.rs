@@ -1,0 +1,22 @@
+//! How a snapshot shows a path.
+
+use crate::snapshot::{Forms, field, forms, number, vector};
+use wire::global::{PathAnswer, ScriptedPath};
+
+/// Radiance, rays and games of roulette; on full lines the first throughputs, too.
+pub(super) fn path(path: &ScriptedPath, answer: &PathAnswer) -> Forms {
+    let question = vec![
+        number("max_depth", f64::from(path.max_depth)),
+        number("surfaces", path.steps.len() as f64),
+        field("d", vector(&path.ray.d)),
+    ];
+    let short = vec![
+        field("radiance", vector(&answer.radiance)),
+        number("rays", answer.rays.len() as f64),
+        number("games", answer.games.len() as f64),
+    ];
+    let mut full = short.clone();
+    let throughputs = answer.games.iter().take(2);
+    full.extend(throughputs.map(|(throughput, _, _)| field("throughput", vector(throughput))));
+    forms(question, short, full)
+}

@@ -1,0 +1,49 @@
+//! `part4.task2`: paths.
+
+pub(crate) mod cases;
+mod judge;
+mod lines;
+mod throughput;
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, in_range, one_each};
+use crate::snapshot::lines::each;
+use crate::tally::Tally;
+use wire::global::{PathAnswer, ScriptedPath};
+
+/// `estimate_radiance`, called for each path.
+pub(crate) struct Paths;
+
+impl Check for Paths {
+    type Question = Vec<ScriptedPath>;
+    type Answer = Vec<PathAnswer>;
+
+    fn calls(paths: &Vec<ScriptedPath>) -> usize {
+        paths.len()
+    }
+
+    fn fits(paths: &Vec<ScriptedPath>, answers: &Vec<PathAnswer>) -> Result<(), String> {
+        one_each(Self::calls(paths), answers)?;
+        for (call, (path, answer)) in paths.iter().zip(answers).enumerate() {
+            for (surface, ..) in &answer.samples {
+                in_range("surface", call, *surface, path.steps.len())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        paths: &Vec<ScriptedPath>,
+        answers: &Vec<PathAnswer>,
+    ) {
+        judge::paths(tally, paths, answers);
+    }
+
+    fn lines(paths: &Vec<ScriptedPath>, answers: &Vec<PathAnswer>) -> Option<Content> {
+        Some((Vec::new(), each(paths, answers, lines::path)))
+    }
+}

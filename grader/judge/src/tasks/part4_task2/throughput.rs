@@ -1,0 +1,128 @@
+//! Judging what roulette hears on a path.
+
+use super::judge::{Right, SUM_BOUND, factor};
+use crate::numbers::same_colour;
+use crate::tally::{Aspect, Class, Tally};
+use kit::{Frame, Vec3};
+use wire::global::{PathAnswer, ScriptedPath, Step};
+use wire::light::BsdfSample;
+
+/// What roulette hears: throughput, bounces, random number.
+type Game = ([f64; 3], u32, f64);
+
+/// A bounce of a path: the throughput on the way to the surface, what was drawn there, the local `wo`.
+struct Bounce<'a> {
+    before: Vec3,
+    sample: &'a BsdfSample,
+    wo: Vec3,
+}
+
+/// What roulette is told of after a bounce.
+type Told = fn(&Bounce<'_>) -> Vec3;
+
+/// Throughputs that typical mistakes tell roulette of.
+const SUSPECTS: [(&str, Told); 8] = [
+    ("before the bounce", |bounce| bounce.before),
+    ("the weight alone", |bounce| factor(bounce.sample)),
+    ("the weight added", |bounce| {
+        bounce.before + factor(bounce.sample)
+    }),
+    ("without the cosine", |bounce| {
+        bounce.before * f(bounce) / bounce.sample.pdf
+    }),
+    ("without the pdf", |bounce| {
+        bounce.before * f(bounce) * bounce.sample.wi[2].abs()
+    }),
+    ("times the pdf", |bounce| {
+        bounce.before * f(bounce) * bounce.sample.wi[2].abs() * bounce.sample.pdf
+    }),
+    ("the cosine of wo", |bounce| {
+        bounce.before * f(bounce) * bounce.wo.z.abs() / bounce.sample.pdf
+    }),
+    ("a negative cosine", |bounce| {
+        bounce.before * f(bounce) * bounce.sample.wi[2] / bounce.sample.pdf
+    }),
+];
+
+fn f(bounce: &Bounce<'_>) -> Vec3 {
+    bounce.sample.f.into()
+}
+
+/// Roulette hears of the throughput with the new bounce in it.
+pub(crate) fn judge(
+    tally: &mut Tally,
+    call: usize,
+    path: &ScriptedPath,
+    answer: &PathAnswer,
+    right: &Right,
+    about: &impl Fn() -> String,
+) {
+    // The last surface that the depth allows sends no ray on, and neither does one that draws no direction.
+    let most = (path.max_depth as usize)
+        .saturating_sub(1)
+        .min(right.surfaces);
+    let steps = path.steps.iter().zip(&right.weights).zip(&right.directions);
+    let bounces: Vec<Bounce<'_>> = steps
+        .take(most)
+        .filter_map(|((step, weight), d)| {
+            Some(Bounce {
+                before: *weight,
+                sample: step.sample.as_ref()?,
+                wo: local(step, -*d),
+            })
+        })
+        .collect();
+    let wanted: Vec<Vec3> = bounces
+        .iter()
+        .map(|bounce| bounce.before * factor(bounce.sample))
+        .collect();
+    tally.expect(Aspect::Throughput);
+    let off = answer.games.len().abs_diff(wanted.len()) as f64;
+    let class = match off == 0.0 {
+        true => misheard(path, &answer.games, &bounces, &wanted),
+        false => Some(Class::of_size(1.0 + off)),
+    };
+    tally.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
+        format!(
+            "roulette was asked with (throughput, bounces, u) {:?}, right are the throughputs {wanted:?} after 1, 2, ... bounces. {}",
+            answer.games,
+            about()
+        )
+    });
+}
+
+fn local(step: &Step, d: Vec3) -> Vec3 {
+    Frame::around(step.n.into()).to_local(d)
+}
+
+/// What is wrong about as many games as there should be, by the first that is.
+fn misheard(
+    path: &ScriptedPath,
+    games: &[Game],
+    bounces: &[Bounce<'_>],
+    wanted: &[Vec3],
+) -> Option<Class> {
+    let is = |game: &Game, right: Vec3| same_colour(game.0, right.into(), SUM_BOUND);
+    let throughputs = games.iter().zip(bounces).zip(wanted);
+    for ((game, bounce), right) in throughputs {
+        if is(game, *right) {
+            continue;
+        }
+        let mut suspects = SUSPECTS.iter();
+        let named = suspects.find(|(_, wrong)| is(game, wrong(bounce)));
+        return Some(named.map_or(Class::Wrong, |(name, _)| Class::Named(name)));
+    }
+    let counts = |bounces_at: &dyn Fn(u32) -> u32| {
+        let mut numbered = (1..).zip(games);
+        numbered.all(|(number, game)| game.1 == bounces_at(number))
+    };
+    if counts(&|number| number) {
+        None
+    } else if counts(&|number| number - 1) {
+        Some(Class::Named("bounces from 0"))
+    } else if counts(&|number| path.max_depth - number) {
+        Some(Class::Named("rays left"))
+    } else {
+        Some(Class::Named("bounces miscounted"))
+    }
+}

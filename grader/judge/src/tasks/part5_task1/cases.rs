@@ -1,0 +1,203 @@
+//! The cases: when a pixel has had enough samples, and pixels that stop then.
+
+use crate::cases::Spec;
+use crate::cases::probes::Dice;
+use crate::tally::Aspect::{Calls, Placement, Questions, Radiance};
+use wire::Work;
+use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
+use wire::work::Xyz;
+
+/// The cases of `part5.task1`.
+pub(crate) fn cases(seed: u64) -> Vec<Spec> {
+    vec![
+        rule(
+            "spread_against_the_mean",
+            "1.96 · σ / √n <= tolerance · μ, tried a hundredth to both sides of where it turns: \
+             σ is the root of the variance, and n stands under a root.",
+            near_the_turn("spread_against_the_mean", 0, 0.01),
+        ),
+        rule(
+            "confidence",
+            "1.96 is for 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 %, and 2 is rounded.",
+            near_the_turn("confidence", 0, 0.001),
+        ),
+        rule(
+            "samples_all_alike",
+            "Samples that are all the same have no spread: one look is enough, even with a \
+             tolerance of 0. No samples are never enough.",
+            alike(),
+        ),
+        pixel(
+            "samples_and_mean",
+            "A rule that never says yes: all -s samples are taken, each through camera_ray and \
+             trace_ray, and averaged over their number.",
+            (0..6).map(|i| of(i, 9 + 7 * i, 4, never())).collect(),
+        )
+        .only(&[Calls, Radiance]),
+        pixel(
+            "batches",
+            "The rule is asked after each batch, about all samples so far, and the loop stops when \
+             it says yes.",
+            (0..8)
+                .map(|i| of(i, 100, 3 + i, StopRule::From(u64::from(10 * i + 1))))
+                .collect(),
+        )
+        .only(&[Calls, Questions]),
+        pixel(
+            "mean_of_what_was_taken",
+            "A pixel that stops early divides by the samples that it took. Pitfall: dividing by -s \
+             makes it too dark.",
+            (1..6)
+                .map(|i| of(i, 640, 8, StopRule::From(u64::from(8 * i))))
+                .collect(),
+        )
+        .only(&[Radiance]),
+        pixel(
+            "odd_budgets",
+            "No samples are black, not 0 / 0; a batch of 0 counts as 1; the last batch may be a \
+             short one.",
+            vec![
+                of(0, 0, 4, never()),
+                of(1, 5, 0, StopRule::From(3)),
+                of(2, 5, 8, never()),
+                of(3, 17, 8, never()),
+                of(4, 1, 1, StopRule::From(1)),
+            ],
+        )
+        .only(&[Calls, Radiance]),
+        pixel(
+            "luminance",
+            "The rule hears of luminances, in which green counts most, and of the tolerance as it \
+             was given.",
+            (0..6)
+                .map(|i| AdaptivePixel {
+                    stream: colours("luminance", i),
+                    ..of(i, 24, 8, never())
+                })
+                .collect(),
+        )
+        .only(&[Questions]),
+        pixel(
+            "places_in_the_pixel",
+            "Each sample goes through a place of its own inside the pixel.",
+            (0..6).map(|i| of(i, 64, 16, never())).collect(),
+        )
+        .only(&[Placement]),
+        pixel(
+            "exact_counts",
+            "With your own rule a pixel stops at an exact number of samples.",
+            exact("exact_counts", 0),
+        )
+        .only(&[Calls, Radiance]),
+        pixel(
+            "fresh_pixels",
+            "Pixels whose samples differ for each seed.",
+            exact("fresh_pixels", seed),
+        ),
+    ]
+}
+
+fn rule(name: &'static str, about: &'static str, calls: Vec<StopCall>) -> Spec {
+    Spec::new("part5.task1", name, about, Work::Stop(calls))
+}
+
+fn pixel(name: &'static str, about: &'static str, pixels: Vec<AdaptivePixel>) -> Spec {
+    Spec::new("part5.task1", name, about, Work::AdaptivePixels(pixels))
+}
+
+fn never() -> StopRule {
+    StopRule::From(u64::MAX)
+}
+
+pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
+    StopCall {
+        runs,
+        tolerance: 0.05,
+        rule,
+    }
+}
+
+/// Samples of two values, with tolerances just below and just above where the rule turns.
+fn near_the_turn(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
+    let mut dice = Dice::new(name, seed);
+    let calls = (0..60).flat_map(|_| {
+        let (few, many) = (1 + dice.below(40) as u32, 1 + dice.below(400) as u32);
+        let runs = vec![
+            (few, dice.range(2.0, 9.0)),
+            (many, dice.range(0.1, 1.0)),
+            (few, dice.range(0.0, 0.5)),
+        ];
+        let turn = turn(&runs);
+        [1.0 - share, 1.0 + share].map(|factor| StopCall {
+            tolerance: turn * factor,
+            ..call(runs.clone(), false)
+        })
+    });
+    calls.collect()
+}
+
+/// The tolerance from which on the rule says yes: 1.96 standard errors over the mean, from plain
+/// sums.
+fn turn(runs: &[(u32, f64)]) -> f64 {
+    let over = |f: &dyn Fn(f64) -> f64| -> f64 {
+        runs.iter().map(|&(count, x)| f64::from(count) * f(x)).sum()
+    };
+    let n = over(&|_| 1.0);
+    let mean = over(&|x| x) / n;
+    let variance = over(&|x| (x - mean) * (x - mean)) / (n - 1.0);
+    1.96 * (variance / n).sqrt() / mean
+}
+
+fn alike() -> Vec<StopCall> {
+    let of = |runs: Vec<(u32, f64)>, tolerance: f64| StopCall {
+        tolerance,
+        ..call(runs, false)
+    };
+    vec![
+        of(vec![(2, 3.0)], 0.0),
+        of(vec![(32, 0.5)], 0.01),
+        of(vec![(1, 0.5)], 0.0),
+        of(vec![(64, 0.0)], 0.05),
+        of(Vec::new(), 1.0),
+        of(Vec::new(), 0.0),
+        of(vec![(16, 1.0), (16, 2.0)], 0.0),
+    ]
+}
+
+/// A pixel of its own for each `i`.
+fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
+    AdaptivePixel {
+        film: [7, 5],
+        pixel: [i % 7, (2 * i) % 5],
+        ns_aa,
+        batch,
+        tolerance: 0.05 + 0.01 * f64::from(i),
+        seed: 0,
+        stream: colours("stream", i),
+        rule,
+    }
+}
+
+/// Colours that differ from each other, dark and bright.
+fn colours(name: &str, i: u32) -> Vec<Xyz> {
+    let mut dice = Dice::new(name, u64::from(i));
+    let colours = (0..13).map(|_| [0.0; 3].map(|_: f64| dice.range(0.0, 1.0).powi(3) * 20.0));
+    colours.collect()
+}
+
+/// Pixels of all sorts that stop by the plain rule, clearly so: nowhere near where it turns.
+fn exact(name: &str, seed: u64) -> Vec<AdaptivePixel> {
+    let mut dice = Dice::new(name, seed);
+    let pixels = (0..24).map(|i| {
+        let noise = dice.one_of(&[0.0, 0.1, 0.5, 2.0]);
+        let base = dice.range(0.2, 2.0);
+        let stream = (0..64).map(|_| [base + noise * dice.range(0.0, 1.0).powi(4); 3]);
+        AdaptivePixel {
+            stream: stream.collect(),
+            tolerance: dice.one_of(&[0.02, 0.05, 0.2]),
+            seed,
+            ..of(i, 512, dice.one_of(&[5, 16, 32]), StopRule::Plain)
+        }
+    });
+    pixels.collect()
+}

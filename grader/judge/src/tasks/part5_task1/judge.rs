@@ -1,0 +1,193 @@
+//! Judging the stopping rule and pixels that stop by one.
+
+use super::placement;
+use crate::numbers;
+use crate::tally::{Aspect, Class, Tally};
+use kit::{Spectrum, Tally as Numbers};
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
+use wire::work::Xyz;
+
+/// How far means and variances may be off, as a share: they are sums of thousands of numbers.
+const BOUND: f64 = 1e-9;
+
+/// Half of the middle 95 % of a normal distribution, in standard deviations.
+const CONFIDENCE: f64 = 1.96;
+
+/// Whether the interval around the mean is narrow enough, with both sides squared.
+fn is_narrow(samples: &Numbers, tolerance: f64) -> bool {
+    let (n, wanted) = (samples.count() as f64, tolerance * samples.mean());
+    n > 0.0 && n * wanted * wanted >= CONFIDENCE * CONFIDENCE * samples.variance()
+}
+
+/// What the plain rule should say.
+pub(crate) fn converged(call: &StopCall) -> bool {
+    is_narrow(&samples(call), call.tolerance)
+}
+
+pub(crate) fn samples(call: &StopCall) -> Numbers {
+    let runs = call.runs.iter();
+    runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
+        .collect()
+}
+
+/// Judges the plain rule.
+pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
+    for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
+        verdict(tally, i, call, answer, converged(call));
+    }
+}
+
+pub(crate) fn verdict(
+    tally: &mut Tally,
+    i: usize,
+    call: &StopCall,
+    answer: &StopAnswer,
+    right: bool,
+) {
+    tally.expect(Aspect::Stop);
+    let class = match (answer.stop, right) {
+        (true, false) => Some(Class::FalseHit),
+        (false, true) => Some(Class::FalseMiss),
+        _ => None,
+    };
+    tally.judge_class(Aspect::Stop, i, class, 1.0, || {
+        let samples = samples(call);
+        format!(
+            "it says {}, right is {right}: {} samples with the mean {} and the standard error {}, tolerance {}, where the plain rule says {}",
+            answer.stop,
+            samples.count(),
+            samples.mean(),
+            samples.standard_error(),
+            call.tolerance,
+            if call.rule { "yes" } else { "no" }
+        )
+    });
+}
+
+/// Judges pixels that stop by a rule.
+pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
+    for (call, (work, answer)) in works.iter().zip(answers).enumerate() {
+        pixel(tally, call, work, answer);
+    }
+}
+
+/// The samples that a sound loop takes, and the looks at the rule on the way.
+pub(crate) fn sound(work: &AdaptivePixel) -> (u32, Vec<Numbers>) {
+    let mut taken = Numbers::default();
+    let mut looks = Vec::new();
+    let endless = work.stream.iter().cycle().zip(1..=work.ns_aa);
+    for (radiance, count) in endless {
+        taken.push(Spectrum::from(*radiance).luminance());
+        if !count.is_multiple_of(work.batch.max(1)) {
+            continue;
+        }
+        looks.push(taken);
+        let enough = match work.rule {
+            StopRule::From(least) => taken.count() >= least,
+            StopRule::Plain => is_narrow(&taken, work.tolerance),
+        };
+        if enough {
+            return (count, looks);
+        }
+    }
+    (work.ns_aa, looks)
+}
+
+/// The mean of the first so many samples.
+pub(crate) fn mean(work: &AdaptivePixel, samples: u32) -> Xyz {
+    let stream = work.stream.iter().cycle().take(samples as usize);
+    let sum = stream.fold([0.0; 3], |sum, l| [0, 1, 2].map(|i| sum[i] + l[i]));
+    sum.map(|channel| channel / f64::from(samples.max(1)))
+}
+
+fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &AdaptiveAnswer) {
+    for aspect in [Aspect::Calls, Aspect::Radiance, Aspect::Questions] {
+        tally.expect(aspect);
+    }
+    let about = || {
+        format!(
+            "Pixel {:?}, ns_aa = {}, batch = {}, tolerance = {}",
+            work.pixel, work.ns_aa, work.batch, work.tolerance
+        )
+    };
+    let (samples, looks) = sound(work);
+    let counts = [answer.samples, answer.traced, answer.points.len() as u32];
+    let right = counts == [samples; 3] && answer.foreign == 0;
+    let class = (!right).then(|| Class::of_number(f64::from(answer.samples), f64::from(samples)));
+    let off = f64::from(answer.samples) - f64::from(samples);
+    tally.judge_class(Aspect::Calls, call, class, off.abs(), || {
+        format!(
+            "the estimate says {} samples, trace_ray was called {} times ({} of them with rays that camera_ray did not make), camera_ray {} times; right are {samples} each. {}",
+            answer.samples, answer.traced, answer.foreign, counts[2], about()
+        )
+    });
+    let (aspect, mean) = (Aspect::Radiance, mean(work, samples));
+    numbers::colour(tally, aspect, call, answer.radiance, mean, BOUND, about);
+    questions(tally, call, work, answer, &looks, &about);
+    placement::judge(tally, call, work, answer, &about);
+}
+
+/// Which number of each sample the rule heard of instead of its luminance, if it is one of these.
+fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<&'static str> {
+    type Number = fn(&Xyz) -> f64;
+    const NUMBERS: [(&str, Number); 6] = [
+        ("red", |light| light[0]),
+        ("green", |light| light[1]),
+        ("blue", |light| light[2]),
+        ("the sum of the channels", |light| light.iter().sum()),
+        ("the mean of the channels", |light| {
+            light.iter().sum::<f64>() / 3.0
+        }),
+        ("the largest channel", |light| {
+            light.iter().copied().fold(0.0, f64::max)
+        }),
+    ];
+    let is = |number: &&(&str, Number)| {
+        let stream = work.stream.iter().cycle().take(asked.0 as usize);
+        let mean = stream.map(number.1).collect::<Numbers>().mean();
+        (asked.1 - mean).abs() <= BOUND * mean.abs()
+    };
+    NUMBERS.iter().find(is).map(|(name, _)| *name)
+}
+
+/// After each batch the rule hears of all luminances so far. At the last sample it makes no difference.
+fn questions(
+    tally: &mut Tally,
+    call: usize,
+    work: &AdaptivePixel,
+    answer: &AdaptiveAnswer,
+    looks: &[Numbers],
+    about: &impl Fn() -> String,
+) {
+    let needless = looks
+        .last()
+        .is_some_and(|look| look.count() == u64::from(work.ns_aa));
+    let least = looks.len() - usize::from(needless);
+    let enough = (least..=looks.len()).contains(&answer.looks.len());
+    let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= BOUND * scale;
+    let same = |(asked, right): (&(u64, f64, f64, f64), &Numbers)| {
+        let square = right.mean() * right.mean() + right.variance();
+        asked.0 == right.count()
+            && near(asked.1, right.mean(), right.mean().abs())
+            && near(asked.2, right.variance(), square)
+            && asked.3 == work.tolerance
+    };
+    let right = enough && answer.looks.iter().zip(looks).all(same);
+    let off = answer.looks.len().abs_diff(looks.len());
+    let class = (!right).then(|| {
+        let misheard = answer.looks.iter().zip(looks).find(|pair| !same(*pair));
+        let number = misheard.and_then(|(asked, _)| another_number(work, asked));
+        number.map_or(Class::of_size(1.0 + off as f64), Class::Named)
+    });
+    tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
+        let show = |n: &Numbers| (n.count(), n.mean(), n.variance(), work.tolerance);
+        let wanted: Vec<_> = looks.iter().take(4).map(show).collect();
+        let asked: Vec<_> = answer.looks.iter().take(4).collect();
+        format!(
+            "stop was asked {} times, first with (count, mean, variance, tolerance) {asked:?}; right are {} times, first {wanted:?}. {}",
+            answer.looks.len(),
+            looks.len(),
+            about()
+        )
+    });
+}

@@ -1,0 +1,44 @@
+//! How a snapshot shows stopping rules, and pixels that stop by one.
+
+use crate::snapshot::{Fields, Forms, Value, field, forms, number, vector};
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
+
+/// Whether to stop, and how often another rule was asked.
+pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
+    let runs = call.runs.iter().take(4);
+    let mut question: Fields = runs
+        .map(|&(count, x)| field("run", vector(&[f64::from(count), x])))
+        .collect();
+    question.push(number("tolerance", call.tolerance));
+    let answer = vec![
+        number("stop", f64::from(u8::from(answer.stop))),
+        number("asked", answer.asked.len() as f64),
+    ];
+    forms(question, answer.clone(), answer)
+}
+
+/// Samples, radiance and looks at the rule; on full lines the first looks.
+pub(super) fn pixel(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> Forms {
+    let question = vec![
+        field("pixel", vector(&work.pixel.map(f64::from))),
+        number("ns_aa", f64::from(work.ns_aa)),
+        number("batch", f64::from(work.batch)),
+        number("tolerance", work.tolerance),
+    ];
+    let short = vec![
+        number("samples", f64::from(answer.samples)),
+        field("radiance", vector(&answer.radiance)),
+        number("looks", answer.looks.len() as f64),
+    ];
+    let mut full = short.clone();
+    full.extend(
+        answer
+            .looks
+            .iter()
+            .take(2)
+            .map(|&(count, mean, variance, _)| {
+                field("look", Value::Vector(vec![count as f64, mean, variance]))
+            }),
+    );
+    forms(question, short, full)
+}

@@ -1,0 +1,79 @@
+//! Judging where in a pixel samples lie.
+
+use crate::tally::{Aspect, Class, Tally};
+use std::collections::HashSet;
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
+
+/// How far a point may be outside its pixel, in pixels.
+const PLACE_BOUND: f64 = 1e-9;
+
+/// Where in the pixel in that column of a film of that width a point lies, if 0 to 1 is inside; rows and heights alike.
+type Place = fn(point: f64, at: f64, size: f64) -> f64;
+
+fn right(point: f64, at: f64, size: f64) -> f64 {
+    point * size - at
+}
+
+/// How typical mistakes place points.
+const SUSPECTS: [(&str, Place); 4] = [
+    ("half a pixel off", |point, at, size| {
+        point * size - at + 0.5
+    }),
+    ("over the size less one", |point, at, size| {
+        point * (size - 1.0).max(1.0) - at
+    }),
+    ("not divided", |point, at, _| point - at),
+    ("a film from the corner on", |point, at, size| {
+        point - at / size
+    }),
+];
+
+/// Samples lie inside the pixel, each in a place of its own.
+pub(crate) fn judge(
+    tally: &mut Tally,
+    call: usize,
+    work: &AdaptivePixel,
+    answer: &AdaptiveAnswer,
+    about: &impl Fn() -> String,
+) {
+    if answer.points.is_empty() {
+        return;
+    }
+    tally.expect(Aspect::Placement);
+    let [x, y] = work.pixel.map(f64::from);
+    let [w, h] = work.film.map(f64::from);
+    let inside = |place: Place, [x, y]: [f64; 2], [w, h]: [f64; 2]| {
+        let inside = |place: f64| (-PLACE_BOUND..=1.0 + PLACE_BOUND).contains(&place);
+        let each = answer.points.iter();
+        each.filter(|point| inside(place(point[0], x, w)) && inside(place(point[1], y, h)))
+            .count()
+    };
+    let all = answer.points.len();
+    let outside = all - inside(right, [x, y], [w, h]);
+    let class = (outside > 0).then(|| {
+        let mut suspects = SUSPECTS.iter();
+        if inside(right, [x, y], [h, w]) == all {
+            Class::Named("sizes swapped")
+        } else if inside(right, [x, h - 1.0 - y], [w, h]) == all {
+            Class::Named("rows from the top")
+        } else if let Some((name, _)) =
+            suspects.find(|(_, place)| inside(*place, [x, y], [w, h]) == all)
+        {
+            Class::Named(name)
+        } else {
+            Class::of_size(outside as f64)
+        }
+    });
+    let badness = outside as f64;
+    tally.judge_class(Aspect::Placement, call, class, badness, || {
+        format!(
+            "{outside} of {all} points lie outside the pixel. {}",
+            about()
+        )
+    });
+    let different: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
+    let different = different.len();
+    tally.judge(Aspect::Placement, call, different == all, 1e3, || {
+        format!("only {different} of {all} points differ. {}", about())
+    });
+}

@@ -1,0 +1,107 @@
+//! Tests of the stopping rule, and of pixels that stop by one.
+
+use super::judge;
+use crate::repro::numbers::{float, spectrum};
+use std::fmt::Write;
+use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
+
+/// So many different samples still make a test that one can read.
+const SAMPLES: usize = 40;
+
+/// What the plain rule says.
+pub(crate) fn plain(call: &StopCall) -> Option<String> {
+    let mut text = String::from("use kit::Tally;\n");
+    samples(&mut text, call)?;
+    let _ = writeln!(
+        text,
+        "assert_eq!(adaptive::has_converged(&samples, {}), {});",
+        float(call.tolerance),
+        judge::converged(call)
+    );
+    Some(text)
+}
+
+/// Adds the lines that define `samples`. `None` if they are too many to read.
+pub(crate) fn samples(text: &mut String, call: &StopCall) -> Option<()> {
+    let runs = call.runs.iter();
+    let runs: Vec<String> = runs
+        .map(|(count, x)| format!("({count}, {})", float(*x)))
+        .collect();
+    let _ = writeln!(
+        text,
+        "let runs: [(usize, f64); {}] = [{}];
+let samples: Tally = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
+        runs.len(),
+        runs.join(", ")
+    );
+    (runs.len() <= SAMPLES).then_some(())
+}
+
+/// How many samples a pixel takes, where they lie, what the rule hears and what the mean is.
+pub(crate) fn pixel(work: &AdaptivePixel) -> Option<String> {
+    if work.stream.len() > SAMPLES {
+        return None;
+    }
+    let (samples, looks) = judge::sound(work);
+    let stream: Vec<String> = work.stream.iter().map(|light| spectrum(*light)).collect();
+    let rule = match work.rule {
+        StopRule::From(least) => format!("samples.count() >= {least}"),
+        StopRule::Plain => "adaptive::has_converged(samples, tolerance)".into(),
+    };
+    let [x, y] = work.pixel;
+    let [w, h] = work.film;
+    let [r, g, b] = judge::mean(work, samples).map(float);
+    // At the last sample a look makes no difference.
+    let heard: Vec<String> = looks
+        .iter()
+        .filter(|look| look.count() < u64::from(work.ns_aa))
+        .map(|look| format!("({}, {})", look.count(), float(look.mean())))
+        .collect();
+    Some(format!(
+        "use kit::{{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3}};
+let light = [{}];
+let (mut points, mut traced, mut heard) = (Vec::new(), Vec::new(), Vec::new());
+let estimate = adaptive::raytrace_pixel_adaptive(
+    ({x}, {y}),
+    FilmSize {{ w: {w}, h: {h} }},
+    Budget {{ ns_aa: {ns_aa}, batch: {}, tolerance: {tolerance} }},
+    &mut PixelSampler::new({x}, {y}, {}),
+    &mut |point: Vec2| {{
+        points.push(point);
+        Ray::new(Vec3::new(point.x, point.y, 1.0), Vec3::NEG_Z)
+    }},
+    &mut |ray: &Ray, _: &mut PixelSampler| {{
+        traced.push(Vec2::new(ray.o.x, ray.o.y));
+        light[(traced.len() - 1) % light.len()]
+    }},
+    &mut |samples: &Tally, tolerance: f64| {{
+        assert_eq!(tolerance, {tolerance});
+        heard.push((samples.count(), samples.mean()));
+        {rule}
+    }},
+);
+assert_eq!((estimate.samples, points.len(), traced.len()), ({samples}, {samples}, {samples}));
+assert_eq!(traced, points, \"other rays than the camera's\");
+for (i, point) in points.iter().enumerate() {{
+    let place = *point * Vec2::new({w}.0, {h}.0) - Vec2::new({x}.0, {y}.0);
+    let inside = place.min_element() >= -1e-9 && place.max_element() <= 1.0 + 1e-9;
+    assert!(inside, \"{{point}} is not in pixel ({x}, {y})\");
+    assert!(!points[..i].contains(point), \"two samples at {{point}}\");
+}}
+let right: Vec<(u64, f64)> = vec![{}];
+heard.retain(|(count, _)| *count < {ns_aa});
+assert_eq!(heard.len(), right.len(), \"looks at the rule: {{heard:?}}\");
+for ((count, mean), (right_count, right_mean)) in heard.iter().zip(&right) {{
+    assert!(count == right_count && (mean - right_mean).abs() <= 1e-9 * right_mean.abs(), \"{{heard:?}}\");
+}}
+let off = [estimate.radiance.r - {r}, estimate.radiance.g - {g}, estimate.radiance.b - {b}];
+assert!(off.iter().all(|off| off.abs() <= 1e-9), \"{{:?}}\", estimate.radiance);
+",
+        stream.join(", "),
+        work.batch,
+        work.seed,
+        heard.join(", "),
+        ns_aa = work.ns_aa,
+        tolerance = float(work.tolerance),
+    ))
+}

@@ -1,0 +1,141 @@
+//! Rays through whole meshes, with all of the student's stages together.
+
+use crate::cases::Spec;
+use crate::cases::crosses::wire_ray;
+use crate::cases::plan::along_a_curve;
+use crate::scene::load;
+use kit::{Ray, Triangle, Vec3};
+use wire::Work;
+use wire::work::{SceneSource, SceneWork};
+
+/// The cases of `part2.task3` that need box and primitive tests as well. The tree is given: nobody loses points for a right
+/// walk through a wrong one.
+pub(crate) fn cases() -> Vec<Spec> {
+    vec![
+        Spec {
+            picture: Some(PICTURE),
+            ..case(
+                "mesh_in_cornell_box",
+                "A smooth mesh of 1,500 triangles in a Cornell box, with all of your stages: the closest hit of every pixel, as all primitives in turn would give it.",
+                cornell(),
+                through_the_front(),
+                false,
+            )
+        },
+        case(
+            "shadow_rays_in_cornell_box",
+            "Rays from the floor and the walls of the same box to points of its light: is anything in between?",
+            cornell(),
+            to_the_light(),
+            true,
+        ),
+        case(
+            "rays_on_the_grid",
+            "A mesh with whole numbers for coordinates, and rays straight through its vertices and edges and along the faces of its boxes: no holes.",
+            SceneSource::Triangles(steps().iter().map(wire_triangle).collect()),
+            down_the_grid(),
+            false,
+        ),
+    ]
+}
+
+/// Leaves of the trees: the assignment's program takes four, too.
+const MAX_LEAF_SIZE: usize = 4;
+
+fn case(
+    name: &'static str,
+    about: &'static str,
+    scene: SceneSource,
+    rays: Vec<Ray>,
+    any_hit: bool,
+) -> Spec {
+    let work = Work::SceneHits(SceneWork {
+        tree: along_a_curve(&load(&scene).primitive_bounds(), MAX_LEAF_SIZE),
+        scene,
+        rays: rays.iter().map(wire_ray).collect(),
+        any_hit,
+    });
+    Spec::new("part2.task3", name, about, work)
+}
+
+fn cornell() -> SceneSource {
+    SceneSource::InCornellBox("smooth".into(), 1500)
+}
+
+/// Width and height of the picture.
+const PICTURE: [u32; 2] = [72, 54];
+
+/// From an eye before the box through points spread evenly over its open front.
+fn through_the_front() -> Vec<Ray> {
+    let eye = Vec3::new(0.1, 0.8, 4.0);
+    let [w, h] = PICTURE;
+    let pixels = (0..h).flat_map(|y| (0..w).map(move |x| (x, y)));
+    pixels
+        .map(|(x, y)| {
+            let share = |i: u32, n: u32| (f64::from(i) + 0.5) / f64::from(n);
+            let target = Vec3::new(2.1 * share(x, w) - 1.05, 1.6 * share(y, h) - 0.05, 1.0);
+            Ray::new(eye, (target - eye).normalize())
+        })
+        .collect()
+}
+
+/// From points just inside the floor and the walls to points just below the light; `d` reaches all the way.
+fn to_the_light() -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for i in 0..20_u32 {
+        for j in 0..20_u32 {
+            let (u, v) = (f64::from(i) / 10.0 - 0.953, f64::from(j) / 10.0 - 0.947);
+            let light = Vec3::new(0.3 * v, 1.48, 0.2 * u);
+            for o in [
+                Vec3::new(u, 0.01, v),
+                Vec3::new(-0.99, 0.74 + 0.7 * u, v),
+                Vec3::new(u, 0.74 + 0.7 * v, -0.99),
+            ] {
+                rays.push(Ray {
+                    max_t: 1.0,
+                    ..Ray::new(o, light - o)
+                });
+            }
+        }
+    }
+    rays
+}
+
+/// Cells a side of the grid.
+const SIDE: i32 = 12;
+
+/// A height field over a grid, with whole numbers for heights; flat in places.
+fn steps() -> Vec<Triangle> {
+    let vertex = |i: i32, j: i32| {
+        let height = (i / 3 + j / 4) % 3;
+        Vec3::new(f64::from(i), f64::from(height), f64::from(j))
+    };
+    let cells = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
+    cells
+        .flat_map(|(i, j)| {
+            let [a, b] = [vertex(i, j), vertex(i + 1, j)];
+            let [c, d] = [vertex(i, j + 1), vertex(i + 1, j + 1)];
+            [Triangle::flat(a, c, b), Triangle::flat(d, b, c)]
+        })
+        .collect()
+}
+
+/// Straight down and straight up through all vertices and the middles of all edges, and level along the grid's lines.
+fn down_the_grid() -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for i in 0..=2 * SIDE {
+        for j in 0..=2 * SIDE {
+            let (x, z) = (0.5 * f64::from(i), 0.5 * f64::from(j));
+            rays.push(Ray::new(Vec3::new(x, 8.0, z), Vec3::NEG_Y));
+            rays.push(Ray::new(Vec3::new(x, -8.0, z), Vec3::Y));
+        }
+        let level = 0.5 * f64::from(i);
+        rays.push(Ray::new(Vec3::new(-3.0, 1.5, level), Vec3::X));
+        rays.push(Ray::new(Vec3::new(level, 0.5, 30.0), Vec3::NEG_Z));
+    }
+    rays
+}
+
+fn wire_triangle(t: &Triangle) -> [[f64; 3]; 6] {
+    [t.p0, t.p1, t.p2, t.n0, t.n1, t.n2].map(Vec3::into)
+}

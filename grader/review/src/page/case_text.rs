@@ -1,0 +1,74 @@
+//! Describes the state of cases as text.
+
+use crate::case::{Case, State};
+use pages::html::escape;
+use std::fmt::Write;
+
+/// The number of cases whose state satisfies `is`.
+pub(super) fn count(cases: &[&Case], is: impl Fn(&State) -> bool) -> usize {
+    cases.iter().filter(|case| is(&case.state)).count()
+}
+
+pub(super) fn differs(state: &State) -> bool {
+    matches!(state, State::Differs { .. })
+}
+
+pub(super) fn is_refuted(state: &State) -> bool {
+    matches!(state, State::Differs { wrong, .. } if !wrong.is_empty())
+}
+
+pub(super) fn is_silent(state: &State) -> bool {
+    matches!(state, State::Silent(_))
+}
+
+/// Formats what a case tests and how its answers changed.
+pub(super) fn describe(case: &Case) -> String {
+    let mut text = format!("<p class=\"about\">{}</p>\n", escape(case.about));
+    match &case.state {
+        State::Same => text.push_str("<p class=\"good\">Nothing changed.</p>\n"),
+        State::Silent(why) => {
+            let _ = writeln!(text, "<p class=\"bad\">No answer: {}.</p>", escape(why));
+        }
+        State::Differs {
+            changes,
+            calls,
+            wrong,
+            ..
+        } => {
+            let _ = writeln!(text, "<p><strong>{}</strong></p>", escape(&meaning(case)));
+            if changes.hash && *calls == 0 {
+                text.push_str(
+                    "<p>No row shows the difference: only the hash of all answers does.</p>\n",
+                );
+            }
+            if wrong.is_empty() {
+                text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
+            }
+            for wrong in wrong {
+                let _ = writeln!(text, "<p class=\"bad\">Refuted: {}</p>", escape(wrong));
+            }
+        }
+    }
+    text
+}
+
+/// A change in the same words as `grader bless` prints it.
+pub(super) fn meaning(case: &Case) -> String {
+    let State::Differs {
+        changes, pixels, ..
+    } = &case.state
+    else {
+        return String::new();
+    };
+    let mut parts = Vec::new();
+    if !changes.is_empty() {
+        parts.push(changes.to_string());
+    }
+    if let Some(picture) = &case.picture {
+        parts.push(format!(
+            "{pixels} of {} pixels",
+            picture.actual.pixels().len()
+        ));
+    }
+    parts.join("; ")
+}

@@ -1,0 +1,42 @@
+//! Builds and runs the programs beside `grader`, such as `grader cost` and `grader review`.
+//!
+//! Cargo builds each of them on its first use.
+
+use super::Verdict;
+use crate::compile;
+use crate::error::GraderError;
+use crate::workspace::Workspace;
+use std::ffi::OsString;
+use std::path::Path;
+use std::process::Command;
+
+/// Builds the program of `package` and runs it with `arguments`. On Unix it replaces this process.
+pub(super) fn run(package: &str, arguments: Vec<OsString>) -> Result<Verdict, GraderError> {
+    let workspace = Workspace::above(Path::new("."))?;
+    let manifest = workspace.root().join("grader").join(package);
+    if !manifest.join("Cargo.toml").is_file() {
+        return Err(GraderError::new(format!(
+            "{} is a handout, and a handout does not have this command. Run it in the course's full checkout",
+            workspace.root().display()
+        )));
+    }
+    let program = compile::build_program(workspace.root(), package)?
+        .map_err(|_| GraderError::new(format!("the package {package} does not compile")))?;
+    let mut command = Command::new(&program);
+    command.args(arguments);
+    exec_or_wait(&mut command).map_err(|e| GraderError::file("run", &program, e))
+}
+
+#[cfg(unix)]
+fn exec_or_wait(command: &mut Command) -> std::io::Result<Verdict> {
+    Err(std::os::unix::process::CommandExt::exec(command))
+}
+
+#[cfg(not(unix))]
+fn exec_or_wait(command: &mut Command) -> std::io::Result<Verdict> {
+    match command.status()?.code() {
+        Some(0) => Ok(Verdict::Passed),
+        Some(1) => Ok(Verdict::Failed),
+        code => std::process::exit(code.unwrap_or(2)),
+    }
+}

@@ -1,0 +1,239 @@
+//! Reading what a worker wrote. The student's code runs in the worker, so none of it is trusted.
+//!
+//! Everything is checked here, once: that the file holds frames ([`FrameReader`]), that the cases begin and end in
+//! their order, that each answer has the form which its case calls for ([`judge::fits`]). What is wrong costs the case that
+//! was running, and ends the reading; what came before counts.
+
+use crate::runner::Ending;
+use wire::file::FrameReader;
+use wire::{Case, Frame, Outcome, Record};
+
+/// What the records of one worker say.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Records {
+    /// How the cases from the first one on ended, in order.
+    pub endings: Vec<Ending>,
+    /// Whether the next case had begun, and then nothing follows: it ended the worker.
+    pub next_began: bool,
+}
+
+impl Records {
+    /// Where there is no file of records: that fails the case that was to run.
+    pub fn unreadable(why: &str) -> Records {
+        Records {
+            endings: vec![cannot_be_read(why)],
+            next_began: false,
+        }
+    }
+}
+
+/// Reads the records of a worker that was to run `cases` from number `first` on.
+pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
+    let mut records = Records::default();
+    for frame in frames {
+        let next = first + records.endings.len();
+        let Some(case) = cases.get(next) else {
+            // Every case has ended: whatever follows is of none.
+            break;
+        };
+        let began = records.next_began;
+        let is_next = |number: u32| number as usize == next;
+        let ending = match frame {
+            Ok(Frame::Started { case }) if is_next(case) && !began => {
+                records.next_began = true;
+                continue;
+            }
+            Ok(Frame::Done(record)) if is_next(record.case) && began => ending(case, record),
+            Ok(Frame::TimedOut { case: number, call }) if is_next(number) && began => {
+                Ending::TimedOut {
+                    call,
+                    limit_ms: case.limit_ms,
+                }
+            }
+            Ok(frame) => cannot_be_read(&out_of_order(&frame, next, began)),
+            Err(why) => cannot_be_read(&why),
+        };
+        let goes_on = matches!(ending, Ending::Recorded(_));
+        records.endings.push(ending);
+        records.next_began = false;
+        if !goes_on {
+            break;
+        }
+    }
+    records
+}
+
+/// The ending of a case whose record is well placed.
+fn ending(case: &Case, record: Record) -> Ending {
+    if let Outcome::Answered(answer) = &record.outcome
+        && let Err(why) = judge::fits(&case.work, answer)
+    {
+        return Ending::Malformed(format!("the worker's record does not fit the case: {why}"));
+    }
+    Ending::Recorded(record)
+}
+
+fn cannot_be_read(why: &str) -> Ending {
+    Ending::Malformed(format!("the worker's record cannot be read: {why}"))
+}
+
+/// What is wrong with the order of frames.
+fn out_of_order(frame: &Frame, next: usize, began: bool) -> String {
+    let (event, case) = match frame {
+        Frame::Started { case } => ("begins", case),
+        Frame::TimedOut { case, .. } => ("times out", case),
+        Frame::Done(record) => ("ends", &record.case),
+    };
+    let state = if began { "runs" } else { "is next" };
+    format!("case {case} {event} where case {next} {state}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Cursor;
+    use wire::work::{BoxWork, Probe, Ray};
+    use wire::{Answer, Work, file};
+
+    /// Three cases of two calls each.
+    fn cases() -> Vec<Case> {
+        let ray = Ray {
+            o: [0.0; 3],
+            d: [1.0, 0.0, 0.0],
+            min_t: 0.0,
+            max_t: 1.0,
+        };
+        let case = |name: &str| Case {
+            task: "part2.task2".into(),
+            name: name.into(),
+            limit_ms: 77,
+            work: Work::Boxes(BoxWork {
+                boxes: vec![[[0.0; 3], [1.0; 3]]],
+                probes: vec![Probe { shape: 0, ray }; 2],
+            }),
+        };
+        ["a", "b", "c"].map(case).to_vec()
+    }
+
+    fn started(case: u32) -> Frame {
+        Frame::Started { case }
+    }
+
+    fn answered(case: u32, answer: Answer) -> Frame {
+        Frame::Done(Record {
+            case,
+            untouched: Vec::new(),
+            outcome: Outcome::Answered(answer),
+        })
+    }
+
+    fn done(case: u32) -> Frame {
+        answered(case, Answer::Boxes(vec![None; 2]))
+    }
+
+    fn read_all(frames: &[Frame]) -> Records {
+        let mut bytes = Vec::new();
+        for frame in frames {
+            file::write_frame(&mut bytes, frame).expect("memory takes it");
+        }
+        read(FrameReader::new(Box::new(Cursor::new(bytes))), &cases(), 0)
+    }
+
+    /// How many cases have a record, and why the next one fails.
+    fn summary(frames: &[Frame]) -> (usize, Option<String>) {
+        let mut records = read_all(frames);
+        let why = records
+            .endings
+            .pop_if(|last| !matches!(last, Ending::Recorded(_)));
+        assert!(
+            records
+                .endings
+                .iter()
+                .all(|ending| matches!(ending, Ending::Recorded(_)))
+        );
+        let why = why.map(|ending| match ending {
+            Ending::Malformed(why) => why,
+            other => panic!("{other:?}"),
+        });
+        (records.endings.len(), why)
+    }
+
+    #[test]
+    fn cases_begin_and_end_in_order() {
+        let frames = [
+            started(0),
+            done(0),
+            started(1),
+            done(1),
+            started(2),
+            done(2),
+        ];
+        assert_eq!(summary(&frames), (3, None));
+        assert!(read_all(&frames[..5]).next_began);
+        assert!(!read_all(&frames[..4]).next_began);
+        let late = [&frames[..1], &[Frame::TimedOut { case: 0, call: 1 }]].concat();
+        let limit = Ending::TimedOut {
+            call: 1,
+            limit_ms: 77,
+        };
+        assert_eq!(read_all(&late).endings, [limit]);
+    }
+
+    #[test]
+    fn what_is_out_of_order_costs_the_case_that_runs() {
+        let before = [started(0), done(0), started(1)];
+        for (wrong, why) in [
+            (done(0), "case 0 ends where case 1 runs"),
+            (done(2), "case 2 ends where case 1 runs"),
+            (done(u32::MAX), "case 4294967295 ends where case 1 runs"),
+            (started(1), "case 1 begins where case 1 runs"),
+            (
+                Frame::TimedOut { case: 9, call: 0 },
+                "case 9 times out where case 1 runs",
+            ),
+        ] {
+            let frames = [&before[..], &[wrong, done(1), started(2), done(2)]].concat();
+            let why = format!("the worker's record cannot be read: {why}");
+            assert_eq!(summary(&frames), (1, Some(why)));
+        }
+        let unstarted = [started(0), done(0), done(1)];
+        let why = "the worker's record cannot be read: case 1 ends where case 1 is next";
+        assert_eq!(summary(&unstarted), (1, Some(why.into())));
+    }
+
+    #[test]
+    fn an_answer_of_another_form_costs_its_case() {
+        for (answer, why) in [
+            (
+                Answer::Boxes(vec![None]),
+                "expected 2 answers, one a call, found 1",
+            ),
+            (
+                Answer::Boxes(vec![None; 3]),
+                "expected 2 answers, one a call, found 3",
+            ),
+            (
+                Answer::Stop(Vec::new()),
+                "it answers another kind of work, Stop",
+            ),
+        ] {
+            let why = format!("the worker's record does not fit the case: {why}");
+            assert_eq!(summary(&[started(0), answered(0, answer)]), (0, Some(why)));
+        }
+    }
+
+    #[test]
+    fn what_follows_the_last_case_is_of_none() {
+        let all = [
+            started(0),
+            done(0),
+            started(1),
+            done(1),
+            started(2),
+            done(2),
+            started(3),
+            done(3),
+        ];
+        assert_eq!(summary(&all), (3, None));
+    }
+}

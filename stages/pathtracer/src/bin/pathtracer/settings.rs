@@ -1,0 +1,145 @@
+//! Converts flags to the settings of the renderer.
+
+use crate::args::{Args, SamplerName};
+use crate::values::samples;
+use kit::FilmSize;
+use kit::film::Cell;
+use kit::sampler::{Pattern, Sampling};
+use pathtracer::{DirectSampling, Lens, LightSettings};
+
+/// The size of the picture without `-r` and without a camera file.
+const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
+
+/// The largest number of pixels, so that a typing error does not use up all memory: two times 32
+/// bytes each.
+const MAX_PIXELS: u64 = 100_000_000;
+
+impl Args {
+    /// The size of the picture. `of_camera_file` is the size in the camera file, if there is one.
+    pub(crate) fn film(&self, of_camera_file: Option<FilmSize>) -> Result<FilmSize, String> {
+        let size = match self.resolution.as_deref() {
+            Some(&[w, h]) => FilmSize { w, h },
+            _ => of_camera_file.unwrap_or(DEFAULT_SIZE),
+        };
+        if size.whole().area() > MAX_PIXELS {
+            return Err(format!(
+                "-r: a picture of {} x {} pixels is too large: choose at most {} million pixels",
+                size.w,
+                size.h,
+                MAX_PIXELS / 1_000_000
+            ));
+        }
+        Ok(size)
+    }
+
+    /// The part of the picture to render.
+    pub(crate) fn cell_of(&self, film: FilmSize) -> Result<Cell, String> {
+        let Some(&[x, y, dx, dy]) = self.cell.as_deref() else {
+            return Ok(film.whole());
+        };
+        let (x1, y1) = (x.saturating_add(dx), y.saturating_add(dy));
+        if dx == 0 || dy == 0 || x1 > film.w || y1 > film.h {
+            return Err(format!(
+                "-p {x} {y} {dx} {dy}: the cell is not in the picture: choose at least one pixel, x + dx at most {} and y + dy at most {}",
+                film.w, film.h
+            ));
+        }
+        Ok(Cell {
+            x0: x,
+            y0: y,
+            x1,
+            y1,
+        })
+    }
+
+    /// The two values of `-a`: samples per batch and tolerance.
+    pub(crate) fn adaptive(&self) -> Result<Option<(u32, f64)>, String> {
+        let Some([batch, tolerance]) = self.adaptive.as_deref() else {
+            return Ok(None);
+        };
+        let per_batch = samples(batch)
+            .map_err(|why| format!("-a {batch} {tolerance}: samples per batch: {why}"))?;
+        match tolerance.parse::<f64>() {
+            Ok(t) if t.is_finite() && t >= 0.0 => Ok(Some((per_batch, t))),
+            _ => Err(format!(
+                "-a {batch} {tolerance}: the tolerance has to be a finite number of at least 0, such as 0.05"
+            )),
+        }
+    }
+
+    /// The settings of light transport.
+    pub(crate) fn light(&self) -> Result<LightSettings, String> {
+        let default = LightSettings::default();
+        if self.lens_radius > 0.0 && self.focus.is_none() {
+            return Err(format!(
+                "--lens-radius {}: add the distance to the plane of focus, such as --focus 3.5",
+                self.lens_radius
+            ));
+        }
+        Ok(LightSettings {
+            light_samples: self.light_samples.unwrap_or(default.light_samples),
+            max_depth: self.max_depth.unwrap_or(default.max_depth),
+            direct_sampling: match (self.hemisphere, self.mis) {
+                (true, _) => DirectSampling::Hemisphere,
+                (false, true) => DirectSampling::Mis,
+                (false, false) => DirectSampling::Lights,
+            },
+            roulette: !self.no_roulette,
+            adaptive: self.adaptive()?,
+            lens: Lens {
+                radius: self.lens_radius,
+                focus: self.focus.unwrap_or(default.lens.focus),
+            },
+            force_effects: self.force_effects,
+            environment: self.environment.is_some(),
+        })
+    }
+
+    /// The source of random numbers for `samples` samples per pixel.
+    pub(crate) fn sampling(&self, samples: u32) -> Sampling {
+        Sampling {
+            pattern: match self.sampler {
+                SamplerName::Independent => Pattern::Independent,
+                SamplerName::Stratified => Pattern::Stratified { samples },
+                SamplerName::Sobol => Pattern::Sobol,
+            },
+            seed: self.seed,
+            first_sample: 0,
+        }
+    }
+
+    /// The given flags that have no effect with `--export`.
+    pub(crate) fn unused_by_export(&self) -> Vec<&'static str> {
+        given(&[
+            (self.file.is_some(), "-f"),
+            (self.cell.is_some(), "-p"),
+            (self.layers.is_some(), "--layers"),
+            (self.time.is_some(), "--time"),
+            (self.error.is_some(), "--error"),
+            (self.stats, "--stats"),
+            (self.explain, "--explain"),
+        ])
+    }
+
+    /// The given flags that have no effect with normal shading.
+    pub(crate) fn unused_by_normals(&self) -> Vec<&'static str> {
+        given(&[
+            (self.light_samples.is_some(), "-l"),
+            (self.max_depth.is_some(), "-m"),
+            (self.adaptive.is_some(), "-a"),
+            (self.hemisphere, "-H"),
+            (self.environment.is_some(), "-e"),
+            (self.mis, "--mis"),
+            (self.no_roulette, "--no-roulette"),
+            (self.lens_radius > 0.0, "--lens-radius"),
+            (self.time.is_some(), "--time"),
+            (self.error.is_some(), "--error"),
+        ])
+    }
+}
+
+/// The names of the `flags` that are given.
+fn given(flags: &[(bool, &'static str)]) -> Vec<&'static str> {
+    let given = flags.iter().filter(|(given, _)| *given);
+    given.map(|&(_, flag)| flag).collect()
+}

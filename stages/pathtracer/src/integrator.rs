@@ -1,0 +1,319 @@
+//! Path tracing, one path at a time: the stages `direct` and `global`, connected to a scene.
+//!
+//! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive to
+//! skip, and the texture colour, which [`Materials::at`] multiplies reflectances by.
+
+use crate::materials::{Materials, PathMaterials};
+use crate::textures::Textures;
+use crate::{Accel, Counters, DirectSampling, LightSettings};
+use direct::{
+    estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
+    estimate_direct_lighting_mis, zero_bounce_radiance,
+};
+use global::{estimate_radiance, play_roulette};
+use kit::effects::Effect;
+use kit::{
+    Camera, Hit, LitScene, PixelSampler, PrimId, Ray, Scattering, Scene, Spectrum, Surface, Tally,
+    Texture, Vec3,
+};
+use std::cell::Cell;
+use std::hint::black_box;
+
+/// The surface that a ray starts on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayOrigin {
+    prim: PrimId,
+    /// Geometric normal; of a sphere outwards.
+    ng: Vec3,
+}
+
+impl RayOrigin {
+    /// The primitive that a ray along `d` leaves and cannot hit again: a triangle, because it is
+    /// flat, or a sphere if the ray goes outwards.
+    #[inline]
+    pub(crate) fn skip(self, scene: &Scene, d: Vec3) -> Option<PrimId> {
+        let is_triangle = (self.prim.0 as usize) < scene.triangles.len();
+        (is_triangle || d.dot(self.ng) > 0.0).then_some(self.prim)
+    }
+}
+
+impl From<&Surface<'_>> for RayOrigin {
+    #[inline]
+    fn from(surface: &Surface<'_>) -> RayOrigin {
+        RayOrigin {
+            prim: surface.prim,
+            ng: surface.ng,
+        }
+    }
+}
+
+impl From<&Hit> for RayOrigin {
+    #[inline]
+    fn from(hit: &Hit) -> RayOrigin {
+        RayOrigin {
+            prim: hit.prim,
+            ng: hit.ng,
+        }
+    }
+}
+
+/// Traces the paths of one tile through a scene.
+pub(crate) struct PathIntegrator<'a> {
+    pub(crate) lit: &'a LitScene,
+    textures: &'a Textures,
+    accel: &'a Accel,
+    settings: &'a LightSettings,
+    /// Rays and tests so far. In a cell because several callbacks of one stage count.
+    counters: Cell<Counters>,
+    pub(crate) materials: Materials,
+    /// The finished pixels and the luminances of their samples.
+    pub(crate) luminance: Vec<((u32, u32), Tally)>,
+    /// The largest number of rays on a path; 0 in a scene without light.
+    pub(crate) max_depth: u32,
+    /// Directions of a hemisphere estimate.
+    directions: u32,
+    has_background: bool,
+}
+
+impl<'a> PathIntegrator<'a> {
+    pub(crate) fn new(
+        lit: &'a LitScene,
+        textures: &'a Textures,
+        accel: &'a Accel,
+        settings: &'a LightSettings,
+    ) -> PathIntegrator<'a> {
+        let area_lights = lit.emitters.iter().filter(|e| !e.is_delta()).count() as u32;
+        PathIntegrator {
+            lit,
+            textures,
+            accel,
+            settings,
+            counters: Cell::default(),
+            materials: Materials::new(settings.force_effects),
+            luminance: Vec::new(),
+            max_depth: if lit.has_light() || settings.force_effects {
+                settings.max_depth
+            } else {
+                0
+            },
+            // As many as light sampling would use, as in the assignment's program.
+            directions: area_lights * settings.light_samples,
+            has_background: lit.has_background(),
+        }
+    }
+
+    /// The rays and tests so far.
+    pub(crate) fn counters(&self) -> Counters {
+        self.counters.get()
+    }
+
+    /// Calls `count` with the counters. Calls must not be nested.
+    #[inline]
+    pub(crate) fn counting<T>(&self, count: impl FnOnce(&mut Counters) -> T) -> T {
+        let mut counters = self.counters.get();
+        let result = count(&mut counters);
+        self.counters.set(counters);
+        result
+    }
+
+    /// The pinhole's ray, refracted by the lens if the camera has one.
+    #[inline]
+    pub(crate) fn through_lens(
+        &self,
+        camera: &Camera,
+        ray: &Ray,
+        sampler: &mut PixelSampler,
+    ) -> Ray {
+        let lens = &self.settings.lens;
+        if lens.radius > 0.0 {
+            self.materials.count(Effect::Lens);
+            return lens.refract(camera, ray, sampler.next_2d());
+        }
+        if self.settings.force_effects {
+            self.materials.count(Effect::Lens);
+            // From a copy of the sampler: the picture's random numbers stay the same.
+            return lens.refract(camera, ray, sampler.clone().next_2d());
+        }
+        *ray
+    }
+
+    /// The radiance that arrives along a camera ray.
+    #[inline]
+    pub(crate) fn radiance(&self, ray: &Ray, sampler: &mut PixelSampler) -> Spectrum {
+        if self.max_depth <= 1 {
+            return self.emission_and_direct(ray, sampler);
+        }
+        // Where the next ray starts: nowhere for the camera ray, then the last hit.
+        let mut origin: Option<RayOrigin> = None;
+        // The texture colour at the last hit. `estimate_radiance` passes the material of a surface
+        // to its callbacks, but no texture coordinates, so they share this cell.
+        let tint = Cell::new(Spectrum::WHITE);
+        estimate_radiance(
+            self.lit,
+            ray,
+            self.max_depth,
+            sampler,
+            &PathMaterials {
+                materials: &self.materials,
+                tint: &tint,
+            },
+            &mut |ray| {
+                let hit = self.closest(ray, self.skip(origin, ray))?;
+                origin = Some(RayOrigin::from(&hit));
+                tint.set(self.texture_color(&hit));
+                Some(hit)
+            },
+            &mut |surface, wo, sampler| self.direct(surface, tint.get(), wo, sampler),
+            &mut |throughput, bounces, u| self.roulette(throughput, bounces, u),
+        )
+    }
+
+    /// Russian roulette, unless it is switched off.
+    #[inline]
+    pub(crate) fn roulette(&self, throughput: Spectrum, bounces: u32, u: f64) -> Option<Spectrum> {
+        self.materials.count(Effect::Bounces);
+        if self.settings.roulette {
+            play_roulette(throughput, bounces, u)
+        } else {
+            Some(throughput)
+        }
+    }
+
+    /// Emission and direct light at the first hit. Needs the stage `direct`, but not `global`.
+    fn emission_and_direct(&self, ray: &Ray, sampler: &mut PixelSampler) -> Spectrum {
+        let Some(hit) = self.closest(ray, None) else {
+            return self.lit.background(ray.d);
+        };
+        let tint = self.texture_color(&hit);
+        let surface = self.lit.surface(&hit);
+        let wo = -ray.d;
+        let mut radiance = zero_bounce_radiance(&surface, wo);
+        if self.max_depth > 0 {
+            radiance += self.direct(&surface, tint, wo, sampler);
+        }
+        if self.settings.force_effects {
+            self.force_bounce(&surface, tint, wo, sampler.clone());
+        }
+        radiance
+    }
+
+    /// Estimates direct light and traces one bounce for the counts only: the results are discarded.
+    fn force_bounce(
+        &self,
+        surface: &Surface<'_>,
+        tint: Spectrum,
+        wo: Vec3,
+        mut sampler: PixelSampler,
+    ) {
+        if self.max_depth == 0 {
+            black_box(self.direct(surface, tint, wo, &mut sampler));
+        }
+        self.materials.count(Effect::Bounces);
+        let (u, choice) = (sampler.next_2d(), sampler.next_1d());
+        let wo = surface.frame.to_local(wo);
+        let materials = self.materials.at(tint);
+        if let Some(sample) = materials.sample(surface.material, wo, u, choice) {
+            let ray = surface.leave(surface.frame.to_world(sample.wi));
+            black_box(self.closest(&ray, self.skip(Some(surface.into()), &ray)));
+        }
+    }
+
+    /// The colour of the texture where a surface was hit; white without a texture, and where
+    /// nothing is lit.
+    #[inline]
+    pub(crate) fn texture_color(&self, hit: &Hit) -> Spectrum {
+        if self.textures.is_empty() || self.max_depth == 0 {
+            if self.settings.force_effects {
+                self.materials.count(Effect::Texture);
+                black_box(Texture::uniform(Spectrum::WHITE).at(hit.uv));
+            }
+            return Spectrum::WHITE;
+        }
+        let Some(color) = self.textures.at(&self.lit.scene, hit) else {
+            return Spectrum::WHITE;
+        };
+        self.materials.count(Effect::Texture);
+        color
+    }
+
+    /// The primitive that `ray`, which starts at `origin`, cannot hit; `None` for a camera ray.
+    #[inline]
+    pub(crate) fn skip(&self, origin: Option<RayOrigin>, ray: &Ray) -> Option<PrimId> {
+        origin?.skip(&self.lit.scene, ray.d)
+    }
+
+    #[inline]
+    fn closest(&self, ray: &Ray, skip: Option<PrimId>) -> Option<Hit> {
+        let hit = self.counting(|counters| {
+            counters.rays += 1;
+            let scene = &self.lit.scene;
+            self.accel.closest(scene, &mut { *ray }, skip, counters)
+        });
+        if hit.is_none() && (self.has_background || self.settings.force_effects) {
+            self.materials.count(Effect::Background);
+        }
+        hit
+    }
+
+    #[inline]
+    fn occluded(&self, ray: &Ray, skip: Option<PrimId>) -> bool {
+        self.counting(|counters| {
+            counters.rays += 1;
+            self.accel.occluded(&self.lit.scene, ray, skip, counters)
+        })
+    }
+
+    /// Estimates the direct light that `surface`, whose texture colour is `tint`, sends along `wo`.
+    #[inline]
+    pub(crate) fn direct(
+        &self,
+        surface: &Surface<'_>,
+        tint: Spectrum,
+        wo: Vec3,
+        sampler: &mut PixelSampler,
+    ) -> Spectrum {
+        let origin = Some(RayOrigin::from(surface));
+        if !self.lit.has_light() {
+            if self.settings.force_effects {
+                self.materials.count(Effect::DirectLight);
+                let ray = surface.leave(surface.ng);
+                black_box(self.occluded(&ray, self.skip(origin, &ray)));
+            }
+            return Spectrum::BLACK;
+        }
+        let samples = self.settings.light_samples;
+        let (lit, materials) = (self.lit, &self.materials.at(tint));
+        let trace = &mut |ray: &Ray| {
+            self.materials.count(Effect::DirectLight);
+            self.closest(ray, self.skip(origin, ray))
+        };
+        let occluded = &mut |ray: &Ray| {
+            self.materials.count(Effect::DirectLight);
+            self.occluded(ray, self.skip(origin, ray))
+        };
+        // A hemisphere covers one side of the surface; rough glass scatters light from both.
+        let sampling = match self.settings.direct_sampling {
+            DirectSampling::Hemisphere if surface.material.lets_light_through() => {
+                DirectSampling::Lights
+            }
+            sampling => sampling,
+        };
+        match sampling {
+            DirectSampling::Lights => estimate_direct_lighting_importance(
+                lit, surface, wo, samples, sampler, materials, occluded,
+            ),
+            DirectSampling::Hemisphere => estimate_direct_lighting_hemisphere(
+                lit,
+                surface,
+                wo,
+                self.directions,
+                sampler,
+                materials,
+                trace,
+            ),
+            DirectSampling::Mis => estimate_direct_lighting_mis(
+                lit, surface, wo, samples, sampler, materials, trace, occluded,
+            ),
+        }
+    }
+}

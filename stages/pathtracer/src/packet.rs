@@ -1,0 +1,358 @@
+//! Lit shading with paths in packets of eight: the same pictures, bit for bit, in less time.
+//!
+//! The stage [`simd_paths`] traces the packets. For what it does not handle (mirrors, glass, the
+//! tree over many primitives) it calls [`Fallback`], which is the scalar [`PathIntegrator`].
+
+use crate::accel::{closest_in, occluded_in};
+use crate::integrator::{PathIntegrator, RayOrigin};
+use crate::lit::{assemble, sample_pixel};
+use crate::textures::Textures;
+use crate::tiles;
+use crate::world::{record_hit, test_primitive};
+use crate::{Accel, Counters, DirectSampling, Job, LightSettings, Rendered};
+use global::roulette::MIN_BOUNCES;
+use kit::effects::Effect;
+use kit::film::Cell as Tile;
+use kit::{
+    Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
+    TriangleHit, Vec3,
+};
+use simd_bvh::WideBvh;
+use simd_paths::{
+    BATCH_SIZE, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback, ScalarPath,
+    View, Workspace,
+};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Renders one picture with paths in packets.
+pub(crate) struct PacketRenderer<'a> {
+    lit: &'a LitScene,
+    textures: &'a Textures,
+    accel: &'a Accel,
+    tree: &'a WideBvh,
+    job: &'a Job,
+    settings: &'a LightSettings,
+    scene: PathScene<'a>,
+    view: View,
+    paths: PathSettings,
+}
+
+impl<'a> PacketRenderer<'a> {
+    /// `None` if the picture has to be rendered one path at a time.
+    pub(crate) fn new(
+        lit: &'a LitScene,
+        textures: &'a Textures,
+        accel: &'a Accel,
+        job: &'a Job,
+        settings: &'a LightSettings,
+    ) -> Option<PacketRenderer<'a>> {
+        let Accel::Simd(tree) = accel else {
+            return None;
+        };
+        let is_supported = lit.has_light()
+            && settings.max_depth > 0
+            && job.samples > 0
+            && settings.direct_sampling == DirectSampling::Lights
+            && !settings.force_effects
+            // One or two samples at a time would leave most lanes idle.
+            && settings.adaptive.is_none_or(|(batch, _)| batch > 2);
+        if !is_supported {
+            return None;
+        }
+        Some(PacketRenderer {
+            lit,
+            textures,
+            accel,
+            tree,
+            job,
+            settings,
+            scene: PathScene::new(lit)?,
+            view: View {
+                camera: job.camera,
+                film: job.film,
+                has_lens: settings.lens.radius > 0.0,
+                centered: job.samples == 1 && settings.adaptive.is_none(),
+            },
+            paths: PathSettings {
+                light_samples: settings.light_samples,
+                max_depth: settings.max_depth,
+                has_textures: !textures.is_empty(),
+                min_bounces: settings.roulette.then_some(MIN_BOUNCES),
+            },
+        })
+    }
+
+    /// Renders the picture as [`crate::render_lit`] does.
+    pub(crate) fn render(
+        &self,
+        stop: &AtomicBool,
+        tile_done: &(dyn Fn(Tile, u64) + Sync),
+    ) -> Rendered {
+        let (film, integrators) = tiles::render_tiles(
+            self.job.film,
+            self.job.cell,
+            || PathIntegrator::new(self.lit, self.textures, self.accel, self.settings),
+            |integrator, tile| self.tile(integrator, tile, stop),
+            |tile, integrator| tile_done(tile, integrator.counters().rays),
+        );
+        assemble(film, &integrators)
+    }
+
+    fn tile(
+        &self,
+        integrator: &mut PathIntegrator<'a>,
+        tile: Tile,
+        stop: &AtomicBool,
+    ) -> Vec<PixelEstimate> {
+        let mut workspace = Workspace::default();
+        let mut estimates = Vec::with_capacity(tile.area() as usize);
+        let pixels: Vec<(u32, u32)> = tile.pixels().collect();
+        let first = self.certain_samples(0);
+        for pixels in pixels.chunks(BATCH_SIZE.div_ceil(first as usize)) {
+            if stop.load(Ordering::Relaxed) {
+                estimates.extend(pixels.iter().map(|_| PixelEstimate::default()));
+                continue;
+            }
+            let mut starts: Vec<PathStart> = pixels
+                .iter()
+                .map(|&(x, y)| PathStart {
+                    pixel: (x, y),
+                    sampler: PixelSampler::new(x, y, self.job.sampling),
+                })
+                .collect();
+            let samples = self.trace(integrator, &mut workspace, &mut starts, first);
+            for (samples, start) in samples.chunks(first as usize).zip(&mut starts) {
+                let estimate = self.pixel(integrator, &mut workspace, start, samples);
+                estimates.push(estimate);
+            }
+        }
+        integrator.add_counts(workspace.counts);
+        estimates
+    }
+
+    /// Estimates the pixel of `start`, whose first samples have the radiances `first`.
+    fn pixel(
+        &self,
+        integrator: &mut PathIntegrator<'a>,
+        workspace: &mut Workspace,
+        start: &mut PathStart,
+        first: &[Spectrum],
+    ) -> PixelEstimate {
+        let mut used = 0;
+        let mut ready = first.to_vec();
+        let (estimate, luminance) = sample_pixel(
+            self.job,
+            self.settings,
+            start.pixel,
+            // The packets draw the sample positions and generate the camera rays.
+            &mut PixelSampler::new(0, 0, 0),
+            &mut |_| Ray::new(Vec3::ZERO, Vec3::Z),
+            &mut |_, _| {
+                if used == ready.len() {
+                    let started = start.sampler.samples_started();
+                    let count = self.certain_samples(started - self.job.sampling.first_sample);
+                    ready = self.trace(integrator, workspace, std::slice::from_mut(start), count);
+                    used = 0;
+                }
+                used += 1;
+                ready[used - 1]
+            },
+        );
+        integrator.luminance.push((start.pixel, luminance));
+        estimate
+    }
+
+    /// How many further samples a pixel with `samples` samples needs for certain, and at most a few
+    /// batches.
+    fn certain_samples(&self, samples: u32) -> u32 {
+        let remaining = self.job.samples - samples;
+        let certain = match self.settings.adaptive {
+            Some((batch, _)) => remaining.min(batch - samples % batch),
+            None => remaining,
+        };
+        certain.min(4 * BATCH_SIZE as u32)
+    }
+
+    /// Traces the next `count` samples of each pixel.
+    fn trace(
+        &self,
+        integrator: &PathIntegrator<'a>,
+        workspace: &mut Workspace,
+        pixels: &mut [PathStart],
+        count: u32,
+    ) -> Vec<Spectrum> {
+        let mut starts = Vec::with_capacity(pixels.len() * count as usize);
+        for start in pixels {
+            for _ in 0..count {
+                if !self.view.centered {
+                    start.sampler.start_sample();
+                }
+                starts.push(start.clone());
+            }
+        }
+        let mut fallback = Fallback {
+            integrator,
+            tree: self.tree,
+            camera: &self.job.camera,
+            counters: Counters::default(),
+        };
+        let samples = self
+            .scene
+            .trace(&self.view, &self.paths, &starts, workspace, &mut fallback);
+        integrator.counting(|counters| *counters += fallback.counters);
+        samples
+    }
+}
+
+/// The scalar code for what the packets do not handle.
+struct Fallback<'b, 'a> {
+    integrator: &'b PathIntegrator<'a>,
+    tree: &'a WideBvh,
+    camera: &'a Camera,
+    /// The tests of `closest` and `occluded`; the packets count the rays.
+    counters: Counters,
+}
+
+impl ScalarFallback for Fallback<'_, '_> {
+    #[inline]
+    fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
+        test_primitive(&self.integrator.lit.scene, id, ray)
+    }
+
+    #[inline]
+    fn record(&self, id: PrimId, ray: &Ray, hit: TriangleHit) -> Hit {
+        record_hit(&self.integrator.lit.scene, id, &mut { *ray }, hit)
+            .expect("the same kernel finds the same hit")
+    }
+
+    #[inline]
+    fn closest(&mut self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
+        let scene = &self.integrator.lit.scene;
+        closest_in(self.tree, scene, ray, skip, &mut self.counters)
+    }
+
+    #[inline]
+    fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
+        let scene = &self.integrator.lit.scene;
+        occluded_in(self.tree, scene, ray, skip, &mut self.counters)
+    }
+
+    fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
+        self.integrator.through_lens(self.camera, ray, sampler)
+    }
+
+    fn texture_color(&mut self, hit: &Hit) -> Spectrum {
+        self.integrator.texture_color(hit)
+    }
+
+    fn scatter(&mut self, path: &mut ScalarPath, d: Vec3, hit: &Hit) -> Option<NextRay> {
+        let integrator = self.integrator;
+        let tint = integrator.texture_color(hit);
+        let surface = integrator.lit.surface(hit);
+        let wo = -d;
+        if !surface.material.is_delta() {
+            let direct = integrator.direct(&surface, tint, wo, &mut path.sampler);
+            path.radiance += path.throughput * direct;
+        }
+        if path.bounce == integrator.max_depth {
+            return None;
+        }
+        let (u, choice) = (path.sampler.next_2d(), path.sampler.next_1d());
+        let local_wo = surface.frame.to_local(wo);
+        let materials = integrator.materials.at(tint);
+        let sample = materials.sample(surface.material, local_wo, u, choice)?;
+        let u = path.sampler.next_1d();
+        path.throughput = integrator.roulette(path.throughput * sample.weight(), path.bounce, u)?;
+        path.emission_counts = sample.delta;
+        let ray = surface.leave(surface.frame.to_world(sample.wi));
+        let skip = integrator.skip(Some(RayOrigin::from(&surface)), &ray);
+        Some(NextRay { ray, skip })
+    }
+}
+
+impl PathIntegrator<'_> {
+    /// Adds what the packets counted.
+    fn add_counts(&self, counts: Counts) {
+        self.counting(|counters| {
+            counters.rays += counts.rays;
+            counters.prim_tests += counts.prim_tests;
+        });
+        self.materials
+            .count_more(Effect::DirectLight, counts.light_rays);
+        self.materials
+            .count_more(Effect::Background, counts.background);
+        self.materials.count_more(Effect::Bounces, counts.bounces);
+    }
+}
+
+// BEGIN SOLUTION(part6.task2)
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::AccelKind;
+    use kit::FilmSize;
+    use kit::scene::NamedLight;
+    use kit::{Light, Scene};
+
+    /// If packets were never used, the tests that compare pictures would compare scalar paths with
+    /// themselves.
+    #[test]
+    fn packets_are_used_unless_a_setting_rules_them_out() {
+        let point = Light::Point {
+            position: Vec3::ZERO,
+            intensity: Spectrum::WHITE,
+        };
+        let lights = vec![NamedLight {
+            name: String::new(),
+            light: point,
+        }];
+        let lit = LitScene::new(
+            Scene {
+                lights,
+                ..Scene::default()
+            },
+            None,
+        );
+        let film = FilmSize { w: 1, h: 1 };
+        let job = Job {
+            camera: scenes::placement::place(&lit.scene, film).camera,
+            film,
+            cell: film.whole(),
+            samples: 1,
+            sampling: 0.into(),
+        };
+        let textures = Textures::default();
+        let uses_packets = |kind, settings: LightSettings| {
+            let accel = Accel::build(kind, &lit.scene);
+            PacketRenderer::new(&lit, &textures, &accel, &job, &settings).is_some()
+        };
+        let lights = LightSettings::default();
+        let adaptive = |batch| LightSettings {
+            adaptive: Some((batch, 0.1)),
+            ..lights
+        };
+        assert!(
+            uses_packets(AccelKind::Simd, lights) && uses_packets(AccelKind::Simd, adaptive(3))
+        );
+        assert!(!uses_packets(AccelKind::Bvh, lights) && !uses_packets(AccelKind::Brute, lights));
+        let ruled_out = [
+            adaptive(2),
+            LightSettings {
+                max_depth: 0,
+                ..lights
+            },
+            LightSettings {
+                direct_sampling: DirectSampling::Mis,
+                ..lights
+            },
+            LightSettings {
+                force_effects: true,
+                ..lights
+            },
+        ];
+        for settings in ruled_out {
+            assert!(!uses_packets(AccelKind::Simd, settings), "{settings:?}");
+        }
+    }
+}
+// END SOLUTION(part6.task2)

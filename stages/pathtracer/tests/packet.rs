@@ -1,0 +1,179 @@
+//! Packets of eight paths render the pictures of scalar paths, bit for bit, with the same counts of
+//! effects.
+// BEGIN SOLUTION(part6.task2)
+
+mod common;
+
+use common::{own_scenes, scene_files};
+use kit::sampler::{Pattern, Sampling};
+use kit::{FilmSize, LitScene};
+use pathtracer::{
+    Accel, AccelKind, DirectSampling, Job, Lens, LightSettings, Rendered, Textures, render_lit,
+};
+use scenes::placement;
+use std::env;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+/// The scenes of the course, and those in the folder `FIRSTLIGHT_SCENES`.
+fn all_scene_files() -> Vec<PathBuf> {
+    let mut folders = vec![own_scenes()];
+    folders.extend(env::var_os("FIRSTLIGHT_SCENES").map(PathBuf::from));
+    scene_files(&folders)
+}
+
+fn render(
+    (lit, textures): (&LitScene, &Textures),
+    accel: &Accel,
+    samples: u32,
+    settings: &LightSettings,
+) -> Rendered {
+    let film = FilmSize { w: 21, h: 18 };
+    let job = Job {
+        camera: placement::place(&lit.scene, film).camera,
+        film,
+        cell: film.whole(),
+        samples,
+        sampling: Sampling {
+            pattern: Pattern::Sobol,
+            seed: 5,
+            first_sample: 3,
+        },
+    };
+    let stop = AtomicBool::new(false);
+    render_lit(lit, textures, accel, &job, settings, &stop, &|_, _| {})
+}
+
+/// Samples per pixel and settings that cover the branches of the sample loop and the paths.
+fn all_settings() -> Vec<(u32, LightSettings)> {
+    let deep = LightSettings {
+        max_depth: 6,
+        ..LightSettings::default()
+    };
+    let adaptive = |batch| LightSettings {
+        adaptive: Some((batch, 0.3)),
+        ..deep
+    };
+    let through_lens = LightSettings {
+        lens: Lens {
+            radius: 0.05,
+            focus: 2.0,
+        },
+        ..deep
+    };
+    vec![
+        (1, deep),
+        (3, deep),
+        (
+            70,
+            LightSettings {
+                max_depth: 2,
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                max_depth: 1,
+                light_samples: 3,
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                max_depth: 0,
+                ..deep
+            },
+        ),
+        (
+            4,
+            LightSettings {
+                light_samples: 0,
+                ..deep
+            },
+        ),
+        (
+            2,
+            LightSettings {
+                roulette: false,
+                ..deep
+            },
+        ),
+        (
+            2,
+            LightSettings {
+                direct_sampling: DirectSampling::Mis,
+                ..deep
+            },
+        ),
+        (
+            2,
+            LightSettings {
+                direct_sampling: DirectSampling::Hemisphere,
+                ..deep
+            },
+        ),
+        (3, through_lens),
+        (300, adaptive(100)),
+        (600, adaptive(257)),
+        (20, adaptive(8)),
+        (7, adaptive(32)),
+        (1, adaptive(1)),
+        (0, deep),
+    ]
+}
+
+#[test]
+fn pictures_and_counts_equal_those_of_scalar_paths() {
+    let mut early = 0;
+    for file in all_scene_files() {
+        let scene = scenes::load(&file).expect("a scene").scene;
+        let (textures, _) = Textures::load(&scene, file.parent().expect("a folder"));
+        let lit = LitScene::new(scene, None);
+        let accels = [AccelKind::Bvh, AccelKind::Simd].map(|kind| Accel::build(kind, &lit.scene));
+        for (samples, settings) in all_settings() {
+            let [scalar, packets] = accels
+                .each_ref()
+                .map(|accel| render((&lit, &textures), accel, samples, &settings));
+            let what = format!("{}: {samples} samples, {settings:?}", file.display());
+            assert!(packets.film == scalar.film, "{what}: the pictures differ");
+            if settings.adaptive.is_some_and(|(batch, _)| batch < samples) {
+                let taken = packets.film.pixels().iter().map(|pixel| pixel.samples);
+                early += usize::from(taken.clone().min() < taken.max());
+            }
+            assert!(
+                packets.luminance == scalar.luminance,
+                "{what}: the luminances differ"
+            );
+            assert_eq!(packets.effects, scalar.effects, "{what}");
+            assert_eq!(packets.counters.rays, scalar.counters.rays, "{what}");
+        }
+    }
+    assert!(
+        early > 3,
+        "only {early} pictures have pixels that stop early"
+    );
+}
+
+#[test]
+fn an_interrupted_picture_stays_black() {
+    let lit = LitScene::new(
+        scenes::load(&all_scene_files()[0]).expect("a scene").scene,
+        None,
+    );
+    let film = FilmSize { w: 9, h: 8 };
+    let job = Job {
+        camera: placement::place(&lit.scene, film).camera,
+        film,
+        cell: film.whole(),
+        samples: 4,
+        sampling: 1.into(),
+    };
+    let (stop, settings) = (AtomicBool::new(true), LightSettings::default());
+    let accel = Accel::build(AccelKind::Simd, &lit.scene);
+    let textures = Textures::default();
+    let rendered = render_lit(&lit, &textures, &accel, &job, &settings, &stop, &|_, _| {});
+    assert_eq!((rendered.samples(), rendered.counters.rays), (0, 0));
+}
+// END SOLUTION(part6.task2)

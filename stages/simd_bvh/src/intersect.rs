@@ -1,0 +1,65 @@
+//! The closest hit and any hit of a ray, equal to those of brute force.
+
+// BEGIN SOLUTION(part6.task1)
+use crate::traversal::Traversal;
+use fearless_simd::dispatch;
+// END SOLUTION(part6.task1)
+
+use crate::wide::WideBvh;
+use kit::{PrimId, Ray, TriangleHit};
+
+/// The number of tests of a traversal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TestCounts {
+    /// Ray/box tests: the children of every visited node.
+    pub box_tests: u64,
+    /// Ray/primitive tests.
+    pub prim_tests: u64,
+}
+
+impl WideBvh {
+    /// The closest hit in the ray's range with any primitive but `skip`; at equal `t` the one with
+    /// the lowest id.
+    ///
+    /// `exact` is the scalar kernel: it intersects a ray with a primitive in the ray's range (a
+    /// sphere's weights are 0). It is called for spheres, and for triangles that the lanes cannot
+    /// decide. The result equals that of calling it for every primitive, bit for bit. Adds to
+    /// `counts`.
+    #[inline]
+    pub fn closest(
+        &self,
+        ray: &Ray,
+        skip: Option<PrimId>,
+        exact: &mut impl FnMut(PrimId, &Ray) -> Option<TriangleHit>,
+        counts: &mut TestCounts,
+    ) -> Option<(PrimId, TriangleHit)> {
+        // BEGIN SOLUTION(part6.task1)
+        dispatch!(self.level, simd => {
+            let mut traversal = Traversal::<_, _, false>::new(simd, self, ray, skip, exact);
+            traversal.run(counts);
+            traversal.found
+        })
+        // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
+        // END SOLUTION(part6.task1)
+    }
+
+    /// Whether any primitive but `skip` is hit in the ray's range. Stops at the first hit. `exact`
+    /// and `counts` are those of [`WideBvh::closest`].
+    #[inline]
+    pub fn occluded(
+        &self,
+        ray: &Ray,
+        skip: Option<PrimId>,
+        exact: &mut impl FnMut(PrimId, &Ray) -> Option<TriangleHit>,
+        counts: &mut TestCounts,
+    ) -> bool {
+        // BEGIN SOLUTION(part6.task1)
+        dispatch!(self.level, simd => {
+            let mut traversal = Traversal::<_, _, true>::new(simd, self, ray, skip, exact);
+            traversal.run(counts);
+            traversal.found.is_some()
+        })
+        // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
+        // END SOLUTION(part6.task1)
+    }
+}

@@ -1,0 +1,137 @@
+// BEGIN SOLUTION(part6.task2)
+//! Matte surfaces: direct light as in the stage `direct`, and scattering.
+
+use crate::light;
+use crate::packet::PathPacket;
+use crate::ray_packet::RayPacket;
+use crate::sin_cos::sin_cos;
+use crate::surface_packet::SurfacePacket;
+use crate::vec3x8::Vec3x8;
+use crate::{ScalarFallback, Workspace};
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::Vec3;
+use kit::surface::SHADOW_GAP;
+use std::f64::consts::{FRAC_1_PI, TAU};
+
+impl<S: Simd> PathPacket<'_, S> {
+    /// Estimates direct light by sampling the lights, in the lanes of `diffuse`. `wo_z` is the
+    /// cosine of the angle between the normal and the viewer.
+    #[inline(always)]
+    pub(crate) fn direct(
+        &mut self,
+        surfaces: &SurfacePacket<S>,
+        wo_z: f64x8<S>,
+        diffuse: u64,
+        workspace: &mut Workspace,
+        fallback: &mut impl ScalarFallback,
+    ) -> Vec3x8<S> {
+        let simd = self.simd;
+        let zero = f64x8::splat(simd, 0.0);
+        let black = Vec3x8::splat(simd, Vec3::ZERO);
+        let f = surfaces.color * f64x8::splat(simd, FRAC_1_PI);
+        let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
+        let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
+        let mut direct = black;
+        for emitter in &self.scene.lit.emitters {
+            let samples = if emitter.is_delta() {
+                1
+            } else {
+                self.settings.light_samples
+            };
+            let mut sum = black;
+            for _ in 0..samples {
+                let light = light::sample_light(simd, emitter, surfaces.p, self.next_2d(), diffuse);
+                let wi_z = light.wi.dot(surfaces.n);
+                let same_side = zero.simd_lt(wo_z * wi_z);
+                let active = (scatters & light.valid & same_side).to_bitmask();
+                if active == 0 {
+                    continue;
+                }
+                let (o, skip) = surfaces.leave(simd, light.wi);
+                let rays = RayPacket {
+                    o,
+                    d: light.wi,
+                    min_t: zero,
+                    max_t: light.distance * (1.0 - SHADOW_GAP),
+                };
+                let lit = active & !self.occluded(&rays, active, skip, workspace, fallback);
+                let more = sum + f * light.radiance * (wi_z.abs() / light.pdf);
+                sum = more.masked_or(mask64x8::from_bitmask(simd, lit), sum);
+            }
+            direct = direct + sum / f64x8::splat(simd, f64::from(samples.max(1)));
+        }
+        direct
+    }
+
+    /// Samples the next ray of the paths in the lanes of `diffuse`. Returns the lanes whose paths
+    /// continue.
+    #[inline(always)]
+    pub(crate) fn scatter(
+        &mut self,
+        bounce: u32,
+        surfaces: &SurfacePacket<S>,
+        wo_z: f64x8<S>,
+        diffuse: u64,
+        workspace: &mut Workspace,
+    ) -> u64 {
+        let simd = self.simd;
+        let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+        let u = self.next_2d();
+        // The choice between reflection and refraction, which a matte surface does not make.
+        self.samplers.skip_1d();
+        let (sin, cos) = sin_cos(simd, u[1] * TAU);
+        let (r, z) = (u[0].sqrt(), (one - u[0]).sqrt());
+        let wi = Vec3x8 {
+            x: r * cos,
+            y: r * sin,
+            z: z.copysign(wo_z),
+        };
+        let f = surfaces.color * f64x8::splat(simd, FRAC_1_PI);
+        let weight = f * (z / (z * FRAC_1_PI));
+        // Along the plane of the surface no light is scattered.
+        let mask = mask64x8::from_bitmask(simd, diffuse);
+        let continues = mask & wo_z.simd_ne(zero);
+        workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
+        let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
+        let d = surfaces.to_world(simd, wi);
+        let (o, skip) = surfaces.leave(simd, d);
+        self.paths.o = o.masked_or(mask, self.paths.o);
+        self.paths.d = d.masked_or(mask, self.paths.d);
+        self.paths.skip = mask.select(skip, self.paths.skip);
+        self.paths.throughput = throughput.masked_or(mask, self.paths.throughput);
+        self.paths.emission_counts = mask.select(zero, self.paths.emission_counts);
+        (continues & survivors).to_bitmask()
+    }
+
+    /// Russian roulette, unless it is switched off: the new throughputs and the surviving lanes.
+    #[inline(always)]
+    fn roulette(&mut self, bounce: u32, throughput: Vec3x8<S>) -> (Vec3x8<S>, mask64x8<S>) {
+        let simd = self.simd;
+        let Some(min_bounces) = self.settings.min_bounces else {
+            self.samplers.skip_1d();
+            return (throughput, mask64x8::splat(simd, true));
+        };
+        let brightest = throughput
+            .x
+            .max_precise(throughput.y)
+            .max_precise(throughput.z);
+        let q = brightest.min_precise(f64x8::splat(simd, 1.0));
+        let is_positive = f64x8::splat(simd, 0.0).simd_lt(q);
+        if bounce <= min_bounces {
+            self.samplers.skip_1d();
+            return (throughput, is_positive);
+        }
+        let u = f64x8::load_array(simd, self.samplers.next_1d());
+        (throughput / q, is_positive & u.simd_lt(q))
+    }
+
+    #[inline(always)]
+    fn next_2d(&mut self) -> [f64x8<S>; 2] {
+        let [first, second] = self.samplers.next_2d();
+        [
+            f64x8::load_array(self.simd, first),
+            f64x8::load_array(self.simd, second),
+        ]
+    }
+}
+// END SOLUTION(part6.task2)

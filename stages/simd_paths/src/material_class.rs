@@ -1,0 +1,25 @@
+// BEGIN SOLUTION(part6.task2)
+//! Materials by how the packets shade them.
+
+use kit::{Material, Spectrum};
+
+/// How the packets shade a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MaterialClass {
+    /// Scatters light as a matte surface, in lanes.
+    Diffuse,
+    /// Emits light and ends the path, in lanes.
+    Emission,
+    /// Anything else, which the scalar fallback shades path by path.
+    Other,
+}
+
+/// The class of a material and its colour: the reflectance if diffuse, the radiance if it emits.
+pub(crate) fn classify(material: &Material) -> (MaterialClass, Spectrum) {
+    match *material {
+        Material::Diffuse { reflectance } => (MaterialClass::Diffuse, reflectance),
+        Material::Emission { radiance } => (MaterialClass::Emission, radiance),
+        _ => (MaterialClass::Other, Spectrum::BLACK),
+    }
+}
+// END SOLUTION(part6.task2)

@@ -1,0 +1,67 @@
+// BEGIN SOLUTION(part6.task2)
+//! Mirrors, glass and glossy surfaces: the scalar fallback continues such paths one by one.
+
+use crate::lanes::lanes;
+use crate::packet::PathPacket;
+use crate::ray_packet::{HitPacket, NONE};
+use crate::surface_packet::SurfacePacket;
+use crate::vec3x8::{LANES, Vec3x8};
+use crate::{NextRay, ScalarFallback, ScalarPath};
+use fearless_simd::Simd;
+use kit::Spectrum;
+
+/// A path after a bounce of the scalar fallback, and its next ray.
+pub(crate) struct ScatteredPath {
+    path: ScalarPath,
+    next: Option<NextRay>,
+}
+
+impl<S: Simd> PathPacket<'_, S> {
+    /// Has the fallback continue the paths in the lanes of `other`.
+    pub(crate) fn scatter_others(
+        &self,
+        other: u64,
+        bounce: u32,
+        surfaces: &SurfacePacket<S>,
+        hits: &HitPacket<S>,
+        fallback: &mut impl ScalarFallback,
+    ) -> [Option<ScatteredPath>; LANES] {
+        let mut scattered = [const { None }; LANES];
+        for lane in lanes(other) {
+            let hit = surfaces.hit(lane, hits);
+            let spectrum = |c: Vec3x8<S>| Spectrum::from(c.lane(lane).to_array());
+            let mut path = ScalarPath {
+                radiance: spectrum(self.paths.radiance),
+                throughput: spectrum(self.paths.throughput),
+                sampler: self.samplers.get(lane),
+                bounce,
+                emission_counts: self.paths.emission_counts[lane] > 0.5,
+            };
+            let next = fallback.scatter(&mut path, self.paths.d.lane(lane), &hit);
+            scattered[lane] = Some(ScatteredPath { path, next });
+        }
+        scattered
+    }
+
+    /// Stores the paths in their lanes. Returns the lanes whose paths continue.
+    pub(crate) fn merge(&mut self, scattered: [Option<ScatteredPath>; LANES]) -> u64 {
+        let mut survivors = 0;
+        for (lane, scattered) in scattered.into_iter().enumerate() {
+            let Some(ScatteredPath { path, next }) = scattered else {
+                continue;
+            };
+            self.paths.radiance.set(lane, path.radiance.to_array());
+            self.samplers.set(lane, &path.sampler);
+            if let Some(NextRay { ray, skip }) = next {
+                self.paths.o.set(lane, ray.o.to_array());
+                self.paths.d.set(lane, ray.d.to_array());
+                self.paths.throughput.set(lane, path.throughput.to_array());
+                self.paths.skip[lane] = skip.map_or(NONE, |id| f64::from(id.0));
+                self.paths.emission_counts[lane] = f64::from(u8::from(path.emission_counts));
+                survivors |= 1 << lane;
+            }
+        }
+        survivors
+    }
+}
+// END SOLUTION(part6.task2)

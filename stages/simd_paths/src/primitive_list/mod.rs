@@ -1,0 +1,185 @@
+// BEGIN SOLUTION(part6.task2)
+//! Intersection of eight rays with a list of primitives: faster than a tree if there are few.
+
+mod sphere;
+#[cfg(test)]
+mod tests;
+mod triangle;
+
+use crate::ScalarFallback;
+use crate::lanes::lanes;
+use crate::ray_packet::{HitPacket, RayPacket};
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::{PrimId, Ray, Scene, Sphere, Vec3};
+use triangle::{AxisPermutedRays, ProjectedVertex};
+
+/// All primitives of a scene. Triangles share their vertices, so each vertex is projected once.
+#[derive(Clone, Debug)]
+pub(crate) struct PrimitiveList {
+    vertices: Vec<Vec3>,
+    triangles: Vec<[usize; 3]>,
+    spheres: Vec<Sphere>,
+}
+
+/// The limits of a list. A scene of this size has no nodes in `simd_bvh` either.
+const MAX_TRIANGLES: usize = 16;
+const MAX_SPHERES: usize = 8;
+
+/// Memory that a thread reuses: the projected vertices.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scratch(Vec<ProjectedVertex>);
+
+/// The result of testing eight rays against one primitive.
+struct PacketTest<S: Simd> {
+    /// The lanes with a certain hit, at `t`.
+    hit: mask64x8<S>,
+    /// The lanes, one bit each, that need the scalar kernel: rounding errors may be too large.
+    undecided: u64,
+    t: f64x8<S>,
+    /// The barycentric weights of the second and third vertex, times `det`.
+    v: f64x8<S>,
+    w: f64x8<S>,
+    det: f64x8<S>,
+}
+
+impl PrimitiveList {
+    /// `None` if `scene` has too many primitives.
+    pub(crate) fn new(scene: &Scene) -> Option<PrimitiveList> {
+        if scene.triangles.len() > MAX_TRIANGLES || scene.spheres.len() > MAX_SPHERES {
+            return None;
+        }
+        let mut vertices: Vec<Vec3> = Vec::new();
+        let mut number = |p: Vec3| {
+            let bits = |v: Vec3| v.to_array().map(f64::to_bits);
+            let known = vertices.iter().position(|&c| bits(c) == bits(p));
+            known.unwrap_or_else(|| {
+                vertices.push(p);
+                vertices.len() - 1
+            })
+        };
+        let triangles = scene.triangles.iter();
+        let triangles = triangles.map(|t| [number(t.p0), number(t.p1), number(t.p2)]);
+        Some(PrimitiveList {
+            triangles: triangles.collect(),
+            vertices,
+            spheres: scene.spheres.clone(),
+        })
+    }
+
+    /// The number of primitives.
+    pub(crate) fn len(&self) -> usize {
+        self.triangles.len() + self.spheres.len()
+    }
+
+    /// The closest hits in the lanes of `active` with any primitive but `skip`; at equal `t` the
+    /// one with the lowest number.
+    #[inline(always)]
+    pub(crate) fn closest<S: Simd>(
+        &self,
+        simd: S,
+        rays: &RayPacket<S>,
+        active: u64,
+        skip: f64x8<S>,
+        scratch: &mut Scratch,
+        fallback: &impl ScalarFallback,
+    ) -> HitPacket<S> {
+        let permuted = AxisPermutedRays::new(rays);
+        permuted.project(simd, &self.vertices, &mut scratch.0);
+        let mut hits = HitPacket::none(simd, rays.max_t);
+        for i in 0..self.len() {
+            let number = f64x8::splat(simd, i as f64);
+            let active = active & skip.simd_ne(number).to_bitmask();
+            let Some(test) = self.test(simd, i, &permuted, rays, hits.t, active, scratch) else {
+                continue;
+            };
+            // Numbers ascend, so at equal `t` the lowest stays.
+            let closer = test.hit & (test.t.simd_lt(hits.t) | hits.is_none());
+            hits.prim = closer.select(number, hits.prim);
+            hits.t = closer.select(test.t, hits.t);
+            hits.v = closer.select(test.v, hits.v);
+            hits.w = closer.select(test.w, hits.w);
+            hits.det = closer.select(test.det, hits.det);
+            for lane in lanes(test.undecided) {
+                let ray = Ray {
+                    max_t: hits.t[lane],
+                    ..rays.lane(lane)
+                };
+                let id = PrimId(i as u32);
+                if let Some(hit) = fallback.test(id, &ray)
+                    && (hit.t < hits.t[lane] || hits.prim[lane] < 0.0)
+                {
+                    hits.set(lane, id, hit);
+                }
+            }
+        }
+        hits
+    }
+
+    /// The lanes of `active`, one bit each, that hit any primitive but `skip`; and the number of
+    /// tests.
+    #[inline(always)]
+    pub(crate) fn occluded<S: Simd>(
+        &self,
+        simd: S,
+        rays: &RayPacket<S>,
+        active: u64,
+        skip: f64x8<S>,
+        scratch: &mut Scratch,
+        fallback: &impl ScalarFallback,
+    ) -> (u64, u64) {
+        let permuted = AxisPermutedRays::new(rays);
+        permuted.project(simd, &self.vertices, &mut scratch.0);
+        let (mut open, mut tests) = (active, 0);
+        for i in 0..self.len() {
+            if open == 0 {
+                break;
+            }
+            tests += u64::from(open.count_ones());
+            let number = f64x8::splat(simd, i as f64);
+            let active = open & skip.simd_ne(number).to_bitmask();
+            let Some(test) = self.test(simd, i, &permuted, rays, rays.max_t, active, scratch)
+            else {
+                continue;
+            };
+            open &= !test.hit.to_bitmask();
+            for lane in lanes(test.undecided) {
+                if fallback.test(PrimId(i as u32), &rays.lane(lane)).is_some() {
+                    open &= !(1 << lane);
+                }
+            }
+        }
+        (active & !open, tests)
+    }
+
+    /// Tests primitive number `i`. The vertices in `scratch` have to be projected.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "inlined into one loop each")]
+    fn test<S: Simd>(
+        &self,
+        simd: S,
+        i: usize,
+        permuted: &AxisPermutedRays<S>,
+        rays: &RayPacket<S>,
+        max_t: f64x8<S>,
+        active: u64,
+        scratch: &Scratch,
+    ) -> Option<PacketTest<S>> {
+        match self.triangles.get(i) {
+            Some(&[a, b, c]) => {
+                let vertices = &scratch.0;
+                permuted.test(
+                    simd,
+                    [&vertices[a], &vertices[b], &vertices[c]],
+                    rays,
+                    max_t,
+                    active,
+                )
+            }
+            None => {
+                let sphere = &self.spheres[i - self.triangles.len()];
+                sphere::test(simd, sphere, rays, max_t, active)
+            }
+        }
+    }
+}
+// END SOLUTION(part6.task2)

@@ -1,0 +1,103 @@
+// BEGIN SOLUTION(part6.task2)
+//! Eight rays and their hits.
+
+use crate::vec3x8::Vec3x8;
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::{PrimId, Ray, TriangleHit};
+
+/// Eight rays, with the fields of [`Ray`].
+#[derive(Clone, Copy)]
+pub(crate) struct RayPacket<S: Simd> {
+    pub(crate) o: Vec3x8<S>,
+    pub(crate) d: Vec3x8<S>,
+    pub(crate) min_t: f64x8<S>,
+    pub(crate) max_t: f64x8<S>,
+}
+
+impl<S: Simd> RayPacket<S> {
+    /// The ray in a lane.
+    #[inline(always)]
+    pub(crate) fn lane(&self, lane: usize) -> Ray {
+        Ray {
+            o: self.o.lane(lane),
+            d: self.d.lane(lane),
+            min_t: self.min_t[lane],
+            max_t: self.max_t[lane],
+        }
+    }
+
+    /// The lanes whose `t` is in the range from the ray's `min_t` to `max_t`.
+    #[inline(always)]
+    pub(crate) fn in_range(&self, t: f64x8<S>, max_t: f64x8<S>) -> mask64x8<S> {
+        self.min_t.simd_le(t) & t.simd_le(max_t)
+    }
+}
+
+/// The hits of eight rays.
+#[derive(Clone, Copy)]
+pub(crate) struct HitPacket<S: Simd> {
+    /// The number of the primitive; [`NONE`] for a miss.
+    pub(crate) prim: f64x8<S>,
+    /// The hit's `t`; for a miss the end of the range.
+    pub(crate) t: f64x8<S>,
+    /// The barycentric weights of the second and third vertex, times `det`. The division waits
+    /// until the closest hit is known.
+    pub(crate) v: f64x8<S>,
+    pub(crate) w: f64x8<S>,
+    pub(crate) det: f64x8<S>,
+}
+
+/// The number that stands for no primitive.
+pub(crate) const NONE: f64 = -1.0;
+
+impl<S: Simd> HitPacket<S> {
+    /// Misses, for rays that end at `max_t`.
+    #[inline(always)]
+    pub(crate) fn none(simd: S, max_t: f64x8<S>) -> HitPacket<S> {
+        HitPacket {
+            prim: f64x8::splat(simd, NONE),
+            t: max_t,
+            v: f64x8::splat(simd, 0.0),
+            w: f64x8::splat(simd, 0.0),
+            det: f64x8::splat(simd, 1.0),
+        }
+    }
+
+    /// The lanes that miss.
+    #[inline(always)]
+    pub(crate) fn is_none(&self) -> mask64x8<S> {
+        self.prim.simd_lt(f64x8::splat(self.prim.simd, 0.0))
+    }
+
+    /// Sets the hit of one lane, found by the fallback.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, lane: usize, id: PrimId, hit: TriangleHit) {
+        self.prim[lane] = f64::from(id.0);
+        self.t[lane] = hit.t;
+        self.v[lane] = hit.b1;
+        self.w[lane] = hit.b2;
+        self.det[lane] = 1.0;
+    }
+
+    /// The hit in a lane that does not miss, with its weights from `weights`.
+    pub(crate) fn lane(&self, lane: usize, weights: &[f64x8<S>; 2]) -> TriangleHit {
+        TriangleHit {
+            t: self.t[lane],
+            b1: weights[0][lane],
+            b2: weights[1][lane],
+        }
+    }
+
+    /// The barycentric weights of the second and third vertex; 0 for spheres.
+    #[inline(always)]
+    pub(crate) fn weights(&self) -> [f64x8<S>; 2] {
+        [self.v / self.det, self.w / self.det]
+    }
+}
+
+/// The primitive with this number; `None` for [`NONE`].
+#[inline(always)]
+pub(crate) fn prim_id(number: f64) -> Option<PrimId> {
+    (number >= 0.0).then_some(PrimId(number as u32))
+}
+// END SOLUTION(part6.task2)

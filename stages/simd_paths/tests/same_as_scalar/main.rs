@@ -1,0 +1,174 @@
+// BEGIN SOLUTION(part6.task2)
+//! Packets compute the radiance of scalar paths, bit for bit, with every instruction set.
+
+mod scalar;
+mod scenes;
+
+use kit::sampler::{Pattern, Sampling};
+use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, Sphere, Vec2, Vec3};
+use scalar::{ScalarPaths, radiance};
+use scenes::{Random, box_with_a_point_light, random_scene};
+use simd_paths::{Counts, Level, PathScene, PathSettings, PathStart, View, Workspace};
+
+/// The instruction sets of this machine.
+fn levels() -> Vec<Level> {
+    let mut levels = vec![Level::new(), Level::baseline()];
+    #[cfg(target_arch = "x86_64")]
+    {
+        levels.extend(Level::new().as_avx2().map(Level::Avx2));
+        levels.extend(Level::new().as_sse4_2().map(Level::Sse4_2));
+    }
+    levels
+}
+
+/// A camera inside the scene.
+fn view(centered: bool, has_lens: bool) -> View {
+    View {
+        camera: Camera {
+            pos: Vec3::new(0.2, 0.1, 1.7),
+            c2w: Mat3::IDENTITY,
+            h_fov: 80.0,
+            v_fov: 60.0,
+            n_clip: 0.3,
+            f_clip: 9.0,
+        },
+        film: FilmSize { w: 8, h: 6 },
+        has_lens,
+        centered,
+    }
+}
+
+fn starts(sampling: Sampling, samples: u32, view: &View) -> Vec<PathStart> {
+    let pixels = view.film.whole().pixels();
+    let of = |(x, y)| {
+        let mut sampler = PixelSampler::new(x, y, sampling);
+        (0..samples).map(move |_| {
+            if !view.centered {
+                sampler.start_sample();
+            }
+            PathStart {
+                pixel: (x, y),
+                sampler: sampler.clone(),
+            }
+        })
+    };
+    pixels.flat_map(of).collect()
+}
+
+/// Traces paths through `lit` as packets and as scalar paths, and compares them. Returns how many
+/// paths have radiance.
+fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &View) -> usize {
+    let samples = if view.centered { 1 } else { 5 };
+    let starts = starts(sampling, samples, view);
+    let scalar = ScalarPaths::new(lit, settings);
+    let expected: Vec<[u64; 3]> = starts
+        .iter()
+        .map(|start| radiance(&scalar, view, start).to_array().map(f64::to_bits))
+        .collect();
+    let mut counts = Vec::new();
+    for level in levels() {
+        let scene = PathScene::new(lit).expect("a scene").at_level(level);
+        let mut fallback = ScalarPaths::new(lit, settings);
+        let mut workspace = Workspace::default();
+        let results = scene.trace(view, &settings, &starts, &mut workspace, &mut fallback);
+        for (i, (radiance, expected)) in results.iter().zip(&expected).enumerate() {
+            let bits = radiance.to_array().map(f64::to_bits);
+            assert_eq!(
+                bits, *expected,
+                "{level:?}, path {i}: {radiance:?}\n{lit:#?}"
+            );
+        }
+        let (packets, scalars) = (workspace.counts, fallback.counts.get());
+        let all = Counts {
+            rays: packets.rays + scalars.rays,
+            light_rays: packets.light_rays + scalars.light_rays,
+            background: packets.background + scalars.background,
+            bounces: packets.bounces + scalars.bounces,
+            prim_tests: 0,
+        };
+        assert_eq!(all, scalar.counts.get(), "{level:?}: the counts differ");
+        counts.push(workspace.counts);
+    }
+    let first: Counts = counts[0];
+    assert!(counts.iter().all(|c| *c == first), "{counts:?}");
+    expected.iter().filter(|bits| **bits != [0; 3]).count()
+}
+
+fn pattern(i: usize) -> Pattern {
+    [
+        Pattern::Sobol,
+        Pattern::Independent,
+        Pattern::Stratified { samples: 5 },
+        Pattern::Sobol,
+    ][i % 4]
+}
+
+#[test]
+fn with_lists_and_trees_and_every_material_and_light() {
+    let mut random = Random::new(1);
+    let mut lit_paths = 0;
+    for i in 0..400 {
+        let lit = random_scene(&mut random, if i % 5 == 0 { 60 } else { 28 });
+        let settings = PathSettings {
+            light_samples: (i % 3) as u32,
+            max_depth: 1 + (i % 6) as u32,
+            has_textures: i % 8 == 3,
+            min_bounces: [Some(3), Some(1), None][i % 3],
+        };
+        let sampling = Sampling {
+            pattern: pattern(i),
+            seed: i as u64,
+            first_sample: (i % 2) as u32 * 7,
+        };
+        lit_paths += compare(&lit, settings, sampling, &view(i % 7 == 0, i % 9 == 2));
+    }
+    assert!(lit_paths > 20_000, "{lit_paths} paths have radiance");
+}
+
+const TO_DEPTH_5: PathSettings = PathSettings {
+    light_samples: 1,
+    max_depth: 5,
+    has_textures: false,
+    min_bounces: Some(3),
+};
+
+/// Equal random, and still not one normal: interpolated they give a zero of the other sign, and
+/// other tangents with it.
+#[test]
+fn where_normals_differ_in_the_sign_of_a_zero() {
+    let mut scene = box_with_a_point_light(vec![]);
+    let with_zeros = |n: Vec3, zero: f64| n.map(|c| if c == 0.0 { zero } else { c });
+    for t in &mut scene.triangles {
+        (t.n0, t.n1, t.n2) = (
+            with_zeros(t.n0, -0.0),
+            with_zeros(t.n1, 0.0),
+            with_zeros(t.n2, -0.0),
+        );
+    }
+    let lit = LitScene::new(scene, None);
+    let lit_paths = compare(&lit, TO_DEPTH_5, Sampling::from(1), &view(false, false));
+    assert!(lit_paths > 50, "{lit_paths} paths have radiance");
+}
+
+/// The hit point of such a sphere rounds to its centre.
+#[test]
+fn at_spheres_smaller_than_rounding() {
+    for radius in [1e-120, 1e-30, 3e-16] {
+        let center = Vec3::new(0.2, 0.1, 0.0);
+        let lit = LitScene::new(
+            box_with_a_point_light(vec![Sphere { center, radius }]),
+            None,
+        );
+        let straight_ahead = View {
+            film: FilmSize { w: 1, h: 1 },
+            ..view(true, false)
+        };
+        compare(&lit, TO_DEPTH_5, Sampling::from(2), &straight_ahead);
+        let hit = intersect::test_sphere(
+            &lit.scene.spheres[0],
+            &raygen::generate_ray(&straight_ahead.camera, Vec2::splat(0.5)),
+        );
+        assert!(hit.is_some(), "the ray misses a radius of {radius}");
+    }
+}
+// END SOLUTION(part6.task2)

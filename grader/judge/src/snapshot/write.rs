@@ -35,7 +35,8 @@ pub fn write(work: &Work, answer: &Answer) -> Option<String> {
     Some(text)
 }
 
-/// What a snapshot of `answer` to `work` would say if every line had its question and the whole record.
+/// What a snapshot of `answer` to `work` would say if every line had its question and the whole
+/// record.
 pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
     let (totals, lines) = content(work, answer)?;
     let lines = (0..).zip(lines);

@@ -1,7 +1,8 @@
 //! Judging direct light: by the rays that an estimate asked for, and what it made of the answers.
 //!
-//! An estimate is judged by its own rays, whatever random numbers they came from: given the rays, the right sum is
-//! known to the last digit. That rays are distributed as they should be, and that the mean is right, is tested apart.
+//! An estimate is judged by its own rays, whatever random numbers they came from: given the rays,
+//! the right sum is known to the last digit. That rays are distributed as they should be, and that
+//! the mean is right, is tested apart.
 
 use super::lamps::{Part, Place, SKY_PDF, arrives, surroundings};
 use super::mistakes;
@@ -18,7 +19,8 @@ use wire::light::{Light, Material, Panel};
 /// How far a sum may be off, as a share: thousands of roundings, or a π with ten digits.
 const SUM_BOUND: f64 = 1e-9;
 
-/// How far an origin may be off, in units: worlds here are ten units large, and the errors of points 2e-12.
+/// How far an origin may be off, in units: worlds here are ten units large, and the errors of
+/// points 2e-12.
 const ORIGIN_BOUND: f64 = 2e-13;
 
 /// How far a direction may be off.
@@ -83,7 +85,8 @@ impl One<'_> {
         )
     }
 
-    /// Judges the sum; a wrong one that a suspect makes of the same rays has its name, whatever the rays are.
+    /// Judges the sum; a wrong one that a suspect makes of the same rays has its name, whatever the
+    /// rays are.
     fn radiance(&self, tally: &mut Tally, right: Vec3, suspects: &[(&'static str, Vec3)]) {
         tally.expect(Aspect::Radiance);
         let answered = self.answer.radiance;
@@ -379,8 +382,8 @@ enum Source {
     Picture(Environment),
 }
 
-/// Which light a shadow ray from `p` is meant for, and how far away that is: of those along its way the one whose
-/// distance is nearest to the end of its range.
+/// Which light a shadow ray from `p` is meant for, and how far away that is: of those along its way
+/// the one whose distance is nearest to the end of its range.
 fn target(sources: &[Source], p: Vec3, asked: &AskedRay) -> Option<(usize, f64)> {
     let (d, max_t) = (Vec3::from(asked.ray.d), asked.ray.max_t);
     let along = |source: &Source| match source {

@@ -3,7 +3,8 @@
 use crate::snapshot::{Forms, field, forms, vector};
 use wire::work::{NodeKind, Tree};
 
-/// How many nodes of a tree are written: a change of the recipe shows in the first ones, and in their number.
+/// How many nodes of a tree are written: a change of the recipe shows in the first ones, and in
+/// their number.
 const TREE_LINES: usize = 512;
 
 /// What is below each node; on full lines its box, too.

@@ -136,7 +136,8 @@ fn near_the_turn(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
     calls.collect()
 }
 
-/// The tolerance from which on the rule says yes: 1.96 standard errors over the mean, from plain sums.
+/// The tolerance from which on the rule says yes: 1.96 standard errors over the mean, from plain
+/// sums.
 fn turn(runs: &[(u32, f64)]) -> f64 {
     let over = |f: &dyn Fn(f64) -> f64| -> f64 {
         runs.iter().map(|&(count, x)| f64::from(count) * f(x)).sum()

@@ -1,5 +1,5 @@
-//! What the grader reads was written by a process in which the student's code ran: records of every kind of work are
-//! spoilt here in every way, and nothing of it may end the grader or score.
+//! What the grader reads was written by a process in which the student's code ran: records of every
+//! kind of work are spoilt here in every way, and nothing of it may end the grader or score.
 
 use grader::records;
 use grader::runner::Ending;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use wire::answer::{HitsAnswer, VisitsAnswer};
 use wire::file::{FrameReader, MAX_FRAME_BYTES, write_frame};
-use wire::work::{Probe, Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
+use wire::work::{Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
 use wire::{Answer, Case, Frame, Outcome, Record, Work};
 
 /// Random numbers (Marsaglia's xorshift64), the same in every run.
@@ -88,7 +88,8 @@ fn measurements() -> Vec<Case> {
     [timing, test, visits].map(case).to_vec()
 }
 
-/// How many entries an answer has, counted without the grader's help: where there are several lists, of each.
+/// How many entries an answer has, counted without the grader's help: where there are several
+/// lists, of each.
 fn entries(answer: &Answer) -> Vec<usize> {
     match answer {
         Answer::Pixels(answers) => {
@@ -213,8 +214,8 @@ fn answer_of(ending: &Ending) -> Option<&Answer> {
     }
 }
 
-/// Whether the answer earns all points of its case. All else that is done with an answer is done, too: nothing of it may
-/// panic.
+/// Whether the answer earns all points of its case. All else that is done with an answer is done,
+/// too: nothing of it may panic.
 fn scores_in_full(spec: &Spec, answer: &Answer) -> bool {
     let _ = judge::picture::colours(&spec.work, answer);
     let _ = judge::snapshot::full(&spec.work, answer);
@@ -237,7 +238,7 @@ fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
         let name = format!("{} {}", case.task, case.name);
         let written = done(0, answer.clone());
         assert!(
-            written.len() < MAX_FRAME_BYTES as usize / 8,
+            written.len() < MAX_FRAME_BYTES as usize / 4,
             "{name} has a record of {} bytes",
             written.len()
         );
@@ -268,8 +269,8 @@ fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
     }
 }
 
-/// Three cases of each kind of work: the two with the shortest answers, and the one with the longest of those that are
-/// soon judged.
+/// Three cases of each kind of work: the two with the shortest answers, and the one with the
+/// longest of those that are soon judged.
 fn three_of_each_kind() -> Vec<Vec<Answered>> {
     const SOON_JUDGED: usize = 150_000;
     let mut by_kind: BTreeMap<&str, Vec<(usize, Answered)>> = BTreeMap::new();

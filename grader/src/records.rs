@@ -1,8 +1,9 @@
 //! Reading what a worker wrote. The student's code runs in the worker, so none of it is trusted.
 //!
-//! Everything is checked here, once: that the file holds frames ([`FrameReader`]), that the cases begin and end in
-//! their order, that each answer has the form which its case calls for ([`judge::fits`]). What is wrong costs the case that
-//! was running, and ends the reading; what came before counts.
+//! Everything is checked here, once: that the file holds frames ([`FrameReader`]), that the cases
+//! begin and end in their order, that each answer has the form which its case calls for
+//! ([`judge::fits`]). What is wrong costs the case that was running, and ends the reading; what
+//! came before counts.
 
 use crate::runner::Ending;
 use wire::file::FrameReader;

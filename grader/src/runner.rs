@@ -41,7 +41,8 @@ pub struct Run {
     pub printed: String,
 }
 
-/// After this many timeouts the rest of a task has to hurry: an endless loop should not cost the student minutes.
+/// After this many timeouts the rest of a task has to hurry: an endless loop should not cost the
+/// student minutes.
 const TIMEOUTS_A_TASK: u32 = 2;
 
 /// Milliseconds for a case that has to. Sound code needs a few.
@@ -128,7 +129,8 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
         while first < cases.len() && endings[first].is_some() {
             first += 1;
         }
-        // A worker reads all cases before it starts: later ones need not see the ones that are done.
+        // A worker reads all cases before it starts: later ones need not see the ones that are
+        // done.
         cases_to_run[..first]
             .iter_mut()
             .for_each(|case| case.work = Work::Stop(Vec::new()));

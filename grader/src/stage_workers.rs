@@ -1,5 +1,5 @@
-//! The workers that a stage's cases run in: most in one with the stage alone, so that no neighbour stops them; rays
-//! through whole scenes in one with every stage that hits something.
+//! The workers that a stage's cases run in: most in one with the stage alone, so that no neighbour
+//! stops them; rays through whole scenes in one with every stage that hits something.
 
 use crate::error::GraderError;
 use crate::runner::{self, Ending, Worker};
@@ -15,8 +15,8 @@ pub struct Workers {
 }
 
 impl Workers {
-    /// Runs each case in its worker: its ending, or the stages for want of which it could not run. Adds what the
-    /// code printed to `printed`.
+    /// Runs each case in its worker: its ending, or the stages for want of which it could not run.
+    /// Adds what the code printed to `printed`.
     pub fn run(
         &self,
         specs: &[&Spec],

@@ -1,5 +1,5 @@
-//! How long the student's thread has worked, as the processor counts it: on a busy machine it waits, and that is not
-//! its fault.
+//! How long the student's thread has worked, as the processor counts it: on a busy machine it
+//! waits, and that is not its fault.
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -41,8 +41,8 @@ impl Stopwatch {
     }
 }
 
-/// What is left of `limit` after so much time on the wall's clock, of which the thread has worked so much. Where the
-/// system does not say, it has worked all the time.
+/// What is left of `limit` after so much time on the wall's clock, of which the thread has worked
+/// so much. Where the system does not say, it has worked all the time.
 fn left(limit: Duration, passed: Duration, worked: Option<Duration>) -> Option<Duration> {
     let left = limit.checked_sub(worked.unwrap_or(passed))?;
     (passed < limit * WAITING && !left.is_zero()).then_some(left)

@@ -35,7 +35,8 @@ pub(crate) fn watch_panics() {
     }));
 }
 
-/// Runs case number `index`. `dispatch` calls the stages: it returns their answer, or why it cannot.
+/// Runs case number `index`. `dispatch` calls the stages: it returns their answer, or why it
+/// cannot.
 pub fn run(index: u32, case: &Case, dispatch: impl Fn(&Work) -> Result<Answer, String>) -> Record {
     let _ = kit::hole::take_marks();
     let outcome = outcome(&|| dispatch(&case.work));

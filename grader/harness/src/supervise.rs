@@ -1,9 +1,9 @@
-//! The worker program: `worker CASES RECORDS FIRST MEMORY_MB` runs the cases from number FIRST on and appends their
-//! records.
+//! The worker program: `worker CASES RECORDS FIRST MEMORY_MB` runs the cases from number FIRST on
+//! and appends their records.
 //!
-//! The grader starts it and reads what it wrote. The student's code runs on a thread of its own; the main thread
-//! watches the clock. A case that takes too long, or more memory than it may, ends the whole worker: the grader sees
-//! which case it was and starts another worker after it.
+//! The grader starts it and reads what it wrote. The student's code runs on a thread of its own;
+//! the main thread watches the clock. A case that takes too long, or more memory than it may, ends
+//! the whole worker: the grader sees which case it was and starts another worker after it.
 
 use crate::clock::{self, Stopwatch};
 use crate::isolate;

@@ -1,8 +1,9 @@
 //! Judging random answers: how often a right one would look this wrong.
 //!
-//! All tests of a run together accuse right code with a chance of at most one in a million (Šidák's correction over the
-//! most tests that a run makes). The other side is what they are sure to see: each finding carries it, each case says it to
-//! students ("A bias of 6 % is sure to be seen"), and a test of the goldens holds the two together.
+//! All tests of a run together accuse right code with a chance of at most one in a million (Šidák's
+//! correction over the most tests that a run makes). The other side is what they are sure to see:
+//! each finding carries it, each case says it to students ("A bias of 6 % is sure to be seen"), and
+//! a test of the goldens holds the two together.
 
 use super::tally::{Aspect, Class, Tally};
 use kit::{Tally as Numbers, Vec3};
@@ -75,9 +76,9 @@ pub(crate) fn spread(
     });
 }
 
-/// How finely the middle of directions tells mistakes apart, across the normal and along it: so coarse that chance does
-/// not round it up and down by turns. Along it the middles of a uniform hemisphere and of one drawn by the cosine, 1/2
-/// and 2/3, are whole.
+/// How finely the middle of directions tells mistakes apart, across the normal and along it: so
+/// coarse that chance does not round it up and down by turns. Along it the middles of a uniform
+/// hemisphere and of one drawn by the cosine, 1/2 and 2/3, are whole.
 const FINE: Vec3 = Vec3::new(8.0, 8.0, 24.0);
 
 /// The class of directions that are not distributed rightly: where their middle lies.

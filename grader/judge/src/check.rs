@@ -17,10 +17,12 @@ pub(crate) const LARGE_LIMIT_MS: u64 = 120_000;
 /// What a snapshot says of an answer: totals, and each line in its short and its full form.
 pub(crate) type Content = (Fields, Vec<Forms>);
 
-/// A kind of work. Each task has a folder in `tasks` with an implementation for each of its own kinds.
+/// A kind of work. Each task has a folder in `tasks` with an implementation for each of its own
+/// kinds.
 ///
-/// What the worker wrote is untrusted until [`Check::fits`] has passed it. All other functions are only called with
-/// answers that fit, so they may rely on the number of answers and on every index that `fits` tests.
+/// What the worker wrote is untrusted until [`Check::fits`] has passed it. All other functions are
+/// only called with answers that fit, so they may rely on the number of answers and on every index
+/// that `fits` tests.
 pub(crate) trait Check {
     /// What the worker is asked, as in [`wire::Work`].
     type Question;
@@ -37,17 +39,18 @@ pub(crate) trait Check {
     /// How many calls of the student's functions the question makes.
     fn calls(question: &Self::Question) -> usize;
 
-    /// Whether the answer has the form that the question calls for: as many entries, indices in their range. The error
-    /// ends the sentence "the worker's record does not fit the case: ...".
+    /// Whether the answer has the form that the question calls for: as many entries, indices in
+    /// their range. The error ends the sentence "the worker's record does not fit the case: ...".
     fn fits(question: &Self::Question, answer: &Self::Answer) -> Result<(), String>;
 
-    /// What scores on each call, for work on triangles and spheres: what the oracle computes once for all answers.
-    /// `enclosed` is that of the case.
+    /// What scores on each call, for work on triangles and spheres: what the oracle computes once
+    /// for all answers. `enclosed` is that of the case.
     fn expected(_question: &Self::Question, _tier: Tier, _enclosed: bool) -> Vec<Expected> {
         Vec::new()
     }
 
-    /// Counts what is right and wrong about an answer to the case `spec`, whose points are of `tier`.
+    /// Counts what is right and wrong about an answer to the case `spec`, whose points are of
+    /// `tier`.
     fn judge(
         tally: &mut Tally,
         spec: &Spec,
@@ -59,7 +62,8 @@ pub(crate) trait Check {
     /// The content of a snapshot of the answer; `None` for what is different every time (times).
     fn lines(question: &Self::Question, answer: &Self::Answer) -> Option<Content>;
 
-    /// The body of a Rust test for one call; `None` if there is none that is short, or more than one answer scores.
+    /// The body of a Rust test for one call; `None` if there is none that is short, or more than
+    /// one answer scores.
     fn repro(_tier: Tier, _question: &Self::Question, _call: usize) -> Option<String> {
         None
     }
@@ -69,7 +73,8 @@ pub(crate) trait Check {
         true
     }
 
-    /// The linear colour of each call in a picture, each channel from 0 to 1; `None` for answers without colours.
+    /// The linear colour of each call in a picture, each channel from 0 to 1; `None` for answers
+    /// without colours.
     fn colours(_answer: &Self::Answer) -> Option<Vec<Xyz>> {
         None
     }

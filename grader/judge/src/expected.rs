@@ -6,8 +6,8 @@ use oracle::BigFloat;
 /// What a ray and what it is traced through have to do with each other: the answers that score.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
-    /// The hits that score, the likeliest first: more than one where rounding errors of sound `f64` code
-    /// decide which comes first, or where shapes touch.
+    /// The hits that score, the likeliest first: more than one where rounding errors of sound `f64`
+    /// code decide which comes first, or where shapes touch.
     pub hits: Vec<ExpectedHit>,
     /// Whether a miss scores.
     pub miss: bool,
@@ -74,8 +74,8 @@ impl Expected {
         }
     }
 
-    /// The hit to hold an answer with `prim` and `t` against: of the same primitive if there is one, then the
-    /// one whose `t` is closest in terms of its bound.
+    /// The hit to hold an answer with `prim` and `t` against: of the same primitive if there is
+    /// one, then the one whose `t` is closest in terms of its bound.
     pub fn closest_to(&self, prim: u32, t: f64) -> Option<&ExpectedHit> {
         let off = |hit: &ExpectedHit| {
             let off = (t - hit.t).abs() / hit.t_bound;

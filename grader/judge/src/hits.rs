@@ -7,8 +7,8 @@ use kit::Vec3;
 use wire::answer::Hit;
 use wire::work::Ray;
 
-/// How far the length of a normal may be from 1. A normalisation rounds it by 1e-16; this also lets pass who
-/// divides by the radius a vector to a hit point that `o + t d` has rounded.
+/// How far the length of a normal may be from 1. A normalisation rounds it by 1e-16; this also lets
+/// pass who divides by the radius a vector to a hit point that `o + t d` has rounded.
 const UNIT_BOUND: f64 = 1e-9;
 
 /// One call of one of the student's functions, and where to write down what is found about it.
@@ -177,7 +177,8 @@ impl Call<'_> {
         }
     }
 
-    /// The class of a wrong hit point: how far along the ray it lies, or how far from the right one if beside the ray.
+    /// The class of a wrong hit point: how far along the ray it lies, or how far from the right one
+    /// if beside the ray.
     fn position_class(&self, expected: &ExpectedHit, p: Vec3) -> Class {
         let (o, d) = (Vec3::from(self.ray.o), Vec3::from(self.ray.d));
         let t = (p - o).dot(d) / d.length_squared();

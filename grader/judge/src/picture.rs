@@ -5,10 +5,11 @@ use wire::answer::Hit;
 use wire::work::Xyz;
 use wire::{Answer, Work};
 
-/// The linear colour of each call, each channel from 0 to 1; `None` for work whose answers have no colours.
+/// The linear colour of each call, each channel from 0 to 1; `None` for work whose answers have no
+/// colours.
 ///
-/// Hits show their normal, camera rays their direction, boxes the distance at which the ray enters them (near is
-/// bright); a miss is black.
+/// Hits show their normal, camera rays their direction, boxes the distance at which the ray enters
+/// them (near is bright); a miss is black.
 pub fn colours(work: &Work, answer: &Answer) -> Option<Vec<Xyz>> {
     tasks::asked(work).colours(answer)
 }

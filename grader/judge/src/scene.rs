@@ -1,4 +1,5 @@
-//! Whole scenes, and what rays through them truly hit by the exact oracle, which tests every primitive.
+//! Whole scenes, and what rays through them truly hit by the exact oracle, which tests every
+//! primitive.
 
 use crate::convert;
 use kit::Scene;

@@ -137,11 +137,11 @@ pub enum Class {
     WrongLength,
     /// A number whose ratio to the right one is about 2 to this power.
     Ratio(i8),
-    /// A colour whose channels have about these ratios to the right ones, in `PER_OCTAVE`ths of a power of 2;
-    /// `BLACK_CHANNEL` for channels that are black, and rightly so.
+    /// A colour whose channels have about these ratios to the right ones, in `PER_OCTAVE`ths of a
+    /// power of 2; `BLACK_CHANNEL` for channels that are black, and rightly so.
     Colour([i8; 3]),
-    /// A direction that goes this way instead, or many whose middle lies there, in small fractions of its length along
-    /// each axis.
+    /// A direction that goes this way instead, or many whose middle lies there, in small fractions
+    /// of its length along each axis.
     Towards([i8; 3]),
     /// An infinite number.
     Infinite,
@@ -149,7 +149,8 @@ pub enum Class {
     Zero,
     /// The right numbers in each other's places.
     Swapped,
-    /// A fault with a name of its own; several of them stand beside each other, whatever else is wrong.
+    /// A fault with a name of its own; several of them stand beside each other, whatever else is
+    /// wrong.
     Named(&'static str),
 }
 
@@ -172,7 +173,8 @@ impl Class {
         }
     }
 
-    /// The class of a wrong colour that is not black instead of another, nor another instead of black.
+    /// The class of a wrong colour that is not black instead of another, nor another instead of
+    /// black.
     pub fn of_colour(answered: [f64; 3], right: [f64; 3]) -> Class {
         let mut ratios = [0; 3];
         for ((ratio, a), r) in ratios.iter_mut().zip(answered).zip(right) {
@@ -199,7 +201,8 @@ impl Class {
         }
     }
 
-    /// The class of a ray's origin that is off by `off`: what a fixed offset from the surface makes has a name.
+    /// The class of a ray's origin that is off by `off`: what a fixed offset from the surface makes
+    /// has a name.
     pub fn of_offset(off: f64) -> Class {
         match off {
             EPSILONS_FROM..=EPSILONS_TO => Class::Named("an epsilon away"),
@@ -274,7 +277,8 @@ pub struct Finding {
     /// Each of them.
     #[serde(skip)]
     pub faults: Vec<Fault>,
-    /// Where many answers are judged by chance: the smallest bias or deviation, as a share, that is sure to be seen.
+    /// Where many answers are judged by chance: the smallest bias or deviation, as a share, that is
+    /// sure to be seen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sure: Option<f64>,
     /// How far off its numbers are, where that is measured.
@@ -334,7 +338,8 @@ impl Tally {
         self.entry(aspect).expected += 1;
     }
 
-    /// The answer to call number `call` shows `aspect`, rightly or not; `badness` ranks the wrong ones.
+    /// The answer to call number `call` shows `aspect`, rightly or not; `badness` ranks the wrong
+    /// ones.
     pub fn judge(
         &mut self,
         aspect: Aspect,
@@ -393,7 +398,8 @@ impl Tally {
         self.entry(aspect).wrong == 0
     }
 
-    /// What is judged of `aspect` by chance is sure to be seen from this share on; of several tests the weakest counts.
+    /// What is judged of `aspect` by chance is sure to be seen from this share on; of several tests
+    /// the weakest counts.
     pub fn sure(&mut self, aspect: Aspect, share: f64) {
         let weakest = &mut self.entry(aspect).sure;
         *weakest = Some(weakest.map_or(share, |other| other.max(share)));

@@ -1,7 +1,8 @@
 //! What is right, from the exact oracle, in the form in which answers are judged.
 //!
-//! The tier decides how much rounding is forgiven: core points ask for what textbook code in `f64` can give,
-//! robust points for what code made for hard cases can, and then the hit point must lie on the surface.
+//! The tier decides how much rounding is forgiven: core points ask for what textbook code in `f64`
+//! can give, robust points for what code made for hard cases can, and then the hit point must lie
+//! on the surface.
 
 use crate::Tier;
 use crate::expected::{Expected, ExpectedHit, Surface};
@@ -14,8 +15,8 @@ use oracle::{
     TriangleVerdict, closest, near,
 };
 
-/// A hit point may be off the surface by so many roundings of its largest coordinate: mixing three vertices
-/// costs about ten, pulling a point back to a sphere a few less.
+/// A hit point may be off the surface by so many roundings of its largest coordinate: mixing three
+/// vertices costs about ten, pulling a point back to a sphere a few less.
 const SURFACE_ROUNDINGS: f64 = 16.0;
 
 /// What `ray` and a triangle with the number `prim` have to do with each other.
@@ -52,8 +53,8 @@ pub fn sphere(tier: Tier, prim: u32, sphere: &Sphere, ray: &Ray) -> Expected {
     }
 }
 
-/// What `ray` hits first of `shapes`, numbered from 0. `enclosed` says that they close in on the ray: even where
-/// rounding decides which of two neighbours is hit, a miss is wrong.
+/// What `ray` hits first of `shapes`, numbered from 0. `enclosed` says that they close in on the
+/// ray: even where rounding decides which of two neighbours is hit, a miss is wrong.
 pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool) -> Expected {
     let near = near(shapes, ray);
     let closest = closest(near.iter().map(|(_, shape)| *shape), ray);
@@ -192,7 +193,8 @@ mod tests {
     use crate::expected::Decision;
     use oracle::may_touch;
 
-    /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the plane z = 0.
+    /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the
+    /// plane z = 0.
     fn square() -> [Triangle; 2] {
         let corner = |x: f64, y: f64| Vec3::new(x, y, 0.0);
         let (a, b, c, d) = (

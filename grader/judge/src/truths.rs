@@ -1,5 +1,5 @@
-//! What is right about each call of a case. The exact oracle takes its time, and many versions of the code are judged
-//! by the same: so it is asked once, by whoever comes first.
+//! What is right about each call of a case. The exact oracle takes its time, and many versions of
+//! the code are judged by the same: so it is asked once, by whoever comes first.
 
 use super::expected::Expected;
 use super::scene;
@@ -24,8 +24,8 @@ impl Truths {
         self.scene.get_or_init(|| scene::truths(source, rays))
     }
 
-    /// What scores on each probe or ray of `spec`, whose truths these are; nothing if it has no single shapes and no list
-    /// of shapes.
+    /// What scores on each probe or ray of `spec`, whose truths these are; nothing if it has no
+    /// single shapes and no list of shapes.
     pub(super) fn of_shapes(&self, spec: &Spec, tier: Tier) -> &[Expected] {
         let known = match tier {
             Tier::Core => &self.core,
@@ -35,7 +35,8 @@ impl Truths {
     }
 }
 
-/// What scores on each probe or ray of a case about single shapes or a list of them; nothing for other cases.
+/// What scores on each probe or ray of a case about single shapes or a list of them; nothing for
+/// other cases.
 pub fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
     tasks::asked(&spec.work).expected(tier, spec.enclosed)
 }

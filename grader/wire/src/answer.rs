@@ -65,7 +65,8 @@ pub enum Outcome {
 pub struct PixelAnswer {
     /// Points that the camera was asked for.
     pub points: Vec<[f64; 2]>,
-    /// For each traced ray the index of the point it came from; `None` if no camera ray had its origin and direction.
+    /// For each traced ray the index of the point it came from; `None` if no camera ray had its
+    /// origin and direction.
     pub traced: Vec<Option<u32>>,
     /// What `trace_ray` answered, call after call.
     pub traced_radiance: Vec<Xyz>,
@@ -139,7 +140,8 @@ pub struct BuildAnswer {
 /// What a traversal answered to one ray of a scripted world.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TraverseAnswer {
-    /// The closest hit's `t` and primitive; of an any-hit query, whether there is one (`t` and primitive 0).
+    /// The closest hit's `t` and primitive; of an any-hit query, whether there is one (`t` and
+    /// primitive 0).
     pub hit: Option<(f64, u32)>,
     /// The ray afterwards.
     pub ray_after: Ray,

@@ -1,17 +1,20 @@
 //! Files of cases and records.
 //!
-//! A file of cases is one postcard value. A file of records is a run of frames, each after its length
-//! as four little-endian bytes: what a killed worker had finished can still be read. The student's code runs in the
-//! worker and can write to that file, so [`FrameReader`] expects anything in it.
+//! A file of cases is one postcard value. A file of records is a run of frames, each after its
+//! length as four little-endian bytes: what a killed worker had finished can still be read. The
+//! student's code runs in the worker and can write to that file, so [`FrameReader`] expects
+//! anything in it.
 
 use crate::{Case, Frame};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
 
-/// The largest frame that is read. The reference's largest is a tenth of it, and what is decoded takes at most 150 times
-/// the memory of its bytes (a miss among hits is one byte).
-pub const MAX_FRAME_BYTES: u32 = 8 << 20;
+/// The largest frame that is read. The largest record of the course's cases has 3.4 MB, those of
+/// `grader-cost`, which sends 60,000 rays at once, 13 MB. What is decoded takes up to 150 times the
+/// memory of its bytes (a miss in a list of hits is one byte): no more than a worker itself may
+/// take.
+pub const MAX_FRAME_BYTES: u32 = 24 << 20;
 
 /// Writes the cases for a worker.
 pub fn write_cases(path: &Path, cases: &[Case]) -> io::Result<()> {
@@ -33,8 +36,8 @@ pub fn write_frame(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
     out.flush()
 }
 
-/// Reads frame after frame: each, or what is wrong about the one at which the reading ends. A frame cut short at the end
-/// of the file is left out, as a worker leaves it that is killed.
+/// Reads frame after frame: each, or what is wrong about the one at which the reading ends. A frame
+/// cut short at the end of the file is left out, as a worker leaves it that is killed.
 pub struct FrameReader {
     input: Box<dyn Read>,
     ended: bool,
@@ -59,8 +62,8 @@ impl FrameReader {
         }
     }
 
-    /// The next frame, or none where the input ends. No more than [`MAX_FRAME_BYTES`] are read for it, and none before
-    /// they are there.
+    /// The next frame, or none where the input ends. No more than [`MAX_FRAME_BYTES`] are read for
+    /// it, and none before they are there.
     fn read(&mut self) -> Result<Option<Frame>, String> {
         let Some(length) = self.bytes(4)? else {
             return Ok(None);

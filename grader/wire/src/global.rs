@@ -109,7 +109,8 @@ pub struct PathAnswer {
     pub rays: Vec<Ray>,
     /// Surfaces that direct light was asked of, and the direction to the viewer.
     pub direct: Vec<(u32, Xyz)>,
-    /// Surfaces that a direction was drawn at: the local direction to the viewer and the random numbers.
+    /// Surfaces that a direction was drawn at: the local direction to the viewer and the random
+    /// numbers.
     pub samples: Vec<(u32, Xyz, Xyz)>,
     /// Games of roulette: throughput, bounces, random number.
     pub games: Vec<(Xyz, u32, f64)>,

@@ -1,6 +1,7 @@
 //! The kinds of work: each with its question and its answer, in one list.
 //!
-//! A new kind is one entry here. The worker answers it (`worker/src/run.rs`), and the crate `judge` has a check for it.
+//! A new kind is one entry here. The worker answers it (`worker/src/run.rs`), and the crate `judge`
+//! has a check for it.
 
 use crate::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 use crate::answer::{
@@ -62,7 +63,8 @@ kinds! {
     Triangles(TriangleWork) -> Vec<TriangleAnswer>;
     /// Call `test_sphere` and `intersect_sphere` for every probe.
     Spheres(SphereWork) -> Vec<SphereAnswer>;
-    /// For every ray go through all primitives in order with `intersect_*`, one ray for all of them.
+    /// For every ray go through all primitives in order with `intersect_*`, one ray for all of
+    /// them.
     BruteForce(BruteForceWork) -> HitsAnswer;
     /// Call `intersect_bbox` for every probe.
     Boxes(BoxWork) -> Vec<Option<[f64; 2]>>;
@@ -70,13 +72,15 @@ kinds! {
     Build(BuildWork) -> BuildAnswer;
     /// Call `intersect_bvh` or `occludes_bvh` in a world whose answers are given.
     Traverse(ScriptedWorld) -> Vec<TraverseAnswer>;
-    /// Trace rays through a scene with all of the student's stages but for the tree, which is given.
+    /// Trace rays through a scene with all of the student's stages but for the tree, which is
+    /// given.
     SceneHits(SceneWork) -> HitsAnswer;
     /// Time the student's tree against the student's brute force.
     Timing(TimingWork) -> TimingAnswer;
     /// Time one of the student's intersection tests: seconds of each round.
     TimeTest(TestTiming) -> Vec<f64>;
-    /// Trace rays through a scene for their closest hits, and record which boxes of its tree are tested.
+    /// Trace rays through a scene for their closest hits, and record which boxes of its tree are
+    /// tested.
     Visits(VisitsWork) -> VisitsAnswer;
     /// Call `lambert_f`, `lambert_pdf` and `lambert_sample` for every probe.
     Lambert(Vec<LambertProbe>) -> Vec<LambertAnswer>;

@@ -95,8 +95,8 @@ impl Panel {
         (self.max[0] - self.min[0]) * (self.max[1] - self.min[1])
     }
 
-    /// Where the line from `o` along `d` meets it: the distance in lengths of `d`, and the place as shares of both
-    /// sides.
+    /// Where the line from `o` along `d` meets it: the distance in lengths of `d`, and the place as
+    /// shares of both sides.
     pub fn meets(&self, o: Xyz, d: Xyz) -> Option<(f64, [f64; 2])> {
         let t = (self.at - o[self.axis]) / d[self.axis];
         let share = [0, 1].map(|side| {
@@ -119,7 +119,8 @@ pub struct LitWorld {
     pub environment: Option<Surroundings>,
 }
 
-/// A picture all around, as [`kit::Environment`] has it: by longitude and latitude, row by row from the top left.
+/// A picture all around, as [`kit::Environment`] has it: by longitude and latitude, row by row from
+/// the top left.
 ///
 /// [`kit::Environment`]: ../../kit/environment/struct.Environment.html
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -140,8 +141,8 @@ impl Surroundings {
     }
 }
 
-/// What the stand-in for scattering answers for a matte surface, directions in its local space. It is no Lambertian: it
-/// shows which directions it was asked for, and in which order and space.
+/// What the stand-in for scattering answers for a matte surface, directions in its local space. It
+/// is no Lambertian: it shows which directions it was asked for, and in which order and space.
 pub fn scripted_f(reflectance: Xyz, wo: Xyz, wi: Xyz) -> Xyz {
     if wo[2] * wi[2] <= 0.0 {
         return [0.0; 3];

@@ -158,12 +158,13 @@ pub struct PixelWork {
 pub enum PixelWorld {
     /// The same radiance everywhere.
     Constant(Xyz),
-    /// The red channel is `u`, the green is `v`, the blue is `u * v`, of the point the camera was asked for.
+    /// The red channel is `u`, the green is `v`, the blue is `u * v`, of the point the camera was
+    /// asked for.
     Ramp,
     /// By turns this radiance and black, call after call.
     Flicker(Xyz),
-    /// Coloured rings around the centre of the film, ever narrower (a Fresnel zone plate): what is too narrow for
-    /// the pixels shows as rings in other places.
+    /// Coloured rings around the centre of the film, ever narrower (a Fresnel zone plate): what is
+    /// too narrow for the pixels shows as rings in other places.
     Rings,
 }
 

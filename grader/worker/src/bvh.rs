@@ -1,4 +1,5 @@
-//! Part 2, tasks 1 and 3: trees built from boxes, and walks through worlds whose answers are written down.
+//! Part 2, tasks 1 and 3: trees built from boxes, and walks through worlds whose answers are
+//! written down.
 
 use crate::convert;
 use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};

@@ -108,13 +108,15 @@ impl World for SceneWorld<'_> {
     }
 }
 
-/// How long the rays of one round may take through a tree; if they take longer, only the first ones are traced.
+/// How long the rays of one round may take through a tree; if they take longer, only the first ones
+/// are traced.
 const TREE_TIME: Duration = Duration::from_millis(700);
 
 /// How many rays are traced between two looks at the clock.
 const BATCH: usize = 64;
 
-/// Times the tree against brute force, in turns, so that a change of the machine's speed meets both.
+/// Times the tree against brute force, in turns, so that a change of the machine's speed meets
+/// both.
 pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
     let scene = load(&timing.scene)?;
     let bounds = scene.primitive_bounds();

@@ -44,7 +44,8 @@ pub(crate) fn first_hit(world: &LitWorld, ray: &Ray) -> Option<Hit> {
     })
 }
 
-/// Both triangles of a panel: the one below its diagonal, and the one above. Their normals are on its front.
+/// Both triangles of a panel: the one below its diagonal, and the one above. Their normals are on
+/// its front.
 fn halves(panel: &Panel) -> [Triangle; 2] {
     let [a, b, c, d] = panel.corners().map(Vec3::from);
     let halves = if panel.faces > 0.0 {

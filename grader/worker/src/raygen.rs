@@ -79,7 +79,8 @@ fn radiance(world: PixelWorld, point: Vec2, call: usize) -> Spectrum {
     }
 }
 
-/// `0.35 (1 + cos(k r²))` at the distance `r` from the centre of the film, with a `k` for each channel.
+/// `0.35 (1 + cos(k r²))` at the distance `r` from the centre of the film, with a `k` for each
+/// channel.
 fn rings(point: Vec2) -> Spectrum {
     let squared = (point - 0.5).length_squared();
     let ring = |k: f64| 0.35 + 0.35 * kit::math::cos(k * squared);

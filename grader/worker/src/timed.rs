@@ -5,8 +5,8 @@ use std::hint::black_box;
 use std::time::Instant;
 use wire::work::{Shapes, TestTiming};
 
-/// Times the test of the shapes that are given. Of a hit by `test_triangle` and `test_sphere`, `o + t·d` is computed, too,
-/// as the kernels do that they are compared with.
+/// Times the test of the shapes that are given. Of a hit by `test_triangle` and `test_sphere`, `o +
+/// t·d` is computed, too, as the kernels do that they are compared with.
 pub(crate) fn test(timing: &TestTiming) -> Result<Vec<f64>, String> {
     match &timing.shapes {
         #[cfg(feature = "intersect")]

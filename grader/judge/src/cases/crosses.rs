@@ -1,7 +1,8 @@
 //! Worlds for traversals, in which every hit is plain to see.
 //!
-//! A primitive is a box with three plates inside, one across each axis. Rays run along an axis, so a ray that passes
-//! through the box meets the plate across its axis: nothing rounds, and no intersection code is needed.
+//! A primitive is a box with three plates inside, one across each axis. Rays run along an axis, so
+//! a ray that passes through the box meets the plate across its axis: nothing rounds, and no
+//! intersection code is needed.
 
 use super::plan::Plan;
 use kit::{Aabb, Ray, Vec3};

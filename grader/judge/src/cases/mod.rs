@@ -1,7 +1,8 @@
 //! A case, and what the cases of several tasks are made with.
 //!
-//! `course.toml` lists which cases count and what they are worth; what they do is in the folder of their task, in `tasks`.
-//! Every case is the same on every machine; those that take a seed draw fresh rays from it.
+//! `course.toml` lists which cases count and what they are worth; what they do is in the folder of
+//! their task, in `tasks`. Every case is the same on every machine; those that take a seed draw
+//! fresh rays from it.
 
 pub(crate) mod crosses;
 pub(crate) mod plan;
@@ -21,17 +22,18 @@ pub struct Spec {
     pub task: &'static str,
     /// Name, as in `course.toml`.
     pub name: &'static str,
-    /// What is checked, in a sentence for students, and after [`PITFALL`] what a naive formula does there: [`checked`]
-    /// is what is told to who wants no more of a hint.
+    /// What is checked, in a sentence for students, and after [`PITFALL`] what a naive formula does
+    /// there: [`checked`] is what is told to who wants no more of a hint.
     pub about: &'static str,
     /// What the worker does.
     pub work: Work,
-    /// Width and height, if the answers are the pixels of a picture, row by row from the bottom left.
+    /// Width and height, if the answers are the pixels of a picture, row by row from the bottom
+    /// left.
     pub picture: Option<[u32; 2]>,
     /// Whether the shapes close in on every ray, so that a miss is never right.
     pub enclosed: bool,
-    /// The aspects that the case is about and gives its points for; empty: all that its answers show. What goes
-    /// wrong everywhere is then told where it belongs, and not in every case.
+    /// The aspects that the case is about and gives its points for; empty: all that its answers
+    /// show. What goes wrong everywhere is then told where it belongs, and not in every case.
     pub about_aspects: &'static [Aspect],
     /// What is right, as far as somebody has asked.
     pub(crate) truths: Arc<Truths>,

@@ -37,9 +37,9 @@ impl Plan {
     }
 }
 
-/// A tree over boxes, with leaves of at most so many: halves of a list that is sorted along a curve through all cells of a
-/// grid, so that neighbours in the list are neighbours in space (Morton 1966; Lauterbach and others, "Fast BVH construction
-/// on GPUs", 2009).
+/// A tree over boxes, with leaves of at most so many: halves of a list that is sorted along a curve
+/// through all cells of a grid, so that neighbours in the list are neighbours in space (Morton
+/// 1966; Lauterbach and others, "Fast BVH construction on GPUs", 2009).
 pub(crate) fn along_a_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
     let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
     let mut ids: Vec<u32> = (0..bounds.len() as u32).collect();

@@ -1,4 +1,5 @@
-//! Making probes: random numbers that are the same everywhere, rays at shapes, and lists of both for the worker.
+//! Making probes: random numbers that are the same everywhere, rays at shapes, and lists of both
+//! for the worker.
 
 use kit::{PixelSampler, Ray, Sphere, Triangle, Vec3};
 use wire::Work;
@@ -74,15 +75,16 @@ impl Dice {
         }
     }
 
-    /// The triangle with a normal of its own at each vertex, bent up to 45 degrees away from the flat one.
+    /// The triangle with a normal of its own at each vertex, bent up to 45 degrees away from the
+    /// flat one.
     pub(crate) fn with_normals(&mut self, flat: Triangle) -> Triangle {
         let [n0, n1, n2] = [0; 3].map(|_| (flat.n0 + 0.7 * self.direction()).normalize());
         Triangle { n0, n1, n2, ..flat }
     }
 
-    /// A ray of unit direction that meets the plane of `triangle` where the weights of `p1` and `p2` are `b`, at
-    /// `t = distance`, coming from the side of the normal (`side` 1) or the other (-1), not more than 65 degrees
-    /// from the normal.
+    /// A ray of unit direction that meets the plane of `triangle` where the weights of `p1` and
+    /// `p2` are `b`, at `t = distance`, coming from the side of the normal (`side` 1) or the other
+    /// (-1), not more than 65 degrees from the normal.
     pub(crate) fn ray_to(
         &mut self,
         triangle: &Triangle,
@@ -112,8 +114,8 @@ impl Dice {
         }
     }
 
-    /// A ray of unit direction that passes the centre of `s` at `impact` radii (misses if that is over 1), where
-    /// `t = distance`.
+    /// A ray of unit direction that passes the centre of `s` at `impact` radii (misses if that is
+    /// over 1), where `t = distance`.
     pub fn ray_past(&mut self, s: &Sphere, impact: f64, distance: f64) -> Ray {
         let d = self.direction();
         let aside = loop {

@@ -1,6 +1,8 @@
-//! Work that the reference solutions do, recorded so that other solutions can be measured against it.
+//! Work that the reference solutions do, recorded so that other solutions can be measured against
+//! it.
 //!
-//! The numbers come out of `cargo grader part2` on the reference; they are the same on every machine.
+//! The numbers come out of `cargo grader part2` on the reference; they are the same on every
+//! machine.
 
 use serde::Serialize;
 
@@ -38,8 +40,8 @@ pub struct RayWork {
     pub prims: f64,
 }
 
-/// The recorded work of a ray of the table of speedups through a mesh of `size` triangles; NaN for one that is not
-/// in it.
+/// The recorded work of a ray of the table of speedups through a mesh of `size` triangles; NaN for
+/// one that is not in it.
 pub fn rays(mesh: &str, size: u32) -> RayWork {
     let (boxes, prims) = match (mesh, size) {
         ("smooth", 1_000) => (16.09, 3.62),

@@ -1,7 +1,9 @@
-//! The worst answer as a Rust test: to paste into a stage's `tests/` folder, run in a debugger, keep.
+//! The worst answer as a Rust test: to paste into a stage's `tests/` folder, run in a debugger,
+//! keep.
 //!
-//! It fails on the code that gave the answer and passes on any that earns the points. The body of the test comes from the
-//! check of the case's kind of work; [`numbers`] and [`hits`] write what several of them need.
+//! It fails on the code that gave the answer and passes on any that earns the points. The body of
+//! the test comes from the check of the case's kind of work; [`numbers`] and [`hits`] write what
+//! several of them need.
 
 pub(crate) mod hits;
 pub(crate) mod numbers;
@@ -23,7 +25,8 @@ pub struct FailedCase<'a> {
     pub findings: &'a [Finding],
 }
 
-/// A test for the worst answer of a task's failed cases, core points first. `None` if no answer fits in a short test.
+/// A test for the worst answer of a task's failed cases, core points first. `None` if no answer
+/// fits in a short test.
 pub fn worst<'a>(
     failed: impl IntoIterator<Item = FailedCase<'a>>,
     specs: &[Spec],
@@ -45,7 +48,8 @@ pub fn worst<'a>(
     found.map(|test| as_file(task, &test))
 }
 
-/// The test as a file of a stage's `tests/` folder, where the compiler asks for a comment at the top.
+/// The test as a file of a stage's `tests/` folder, where the compiler asks for a comment at the
+/// top.
 pub fn as_file(task: &str, test: &str) -> String {
     format!("//! The worst answer of {task}, as the grader saw it.\n\n{test}")
 }

@@ -44,7 +44,8 @@ pub(crate) fn float(number: f64) -> String {
     }
 }
 
-/// The lines that assert that each channel of `what` is within `bound`, a share of the largest right one.
+/// The lines that assert that each channel of `what` is within `bound`, a share of the largest
+/// right one.
 pub(crate) fn same_colour(what: &str, right: Xyz, bound: f64) -> String {
     let scale = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let [r, g, b] = right.map(float);

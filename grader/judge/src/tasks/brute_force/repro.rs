@@ -11,8 +11,8 @@ use wire::work::{Ray, Xyz};
 /// So many shapes in a ray's way still make a test that one can read.
 const SHAPES: usize = 6;
 
-/// The first hit among all shapes that the line of a ray meets, in their order. `None` for triangles and spheres
-/// together, and where more than one answer scores.
+/// The first hit among all shapes that the line of a ray meets, in their order. `None` for
+/// triangles and spheres together, and where more than one answer scores.
 pub(crate) fn first_of(
     tier: Tier,
     triangles: &[[Xyz; 6]],

@@ -15,10 +15,12 @@ pub(crate) struct Place {
     error: f64,
 }
 
-/// Steps of the midpoint rule along each side of a lamp: its error is far below that of any estimate here.
+/// Steps of the midpoint rule along each side of a lamp: its error is far below that of any
+/// estimate here.
 const STEPS: u32 = 160;
 
-/// Steps of the midpoint rule along each side of a hemisphere, for pictures whose radiance jumps from texel to texel.
+/// Steps of the midpoint rule along each side of a hemisphere, for pictures whose radiance jumps
+/// from texel to texel.
 const SKY_STEPS: u32 = 1024;
 
 /// What is seen all around.
@@ -88,7 +90,8 @@ impl Place {
         }
     }
 
-    /// The radiance that panels which emit, skies and an environment give, if nothing is in between.
+    /// The radiance that panels which emit, skies and an environment give, if nothing is in
+    /// between.
     pub(crate) fn lit_by(&self, world: &LitWorld) -> Vec3 {
         let lamps = world.panels.iter().map(|panel| self.lit_by_panel(panel));
         let all_around = Vec3::from(self.reflectance) * (MEAN_F * PI);
@@ -100,7 +103,8 @@ impl Place {
         lamps.sum::<Vec3>() + all_around * skies.sum::<Vec3>() + around.unwrap_or_default()
     }
 
-    /// `∫ f · L · |cos θ| dω` over the hemisphere, by steps that are even in height and in angle around the normal.
+    /// `∫ f · L · |cos θ| dω` over the hemisphere, by steps that are even in height and in angle
+    /// around the normal.
     fn lit_by_picture(&self, picture: &Environment) -> Vec3 {
         let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(SKY_STEPS);
         let cells = (0..SKY_STEPS).flat_map(|i| (0..SKY_STEPS).map(move |j| (i, j)));

@@ -1,4 +1,5 @@
-//! What typical mistakes make of the same rays: whoever draws other rays makes the same mistake in other numbers.
+//! What typical mistakes make of the same rays: whoever draws other rays makes the same mistake in
+//! other numbers.
 
 use super::lamps::Place;
 use kit::{Spectrum, Vec3};

@@ -7,8 +7,9 @@ use wire::direct::{DirectWork, ShadedPoint, Strategy};
 use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 use wire::work::Xyz;
 
-/// How far the coordinates of points here may be off: far more than rounding, so that it shows whether rays leave
-/// surfaces by it, and far less than the gap that shadow rays leave before their light.
+/// How far the coordinates of points here may be off: far more than rounding, so that it shows
+/// whether rays leave surfaces by it, and far less than the gap that shadow rays leave before their
+/// light.
 const POINT_ERROR: f64 = 2e-12;
 
 /// A lamp at the height `at` over the plane of x and z, between -1 and 1 in both, shining down.
@@ -77,7 +78,8 @@ pub(crate) fn anywhere(dice: &mut Dice) -> ShadedPoint {
     }
 }
 
-/// A room of six panels around the origin, some of which emit, with a hole in its roof through which the sky is seen.
+/// A room of six panels around the origin, some of which emit, with a hole in its roof through
+/// which the sky is seen.
 pub(crate) fn room() -> LitWorld {
     let side = |axis: usize, sign: f64, material: Material| Panel {
         axis,

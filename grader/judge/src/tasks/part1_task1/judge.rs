@@ -1,23 +1,24 @@
 //! Judging the sample loop of a pixel.
 //!
-//! How samples spread is judged by z-tests over all pixels of a case, so that every sound way of sampling passes:
-//! independent, jittered, a low-discrepancy set, in any order.
+//! How samples spread is judged by z-tests over all pixels of a case, so that every sound way of
+//! sampling passes: independent, jittered, a low-discrepancy set, in any order.
 
 use crate::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 
-/// How far a point may be off or outside its pixel, in pixels: `x / w` and back rounds a few times, on a film
-/// thousands of pixels wide.
+/// How far a point may be off or outside its pixel, in pixels: `x / w` and back rounds a few times,
+/// on a film thousands of pixels wide.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// How far a radiance may be off, as a part of the brightest sample: a thousand samples are a thousand roundings.
+/// How far a radiance may be off, as a part of the brightest sample: a thousand samples are a
+/// thousand roundings.
 const RADIANCE_BOUND: f64 = 1e-12;
 
-/// A test fails beyond so many standard deviations: sound independent samples do with probability 8e-11, at most
-/// 1e-9 with the skew of a thousand squares. A mean that is off by a seventh of a pixel over a thousand samples
-/// is sure to be seen.
+/// A test fails beyond so many standard deviations: sound independent samples do with probability
+/// 8e-11, at most 1e-9 with the skew of a thousand squares. A mean that is off by a seventh of a
+/// pixel over a thousand samples is sure to be seen.
 const SIGMAS: f64 = 6.5;
 
 /// Judges `raytrace_pixel`.
@@ -165,7 +166,8 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
         |f: &dyn Fn(&[f64; 2]) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
     let mut test = |name: &str, mean: f64, right: f64, variance: f64| {
         let sigma = (variance / offsets.len() as f64).sqrt();
-        // A regular or low-discrepancy set of n points may be off by about 1/n, the same in every pixel.
+        // A regular or low-discrepancy set of n points may be off by about 1/n, the same in every
+        // pixel.
         let slack = 1.0 / f64::from(work.ns_aa);
         let off = (mean - right).abs();
         let allowed = slack + SIGMAS * sigma;
@@ -176,7 +178,8 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
             )
         });
     };
-    // Of a uniform u: mean 1/2, variance 1/12; (u - 1/2)² has variance 1/180, (u - 1/2)(v - 1/2) has 1/144.
+    // Of a uniform u: mean 1/2, variance 1/12; (u - 1/2)² has variance 1/180, (u - 1/2)(v - 1/2)
+    // has 1/144.
     for (axis, name) in [(0, "x"), (1, "y")] {
         let center = format!("the mean place in the pixel along {name}");
         test(&center, mean_of(&|o| o[axis]), 0.5, 1.0 / 12.0);
@@ -205,7 +208,8 @@ mod tests {
         }
     }
 
-    /// What is wrong about a sound loop whose samples are put where `place` says and whose answer is then spoilt.
+    /// What is wrong about a sound loop whose samples are put where `place` says and whose answer
+    /// is then spoilt.
     fn wrong(
         ns_aa: u32,
         place: impl Fn(Vec2) -> Vec2,

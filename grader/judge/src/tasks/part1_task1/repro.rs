@@ -2,7 +2,8 @@
 
 use wire::work::PixelWork;
 
-/// One pixel, looked at sample by sample; then, for several samples, how they spread over all pixels of a film.
+/// One pixel, looked at sample by sample; then, for several samples, how they spread over all
+/// pixels of a film.
 pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2]) -> String {
     let PixelWork {
         film: [w, h],

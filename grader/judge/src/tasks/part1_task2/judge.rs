@@ -6,13 +6,15 @@ use crate::tally::{Aspect, Class, Tally};
 use kit::{Vec3, math};
 use wire::work::{Camera, Ray, Xyz};
 
-/// How far a component of a direction may be off for core points: π written with nine digits is enough.
+/// How far a component of a direction may be off for core points: π written with nine digits is
+/// enough.
 const DIRECTION_BOUND: f64 = 1e-9;
 
 /// How far it may be off for robust points: a dozen roundings of numbers up to 1.
 const ROBUST_DIRECTION_BOUND: f64 = 1e-14;
 
-/// How far the length of a direction may be from 1: a few roundings of a square root and a division.
+/// How far the length of a direction may be from 1: a few roundings of a square root and a
+/// division.
 const UNIT_BOUND: f64 = 1e-12;
 
 /// How far the origin may be off, as a part of the camera's distance from the world's origin.
@@ -111,8 +113,8 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     }
 }
 
-/// The unit direction in world space: the sensor stands one unit in front of the camera, and its half extents are
-/// the tangents of half the fields of view.
+/// The unit direction in world space: the sensor stands one unit in front of the camera, and its
+/// half extents are the tangents of half the fields of view.
 fn direction(camera: &Camera, [u, v]: [f64; 2]) -> Vec3 {
     let half = |degrees: f64| math::tan(degrees.to_radians() * 0.5);
     let [right, up, backward] = camera.c2w.map(Vec3::from);
@@ -123,8 +125,9 @@ fn direction(camera: &Camera, [u, v]: [f64; 2]) -> Vec3 {
     (x * right + y * up - backward).normalize()
 }
 
-/// How far the direction may turn because the angle is rounded before its tangent is taken: the relative error
-/// of `tan θ` is that of `θ` times `θ (tan θ + cot θ)`, a lot near 90 degrees. `θ` is rounded 4 times.
+/// How far the direction may turn because the angle is rounded before its tangent is taken: the
+/// relative error of `tan θ` is that of `θ` times `θ (tan θ + cot θ)`, a lot near 90 degrees. `θ`
+/// is rounded 4 times.
 fn angle_rounding(fov_degrees: f64) -> f64 {
     let half = fov_degrees.to_radians() * 0.5;
     let tan = math::tan(half);

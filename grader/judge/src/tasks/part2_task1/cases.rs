@@ -171,8 +171,9 @@ fn grid() -> Vec<Aabb> {
         .collect()
 }
 
-/// Box `i` reaches from just beyond `i / 2` to `3i / 2` along x, and another set likewise against it. Of all boxes up
-/// to `k` only the last ones lie beyond the middle, `k / 2`, with their nearer corner.
+/// Box `i` reaches from just beyond `i / 2` to `3i / 2` along x, and another set likewise against
+/// it. Of all boxes up to `k` only the last ones lie beyond the middle, `k / 2`, with their nearer
+/// corner.
 fn long_boxes() -> Vec<Aabb> {
     let along_x = (0..300).map(|i| {
         let i = f64::from(i);

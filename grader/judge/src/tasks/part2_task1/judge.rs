@@ -1,7 +1,7 @@
 //! Judging a tree: whether it is one, holds everything, and saves work.
 //!
-//! The tree comes from code under test: nothing about it is taken for granted, neither that its indices point
-//! somewhere nor that it has an end.
+//! The tree comes from code under test: nothing about it is taken for granted, neither that its
+//! indices point somewhere nor that it has an end.
 
 use crate::cases::recorded::TreeWork;
 use crate::tally::{Aspect, Class, Tally};
@@ -9,12 +9,13 @@ use kit::{Aabb, Vec3};
 use wire::answer::BuildAnswer;
 use wire::work::{Node, NodeKind, Tree, Xyz};
 
-/// A tree may cost this many times what the reference's costs. Median and midpoint splits differ by less than 1.5,
-/// a surface area heuristic gains; the wrong axis or loose boxes cost many times as much.
+/// A tree may cost this many times what the reference's costs. Median and midpoint splits differ by
+/// less than 1.5, a surface area heuristic gains; the wrong axis or loose boxes cost many times as
+/// much.
 const COST_FACTOR: f64 = 2.0;
 
-/// A tree may be this many times as deep as the reference's: a leaf of one more level costs nobody anything, a
-/// list costs all.
+/// A tree may be this many times as deep as the reference's: a leaf of one more level costs nobody
+/// anything, a list costs all.
 const DEPTH_FACTOR: u32 = 4;
 
 /// Judges what `construct_bvh` made of `bounds`; its work where some is recorded.
@@ -72,13 +73,15 @@ impl Fault {
     }
 }
 
-/// The nodes in an order in which parents come before their children, and how deep each is (the root is at 0).
+/// The nodes in an order in which parents come before their children, and how deep each is (the
+/// root is at 0).
 struct Walk {
     parents_first: Vec<usize>,
     depth: Vec<u32>,
 }
 
-/// Goes through the tree once, and says what is wrong with it if it is none or does not hold each primitive once.
+/// Goes through the tree once, and says what is wrong with it if it is none or does not hold each
+/// primitive once.
 fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     let mut walk = Walk {
         parents_first: Vec::new(),
@@ -300,11 +303,13 @@ fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size
     }
 }
 
-/// What a tree costs: the box and primitive tests that a random line through the scene has to make, by the surface
-/// area heuristic (Goldsmith and Salmon, "Automatic creation of object hierarchies for ray tracing", 1987): a line
-/// that meets the scene meets a convex box inside with the ratio of their areas.
+/// What a tree costs: the box and primitive tests that a random line through the scene has to make,
+/// by the surface area heuristic (Goldsmith and Salmon, "Automatic creation of object hierarchies
+/// for ray tracing", 1987): a line that meets the scene meets a convex box inside with the ratio of
+/// their areas.
 ///
-/// Areas are those of the nodes' own boxes, over that of the scene's true one, so that loose boxes cost.
+/// Areas are those of the nodes' own boxes, over that of the scene's true one, so that loose boxes
+/// cost.
 fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, held: &[Aabb], recorded: TreeWork) {
     let scene = held.first().map_or(0.0, Aabb::surface_area);
     let tests = |node: &Node| match node.kind {
@@ -370,7 +375,8 @@ mod tests {
         [[6.0, 0.0, 0.0], [7.0, 1.0, 1.0]],
     ];
 
-    /// What the tree of [`right`] costs: 2 for the root, 2 leaves of 2 that fill 14/30 of its area each.
+    /// What the tree of [`right`] costs: 2 for the root, 2 leaves of 2 that fill 14/30 of its area
+    /// each.
     const COST: TreeWork = TreeWork {
         cost: 2.0 + 2.0 * 2.0 * 14.0 / 30.0,
         depth: 1,

@@ -7,8 +7,8 @@ use wire::work::Xyz;
 /// So many boxes still make a test that one can read.
 const BOXES: usize = 60;
 
-/// That what is built over a few boxes is a tree, holds each primitive once in leaves that are small enough, and that
-/// its boxes hold what is below them. Not what it costs.
+/// That what is built over a few boxes is a tree, holds each primitive once in leaves that are
+/// small enough, and that its boxes hold what is below them. Not what it costs.
 pub(crate) fn over(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> Option<String> {
     if bounds.len() > BOXES {
         return None;

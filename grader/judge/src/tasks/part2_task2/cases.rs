@@ -342,7 +342,8 @@ fn flat_crossed() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Rays parallel to a face, at right angles to one axis, that pass at a millionth of the box's size.
+/// Rays parallel to a face, at right angles to one axis, that pass at a millionth of the box's
+/// size.
 fn near_misses() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for scale in [1e-6, 1.0, 1e6] {
@@ -380,8 +381,8 @@ fn random(seed: u64) -> Vec<(Aabb, Ray)> {
     (0..2000).map(one).collect()
 }
 
-/// Origins on a plane of the box, on either side of its middle and beside it, and rays along that plane; the zeros
-/// of `d` of both signs.
+/// Origins on a plane of the box, on either side of its middle and beside it, and rays along that
+/// plane; the zeros of `d` of both signs.
 fn on_faces() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for (axis, sign) in directions() {
@@ -421,8 +422,8 @@ fn flat_in_plane() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Aims at every corner and at the middle of every edge: first in whole numbers, where nothing rounds, then from
-/// anywhere.
+/// Aims at every corner and at the middle of every edge: first in whole numbers, where nothing
+/// rounds, then from anywhere.
 fn corners_and_edges(seed: u64) -> Vec<(Aabb, Ray)> {
     let mut sampler = PixelSampler::new(1, 2, seed);
     let mut probes = Vec::new();

@@ -10,8 +10,9 @@ use wire::work::{Probe, Xyz};
 
 /// Judges the answers of `intersect_bbox` by the exact oracle.
 ///
-/// A box test serves a tree: a hit it does not see is a hole in the picture, a hit that is none costs a test. So a
-/// false miss is always wrong, and a false hit only if the ray misses by more than rounding.
+/// A box test serves a tree: a hit it does not see is a hole in the picture, a hit that is none
+/// costs a test. So a false miss is always wrong, and a false hit only if the ray misses by more
+/// than rounding.
 pub(crate) fn boxes(
     tally: &mut Tally,
     tier: Tier,

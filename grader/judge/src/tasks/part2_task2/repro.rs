@@ -8,8 +8,8 @@ use oracle::{self, Kernel};
 use std::fmt::Write;
 use wire::work::{Probe, Xyz};
 
-/// How far an end of the interval may be off in a pasted test, relative to it: far above the grader's bound, far
-/// below any mistake.
+/// How far an end of the interval may be off in a pasted test, relative to it: far above the
+/// grader's bound, far below any mistake.
 const END_ERROR: f64 = 1e-12;
 
 /// Hit or miss, and where the interval begins and ends. `None` where either answer scores.

@@ -276,8 +276,8 @@ fn at_random() -> Vec<Spec> {
     ]
 }
 
-/// Boxes on a grid of halves, some flat, in a tree that joins random pairs from the leaves up; rays along all axes
-/// through cell middles, where nothing touches.
+/// Boxes on a grid of halves, some flat, in a tree that joins random pairs from the leaves up; rays
+/// along all axes through cell middles, where nothing touches.
 fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
     let mut sampler = PixelSampler::new(boxes, rays, 3);
     let mut whole = |n: f64| (n * sampler.next_1d()).floor();
@@ -402,9 +402,10 @@ fn deep() -> Vec<Spec> {
     ]
 }
 
-/// Four chains, one above the other: from level to level the rest of the chain is the left child or the right one,
-/// nearer than its sibling, a leaf, or farther. Whichever child a traversal prefers, in one of them all leaves wait
-/// on its stack until it comes to the end, and the only hit is in the last of them.
+/// Four chains, one above the other: from level to level the rest of the chain is the left child or
+/// the right one, nearer than its sibling, a leaf, or farther. Whichever child a traversal prefers,
+/// in one of them all leaves wait on its stack until it comes to the end, and the only hit is in
+/// the last of them.
 fn chains(levels: u32) -> Work {
     let mut crosses = Vec::new();
     let mut chains = Vec::new();

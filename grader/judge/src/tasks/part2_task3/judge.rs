@@ -6,12 +6,13 @@ use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
 use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
 
-/// A traversal may make this many times the tests of one that takes children as they come, from left to right or
-/// from right to left, on rays of which half run one way and half the other. Going farther-first or everywhere
-/// makes twice as many.
+/// A traversal may make this many times the tests of one that takes children as they come, from
+/// left to right or from right to left, on rays of which half run one way and half the other. Going
+/// farther-first or everywhere makes twice as many.
 const WORK_FACTOR: f64 = 1.5;
 
-/// Judges the answers of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of tests.
+/// Judges the answers of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
+/// tests.
 pub(crate) fn traverse(
     tally: &mut Tally,
     world: &ScriptedWorld,
@@ -203,8 +204,8 @@ impl Made {
         }
     }
 
-    /// The class of too many tests: going to the farther child first, or on after a hit, finds all that is hit; not
-    /// cutting boxes off at a hit finds no more than the nearest.
+    /// The class of too many tests: going to the farther child first, or on after a hit, finds all
+    /// that is hit; not cutting boxes off at a hit finds no more than the nearest.
     fn why(&self, times: f64) -> Class {
         match self.hits as f64 / self.could_hit.max(1) as f64 {
             ALL_FROM.. => Class::Named("finds all that is hit"),
@@ -238,9 +239,10 @@ fn left_to_right(tree: &Tree, mirrored: bool) -> Vec<usize> {
     order
 }
 
-/// The tests that a traversal makes which takes the nodes in this `order` and skips what is out of range: no walk
-/// is needed to count them. A node is entered exactly if its box is met before the closest hit among all primitives
-/// that come earlier in the order; for any hit, if none of those is a hit.
+/// The tests that a traversal makes which takes the nodes in this `order` and skips what is out of
+/// range: no walk is needed to count them. A node is entered exactly if its box is met before the
+/// closest hit among all primitives that come earlier in the order; for any hit, if none of those
+/// is a hit.
 fn plain_tests(world: &ScriptedWorld, order: &[usize], scripted: &ScriptedRay) -> Tests {
     let tree = &world.tree;
     let mut tests = Tests { boxes: 1, prims: 0 };
@@ -283,7 +285,8 @@ mod tests {
         }
     }
 
-    /// What code answers that asks all primitives: right, with `box_tests` and `prim_tests` each ray.
+    /// What code answers that asks all primitives: right, with `box_tests` and `prim_tests` each
+    /// ray.
     fn right(world: &ScriptedWorld, box_tests: u32, prim_tests: u32) -> Vec<TraverseAnswer> {
         let each = world.rays.iter();
         each.map(|scripted| {

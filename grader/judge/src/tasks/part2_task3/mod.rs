@@ -1,4 +1,5 @@
-//! `part2.task3`: walking the tree in worlds whose answers are given. Whole scenes are in [`super::scene_hits`].
+//! `part2.task3`: walking the tree in worlds whose answers are given. Whole scenes are in
+//! [`super::scene_hits`].
 
 pub(crate) mod cases;
 mod judge;

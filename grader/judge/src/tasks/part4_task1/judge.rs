@@ -41,7 +41,8 @@ impl Boundary {
         Boundary::new(wo[2].abs(), n)
     }
 
-    /// Fresnel's share as Cook and Torrance write it ("A reflectance model for computer graphics", 1982).
+    /// Fresnel's share as Cook and Torrance write it ("A reflectance model for computer graphics",
+    /// 1982).
     fn reflected(&self) -> f64 {
         let (Some(g), c) = (self.g, self.cos) else {
             return 1.0;
@@ -236,7 +237,8 @@ fn way(
     }
 }
 
-/// Judges a sample that may not exist: its direction, its probability, and the light that arrives by it.
+/// Judges a sample that may not exist: its direction, its probability, and the light that arrives
+/// by it.
 fn record(
     tally: &mut Tally,
     call: usize,
@@ -275,7 +277,8 @@ fn record(
     );
 }
 
-/// How far the light that arrives by a sample may be off, as a share, where its other numbers may be off by `bound`.
+/// How far the light that arrives by a sample may be off, as a share, where its other numbers may
+/// be off by `bound`.
 pub(crate) fn weight_bound(bound: f64, pdf: f64) -> f64 {
     bound / pdf.max(1e-3)
 }

@@ -115,8 +115,8 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
     Spec::new("part4.task2", name, about, Work::Paths(paths))
 }
 
-/// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a lamp, B for the back
-/// of one.
+/// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a
+/// lamp, B for the back of one.
 fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     let first = dice.direction();
     let mut d = first;
@@ -141,8 +141,8 @@ fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     }
 }
 
-/// A surface that is met along `d` from the side of its normal; glass from either side, the back of a lamp from the
-/// other.
+/// A surface that is met along `d` from the side of its normal; glass from either side, the back of
+/// a lamp from the other.
 fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
     let mut n = dice.direction();
     while n.dot(d).abs() < 0.2 {

@@ -10,7 +10,8 @@ use wire::light::BsdfSample;
 /// What roulette hears: throughput, bounces, random number.
 type Game = ([f64; 3], u32, f64);
 
-/// A bounce of a path: the throughput on the way to the surface, what was drawn there, the local `wo`.
+/// A bounce of a path: the throughput on the way to the surface, what was drawn there, the local
+/// `wo`.
 struct Bounce<'a> {
     before: Vec3,
     sample: &'a BsdfSample,
@@ -57,7 +58,8 @@ pub(crate) fn judge(
     right: &Right,
     about: &impl Fn() -> String,
 ) {
-    // The last surface that the depth allows sends no ray on, and neither does one that draws no direction.
+    // The last surface that the depth allows sends no ray on, and neither does one that draws no
+    // direction.
     let most = (path.max_depth as usize)
         .saturating_sub(1)
         .min(right.surfaces);

@@ -150,7 +150,8 @@ fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<
     NUMBERS.iter().find(is).map(|(name, _)| *name)
 }
 
-/// After each batch the rule hears of all luminances so far. At the last sample it makes no difference.
+/// After each batch the rule hears of all luminances so far. At the last sample it makes no
+/// difference.
 fn questions(
     tally: &mut Tally,
     call: usize,

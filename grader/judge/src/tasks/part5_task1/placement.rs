@@ -7,7 +7,8 @@ use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
 /// How far a point may be outside its pixel, in pixels.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// Where in the pixel in that column of a film of that width a point lies, if 0 to 1 is inside; rows and heights alike.
+/// Where in the pixel in that column of a film of that width a point lies, if 0 to 1 is inside;
+/// rows and heights alike.
 type Place = fn(point: f64, at: f64, size: f64) -> f64;
 
 fn right(point: f64, at: f64, size: f64) -> f64 {

@@ -8,8 +8,8 @@ use kit::{Ray, Triangle, Vec3};
 use wire::Work;
 use wire::work::{SceneSource, SceneWork};
 
-/// The cases of `part2.task3` that need box and primitive tests as well. The tree is given: nobody loses points for a right
-/// walk through a wrong one.
+/// The cases of `part2.task3` that need box and primitive tests as well. The tree is given: nobody
+/// loses points for a right walk through a wrong one.
 pub(crate) fn cases() -> Vec<Spec> {
     vec![
         Spec {
@@ -79,7 +79,8 @@ fn through_the_front() -> Vec<Ray> {
         .collect()
 }
 
-/// From points just inside the floor and the walls to points just below the light; `d` reaches all the way.
+/// From points just inside the floor and the walls to points just below the light; `d` reaches all
+/// the way.
 fn to_the_light() -> Vec<Ray> {
     let mut rays = Vec::new();
     for i in 0..20_u32 {
@@ -120,7 +121,8 @@ fn steps() -> Vec<Triangle> {
         .collect()
 }
 
-/// Straight down and straight up through all vertices and the middles of all edges, and level along the grid's lines.
+/// Straight down and straight up through all vertices and the middles of all edges, and level along
+/// the grid's lines.
 fn down_the_grid() -> Vec<Ray> {
     let mut rays = Vec::new();
     for i in 0..=2 * SIDE {

@@ -13,7 +13,8 @@ use crate::{Tier, picture};
 use wire::answer::HitsAnswer;
 use wire::work::{SceneWork, Xyz};
 
-/// `intersect_bvh` or `occludes_bvh`, called for each ray in a world that calls `intersect_bbox` and `intersect_*`.
+/// `intersect_bvh` or `occludes_bvh`, called for each ray in a world that calls `intersect_bbox`
+/// and `intersect_*`.
 pub(crate) struct SceneHits;
 
 impl Check for SceneHits {

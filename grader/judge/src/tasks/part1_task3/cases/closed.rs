@@ -25,7 +25,8 @@ fn closed_ball(dice: &mut Dice, stretch: Vec3) -> Vec<Triangle> {
     for _ in 0..2 {
         faces = faces.into_iter().flat_map(quartered).collect();
     }
-    // A vertex is moved by numbers that depend on where it is, so that neighbours agree on it bit for bit.
+    // A vertex is moved by numbers that depend on where it is, so that neighbours agree on it bit
+    // for bit.
     let turn = dice.range(0.0, 1.0);
     let moved = |v: Vec3| {
         let wave = kit::math::sin(40.0 * (v.x + 1.3 * v.y + 1.7 * v.z) + turn);

@@ -1,5 +1,5 @@
-//! Triangles: what textbook kernels get wrong. [`closed`] meshes leak, [`scale`] and angle cost digits, and [`odd`]
-//! input finds whoever did not think of it.
+//! Triangles: what textbook kernels get wrong. [`closed`] meshes leak, [`scale`] and angle cost
+//! digits, and [`odd`] input finds whoever did not think of it.
 
 use super::{case, closed, odd, scale};
 use crate::cases::Spec;

@@ -54,7 +54,8 @@ pub(super) fn behind() -> Work {
         probes.triangle(&triangle);
         for side in [1.0, -1.0] {
             for _ in 0..3 {
-                // Turned around p0: with the determinant's or the origin's sign lost, weights and t come out positive.
+                // Turned around p0: with the determinant's or the origin's sign lost, weights and t
+                // come out positive.
                 let (b, distance) = (dice.inside(MARGIN), dice.range(0.01, 20.0));
                 let ray = dice.ray_to(&triangle, b.map(|weight| -weight), side, distance);
                 probes.ray(Ray { d: -ray.d, ..ray });

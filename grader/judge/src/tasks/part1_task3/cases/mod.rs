@@ -1,5 +1,5 @@
-//! Triangles. Here is what a textbook kernel in `f64` gets right, from [`hits`] over [`misses`] to [`boundary`];
-//! [`hard`] has what such kernels get wrong.
+//! Triangles. Here is what a textbook kernel in `f64` gets right, from [`hits`] over [`misses`] to
+//! [`boundary`]; [`hard`] has what such kernels get wrong.
 
 mod boundary;
 mod closed;

@@ -128,7 +128,8 @@ pub(super) fn cancelling_normals() -> Work {
         }
     };
     for t in in_coordinate_planes() {
-        // Opposite normals at both ends of an edge cancel in its middle; here just inside of it, too.
+        // Opposite normals at both ends of an edge cancel in its middle; here just inside of it,
+        // too.
         let opposite = Triangle { n1: -t.n0, ..t };
         aim(
             opposite,

@@ -1,4 +1,5 @@
-//! Tangents, ends of the range and rays abreast of the centre in short integers: the formula does not round them.
+//! Tangents, ends of the range and rays abreast of the centre in short integers: the formula does
+//! not round them.
 
 use crate::cases::probes::{Probes, within};
 use kit::{Ray, Sphere, Vec3};
@@ -14,7 +15,8 @@ const ALONG_AXES: [Vec3; 6] = [
     Vec3::NEG_Z,
 ];
 
-/// Through the centre of spheres whose radius is a power of two: so the roots are exact for who divides by it, too.
+/// Through the centre of spheres whose radius is a power of two: so the roots are exact for who
+/// divides by it, too.
 pub(super) fn range_ends() -> Work {
     let mut probes = Probes::default();
     for radius in [0.5, 1.0, 8.0] {
@@ -30,7 +32,8 @@ pub(super) fn range_ends_beside_the_center() -> Work {
     probes.work()
 }
 
-/// Rays that pass the centre at some distance and so have half a chord, with ranges that end at the roots.
+/// Rays that pass the centre at some distance and so have half a chord, with ranges that end at the
+/// roots.
 fn at_the_ends(probes: &mut Probes, radius: f64, distance_and_half: &[(f64, f64)]) {
     let s = Sphere {
         center: Vec3::new(3.0, -2.0, 5.0),

@@ -1,5 +1,5 @@
-//! Spheres. Here is what the quadratic formula in `f64` gets right, [`hits`] and [`boundary`]; [`hard`] is where it
-//! loses its digits.
+//! Spheres. Here is what the quadratic formula in `f64` gets right, [`hits`] and [`boundary`];
+//! [`hard`] is where it loses its digits.
 
 mod boundary;
 mod hard;

@@ -1,0 +1,244 @@
+//! CONTRIBUTING's "I want to add a stage" is true: a copy of the project, changed in the places that it names and no
+//! others, grades a new stage.
+
+use grader::workspace::Workspace;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use submission::file_tree;
+
+/// The new stage. It doubles numbers.
+const MANIFEST: &str = r#"[package]
+name = "doubling"
+version.workspace = true
+edition.workspace = true
+rust-version.workspace = true
+license.workspace = true
+publish.workspace = true
+
+[dependencies]
+kit.workspace = true
+"#;
+
+const STAGE: &str = r#"//! Part 7: doubling.
+
+/// Returns 2x.
+pub fn twice(x: f64) -> f64 {
+    // BEGIN SOLUTION(part7.task1)
+    2.0 * x
+    // STUB: kit::hole!("part7.task1", x)
+    // END SOLUTION(part7.task1)
+}
+"#;
+
+/// The task's folder in the judge.
+const CHECK: &str = r#"//! `part7.task1`: doubling.
+
+use crate::Tier;
+use crate::cases::Spec;
+use crate::check::{Check, Content, one_each};
+use crate::snapshot::lines::each;
+use crate::snapshot::{forms, number};
+use crate::tally::{Aspect, Tally};
+use wire::Work;
+
+/// `twice`, called for each number.
+pub(crate) struct Doubling;
+
+/// The cases of the task.
+pub(crate) fn cases() -> Vec<Spec> {
+    let work = Work::Doubling(vec![0.5, 1.0, -3.0]);
+    vec![Spec::new("part7.task1", "three_numbers", "Three numbers are doubled.", work)]
+}
+
+impl Check for Doubling {
+    type Question = Vec<f64>;
+    type Answer = Vec<f64>;
+
+    fn calls(numbers: &Vec<f64>) -> usize {
+        numbers.len()
+    }
+
+    fn fits(numbers: &Vec<f64>, answers: &Vec<f64>) -> Result<(), String> {
+        one_each(numbers.len(), answers)
+    }
+
+    fn judge(tally: &mut Tally, _: &Spec, _: Tier, numbers: &Vec<f64>, answers: &Vec<f64>) {
+        for (call, (x, answer)) in numbers.iter().zip(answers).enumerate() {
+            tally.expect(Aspect::T);
+            let right = 2.0 * x;
+            let off = (answer - right).abs();
+            tally.judge(Aspect::T, call, off == 0.0, off, || {
+                format!("your result: {answer}; expected: {right}")
+            });
+        }
+    }
+
+    fn lines(numbers: &Vec<f64>, answers: &Vec<f64>) -> Option<Content> {
+        let lines = each(numbers, answers, |x, answer| {
+            let answer = vec![number("twice", *answer)];
+            forms(vec![number("x", *x)], answer.clone(), answer)
+        });
+        Some((Vec::new(), lines))
+    }
+}
+"#;
+
+const PART: &str = r#"
+[[part]]
+number = 7
+title = "Doubling"
+
+[[part.task]]
+key = "part7.task1"
+title = "Doubling numbers"
+stage = "doubling"
+holes = ["twice"]
+cases = [{ name = "three_numbers", tier = "core", points = 1 }]
+"#;
+
+/// A line to insert into a file after another line.
+struct Insertion {
+    file: &'static str,
+    after: &'static str,
+    lines: &'static str,
+}
+
+/// What CONTRIBUTING says to change in files that exist.
+const INSERTIONS: &[Insertion] = &[
+    // The stage.
+    Insertion {
+        file: "Cargo.toml",
+        after: "members = [",
+        lines: "    \"stages/doubling\",",
+    },
+    Insertion {
+        file: "Cargo.toml",
+        after: "[workspace.dependencies]",
+        lines: "doubling = { path = \"stages/doubling\" }",
+    },
+    Insertion {
+        file: "grader/worker/Cargo.toml",
+        after: "[features]",
+        lines: "doubling = [\"dep:doubling\"]",
+    },
+    Insertion {
+        file: "grader/worker/Cargo.toml",
+        after: "[dependencies]",
+        lines: "doubling = { workspace = true, optional = true }",
+    },
+    // The task.
+    Insertion {
+        file: "grader/wire/src/kinds.rs",
+        after: "kinds! {",
+        lines: "    /// Call `twice` for every number.\n    Doubling(Vec<f64>) -> Vec<f64>;",
+    },
+    Insertion {
+        file: "grader/judge/src/tasks/mod.rs",
+        after: "pub(crate) mod part5_task2;",
+        lines: "pub(crate) mod part7_task1;",
+    },
+    Insertion {
+        file: "grader/judge/src/tasks/mod.rs",
+        after: "checks! {",
+        lines: "    Doubling => part7_task1::Doubling,",
+    },
+    Insertion {
+        file: "grader/judge/src/tasks/mod.rs",
+        after: "        part5_task2::cases::cases(seed),",
+        lines: "        part7_task1::cases(),",
+    },
+    Insertion {
+        file: "grader/worker/src/run.rs",
+        after: "    Ok(match work {",
+        lines: "        #[cfg(feature = \"doubling\")]\n        Work::Doubling(numbers) => Answer::Doubling(numbers.iter().map(|x| doubling::twice(*x)).collect()),",
+    },
+];
+
+/// The copy of the project, below `target`.
+struct Copy {
+    root: PathBuf,
+}
+
+impl Copy {
+    fn write(&self, path: &str, text: &str) {
+        file_tree::write(&self.root.join(path), text.as_bytes()).expect("a new file");
+    }
+
+    fn insert(&self, insertion: &Insertion) {
+        let path = self.root.join(insertion.file);
+        let text = std::fs::read_to_string(&path).expect("the file exists");
+        let line = format!("{}\n", insertion.after);
+        assert_eq!(
+            text.matches(&line).count(),
+            1,
+            "{} has the line `{}` once",
+            insertion.file,
+            insertion.after
+        );
+        let with = format!("{line}{}\n", insertion.lines);
+        file_tree::write(&path, text.replacen(&line, &with, 1).as_bytes()).expect("written");
+    }
+
+    /// The report of the new part.
+    fn grade(&self) -> Value {
+        let output = Command::new(grader::compile::cargo())
+            .current_dir(&self.root)
+            .args(["run", "--release", "--offline", "--package", "grader", "--"])
+            .args(["part7", "--format", "json"])
+            .env("CARGO_TARGET_DIR", self.root.join("target"))
+            .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0")
+            .output()
+            .expect("cargo runs");
+        serde_json::from_slice(&output.stdout).unwrap_or_else(|e| {
+            panic!(
+                "no report ({e}):\n{}",
+                String::from_utf8_lossy(&output.stderr)
+            )
+        })
+    }
+}
+
+#[test]
+#[ignore = "builds a copy of the project, which takes a minute: .ci/run runs it"]
+fn a_new_stage_is_graded_after_the_changes_that_contributing_lists() {
+    let workspace = Workspace::above(Path::new(".")).expect("the course");
+    let copy = Copy {
+        root: workspace.root().join("target/new_stage"),
+    };
+    let mut files = file_tree::Files::new();
+    for path in file_tree::paths(workspace.root()).expect("the files of the course") {
+        let contents = file_tree::read(workspace.root(), &path).expect("a file");
+        files.insert(path, contents);
+    }
+    file_tree::make_equal(&copy.root, &files).expect("a copy");
+    for insertion in INSERTIONS {
+        copy.insert(insertion);
+    }
+    copy.write("stages/doubling/Cargo.toml", MANIFEST);
+    copy.write("stages/doubling/src/lib.rs", STAGE);
+    copy.write("grader/judge/src/tasks/part7_task1/mod.rs", CHECK);
+    let course = std::fs::read_to_string(copy.root.join("stages/course.toml")).expect("it exists");
+    copy.write("stages/course.toml", &(course + PART));
+
+    let solved = copy.grade();
+    assert_eq!(solved["score"], 1.0, "{solved:#}");
+    copy.write(
+        "stages/doubling/src/lib.rs",
+        &STAGE.replace("2.0 * x", "x + 1.0"),
+    );
+    let wrong = copy.grade();
+    let task = &wrong["tasks"][0];
+    assert_eq!(task["status"], "failed", "{wrong:#}");
+    let message = task["cases"][0]["findings"][0]["worst"]["message"].as_str();
+    assert!(
+        message.is_some_and(|m| m.contains("your result: 1.5; expected: 1")),
+        "{wrong:#}"
+    );
+    let stub = r#"kit::hole!("part7.task1", x)"#;
+    copy.write(
+        "stages/doubling/src/lib.rs",
+        &STAGE.replace("2.0 * x", stub),
+    );
+    assert_eq!(copy.grade()["tasks"][0]["status"], "not_attempted");
+}

@@ -1,9 +1,9 @@
 //! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and
 //! compared.
 //!
-//! [`SignatureKey`] names a side of a case, [`Codes`] are what is wrong about it.
-//! [`file`](mod@file) is the form in which known mistakes are stored, with [`runs`] for their
-//! codes; [`together`] is about two mistakes at once.
+//! `SignatureKey` names a side of a case, `Codes` are what is wrong about it.
+//! `file` is the form in which known mistakes are stored, with `runs` for their
+//! codes; `together` is about two mistakes at once.
 
 mod codes;
 pub(crate) mod file;
@@ -118,7 +118,7 @@ impl Signature {
     }
 
     /// Whether this code is right where `mistake` would make it wrong: one aspect that the mistake
-    /// gets wrong in at least [`TELLING`] of its calls is right in most of those calls.
+    /// gets wrong in at least `TELLING` of its calls is right in most of those calls.
     pub fn contradicts(&self, mistake: &Signature) -> bool {
         let mut sides: BTreeMap<Option<(Aspect, Option<&str>)>, Alone> = BTreeMap::new();
         for (key, codes) in mistake.cases() {

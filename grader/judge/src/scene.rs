@@ -7,7 +7,7 @@ use crate::convert;
 use kit::{PrimId, Scene};
 use meshes::{MeshKind, cornell_with, generate};
 use oracle::closest::{Closest, ClosestJudgement, closest};
-use oracle::verdict::{Judgement, Kernel};
+use oracle::verdict::{Judgement, KernelClass};
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::{Ray, SceneSource};
 
@@ -42,8 +42,8 @@ pub(super) fn hits(
     answer: &HitsAnswer,
 ) {
     let kernel = match tier {
-        Tier::Core => Kernel::Textbook,
-        Tier::Robust => Kernel::Robust,
+        Tier::Core => KernelClass::Textbook,
+        Tier::Robust => KernelClass::Robust,
     };
     let answers = answer.hits.iter().zip(&answer.max_t);
     for (call, ((ray, truth), (hit, &max_t))) in rays.iter().zip(truths).zip(answers).enumerate() {
@@ -93,7 +93,7 @@ fn truth(scene: &Scene, ray: &Ray) -> Closest {
 fn one(
     tally: &mut Tally,
     call: usize,
-    kernel: Kernel,
+    kernel: KernelClass,
     truth: &Closest,
     hit: Option<&Hit>,
     ray: &Ray,
@@ -157,7 +157,7 @@ fn one(
 fn blocked(
     tally: &mut Tally,
     call: usize,
-    kernel: Kernel,
+    kernel: KernelClass,
     truth: &Closest,
     answer: bool,
     ray: &Ray,

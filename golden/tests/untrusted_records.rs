@@ -328,15 +328,17 @@ fn spoilt_records_end_nothing_and_do_not_score() {
     let (mut accepted, mut rejected) = (0, 0);
     for of_kind in three_of_each_kind() {
         let cases: Vec<Case> = of_kind.iter().map(|a| a.case.clone()).collect();
-        let frames = (0..).zip(&of_kind).flat_map(|(case, a)| {
-            [
-                bytes_of(&Frame::Started { case }),
-                done(case, a.answer.clone()),
-            ]
+        // The records in order, and each case with the answer to another.
+        let in_order: [Vec<Vec<u8>>; 2] = [0, 1].map(|off| {
+            let answers = of_kind.iter().cycle().skip(off).map(|a| a.answer.clone());
+            let records = (0..).zip(answers).take(of_kind.len());
+            records
+                .flat_map(|(case, answer)| [bytes_of(&Frame::Started { case }), done(case, answer)])
+                .collect()
         });
-        let frames: Vec<Vec<u8>> = frames.collect();
         for _ in 0..FILES {
-            let endings = read(spoil(&frames, &mut random), &cases);
+            let frames = &in_order[usize::from(random.below(4) == 0)];
+            let endings = read(spoil(frames, &mut random), &cases);
             assert!(endings.len() <= cases.len());
             for (ending, right) in endings.iter().zip(&of_kind) {
                 let Some(answer) = answer_of(ending) else {

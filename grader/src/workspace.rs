@@ -13,7 +13,7 @@ pub struct Workspace {
 const COURSE: &str = "stages/course.toml";
 
 impl Workspace {
-    /// The nearest folder at or above `start` that holds `stages/course.toml`.
+    /// The nearest folder at or above `start` that contains `stages/course.toml`.
     pub fn above(start: &Path) -> Result<Workspace, GraderError> {
         let start = start
             .canonicalize()

@@ -207,11 +207,11 @@ fn a_new_stage_is_graded_after_the_changes_that_contributing_lists() {
         root: workspace.root().join("target/new_stage"),
     };
     let mut files = file_tree::Files::new();
-    for path in file_tree::paths(workspace.root()).expect("the files of the course") {
+    for path in file_tree::workspace_paths(workspace.root()).expect("the files of the course") {
         let contents = file_tree::read(workspace.root(), &path).expect("a file");
         files.insert(path, contents);
     }
-    file_tree::make_equal(&copy.root, &files).expect("a copy");
+    file_tree::sync_folder(&copy.root, &files).expect("a copy");
     for insertion in INSERTIONS {
         copy.insert(insertion);
     }

@@ -4,7 +4,7 @@ use super::rays::Target;
 use kernels::HitF64;
 use kit::{Aabb, Interval, Ray, Sphere, Triangle, Vec3};
 use oracle::bbox::{END_ERROR, End};
-use oracle::{self, BigFloat, Kernel, surface};
+use oracle::{self, BigFloat, KernelClass, surface};
 
 /// The oracle's truth for one pair.
 #[derive(Clone, Debug)]
@@ -84,7 +84,7 @@ impl OracleShape for Triangle {
         });
         Truth {
             hits: verdict.hits(),
-            undecidable: verdict.undecidable(Kernel::Robust),
+            undecidable: verdict.undecidable(KernelClass::Robust),
             gap: f64::INFINITY,
             ends: [end, None],
             p: crossing.map(|at| surface::triangle_point(self, &at).p),
@@ -116,7 +116,7 @@ impl OracleShape for Sphere {
         let point = root.and_then(|root| surface::sphere_point(&verdict, ray, root));
         Truth {
             hits: verdict.hits(),
-            undecidable: verdict.undecidable(Kernel::Robust),
+            undecidable: verdict.undecidable(KernelClass::Robust),
             gap: f64::INFINITY,
             ends: [end, None],
             p: point.map(|point| point.p),
@@ -152,7 +152,7 @@ impl OracleShape for Aabb {
         });
         Truth {
             hits: verdict.hits(),
-            undecidable: verdict.undecidable(Kernel::Robust),
+            undecidable: verdict.undecidable(KernelClass::Robust),
             gap: verdict.gap,
             ends,
             p: None,

@@ -1,9 +1,9 @@
 //! Judging: from what the student's code answered to what is right and wrong about it.
 //!
-//! Each kind of work has a [`check::Check`] in the folder of its task, in [`mod@tasks`], where one
+//! Each kind of work has a `check::Check` in the folder of its task, in `tasks`, where one
 //! list maps each kind to its check. [`fits`] tests the form of an answer, [`judge`] what it says.
-//! What several checks need: [`hits`] judges hit records, [`numbers`] colours and directions,
-//! [`chance`] what only many samples show; [`truth`] has what the oracle says of triangles and
+//! What several checks need: `hits` judges hit records, `numbers` colours and directions,
+//! `chance` what only many samples show; [`truth`] has what the oracle says of triangles and
 //! spheres, [`scene`] of whole scenes, [`truths`] keeps it; [`expected`] is the form in which it
 //! comes. [`tally`] counts aspect by aspect, [`errors`] measures how far off numbers are.
 //! [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.

@@ -11,7 +11,7 @@ use oracle::surface::{
     geometric_normal, sphere_normal, sphere_point, triangle_normal, triangle_point,
 };
 use oracle::{
-    self, Answers, Candidate, Kernel, Miss, SphereClass, SphereVerdict, TriangleClass,
+    self, Answers, Candidate, KernelClass, Miss, SphereClass, SphereVerdict, TriangleClass,
     TriangleVerdict, closest, near,
 };
 
@@ -82,10 +82,10 @@ pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool)
     }
 }
 
-fn kernel(tier: Tier) -> Kernel {
+fn kernel(tier: Tier) -> KernelClass {
     match tier {
-        Tier::Core => Kernel::Textbook,
-        Tier::Robust => Kernel::Robust,
+        Tier::Core => KernelClass::Textbook,
+        Tier::Robust => KernelClass::Robust,
     }
 }
 

@@ -8,7 +8,7 @@ use super::big_float::BigFloat;
 use super::dyadic::Dyadic;
 use super::roundoff::U;
 use super::triangle::invalid_ray;
-use super::verdict::{Kernel, Miss, PerKernel};
+use super::verdict::{KernelClass, Miss, PerKernel};
 
 /// Relative error of `t` by which a box test may hit although the ray misses, and by which the
 /// plain slab test may miss a corner.
@@ -125,12 +125,12 @@ impl BoxVerdict {
     }
 
     /// Whether correct code of this class may return a hit or a miss.
-    pub fn undecidable(&self, kernel: Kernel) -> bool {
+    pub fn undecidable(&self, kernel: KernelClass) -> bool {
         *self.any_scores.get(kernel) || (self.hit_scores && *self.miss_scores.get(kernel))
     }
 
     /// Judges an answer: the interval, or `None` for a miss.
-    pub fn judge(&self, kernel: Kernel, answer: Option<Interval>) -> BoxJudgement {
+    pub fn judge(&self, kernel: KernelClass, answer: Option<Interval>) -> BoxJudgement {
         if *self.any_scores.get(kernel) {
             return BoxJudgement::Either;
         }
@@ -214,13 +214,13 @@ fn decide(b: &Aabb, ray: &Ray) -> BoxVerdict {
 
 /// Whether no difference of positions overflows and `1/d` is a normal number. A robust test must
 /// handle the smallest directions, too (the reciprocal of a denormal overflows).
-fn fits_f64(kernel: Kernel, b: &Aabb, ray: &Ray) -> bool {
+fn fits_f64(kernel: KernelClass, b: &Aabb, ray: &Ray) -> bool {
     let is_finite = |x: &f64| x.is_finite();
     let points = [b.min, b.max, ray.o].map(|v| v.to_array());
     let direction = ray.d.to_array();
     let slowest = match kernel {
-        Kernel::Textbook => LARGEST.recip(),
-        Kernel::Robust => 0.0,
+        KernelClass::Textbook => LARGEST.recip(),
+        KernelClass::Robust => 0.0,
     };
     let fits = |d: &f64| *d == 0.0 || (slowest..=LARGEST).contains(&d.abs());
     let mut points = points.iter().flatten().filter(|x| is_finite(x));

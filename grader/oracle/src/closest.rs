@@ -6,7 +6,7 @@ use kit::{PrimId, Ray};
 use super::big_float::BigFloat;
 use super::sphere::sphere;
 use super::triangle::triangle;
-use super::verdict::{Answers, Candidate, Judgement, Kernel, PerKernel};
+use super::verdict::{Answers, Candidate, Judgement, KernelClass, PerKernel};
 
 /// The exact closest hit of a ray, and which answers score.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,12 +92,12 @@ fn judge_t(candidate: &Candidate, t: f64, undecidable: bool) -> Judgement {
 
 impl Closest {
     /// Judges an answer: primitive and `t` of a hit, or `None` for a miss.
-    pub fn judge(&self, kernel: Kernel, answer: Option<(PrimId, f64)>) -> ClosestJudgement {
+    pub fn judge(&self, kernel: KernelClass, answer: Option<(PrimId, f64)>) -> ClosestJudgement {
         self.answers.get(kernel).judge(answer)
     }
 
     /// Whether the answer of an any-hit query scores.
-    pub fn judge_any(&self, kernel: Kernel, blocked: bool) -> bool {
+    pub fn judge_any(&self, kernel: KernelClass, blocked: bool) -> bool {
         let answers = self.answers.get(kernel);
         match blocked {
             true => !answers.hits.is_empty(),
@@ -139,12 +139,12 @@ pub fn closest<'a>(primitives: impl IntoIterator<Item = Primitive<'a>>, ray: &Ra
                 }
             }
         }
-        for kernel in [Kernel::Textbook, Kernel::Robust] {
+        for kernel in [KernelClass::Textbook, KernelClass::Robust] {
             let answers = *answers.get(kernel);
             if answers != Answers::MISS {
                 let list = match kernel {
-                    Kernel::Textbook => &mut answered.textbook,
-                    Kernel::Robust => &mut answered.robust,
+                    KernelClass::Textbook => &mut answered.textbook,
+                    KernelClass::Robust => &mut answered.robust,
                 };
                 list.push((id, answers));
             }

@@ -17,7 +17,7 @@
 //!    zero that correct code may round it to either side. Either answer scores.
 //!
 //! How close is derived from the roundings of the code, for two classes of code: textbook formulas
-//! and a robust kernel ([`Kernel`]). A ray whose arithmetic has no rounding at all, such as small
+//! and a robust kernel ([`KernelClass`]). A ray whose arithmetic has no rounding at all, such as small
 //! integers along an axis, is never undecidable: on such rays the boundary itself can be graded.
 //!
 //! # Reading order
@@ -52,4 +52,4 @@ pub use near::{may_touch, near};
 pub use sphere::{SphereClass, SphereVerdict, sphere};
 pub use surface::{NormalTruth, PointTruth};
 pub use triangle::{TriangleClass, TriangleVerdict, triangle};
-pub use verdict::{Answers, Candidate, Judgement, Kernel, Miss, PerKernel};
+pub use verdict::{Answers, Candidate, Judgement, KernelClass, Miss, PerKernel};

@@ -8,7 +8,7 @@ use super::big_float::BigFloat;
 use super::dyadic::{Dyadic, Dyadic3};
 use super::sphere_error::SphereErrorBounds;
 use super::triangle::invalid_ray;
-use super::verdict::{Answers, Candidate, Certainty, Judgement, Kernel, Miss, PerKernel};
+use super::verdict::{Answers, Candidate, Certainty, Judgement, KernelClass, Miss, PerKernel};
 
 /// How a ray meets a sphere, exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,12 +69,12 @@ impl SphereVerdict {
     }
 
     /// Whether correct code of this class may return different answers.
-    pub fn undecidable(&self, kernel: Kernel) -> bool {
+    pub fn undecidable(&self, kernel: KernelClass) -> bool {
         self.answers.get(kernel).undecidable()
     }
 
     /// Judges an answer: the `t` of a hit, or `None` for a miss.
-    pub fn judge(&self, kernel: Kernel, answer: Option<f64>) -> Judgement {
+    pub fn judge(&self, kernel: KernelClass, answer: Option<f64>) -> Judgement {
         self.answers.get(kernel).judge(answer)
     }
 }
@@ -222,7 +222,7 @@ impl ExactSphere {
     }
 
     /// Whether all correct code finds that the line meets the sphere.
-    fn exists(&self, kernel: Kernel, error_bounds: &SphereErrorBounds) -> Certainty {
+    fn exists(&self, kernel: KernelClass, error_bounds: &SphereErrorBounds) -> Certainty {
         if !error_bounds.fits_f64 {
             return Certainty::Undecided;
         }

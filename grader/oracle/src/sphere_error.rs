@@ -7,7 +7,7 @@
 use kit::{Ray, Sphere, Vec3};
 
 use super::roundoff::{U, fits_f64, gamma, max_abs};
-use super::verdict::Kernel;
+use super::verdict::KernelClass;
 
 /// Rounding error of `b² - a c` in textbook code: `b²` has 2 · 4 + 1 roundings, `a c` has 3 + 6 +
 /// 1, and the difference has one; each is at most `a (f² + r²)`. Rounded up to 16 and doubled.
@@ -56,10 +56,10 @@ impl SphereErrorBounds {
     /// rounding errors exceed `a r²`. A robust kernel (Haines, Günther, Akenine-Möller, *Ray
     /// Tracing Gems*, ch. 7) computes `D = a (r² - |l|²)`, whose error near the rim, `|l| = r`, is
     /// `2 r δl + δl²`.
-    pub(super) fn discriminant(&self, kernel: Kernel) -> f64 {
+    pub(super) fn discriminant(&self, kernel: KernelClass) -> f64 {
         match kernel {
-            Kernel::Textbook => TEXTBOOK_D * self.a * (self.ff + self.rr),
-            Kernel::Robust => {
+            KernelClass::Textbook => TEXTBOOK_D * self.a * (self.ff + self.rr),
+            KernelClass::Robust => {
                 let l = ROBUST_L * self.ff.sqrt();
                 self.a * (l * (2.0 * self.rr.sqrt() + l) + gamma(8.0) * self.rr)
             }
@@ -72,11 +72,11 @@ impl SphereErrorBounds {
     /// for the kernel. Robust bounds are smaller.
     pub(super) fn surely_misses(&self) -> bool {
         let d = self.b * self.b - self.a * (self.ff - self.rr);
-        self.fits_f64 && d < -2.0 * self.discriminant(Kernel::Textbook)
+        self.fits_f64 && d < -2.0 * self.discriminant(KernelClass::Textbook)
     }
 
     /// Bounds the error of `√D`: `δD / √D`, but at most `√δD`.
-    fn root(&self, kernel: Kernel, d: f64) -> f64 {
+    fn root(&self, kernel: KernelClass, d: f64) -> f64 {
         let error = self.discriminant(kernel);
         let root = d.max(0.0).sqrt();
         (error / root).min(error.sqrt()) + gamma(3.0) * root
@@ -86,7 +86,7 @@ impl SphereErrorBounds {
     ///
     /// Textbook code computes `(-b ∓ √D) / a` for both, and one of them cancels. A robust kernel
     /// computes the one that adds, `q / a` with `q = -(b + sgn(b) √D)`, and `c / q` for the other.
-    pub(super) fn roots(&self, kernel: Kernel, b: f64, d: f64, t: [f64; 2]) -> [f64; 2] {
+    pub(super) fn roots(&self, kernel: KernelClass, b: f64, d: f64, t: [f64; 2]) -> [f64; 2] {
         let root = d.max(0.0).sqrt();
         let b_error = gamma(5.0) * (self.a * self.ff).sqrt();
         let q_error = b_error + self.root(kernel, d) + U * (b.abs() + root);
@@ -97,7 +97,7 @@ impl SphereErrorBounds {
             let divisions = DOUBLED * gamma(5.0) * t.abs();
             let is_added = (t < 0.0) == (b > 0.0) && (t * self.a).abs() >= 0.5 * q;
             match kernel {
-                Kernel::Robust if !is_added => {
+                KernelClass::Robust if !is_added => {
                     // At the rim `q` cancels, too, but if D >= 0, |c/q| never exceeds √|c/a|.
                     let divided = DOUBLED * (c_error + t.abs() * q_error) / q;
                     let rim = added + DOUBLED * (c_error / self.a).sqrt();

@@ -6,7 +6,7 @@ use super::dyadic::Dyadic3;
 use super::roundoff::{abs_cross, gamma, max_abs, sum_abs};
 use super::sphere::SphereVerdict;
 use super::triangle::Crossing;
-use super::verdict::{Kernel, PerKernel};
+use super::verdict::{KernelClass, PerKernel};
 
 /// The true hit point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct PointTruth {
 
 impl PointTruth {
     /// Whether an answer is within the tolerance.
-    pub fn accepts(&self, kernel: Kernel, p: Vec3) -> bool {
+    pub fn accepts(&self, kernel: KernelClass, p: Vec3) -> bool {
         within(p, self.p, *self.tolerance.get(kernel))
     }
 }
@@ -40,7 +40,7 @@ const UNIT_ERROR: f64 = 1e-14;
 
 impl NormalTruth {
     /// Whether an answer is within the tolerance and has unit length.
-    pub fn accepts(&self, kernel: Kernel, n: Vec3) -> bool {
+    pub fn accepts(&self, kernel: KernelClass, n: Vec3) -> bool {
         let is_unit = (n.length() - 1.0).abs() <= UNIT_ERROR;
         let is_close = |truth| within(n, truth, *self.tolerance.get(kernel));
         is_unit && self.n.is_none_or(is_close)

@@ -7,7 +7,7 @@ use kit::{Ray, Triangle, Vec3};
 use super::big_float::BigFloat;
 use super::dyadic::{Dyadic, Dyadic3};
 use super::triangle_error::{RobustBounds, TriangleErrorBounds};
-use super::verdict::{Answers, Candidate, Certainty, Judgement, Kernel, Miss, PerKernel};
+use super::verdict::{Answers, Candidate, Certainty, Judgement, KernelClass, Miss, PerKernel};
 
 /// How a ray meets a triangle, exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,12 +79,12 @@ impl TriangleVerdict {
     }
 
     /// Whether correct code of this class may return a hit or a miss.
-    pub fn undecidable(&self, kernel: Kernel) -> bool {
+    pub fn undecidable(&self, kernel: KernelClass) -> bool {
         self.answers.get(kernel).undecidable()
     }
 
     /// Judges an answer: the `t` of a hit, or `None` for a miss.
-    pub fn judge(&self, kernel: Kernel, answer: Option<f64>) -> Judgement {
+    pub fn judge(&self, kernel: KernelClass, answer: Option<f64>) -> Judgement {
         self.answers.get(kernel).judge(answer)
     }
 }
@@ -281,7 +281,7 @@ impl ExactTriangle {
     /// Whether all correct code finds that the line passes through the triangle.
     fn edges(
         &self,
-        kernel: Kernel,
+        kernel: KernelClass,
         error_bounds: &TriangleErrorBounds,
         robust: &RobustBounds,
     ) -> Certainty {
@@ -292,8 +292,8 @@ impl ExactTriangle {
             return Certainty::exact(!matches!(self.class(), TriangleClass::Miss(_)));
         }
         let bounds = match kernel {
-            Kernel::Textbook => [error_bounds.textbook_edge(self.rounded.normal); 3],
-            Kernel::Robust => robust.edges,
+            KernelClass::Textbook => [error_bounds.textbook_edge(self.rounded.normal); 3],
+            KernelClass::Robust => robust.edges,
         };
         let e = self.rounded.e;
         let is_positive = [0, 1, 2].map(|i| e[i] > bounds[i]);
@@ -313,13 +313,13 @@ impl ExactTriangle {
     /// direction twice (shear), and a third length for `t`. A textbook kernel may multiply four
     /// lengths (plane and inside test), compares quotients by `det`, and normalises the normal,
     /// which is exact along an axis.
-    fn rounds_nothing(&self, kernel: Kernel) -> bool {
+    fn rounds_nothing(&self, kernel: KernelClass) -> bool {
         // Relative to the ray's origin, a coordinate may be one bit longer.
         let (place, direction) = (self.position_bits + 1, self.direction_bits);
         let robust = self.shear_is_exact && 3 * place + 2 * direction + 3 <= 53;
         match kernel {
-            Kernel::Robust => robust,
-            Kernel::Textbook => {
+            KernelClass::Robust => robust,
+            KernelClass::Textbook => {
                 robust
                     && self.normal.is_along_an_axis()
                     && (self.det.sign() == 0 || self.det.is_power_of_two())
@@ -330,7 +330,7 @@ impl ExactTriangle {
 
     /// Whether a kernel computes `t` without rounding, so that `t` can be compared exactly with an
     /// end of the range.
-    fn divides_exactly(&self, kernel: Kernel, error_bounds: &TriangleErrorBounds) -> bool {
+    fn divides_exactly(&self, kernel: KernelClass, error_bounds: &TriangleErrorBounds) -> bool {
         error_bounds.fits_f64 && self.rounds_nothing(kernel) && self.det.is_power_of_two()
     }
 

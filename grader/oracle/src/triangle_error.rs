@@ -10,7 +10,7 @@
 use kit::{Ray, Triangle, Vec3};
 
 use super::roundoff::{U, abs_cross, fits_f64, gamma, max_abs, sum_abs};
-use super::verdict::Kernel;
+use super::verdict::KernelClass;
 
 /// Rounding error of textbook code in an edge function, relative to `thinness · |d| · extent²`.
 ///
@@ -163,11 +163,11 @@ impl TriangleErrorBounds {
     ///
     /// Textbook code computes `o + t·d`. Robust code interpolates the vertices, which keeps the
     /// point on the triangle's plane but moves it within the plane by the error of the weights.
-    pub(super) fn position(&self, kernel: Kernel, t: f64, b: f64) -> f64 {
+    pub(super) fn position(&self, kernel: KernelClass, t: f64, b: f64) -> f64 {
         let interpolated = DOUBLED * (2.0 * b * self.max_edge + gamma(8.0) * self.extent);
         match kernel {
-            Kernel::Textbook => interpolated + t * max_abs(self.d) + gamma(4.0) * self.extent,
-            Kernel::Robust => interpolated,
+            KernelClass::Textbook => interpolated + t * max_abs(self.d) + gamma(4.0) * self.extent,
+            KernelClass::Robust => interpolated,
         }
     }
 }

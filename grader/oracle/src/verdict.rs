@@ -4,7 +4,7 @@ use super::big_float::BigFloat;
 
 /// The class of code that an error bound is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kernel {
+pub enum KernelClass {
     /// Textbook formulas in plain `f64`: Möller-Trumbore, Plücker coordinates, plane and inside
     /// test, the quadratic formula, slabs. *Core* points are graded with these bounds.
     Textbook,
@@ -13,7 +13,7 @@ pub enum Kernel {
     Robust,
 }
 
-/// One value for each [`Kernel`].
+/// One value for each [`KernelClass`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PerKernel<T> {
     /// For textbook code.
@@ -24,18 +24,18 @@ pub struct PerKernel<T> {
 
 impl<T> PerKernel<T> {
     /// Calls `of` for each kernel class.
-    pub fn each(of: impl Fn(Kernel) -> T) -> PerKernel<T> {
+    pub fn each(of: impl Fn(KernelClass) -> T) -> PerKernel<T> {
         PerKernel {
-            textbook: of(Kernel::Textbook),
-            robust: of(Kernel::Robust),
+            textbook: of(KernelClass::Textbook),
+            robust: of(KernelClass::Robust),
         }
     }
 
     /// Returns the value for one kernel class.
-    pub fn get(&self, kernel: Kernel) -> &T {
+    pub fn get(&self, kernel: KernelClass) -> &T {
         match kernel {
-            Kernel::Textbook => &self.textbook,
-            Kernel::Robust => &self.robust,
+            KernelClass::Textbook => &self.textbook,
+            KernelClass::Robust => &self.robust,
         }
     }
 }

@@ -17,6 +17,8 @@ struct StudentProject {
     folder: PathBuf,
     target: PathBuf,
     tests: Tests,
+    /// Cargo's arguments that say whose tests these are.
+    packages: Vec<String>,
 }
 
 /// Which of a handout's tests to build and run.
@@ -24,7 +26,7 @@ struct StudentProject {
 pub enum Tests {
     /// All tests.
     All,
-    /// All tests except the grader's. Those are the same in every handout and take longer to build
+    /// All tests except those of the crates below `grader/`. Those are the same in every handout and take longer to build
     /// than all others. The grader itself is still built and run.
     Stages,
 }
@@ -44,6 +46,7 @@ pub fn find(
         folder: top.join("handout"),
         target: top.join("target"),
         tests,
+        packages: tests.packages(handout),
     };
     file_tree::sync_folder(&project.folder, &handout.files)?;
     let mut problems = Vec::new();
@@ -60,7 +63,7 @@ pub fn find(
     }
     if builds {
         progress(&format!("{here}: running its tests"));
-        let tested = project.cargo(&[TEST, project.tests.packages(), &["--quiet"]].concat())?;
+        let tested = project.cargo(&project.test(&["--quiet"]))?;
         if !tested.status.success() {
             problems.push(format!(
                 "`cargo test` fails: {}",
@@ -92,10 +95,16 @@ impl StudentProject {
             .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))
     }
 
+    /// The arguments of `cargo test`, with `more` at the end.
+    fn test<'a>(&'a self, more: &[&'a str]) -> Vec<&'a str> {
+        let packages = self.packages.iter().map(String::as_str);
+        let arguments = TEST.iter().copied().chain(packages);
+        arguments.chain(more.iter().copied()).collect()
+    }
+
     /// Builds programs and tests. Returns the compiler's warnings and errors.
     fn build(&self) -> Result<Vec<String>, GraderError> {
-        let of_tests = [TEST, self.tests.packages(), &["--no-run"]].concat();
-        let mut problems = self.warnings(&of_tests)?;
+        let mut problems = self.warnings(&self.test(&["--no-run"]))?;
         if problems.is_empty() && self.tests == Tests::Stages {
             let of_grader = [
                 "build",
@@ -178,12 +187,19 @@ impl StudentProject {
 }
 
 impl Tests {
-    /// The arguments of cargo that select these tests.
-    fn packages(self) -> &'static [&'static str] {
-        match self {
-            Tests::All => &["--workspace"],
-            Tests::Stages => &["--workspace", "--exclude", "grader"],
+    /// Cargo's arguments that say whose tests these are.
+    fn packages(self, handout: &Handout) -> Vec<String> {
+        let mut arguments = vec!["--workspace".to_string()];
+        if self == Tests::Stages {
+            let manifests = handout.files.keys().filter(|path| {
+                path.starts_with("grader")
+                    && path.file_name().is_some_and(|name| name == "Cargo.toml")
+            });
+            // A package has the name of its folder.
+            let names = manifests.filter_map(|path| path.parent()?.file_name()?.to_str());
+            arguments.extend(names.flat_map(|name| ["--exclude".to_string(), name.to_string()]));
         }
+        arguments
     }
 }
 

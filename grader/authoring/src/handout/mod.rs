@@ -20,8 +20,11 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use submission::file_tree::{self, Files};
-use submission::packages::members;
+use submission::packages::members::{self, Member};
 use submission::packages::{lock, manifest};
+
+/// The crate whose sources contain the text of markers, but no solution.
+const MENTIONS_MARKERS: &str = "submission";
 
 /// A handout: the files of the course without the solutions of some parts.
 #[derive(Clone, Debug)]
@@ -114,12 +117,8 @@ impl Handout {
         root: &Path,
     ) -> Result<(), GraderError> {
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
-        // The grader's own sources contain the text of markers but no solutions.
-        if !is_rust
-            || selection
-                .owner(&path)
-                .is_none_or(file_selection::is_grader_crate)
-        {
+        let is_carved = |owner: &Member| owner.name != MENTIONS_MARKERS;
+        if !is_rust || !selection.owner(&path).is_some_and(is_carved) {
             self.files.insert(path, contents);
             return Ok(());
         }

@@ -2,7 +2,7 @@
 //! keep.
 //!
 //! It fails on the code that gave the answer and passes on any that earns the points. The body of
-//! the test comes from the check of the case's kind of work; [`numbers`] and [`hits`] write what
+//! the test comes from the check of the case's kind of work; `numbers` and `hits` write what
 //! several of them need.
 
 pub(crate) mod hits;

@@ -1,6 +1,6 @@
 //! The tasks: a folder each, with its cases and all that is done with their answers.
 //!
-//! In a folder, `mod.rs` has the [`Check`] of the task's kind of work, `cases` what its code is
+//! In a folder, `mod.rs` has the `Check` of the task's kind of work, `cases` what its code is
 //! checked with, `judge` what is right and wrong about an answer, `lines` how a snapshot shows it,
 //! `repro` the Rust test that is pasted. Kinds of work that several tasks have are in folders of
 //! their own: [`brute_force`] (rays through a list of shapes), [`direct_light`], [`scene_hits`].

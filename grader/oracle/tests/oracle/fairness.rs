@@ -2,7 +2,7 @@
 //! few rays are undecidable.
 
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
-use oracle::{Kernel, bbox, sphere, triangle};
+use oracle::{KernelClass, bbox, sphere, triangle};
 
 use crate::kernels::{
     ROBUST_BOXES, ROBUST_SPHERES, ROBUST_TRIANGLES, TEXTBOOK_BOXES, TEXTBOOK_SPHERES,
@@ -84,11 +84,11 @@ fn try_triangles(seed: u64, count: u64) {
             _ => at_edge(&mut r),
         };
         let verdict = triangle(&tri, &ray);
-        undecidable += u32::from(verdict.undecidable(Kernel::Robust));
+        undecidable += u32::from(verdict.undecidable(KernelClass::Robust));
         let groups = [
-            (Kernel::Textbook, &TEXTBOOK_TRIANGLES[..]),
-            (Kernel::Textbook, &ROBUST_TRIANGLES[..]),
-            (Kernel::Robust, &ROBUST_TRIANGLES[..]),
+            (KernelClass::Textbook, &TEXTBOOK_TRIANGLES[..]),
+            (KernelClass::Textbook, &ROBUST_TRIANGLES[..]),
+            (KernelClass::Robust, &ROBUST_TRIANGLES[..]),
         ];
         for (kernel, kernels) in groups {
             for (name, test) in kernels {
@@ -159,9 +159,9 @@ fn try_spheres(seed: u64, count: u64) {
         };
         let verdict = sphere(&s, &ray);
         let groups = [
-            (Kernel::Textbook, &TEXTBOOK_SPHERES[..]),
-            (Kernel::Textbook, &ROBUST_SPHERES[..]),
-            (Kernel::Robust, &ROBUST_SPHERES[..]),
+            (KernelClass::Textbook, &TEXTBOOK_SPHERES[..]),
+            (KernelClass::Textbook, &ROBUST_SPHERES[..]),
+            (KernelClass::Robust, &ROBUST_SPHERES[..]),
         ];
         for (kernel, kernels) in groups {
             for (name, test) in kernels {
@@ -211,9 +211,9 @@ fn try_boxes(seed: u64, count: u64) {
         };
         let verdict = bbox(&b, &ray);
         let groups = [
-            (Kernel::Textbook, &TEXTBOOK_BOXES[..]),
-            (Kernel::Textbook, &ROBUST_BOXES[..]),
-            (Kernel::Robust, &ROBUST_BOXES[..]),
+            (KernelClass::Textbook, &TEXTBOOK_BOXES[..]),
+            (KernelClass::Textbook, &ROBUST_BOXES[..]),
+            (KernelClass::Robust, &ROBUST_BOXES[..]),
         ];
         for (kernel, kernels) in groups {
             for (name, test) in kernels {
@@ -238,15 +238,15 @@ fn fewer_than_one_ordinary_ray_in_a_million_is_undecidable() {
         let inside = p0 + r.unit() * (p1 - p0) + r.unit() * (p2 - p0);
         let ray = Ray::new(o, inside - o);
         let verdict = triangle(&Triangle::flat(p0, p1, p2), &ray);
-        undecidable += u32::from(verdict.undecidable(Kernel::Textbook));
+        undecidable += u32::from(verdict.undecidable(KernelClass::Textbook));
         let s = Sphere {
             center: p0,
             radius: r.unit(),
         };
         let verdict = sphere(&s, &ray);
-        undecidable += u32::from(verdict.undecidable(Kernel::Textbook));
+        undecidable += u32::from(verdict.undecidable(KernelClass::Textbook));
         let verdict = bbox(&Aabb::of([p0, p1]), &ray);
-        undecidable += u32::from(verdict.undecidable(Kernel::Textbook));
+        undecidable += u32::from(verdict.undecidable(KernelClass::Textbook));
     }
     assert_eq!(undecidable, 0);
 }

@@ -2,9 +2,9 @@
 
 use kit::{Aabb, Interval, Ray, Sphere, Triangle, Vec3};
 use oracle::verdict::Miss;
-use oracle::{Kernel, SphereClass, TriangleClass, bbox, sphere, triangle};
+use oracle::{KernelClass, SphereClass, TriangleClass, bbox, sphere, triangle};
 
-const BOTH: [Kernel; 2] = [Kernel::Textbook, Kernel::Robust];
+const BOTH: [KernelClass; 2] = [KernelClass::Textbook, KernelClass::Robust];
 
 fn v(x: f64, y: f64, z: f64) -> Vec3 {
     Vec3::new(x, y, z)
@@ -205,7 +205,7 @@ fn a_tangent_in_integers_is_one_hit() {
     let verdict = sphere(&ball(1.0), &beside);
     assert_eq!(verdict.class, SphereClass::Miss(Miss::LineMisses));
     assert!(
-        verdict.undecidable(Kernel::Robust),
+        verdict.undecidable(KernelClass::Robust),
         "an ulp off the rim is undecidable"
     );
 }
@@ -218,8 +218,8 @@ fn far_spheres_are_decided_in_the_middle_and_at_the_rim_by_robust_kernels() {
     let rim = ray(v(0.9995, 0.0, 1e6), -Vec3::Z);
     let verdict = sphere(&ball(1.0), &rim);
     assert_eq!(verdict.class, SphereClass::Near);
-    assert!(verdict.undecidable(Kernel::Textbook));
-    assert!(!verdict.undecidable(Kernel::Robust));
+    assert!(verdict.undecidable(KernelClass::Textbook));
+    assert!(!verdict.undecidable(KernelClass::Robust));
 }
 
 #[test]
@@ -320,7 +320,7 @@ fn flat_boxes_and_points_are_hit() {
     };
     let slanted = ray(v(0.1, 0.2, 3.0), v(0.1, 0.1, -0.7));
     assert!(bbox(&flat, &slanted).touches);
-    assert!(!bbox(&flat, &slanted).undecidable(Kernel::Textbook));
+    assert!(!bbox(&flat, &slanted).undecidable(KernelClass::Textbook));
     decides_box(&flat, &ray(v(-1.0, 0.5, 0.5), Vec3::X), Some((1.0, 2.0)));
     let point = Aabb::of([v(0.5, 0.5, 0.5)]);
     decides_box(&point, &ray(v(0.5, 0.5, -1.0), Vec3::Z), Some((1.5, 1.5)));
@@ -331,8 +331,8 @@ fn a_corner_may_be_missed_by_plain_slabs_only() {
     let at_corner = ray(v(-1.0, -1.0, -1.0), v(0.3, 0.3, 0.3) / 3.0);
     let verdict = bbox(&Aabb::of([Vec3::ZERO]), &at_corner);
     assert!(verdict.hits() && verdict.touches);
-    assert!(verdict.judge(Kernel::Textbook, None).scores());
-    assert!(!verdict.judge(Kernel::Robust, None).scores());
+    assert!(verdict.judge(KernelClass::Textbook, None).scores());
+    assert!(!verdict.judge(KernelClass::Robust, None).scores());
 }
 
 #[test]
@@ -345,12 +345,12 @@ fn a_box_test_may_be_conservative_by_a_few_ulp() {
     let verdict = bbox(&corner, &past);
     assert!(!verdict.hits() && verdict.gap > 0.0);
     let touched = Some(Interval { min: 1.0, max: 1.0 });
-    assert!(verdict.judge(Kernel::Robust, touched).scores());
-    assert!(verdict.judge(Kernel::Robust, None).scores());
+    assert!(verdict.judge(KernelClass::Robust, touched).scores());
+    assert!(verdict.judge(KernelClass::Robust, None).scores());
     let clear = ray(v(-1.0, -1.001, 0.0), v(1.0, 1.0, 0.0));
     assert!(
         !bbox(&corner, &clear)
-            .judge(Kernel::Textbook, touched)
+            .judge(KernelClass::Textbook, touched)
             .scores()
     );
 }
@@ -373,9 +373,9 @@ fn odd_boxes_are_decided() {
 fn only_robust_tests_must_handle_a_denormal_direction() {
     let denormal = ray(v(0.5, 0.5, 0.5), v(f64::from_bits(1), 0.0, 1.0));
     let verdict = bbox(&unit_box(), &denormal);
-    assert!(verdict.hits() && verdict.undecidable(Kernel::Textbook));
-    assert!(!verdict.undecidable(Kernel::Robust));
-    assert!(!verdict.judge(Kernel::Robust, None).scores());
+    assert!(verdict.hits() && verdict.undecidable(KernelClass::Textbook));
+    assert!(!verdict.undecidable(KernelClass::Robust));
+    assert!(!verdict.judge(KernelClass::Robust, None).scores());
 }
 
 #[test]

@@ -6,7 +6,7 @@ use oracle::closest::ClosestJudgement;
 use oracle::surface::{
     geometric_normal, sphere_normal, sphere_point, triangle_normal, triangle_point,
 };
-use oracle::{Kernel, any, closest, sphere, triangle};
+use oracle::{KernelClass, any, closest, sphere, triangle};
 
 use crate::rays::{self, Family, Random};
 
@@ -39,7 +39,7 @@ fn the_nearest_primitive_is_closest() {
         truth.nearest.map(|(id, t)| (id, t.to_f64())),
         Some((PrimId(2), 1.5))
     );
-    for kernel in [Kernel::Textbook, Kernel::Robust] {
+    for kernel in [KernelClass::Textbook, KernelClass::Robust] {
         assert!(truth.judge(kernel, Some((PrimId(2), 1.5))).scores());
         let wrong = truth.judge(kernel, Some((PrimId(1), 2.0)));
         assert_eq!(wrong, ClosestJudgement::WrongPrimitive);
@@ -57,7 +57,7 @@ fn equal_hits_are_ties_and_any_of_them_scores() {
     let truth = closest(all, &forward());
     assert_eq!(truth.ties, [PrimId(1), PrimId(2)]);
     assert_eq!(truth.nearest.map(|(id, _)| id), Some(PrimId(1)));
-    for kernel in [Kernel::Textbook, Kernel::Robust] {
+    for kernel in [KernelClass::Textbook, KernelClass::Robust] {
         assert!(truth.judge(kernel, Some((PrimId(1), 2.0))).scores());
         assert!(truth.judge(kernel, Some((PrimId(2), 2.0))).scores());
         assert!(!truth.judge(kernel, Some((PrimId(0), 3.0))).scores());
@@ -72,7 +72,7 @@ fn either_of_two_walls_an_ulp_apart_scores() {
     let truth = closest([&b, &a].map(Primitive::Triangle), &ray);
     assert_eq!(truth.ties, [PrimId(1)]);
     let t = truth.nearest.expect("a hit").1.to_f64();
-    for kernel in [Kernel::Textbook, Kernel::Robust] {
+    for kernel in [KernelClass::Textbook, KernelClass::Robust] {
         assert!(truth.judge(kernel, Some((PrimId(0), t))).scores());
     }
 }
@@ -84,8 +84,11 @@ fn a_ray_away_from_the_primitive_misses() {
     let all = [Primitive::Triangle(&near)];
     let truth = closest(all, &back);
     assert_eq!(truth.nearest, None);
-    assert_eq!(truth.judge(Kernel::Robust, None), ClosestJudgement::Miss);
-    let false_hit = truth.judge(Kernel::Robust, Some((PrimId(0), 2.0)));
+    assert_eq!(
+        truth.judge(KernelClass::Robust, None),
+        ClosestJudgement::Miss
+    );
+    let false_hit = truth.judge(KernelClass::Robust, Some((PrimId(0), 2.0)));
     assert_eq!(false_hit, ClosestJudgement::FalseHit);
     assert!(!any(all, &back));
     assert!(closest([], &back).answers.textbook.miss);
@@ -111,14 +114,14 @@ fn wrong_hit_points_and_normals_are_rejected() {
         hits += 1;
         let (t, b1, b2) = (at.t.to_f64(), at.b1.to_f64(), at.b2.to_f64());
         let point = triangle_point(&tri, &at);
-        assert!(point.accepts(Kernel::Textbook, ray.at(t)), "{point:?}");
+        assert!(point.accepts(KernelClass::Textbook, ray.at(t)), "{point:?}");
         let mixed = (1.0 - b1 - b2) * tri.p0 + b1 * tri.p1 + b2 * tri.p2;
-        assert!(point.accepts(Kernel::Robust, mixed), "{point:?}");
-        assert!(!point.accepts(Kernel::Textbook, ray.at(t * (1.0 + 1e-4))));
+        assert!(point.accepts(KernelClass::Robust, mixed), "{point:?}");
+        assert!(!point.accepts(KernelClass::Textbook, ray.at(t * (1.0 + 1e-4))));
 
         let normal = triangle_normal(&tri, &at);
         let n = ((1.0 - b1 - b2) * tri.n0 + b1 * tri.n1 + b2 * tri.n2).normalize();
-        assert!(normal.accepts(Kernel::Robust, n), "{normal:?}");
+        assert!(normal.accepts(KernelClass::Robust, n), "{normal:?}");
         for wrong in [
             -n,
             0.9 * n,
@@ -126,13 +129,13 @@ fn wrong_hit_points_and_normals_are_rejected() {
             (b1 * tri.n0 + b2 * tri.n1 + (1.0 - b1 - b2) * tri.n2).normalize(),
         ] {
             assert!(
-                !normal.accepts(Kernel::Textbook, wrong),
+                !normal.accepts(KernelClass::Textbook, wrong),
                 "{normal:?} {wrong}"
             );
         }
         let ng = (tri.p1 - tri.p0).cross(tri.p2 - tri.p0).normalize();
-        assert!(geometric_normal(&tri).accepts(Kernel::Robust, ng));
-        assert!(!geometric_normal(&tri).accepts(Kernel::Textbook, -ng));
+        assert!(geometric_normal(&tri).accepts(KernelClass::Robust, ng));
+        assert!(!geometric_normal(&tri).accepts(KernelClass::Textbook, -ng));
     }
     assert!(hits > 1_000, "{hits}");
 }
@@ -145,19 +148,19 @@ fn wrong_sphere_points_and_normals_are_rejected() {
         let (s, ray) = rays::sphere(&mut r, Family::Ordinary);
         let verdict = sphere(&s, &ray);
         let Some(t) = verdict.t else { continue };
-        if verdict.undecidable(Kernel::Textbook) {
+        if verdict.undecidable(KernelClass::Textbook) {
             continue;
         }
         hits += 1;
         let root = usize::from(verdict.roots.map(|roots| roots[1]) == Some(t));
         let p = ray.at(t.to_f64());
         let point = sphere_point(&verdict, &ray, root).expect("a hit");
-        assert!(point.accepts(Kernel::Robust, p));
+        assert!(point.accepts(KernelClass::Robust, p));
         let n = (p - s.center).normalize();
         let normal = sphere_normal(&verdict, &s, &ray, root).expect("a hit");
-        assert!(normal.accepts(Kernel::Robust, n));
-        assert!(!normal.accepts(Kernel::Textbook, -n));
-        assert!(!normal.accepts(Kernel::Textbook, (p - s.center) * 0.5));
+        assert!(normal.accepts(KernelClass::Robust, n));
+        assert!(!normal.accepts(KernelClass::Textbook, -n));
+        assert!(!normal.accepts(KernelClass::Textbook, (p - s.center) * 0.5));
     }
     assert!(hits > 1_000, "{hits}");
 }
@@ -170,6 +173,6 @@ fn any_unit_vector_scores_if_normals_cancel() {
     let at = triangle(&tri, &ray).crossing.expect("a hit");
     let normal = triangle_normal(&tri, &at);
     assert_eq!(normal.n, None);
-    assert!(normal.accepts(Kernel::Robust, Vec3::X));
-    assert!(!normal.accepts(Kernel::Robust, Vec3::NAN));
+    assert!(normal.accepts(KernelClass::Robust, Vec3::X));
+    assert!(!normal.accepts(KernelClass::Robust, Vec3::NAN));
 }

@@ -1,5 +1,6 @@
 //! Updates the lock file of a workspace from which crates were removed.
 
+use super::manifest;
 use crate::file_tree::{self, Files};
 use grader::compile;
 use grader::error::GraderError;
@@ -7,8 +8,8 @@ use grader::interrupt;
 use std::path::Path;
 use std::process::Command;
 
-/// Removes what `files` do not use from their `Cargo.lock`, so that they build with `--locked`. The
-/// versions of the other packages stay the same.
+/// Removes what `files` do not use from their `Cargo.lock`, so that they build with `--locked`, and from the profiles in
+/// their `Cargo.toml`. The versions of the other packages stay the same.
 pub fn remove_unused(files: &mut Files) -> Result<(), GraderError> {
     let scratch = interrupt::temp_folder()?;
     file_tree::sync_folder(scratch.path(), files)?;
@@ -23,7 +24,12 @@ pub fn remove_unused(files: &mut Files) -> Result<(), GraderError> {
             String::from_utf8_lossy(&output.stderr).trim()
         )));
     }
-    let lock = Path::new("Cargo.lock");
-    files.insert(lock.into(), file_tree::read(scratch.path(), lock)?);
+    let path = Path::new("Cargo.lock");
+    let lock = file_tree::read(scratch.path(), path)?;
+    if let Some(manifest) = files.get_mut(Path::new("Cargo.toml")) {
+        let [text, lock] = [&*manifest, &lock].map(|file| String::from_utf8_lossy(file));
+        *manifest = manifest::without_unused_profiles(&text, &lock).into_bytes();
+    }
+    files.insert(path.into(), lock);
     Ok(())
 }

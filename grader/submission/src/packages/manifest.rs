@@ -19,6 +19,26 @@ pub fn without_members(text: &str, left_out: &[PathBuf]) -> String {
     kept.flat_map(|line| [line, "\n"]).collect()
 }
 
+/// Removes the tables `[profile.PROFILE.package.NAME]` of packages that the lock file `lock` does not name: cargo warns of
+/// them at every command.
+pub fn without_unused_profiles(text: &str, lock: &str) -> String {
+    let is_unused = |table: &str| {
+        let name = table
+            .strip_prefix("[profile.")
+            .and_then(|rest| rest.split_once(".package."))
+            .and_then(|(_, name)| name.strip_suffix(']'));
+        name.is_some_and(|name| name != "\"*\"" && !lock.contains(&format!("name = \"{name}\"\n")))
+    };
+    let mut dropping = false;
+    let kept = text.lines().filter(|line| {
+        if line.starts_with('[') {
+            dropping = is_unused(line.trim_end());
+        }
+        !dropping
+    });
+    kept.flat_map(|line| [line, "\n"]).collect()
+}
+
 /// Libraries that only tests and benches in separate folders use, never unit tests in `src`.
 const FOR_TESTS: [&str; 3] = ["criterion", "cargo_metadata", "snapbox"];
 
@@ -46,6 +66,15 @@ pub fn without_tests(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn profiles_of_packages_that_are_gone_are_removed() {
+        let text = "[profile.dev.package.\"*\"]\ndebug = 0\n\n[profile.dev.package.gone]\nopt-level = 0\n\n[profile.dev.package.kept]\nopt-level = 0\n";
+        let expected =
+            "[profile.dev.package.\"*\"]\ndebug = 0\n\n[profile.dev.package.kept]\nopt-level = 0\n";
+        let lock = "[[package]]\nname = \"kept\"\nversion = \"1.0.0\"\n";
+        assert_eq!(without_unused_profiles(text, lock), expected);
+    }
 
     #[test]
     fn a_member_is_removed_from_members_and_dependencies() {

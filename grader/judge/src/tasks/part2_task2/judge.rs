@@ -5,7 +5,7 @@ use crate::convert;
 use crate::hits;
 use crate::tally::{Aspect, Tally};
 use kit::{Aabb, Interval, Vec3};
-use oracle::{self, BoxJudgement, Kernel};
+use oracle::{self, BoxJudgement, KernelClass};
 use wire::work::{Probe, Xyz};
 
 /// Judges the answers of `intersect_bbox` by the exact oracle.
@@ -21,8 +21,8 @@ pub(crate) fn boxes(
     answers: &[Option<[f64; 2]>],
 ) {
     let kernel = match tier {
-        Tier::Core => Kernel::Textbook,
-        Tier::Robust => Kernel::Robust,
+        Tier::Core => KernelClass::Textbook,
+        Tier::Robust => KernelClass::Robust,
     };
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         let [min, max] = boxes[probe.shape as usize].map(Vec3::from);

@@ -4,7 +4,7 @@ use crate::Tier;
 use crate::convert;
 use crate::repro::numbers::{float, ray, vec3};
 use kit::{Aabb, Vec3};
-use oracle::{self, Kernel};
+use oracle::{self, KernelClass};
 use std::fmt::Write;
 use wire::work::{Probe, Xyz};
 
@@ -20,8 +20,8 @@ pub(crate) fn interval(tier: Tier, boxes: &[[Xyz; 2]], probe: &Probe) -> Option<
         max: Vec3::from(max),
     };
     let kernel = match tier {
-        Tier::Core => Kernel::Textbook,
-        Tier::Robust => Kernel::Robust,
+        Tier::Core => KernelClass::Textbook,
+        Tier::Robust => KernelClass::Robust,
     };
     let verdict = oracle::bbox(&b, &convert::ray(&probe.ray));
     if verdict.undecidable(kernel) {

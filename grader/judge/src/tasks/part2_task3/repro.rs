@@ -9,8 +9,7 @@ const NODES: usize = 40;
 
 /// A world that knows its answers by heart, as the grader's own does.
 const BY_HEART: &str = "\
-/// For each node where the line of the ray is inside its box, for each primitive at which t it is
-/// met.
+/// For each node where the line of the ray is inside its box, for each primitive at which t it is met.
 struct ByHeart {
     boxes: Vec<Aabb>,
     spans: Vec<Option<[f64; 2]>>,

@@ -47,3 +47,32 @@ impl Check for Paths {
         Some((Vec::new(), each(paths, answers, lines::path)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_at_a_surface_that_is_not_there_does_not_fit() {
+        let paths = cases::cases(0)
+            .into_iter()
+            .find_map(|spec| match spec.work {
+                wire::Work::Paths(paths) => Some(paths),
+                _ => None,
+            });
+        let paths = paths.expect("the cases have paths");
+        let fits = |surface: usize| {
+            let answer = PathAnswer {
+                samples: vec![(surface as u32, [0.0; 3], [0.0; 3])],
+                ..PathAnswer::default()
+            };
+            let mut answers = vec![PathAnswer::default(); paths.len()];
+            answers[0] = answer;
+            Paths::fits(&paths, &answers)
+        };
+        let surfaces = paths[0].steps.len();
+        assert_eq!(fits(surfaces - 1), Ok(()));
+        let why = format!("call 0 names surface {surfaces}, but there are only {surfaces}");
+        assert_eq!(fits(surfaces), Err(why));
+    }
+}

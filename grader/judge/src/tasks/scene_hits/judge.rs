@@ -5,7 +5,7 @@ use crate::hits;
 use crate::tally::{Aspect, Tally};
 use kit::PrimId;
 use oracle::closest::{Closest, ClosestJudgement};
-use oracle::verdict::{Judgement, Kernel};
+use oracle::verdict::{Judgement, KernelClass};
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::Ray;
 
@@ -19,8 +19,8 @@ pub(crate) fn hits(
     answer: &HitsAnswer,
 ) {
     let kernel = match tier {
-        Tier::Core => Kernel::Textbook,
-        Tier::Robust => Kernel::Robust,
+        Tier::Core => KernelClass::Textbook,
+        Tier::Robust => KernelClass::Robust,
     };
     let answers = answer.hits.iter().zip(&answer.max_t);
     for (call, ((ray, truth), (hit, &max_t))) in rays.iter().zip(truths).zip(answers).enumerate() {
@@ -44,7 +44,7 @@ pub(crate) fn hits(
 fn one(
     tally: &mut Tally,
     call: usize,
-    kernel: Kernel,
+    kernel: KernelClass,
     truth: &Closest,
     hit: Option<&Hit>,
     ray: &Ray,
@@ -108,7 +108,7 @@ fn one(
 fn blocked(
     tally: &mut Tally,
     call: usize,
-    kernel: Kernel,
+    kernel: KernelClass,
     truth: &Closest,
     answer: bool,
     ray: &Ray,

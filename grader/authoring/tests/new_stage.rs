@@ -232,7 +232,7 @@ fn a_new_stage_is_graded_after_the_changes_that_contributing_lists() {
     assert_eq!(task["status"], "failed", "{wrong:#}");
     let message = task["cases"][0]["findings"][0]["worst"]["message"].as_str();
     assert!(
-        message.is_some_and(|m| m.contains("your result: 1.5; expected: 1")),
+        message.is_some_and(|m| m.contains("your result: -2; expected: -6")),
         "{wrong:#}"
     );
     let stub = r#"kit::hole!("part7.task1", x)"#;

@@ -17,25 +17,28 @@ pub struct TestCounts {
     pub prim_tests: u64,
 }
 
+/// A scalar kernel: intersects a ray with a primitive in the ray's range.
+///
+/// It is called seldom. As a `dyn` it is compiled once, not again with the whole traversal in each crate that calls it.
+pub type ExactTest<'a> = dyn FnMut(PrimId, &Ray) -> Option<TriangleHit> + 'a;
+
 impl WideBvh {
     /// The closest hit in the ray's range with any primitive but `skip`; at equal `t` the one with
     /// the lowest id.
     ///
-    /// `exact` is the scalar kernel: it intersects a ray with a primitive in the ray's range (a
-    /// sphere's weights are 0). It is called for spheres, and for triangles that the lanes cannot
+    /// `exact` returns weights of 0 for spheres. It is called for spheres, and for triangles that the lanes cannot
     /// decide. The result equals that of calling it for every primitive, bit for bit. Adds to
     /// `counts`.
-    #[inline]
     pub fn closest(
         &self,
         ray: &Ray,
         skip: Option<PrimId>,
-        exact: &mut impl FnMut(PrimId, &Ray) -> Option<TriangleHit>,
+        exact: &mut ExactTest,
         counts: &mut TestCounts,
     ) -> Option<(PrimId, TriangleHit)> {
         // BEGIN SOLUTION(part6.task1)
         dispatch!(self.level, simd => {
-            let mut traversal = Traversal::<_, _, false>::new(simd, self, ray, skip, exact);
+            let mut traversal = Traversal::<_, false>::new(simd, self, ray, skip, exact);
             traversal.run(counts);
             traversal.found
         })
@@ -45,17 +48,16 @@ impl WideBvh {
 
     /// Whether any primitive but `skip` is hit in the ray's range. Stops at the first hit. `exact`
     /// and `counts` are those of [`WideBvh::closest`].
-    #[inline]
     pub fn occluded(
         &self,
         ray: &Ray,
         skip: Option<PrimId>,
-        exact: &mut impl FnMut(PrimId, &Ray) -> Option<TriangleHit>,
+        exact: &mut ExactTest,
         counts: &mut TestCounts,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
         dispatch!(self.level, simd => {
-            let mut traversal = Traversal::<_, _, true>::new(simd, self, ray, skip, exact);
+            let mut traversal = Traversal::<_, true>::new(simd, self, ray, skip, exact);
             traversal.run(counts);
             traversal.found.is_some()
         })

@@ -37,5 +37,5 @@ mod intersect;
 mod wide;
 
 pub use fearless_simd::Level;
-pub use intersect::TestCounts;
+pub use intersect::{ExactTest, TestCounts};
 pub use wide::WideBvh;

@@ -2,7 +2,7 @@
 //! One traversal of the tree, for the closest hit or for any hit.
 
 use crate::box_test::{BoxTest, ScalarBoxTest};
-use crate::intersect::TestCounts;
+use crate::intersect::{ExactTest, TestCounts};
 use crate::node::{Child, ChildKind, Node};
 use crate::simd_box_test::SimdBoxTest;
 use crate::sphere_block::SphereBlock;
@@ -13,11 +13,11 @@ use fearless_simd::Simd;
 use kit::{PrimId, Ray, TriangleHit};
 
 /// The traversal of the tree by one ray. With `ANY` it ends at the first hit.
-pub(crate) struct Traversal<'a, S: Simd, E, const ANY: bool> {
+pub(crate) struct Traversal<'a, 'e, S: Simd, const ANY: bool> {
     simd: S,
     tree: &'a WideBvh,
     skip: Option<PrimId>,
-    exact: &'a mut E,
+    exact: &'a mut ExactTest<'e>,
     /// A local copy: counters behind a reference would be loaded and stored at every step.
     counts: TestCounts,
     /// A reference, not a copy: reading a whole ray soon after its fields were written stalls, and
@@ -30,17 +30,14 @@ pub(crate) struct Traversal<'a, S: Simd, E, const ANY: bool> {
     pub(crate) found: Option<(PrimId, TriangleHit)>,
 }
 
-impl<'a, S: Simd, E, const ANY: bool> Traversal<'a, S, E, ANY>
-where
-    E: FnMut(PrimId, &Ray) -> Option<TriangleHit>,
-{
+impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     #[inline(always)]
     pub(crate) fn new(
         simd: S,
         tree: &'a WideBvh,
         ray: &'a Ray,
         skip: Option<PrimId>,
-        exact: &'a mut E,
+        exact: &'a mut ExactTest<'e>,
     ) -> Self {
         Traversal {
             simd,

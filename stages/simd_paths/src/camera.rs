@@ -17,7 +17,7 @@ pub(crate) fn generate_paths<S: Simd>(
     view: &View,
     starts: &[PathStart],
     queue: &mut PathQueue,
-    fallback: &mut impl ScalarFallback,
+    fallback: &mut dyn ScalarFallback,
 ) {
     let camera = &view.camera;
     let half_width = tan((0.5 * camera.h_fov).to_radians());

@@ -23,7 +23,7 @@ impl<S: Simd> PathPacket<'_, S> {
         wo_z: f64x8<S>,
         diffuse: u64,
         workspace: &mut Workspace,
-        fallback: &mut impl ScalarFallback,
+        fallback: &mut dyn ScalarFallback,
     ) -> Vec3x8<S> {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);

@@ -24,7 +24,7 @@ impl<S: Simd> PathPacket<'_, S> {
         bounce: u32,
         surfaces: &SurfacePacket<S>,
         hits: &HitPacket<S>,
-        fallback: &mut impl ScalarFallback,
+        fallback: &mut dyn ScalarFallback,
     ) -> [Option<ScatteredPath>; LANES] {
         let mut scattered = [const { None }; LANES];
         for lane in lanes(other) {

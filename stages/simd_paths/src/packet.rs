@@ -33,7 +33,7 @@ impl<S: Simd> PathPacket<'_, S> {
         bounce: u32,
         range: [f64; 2],
         workspace: &mut Workspace,
-        fallback: &mut impl ScalarFallback,
+        fallback: &mut dyn ScalarFallback,
     ) -> u64 {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);
@@ -97,7 +97,7 @@ impl<S: Simd> PathPacket<'_, S> {
         &self,
         rays: &RayPacket<S>,
         workspace: &mut Workspace,
-        fallback: &mut impl ScalarFallback,
+        fallback: &mut dyn ScalarFallback,
     ) -> HitPacket<S> {
         let count = u64::from(self.alive.count_ones());
         workspace.counts.rays += count;
@@ -124,7 +124,7 @@ impl<S: Simd> PathPacket<'_, S> {
         active: u64,
         skip: f64x8<S>,
         workspace: &mut Workspace,
-        fallback: &mut impl ScalarFallback,
+        fallback: &mut dyn ScalarFallback,
     ) -> u64 {
         let count = u64::from(active.count_ones());
         workspace.counts.rays += count;

@@ -143,7 +143,7 @@ impl<'a> PathScene<'a> {
         settings: &PathSettings,
         starts: &[PathStart],
         workspace: &mut Workspace,
-        fallback: &mut impl ScalarFallback,
+        fallback: &mut dyn ScalarFallback,
     ) -> Vec<Spectrum> {
         // BEGIN SOLUTION(part6.task2)
         let mut radiance = vec![Spectrum::BLACK; starts.len()];

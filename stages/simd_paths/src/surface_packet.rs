@@ -48,7 +48,7 @@ impl<S: Simd> SurfacePacket<S> {
         ids: &[usize; LANES],
         hit: u64,
         color: Vec3x8<S>,
-        fallback: &impl ScalarFallback,
+        fallback: &dyn ScalarFallback,
     ) -> SurfacePacket<S> {
         let count = scene.lit.scene.triangles.len();
         let mut surfaces = SurfacePacket {

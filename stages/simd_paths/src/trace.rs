@@ -19,7 +19,7 @@ pub(crate) fn trace_paths<S: Simd>(
     settings: &PathSettings,
     view: &View,
     workspace: &mut Workspace,
-    fallback: &mut impl ScalarFallback,
+    fallback: &mut dyn ScalarFallback,
     radiance: &mut [Spectrum],
 ) {
     for bounce in 1..=settings.max_depth {

@@ -81,7 +81,7 @@ impl PrimitiveList {
         active: u64,
         skip: f64x8<S>,
         scratch: &mut Scratch,
-        fallback: &impl ScalarFallback,
+        fallback: &dyn ScalarFallback,
     ) -> HitPacket<S> {
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);
@@ -125,7 +125,7 @@ impl PrimitiveList {
         active: u64,
         skip: f64x8<S>,
         scratch: &mut Scratch,
-        fallback: &impl ScalarFallback,
+        fallback: &dyn ScalarFallback,
     ) -> (u64, u64) {
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);

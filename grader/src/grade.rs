@@ -8,7 +8,7 @@ use crate::runner::Ending;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::Signature;
 use crate::speedup;
-use crate::stage_workers::Workers;
+use crate::stage_workers::StageWorkers;
 use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
 use judge;
@@ -73,7 +73,7 @@ pub fn in_place(
     let run = run(&workers, &course, &tasks, &specs)?;
     let tasks = explain(workspace, run.results, &specs)?;
     let speedups = if times {
-        Some(speedup::measure(&course, &workers.together)?)
+        Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
         None
     };
@@ -102,18 +102,18 @@ pub fn at(
     })
 }
 
-/// The workers for `tasks`; for whole scenes, too, if a case needs it or `together` says so.
+/// The workers for `tasks`; for whole scenes, too, if a case needs it or `whole_scene` says so.
 pub fn workers(
-    site: &BuildRoot,
+    build_root: &BuildRoot,
     tasks: &[&Task],
     specs: &[Spec],
-    together: bool,
+    whole_scene: bool,
 ) -> Result<WorkerSet, GraderError> {
-    let together = together
+    let whole_scene = whole_scene
         || chosen(tasks, specs)?
             .iter()
-            .any(|spec| spec.needs_neighbours());
-    WorkerSet::build(site, &stages(tasks), together)
+            .any(|spec| spec.needs_all_stages());
+    WorkerSet::build(build_root, &stages(tasks), whole_scene)
 }
 
 /// The stages that `tasks` are written in, by name, each once.
@@ -195,7 +195,7 @@ pub fn grade_tasks(
     course: &Course,
     tasks: &[&Task],
     specs: &[Spec],
-    workers: &Workers,
+    workers: &StageWorkers,
     printed: &mut String,
 ) -> Result<Vec<TaskResult>, GraderError> {
     let chosen = chosen(tasks, specs)?;
@@ -213,7 +213,7 @@ pub fn grade_tasks(
                 Ok(answer) => (Status::Passed, judge::judge(spec, entry.tier, answer)),
             };
             case_results.push(CaseResult {
-                with_neighbours: spec.needs_neighbours(),
+                with_neighbours: spec.needs_all_stages(),
                 ..CaseResult::new(entry, spec.about, status, findings)
             });
         }

@@ -7,7 +7,7 @@
 
 use crate::runner::Ending;
 use wire::file::FrameReader;
-use wire::{Case, Frame, Outcome, Record};
+use wire::{Case, Outcome, Record, RecordFrame};
 
 /// What the records of one worker say.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,12 +40,12 @@ pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
         let began = records.next_began;
         let is_next = |number: u32| number as usize == next;
         let ending = match frame {
-            Ok(Frame::Started { case }) if is_next(case) && !began => {
+            Ok(RecordFrame::Started { case }) if is_next(case) && !began => {
                 records.next_began = true;
                 continue;
             }
-            Ok(Frame::Done(record)) if is_next(record.case) && began => ending(case, record),
-            Ok(Frame::TimedOut { case: number, call }) if is_next(number) && began => {
+            Ok(RecordFrame::Done(record)) if is_next(record.case) && began => ending(case, record),
+            Ok(RecordFrame::TimedOut { case: number, call }) if is_next(number) && began => {
                 Ending::TimedOut {
                     call,
                     limit_ms: case.limit_ms,
@@ -79,11 +79,11 @@ fn cannot_be_read(why: &str) -> Ending {
 }
 
 /// What is wrong with the order of frames.
-fn out_of_order(frame: &Frame, next: usize, began: bool) -> String {
+fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
     let (event, case) = match frame {
-        Frame::Started { case } => ("begins", case),
-        Frame::TimedOut { case, .. } => ("times out", case),
-        Frame::Done(record) => ("ends", &record.case),
+        RecordFrame::Started { case } => ("begins", case),
+        RecordFrame::TimedOut { case, .. } => ("times out", case),
+        RecordFrame::Done(record) => ("ends", &record.case),
     };
     let state = if began { "runs" } else { "is next" };
     format!("case {case} {event} where case {next} {state}")
@@ -116,23 +116,23 @@ mod tests {
         ["a", "b", "c"].map(case).to_vec()
     }
 
-    fn started(case: u32) -> Frame {
-        Frame::Started { case }
+    fn started(case: u32) -> RecordFrame {
+        RecordFrame::Started { case }
     }
 
-    fn answered(case: u32, answer: Answer) -> Frame {
-        Frame::Done(Record {
+    fn answered(case: u32, answer: Answer) -> RecordFrame {
+        RecordFrame::Done(Record {
             case,
             untouched: Vec::new(),
             outcome: Outcome::Answered(answer),
         })
     }
 
-    fn done(case: u32) -> Frame {
+    fn done(case: u32) -> RecordFrame {
         answered(case, Answer::Boxes(vec![None; 2]))
     }
 
-    fn read_all(frames: &[Frame]) -> Records {
+    fn read_all(frames: &[RecordFrame]) -> Records {
         let mut bytes = Vec::new();
         for frame in frames {
             file::write_frame(&mut bytes, frame).expect("memory takes it");
@@ -141,7 +141,7 @@ mod tests {
     }
 
     /// How many cases have a record, and why the next one fails.
-    fn summary(frames: &[Frame]) -> (usize, Option<String>) {
+    fn summary(frames: &[RecordFrame]) -> (usize, Option<String>) {
         let mut records = read_all(frames);
         let why = records
             .endings
@@ -172,7 +172,7 @@ mod tests {
         assert_eq!(summary(&frames), (3, None));
         assert!(read_all(&frames[..5]).next_began);
         assert!(!read_all(&frames[..4]).next_began);
-        let late = [&frames[..1], &[Frame::TimedOut { case: 0, call: 1 }]].concat();
+        let late = [&frames[..1], &[RecordFrame::TimedOut { case: 0, call: 1 }]].concat();
         let limit = Ending::TimedOut {
             call: 1,
             limit_ms: 77,
@@ -189,7 +189,7 @@ mod tests {
             (done(u32::MAX), "case 4294967295 ends where case 1 runs"),
             (started(1), "case 1 begins where case 1 runs"),
             (
-                Frame::TimedOut { case: 9, call: 0 },
+                RecordFrame::TimedOut { case: 9, call: 0 },
                 "case 9 times out where case 1 runs",
             ),
         ] {

@@ -14,7 +14,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
-use wire::{Case, Frame, Record, file};
+use wire::{Case, Record, RecordFrame, file};
 
 /// Enough for honest recursion over a deep tree; endless recursion overflows it soon.
 const STACK_BYTES: usize = 64 << 20;
@@ -87,16 +87,16 @@ fn watch(
         .spawn(run_all)
         .map_err(|e| format!("cannot start a thread: {e}"))?;
 
-    let mut write = |frame: &Frame| {
+    let mut write = |frame: &RecordFrame| {
         file::write_frame(&mut out, frame).map_err(|e| format!("cannot write a record: {e}"))
     };
     for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
-        write(&Frame::Started { case })?;
+        write(&RecordFrame::Started { case })?;
         let stopwatch = Stopwatch::start();
         to_runner.send(case).map_err(|e| e.to_string())?;
         loop {
             let Some(left) = stopwatch.left(*limit) else {
-                write(&Frame::TimedOut {
+                write(&RecordFrame::TimedOut {
                     case,
                     call: isolate::current_call(),
                 })?;
@@ -104,7 +104,7 @@ fn watch(
             };
             match finished.recv_timeout(left.max(LOOK_AGAIN)) {
                 Ok(record) => {
-                    write(&Frame::Done(record))?;
+                    write(&RecordFrame::Done(record))?;
                     break;
                 }
                 Err(RecvTimeoutError::Timeout) => {}

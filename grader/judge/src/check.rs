@@ -31,7 +31,7 @@ pub(crate) trait Check {
     type Answer;
 
     /// Whether rays go through all stages that hit something, not only through the task's own.
-    const NEEDS_NEIGHBOURS: bool = false;
+    const NEEDS_ALL_STAGES: bool = false;
 
     /// Milliseconds after which a case has failed.
     const LIMIT_MS: u64 = LIMIT_MS;
@@ -81,9 +81,9 @@ pub(crate) trait Check {
 }
 
 /// A question of any kind, with its check.
-pub(crate) trait Asked {
-    /// As [`Check::NEEDS_NEIGHBOURS`].
-    fn needs_neighbours(&self) -> bool;
+pub(crate) trait ErasedCheck {
+    /// As [`Check::NEEDS_ALL_STAGES`].
+    fn needs_all_stages(&self) -> bool;
 
     /// As [`Check::LIMIT_MS`].
     fn limit_ms(&self) -> u64;
@@ -115,15 +115,15 @@ pub(crate) trait Asked {
 }
 
 /// A question of one kind.
-pub(crate) struct Question<'a, C: Check> {
+pub(crate) struct CheckedQuestion<'a, C: Check> {
     pub(crate) question: &'a C::Question,
     /// The answer inside, if it is one to this kind of work.
-    pub(crate) of_kind: fn(&Answer) -> Option<&C::Answer>,
+    pub(crate) answer_of_kind: fn(&Answer) -> Option<&C::Answer>,
 }
 
-impl<C: Check> Asked for Question<'_, C> {
-    fn needs_neighbours(&self) -> bool {
-        C::NEEDS_NEIGHBOURS
+impl<C: Check> ErasedCheck for CheckedQuestion<'_, C> {
+    fn needs_all_stages(&self) -> bool {
+        C::NEEDS_ALL_STAGES
     }
 
     fn limit_ms(&self) -> u64 {
@@ -136,7 +136,7 @@ impl<C: Check> Asked for Question<'_, C> {
     }
 
     fn fits(&self, answer: &Answer) -> Result<(), String> {
-        match (self.of_kind)(answer) {
+        match (self.answer_of_kind)(answer) {
             Some(answer) => C::fits(self.question, answer),
             None => Err(format!(
                 "it answers another kind of work, {}",
@@ -151,13 +151,13 @@ impl<C: Check> Asked for Question<'_, C> {
 
     fn judge(&self, tally: &mut Tally, spec: &Spec, tier: Tier, answer: &Answer) {
         debug_assert_eq!(self.fits(answer), Ok(()), "{} {}", spec.task, spec.name);
-        if let Some(answer) = (self.of_kind)(answer) {
+        if let Some(answer) = (self.answer_of_kind)(answer) {
             C::judge(tally, spec, tier, self.question, answer);
         }
     }
 
     fn lines(&self, answer: &Answer) -> Option<Content> {
-        C::lines(self.question, (self.of_kind)(answer)?)
+        C::lines(self.question, (self.answer_of_kind)(answer)?)
     }
 
     fn repro(&self, tier: Tier, call: usize) -> Option<String> {
@@ -169,7 +169,7 @@ impl<C: Check> Asked for Question<'_, C> {
     }
 
     fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>> {
-        C::colours((self.of_kind)(answer)?)
+        C::colours((self.answer_of_kind)(answer)?)
     }
 }
 

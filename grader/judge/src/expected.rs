@@ -17,7 +17,7 @@ pub struct Expected {
 
 /// The verdict on hit or miss.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Decision {
+pub enum HitOrMiss {
     /// Only a hit is right.
     Hit,
     /// Only a miss is right.
@@ -42,7 +42,7 @@ pub struct ExpectedHit {
     /// How far each coordinate of the hit point may be off, in world units.
     pub p_bound: f64,
     /// The surface that the point must lie on, and how far from it it may lie, if that is asked.
-    pub surface: Option<(Surface, f64)>,
+    pub surface: Option<(TrueSurface, f64)>,
     /// Barycentric weights of `p1` and `p2`, and how far they may be off; for triangles.
     pub uv: Option<(Vec2, f64)>,
     /// Unit shading normal; `None` where any unit vector is right (the vertex normals cancel).
@@ -57,7 +57,7 @@ pub struct ExpectedHit {
 
 /// A surface that a point can be on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Surface {
+pub enum TrueSurface {
     /// The plane through a point with a unit normal.
     Plane(Vec3, Vec3),
     /// The sphere around a centre with a radius.
@@ -66,11 +66,11 @@ pub enum Surface {
 
 impl Expected {
     /// Whether hit, miss or both are right.
-    pub fn decision(&self) -> Decision {
+    pub fn decision(&self) -> HitOrMiss {
         match (self.hits.is_empty(), self.miss) {
-            (true, _) => Decision::Miss,
-            (false, true) => Decision::Either,
-            (false, false) => Decision::Hit,
+            (true, _) => HitOrMiss::Miss,
+            (false, true) => HitOrMiss::Either,
+            (false, false) => HitOrMiss::Hit,
         }
     }
 
@@ -92,12 +92,12 @@ impl Expected {
     }
 }
 
-impl Surface {
+impl TrueSurface {
     /// How far `p` is from the surface.
     pub fn distance(&self, p: Vec3) -> f64 {
         match *self {
-            Surface::Plane(q, n) => (p - q).dot(n).abs(),
-            Surface::Sphere(center, radius) => ((p - center).length() - radius).abs(),
+            TrueSurface::Plane(q, n) => (p - q).dot(n).abs(),
+            TrueSurface::Sphere(center, radius) => ((p - center).length() - radius).abs(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Judging a hit record against what is right.
 
 use super::errors::NumberError;
-use super::expected::{Decision, Expected, ExpectedHit};
+use super::expected::{Expected, ExpectedHit, HitOrMiss};
 use super::tally::{Aspect, Class, SAME, Tally};
 use kit::Vec3;
 use wire::answer::Hit;
@@ -26,7 +26,7 @@ pub(crate) struct Call<'a> {
 pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
     tally.expect(Aspect::Decision);
     tally.expect(Aspect::RayAfter);
-    if expected.decision() != Decision::Hit {
+    if expected.decision() != HitOrMiss::Hit {
         return;
     }
     let aspects = [
@@ -77,9 +77,9 @@ impl Call<'_> {
     /// Hit or miss.
     pub(crate) fn decision(&mut self, expected: &Expected, answered: Option<f64>) {
         let right = match expected.decision() {
-            Decision::Either => true,
-            Decision::Hit => answered.is_some(),
-            Decision::Miss => answered.is_none(),
+            HitOrMiss::Either => true,
+            HitOrMiss::Hit => answered.is_some(),
+            HitOrMiss::Miss => answered.is_none(),
         };
         let class = decision_class(right, answered.is_some());
         self.judge_class(Aspect::Decision, class, 1.0, |function| match answered {

@@ -4,7 +4,7 @@
 //! list maps each kind to its check. [`fits`] tests the form of an answer, [`judge`] what it says.
 //! What several checks need: `hits` judges hit records, `numbers` colours and directions,
 //! `chance` what only many samples show; [`truth`] has what the oracle says of triangles and
-//! spheres, [`scene`] of whole scenes, [`truths`] keeps it; [`expected`] is the form in which it
+//! spheres, [`scene`] of whole scenes, [`expected_cache`] keeps it; [`expected`] is the form in which it
 //! comes. [`tally`] counts aspect by aspect, [`errors`] measures how far off numbers are.
 //! [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
 
@@ -14,6 +14,7 @@ mod check;
 pub mod convert;
 pub mod errors;
 pub mod expected;
+pub mod expected_cache;
 mod hits;
 mod numbers;
 pub mod picture;
@@ -25,7 +26,6 @@ pub mod tally;
 mod tasks;
 mod tier;
 pub mod truth;
-pub mod truths;
 
 pub use plural::plural;
 pub use tier::Tier;
@@ -38,7 +38,7 @@ use wire::{Answer, Work};
 /// kind, its number of entries, its indices. Only an answer that fits may be judged, written or
 /// shown. The error ends the sentence "the worker's record does not fit the case: ...".
 pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
-    tasks::asked(work).fits(answer)
+    tasks::check_of(work).fits(answer)
 }
 
 /// What is right and wrong about `answer`, which [`fits`], to the case `spec`, which gives points
@@ -46,7 +46,7 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
 /// stable code can.
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     let mut tally = Tally::default();
-    tasks::asked(&spec.work).judge(&mut tally, spec, tier, answer);
+    tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
     let mut findings = tally.into_findings();
     let is_about = |finding: &Finding| {
         spec.about_aspects.is_empty() || spec.about_aspects.contains(&finding.aspect)

@@ -11,7 +11,7 @@ use wire::{Answer, Work};
 /// Hits show their normal, camera rays their direction, boxes the distance at which the ray enters
 /// them (near is bright); a miss is black.
 pub fn colours(work: &Work, answer: &Answer) -> Option<Vec<Xyz>> {
-    tasks::asked(work).colours(answer)
+    tasks::check_of(work).colours(answer)
 }
 
 /// The colour of a hit: that of its normal.

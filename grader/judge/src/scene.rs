@@ -8,7 +8,7 @@ use oracle::closest::{Closest, closest};
 use wire::work::{Ray, SceneSource};
 
 /// What each of `rays` truly hits.
-pub(crate) fn truths(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
+pub(crate) fn closest_hits(source: &SceneSource, rays: &[Ray]) -> Vec<Closest> {
     let scene = load(source);
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let share = rays.len().div_ceil(threads).max(1);

@@ -279,8 +279,8 @@ pub struct Finding {
     pub faults: Vec<Fault>,
     /// Where many answers are judged by chance: the smallest bias or deviation, as a share, that is
     /// sure to be seen.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sure: Option<f64>,
+    #[serde(rename = "sure", skip_serializing_if = "Option::is_none")]
+    pub detectable: Option<f64>,
     /// How far off its numbers are, where that is measured.
     pub spread: Option<ErrorSpread>,
     /// The same number by number.
@@ -400,8 +400,8 @@ impl Tally {
 
     /// What is judged of `aspect` by chance is sure to be seen from this share on; of several tests
     /// the weakest counts.
-    pub fn sure(&mut self, aspect: Aspect, share: f64) {
-        let weakest = &mut self.entry(aspect).sure;
+    pub fn set_detectable(&mut self, aspect: Aspect, share: f64) {
+        let weakest = &mut self.entry(aspect).detectable;
         *weakest = Some(weakest.map_or(share, |other| other.max(share)));
     }
 
@@ -430,7 +430,7 @@ impl Tally {
                     judged: 0,
                     wrong: 0,
                     worst: None,
-                    sure: None,
+                    detectable: None,
                     faults: Vec::new(),
                     spread: None,
                     errors: Vec::new(),

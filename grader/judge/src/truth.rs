@@ -5,7 +5,7 @@
 //! on the surface.
 
 use crate::Tier;
-use crate::expected::{Expected, ExpectedHit, Surface};
+use crate::expected::{Expected, ExpectedHit, TrueSurface};
 use kit::{PrimId, Ray, Sphere, Triangle, Vec3, scene::Primitive};
 use oracle::surface::{
     geometric_normal, sphere_normal, sphere_point, triangle_normal, triangle_point,
@@ -113,7 +113,7 @@ fn triangle_hit(
         t_bound: t_bound(candidate),
         p: p.p,
         p_bound: *p.tolerance.get(kernel),
-        surface: surface(tier, Surface::Plane(triangle.p0, direction), p.p),
+        surface: surface(tier, TrueSurface::Plane(triangle.p0, direction), p.p),
         uv: Some((
             kit::Vec2::new(at.b1.to_f64(), at.b2.to_f64()),
             *at.b_tolerance.get(kernel),
@@ -150,7 +150,7 @@ fn sphere_hit(
         t_bound: t_bound(candidate),
         p,
         p_bound,
-        surface: surface(tier, Surface::Sphere(sphere.center, sphere.radius), p),
+        surface: surface(tier, TrueSurface::Sphere(sphere.center, sphere.radius), p),
         uv: None,
         n: outward,
         n_bound,
@@ -165,10 +165,10 @@ fn t_bound(candidate: &Candidate) -> f64 {
 }
 
 /// Robust points ask for a hit point on the surface, textbook code cannot promise it.
-fn surface(tier: Tier, surface: Surface, p: Vec3) -> Option<(Surface, f64)> {
+fn surface(tier: Tier, surface: TrueSurface, p: Vec3) -> Option<(TrueSurface, f64)> {
     let world = match surface {
-        Surface::Plane(q, _) => p.abs().max(q.abs()),
-        Surface::Sphere(center, radius) => p.abs().max(center.abs() + radius),
+        TrueSurface::Plane(q, _) => p.abs().max(q.abs()),
+        TrueSurface::Sphere(center, radius) => p.abs().max(center.abs() + radius),
     };
     let bound = SURFACE_ROUNDINGS * f64::EPSILON * world.max_element();
     (tier == Tier::Robust).then_some((surface, bound))
@@ -190,7 +190,7 @@ fn why_miss(why: Miss) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expected::Decision;
+    use crate::expected::HitOrMiss;
     use oracle::may_touch;
 
     /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the
@@ -217,7 +217,7 @@ mod tests {
         let expected = first_of(Tier::Core, &shapes, &down(3.0, 5.0), false);
         let mut prims: Vec<u32> = expected.hits.iter().map(|hit| hit.prim).collect();
         prims.sort_unstable();
-        assert_eq!((prims, expected.decision()), (vec![0, 1], Decision::Hit));
+        assert_eq!((prims, expected.decision()), (vec![0, 1], HitOrMiss::Hit));
     }
 
     #[test]

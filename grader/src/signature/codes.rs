@@ -24,7 +24,10 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(String, Codes)> {
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
     // Where many answers are judged by chance, they are all to the same question.
-    let by_chance = case.findings.iter().any(|finding| finding.sure.is_some());
+    let by_chance = case
+        .findings
+        .iter()
+        .any(|finding| finding.detectable.is_some());
     let most = if by_chance { ENOUGH } else { u32::MAX };
     // Where something is wrong, that is why other aspects never showed.
     let shows_nothing = case.findings.iter().all(|finding| finding.wrong == 0);

@@ -20,7 +20,7 @@ pub struct StopAnswer {
     /// Whether to stop.
     pub stop: bool,
     /// What the mended rule asked the plain one: count and mean of the samples, and the tolerance.
-    pub asked: Vec<(u64, f64, f64)>,
+    pub rule_calls: Vec<(u64, f64, f64)>,
 }
 
 /// The rule that a pixel is given.
@@ -63,7 +63,7 @@ pub struct AdaptiveAnswer {
     /// How many of them the camera had not made.
     pub foreign: u32,
     /// What the rule was asked: count, mean and variance of the luminances, and the tolerance.
-    pub looks: Vec<(u64, f64, f64, f64)>,
+    pub rule_calls: Vec<(u64, f64, f64, f64)>,
     /// The pixel's radiance.
     pub radiance: Xyz,
     /// The pixel's count of samples.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// What the worker writes, in this order: a start for each case, then its record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Frame {
+pub enum RecordFrame {
     /// Work on the case with this index begins. If nothing follows, this case ended the worker.
     Started {
         /// Index in the list of cases.

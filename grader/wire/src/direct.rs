@@ -75,12 +75,12 @@ pub struct DirectAnswer {
     /// The radiance.
     pub radiance: Xyz,
     /// The rays that were traced, or asked about for shadow.
-    pub asked: Vec<AskedRay>,
+    pub rays: Vec<RecordedRay>,
 }
 
 /// A ray and what was answered.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct AskedRay {
+pub struct RecordedRay {
     /// The ray.
     pub ray: Ray,
     /// Of a traced ray, the radiance that what it sees sends back along it.

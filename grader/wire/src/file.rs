@@ -5,7 +5,7 @@
 //! student's code runs in the worker and can write to that file, so [`FrameReader`] expects
 //! anything in it.
 
-use crate::{Case, Frame};
+use crate::{Case, RecordFrame};
 use std::fs::File;
 use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
@@ -27,7 +27,7 @@ pub fn read_cases(path: &Path) -> io::Result<Vec<Case>> {
 }
 
 /// Appends one frame. It is in the operating system's hands when this returns.
-pub fn write_frame(out: &mut dyn Write, frame: &Frame) -> io::Result<()> {
+pub fn write_frame(out: &mut dyn Write, frame: &RecordFrame) -> io::Result<()> {
     let body = postcard::to_stdvec(frame).map_err(io::Error::other)?;
     let length = u32::try_from(body.len()).map_err(io::Error::other)?;
     let mut bytes = length.to_le_bytes().to_vec();
@@ -64,7 +64,7 @@ impl FrameReader {
 
     /// The next frame, or none where the input ends. No more than [`MAX_FRAME_BYTES`] are read for
     /// it, and none before they are there.
-    fn read(&mut self) -> Result<Option<Frame>, String> {
+    fn read(&mut self) -> Result<Option<RecordFrame>, String> {
         let Some(length) = self.bytes(4)? else {
             return Ok(None);
         };
@@ -94,7 +94,7 @@ impl FrameReader {
 }
 
 impl Iterator for FrameReader {
-    type Item = Result<Frame, String>;
+    type Item = Result<RecordFrame, String>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.ended {
@@ -110,21 +110,21 @@ impl Iterator for FrameReader {
 mod tests {
     use super::*;
 
-    fn frames(bytes: &[u8]) -> Vec<Result<Frame, String>> {
+    fn frames(bytes: &[u8]) -> Vec<Result<RecordFrame, String>> {
         FrameReader::new(Box::new(io::Cursor::new(bytes.to_vec()))).collect()
     }
 
     fn written() -> Vec<u8> {
         let mut bytes = Vec::new();
         for case in [0, 1] {
-            write_frame(&mut bytes, &Frame::Started { case }).expect("memory takes it");
+            write_frame(&mut bytes, &RecordFrame::Started { case }).expect("memory takes it");
         }
         bytes
     }
 
     #[test]
     fn what_was_written_comes_back() {
-        let started = |case| Ok(Frame::Started { case });
+        let started = |case| Ok(RecordFrame::Started { case });
         assert_eq!(frames(&written()), [started(0), started(1)]);
     }
 
@@ -132,7 +132,10 @@ mod tests {
     fn a_frame_cut_short_is_left_out() {
         let bytes = written();
         for left in bytes.len() / 2..bytes.len() {
-            assert_eq!(frames(&bytes[..left]), [Ok(Frame::Started { case: 0 })]);
+            assert_eq!(
+                frames(&bytes[..left]),
+                [Ok(RecordFrame::Started { case: 0 })]
+            );
         }
     }
 

@@ -113,7 +113,7 @@ pub struct PathAnswer {
     /// numbers.
     pub samples: Vec<(u32, Xyz, Xyz)>,
     /// Games of roulette: throughput, bounces, random number.
-    pub games: Vec<(Xyz, u32, f64)>,
+    pub roulette_calls: Vec<(Xyz, u32, f64)>,
 }
 
 /// A call of `play_roulette` for each of many numbers `u`.

@@ -18,6 +18,6 @@ pub mod kinds;
 pub mod light;
 pub mod work;
 
-pub use answer::{Frame, Outcome, Record};
+pub use answer::{Outcome, Record, RecordFrame};
 pub use kinds::{Answer, Work};
 pub use work::Case;

@@ -33,10 +33,10 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
     each.map(|(i, scripted)| {
         harness::call(i);
         let mut ray = convert::ray(&scripted.ray);
-        let mut world = Script {
+        let mut world = TraverseScript {
             scripted,
             node_of: &node_of,
-            asked: vec![false; scripted.prims.len()],
+            tested: vec![false; scripted.prims.len()],
             counts: Counts::default(),
         };
         let hit = if script.any_hit {
@@ -83,18 +83,18 @@ struct Counts {
 }
 
 /// A world that looks its answers up. It only cuts them to the ray's range.
-struct Script<'a> {
+struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
     node_of: &'a HashMap<BoxKey, usize>,
-    asked: Vec<bool>,
+    tested: Vec<bool>,
     counts: Counts,
 }
 
-impl Script<'_> {
+impl TraverseScript<'_> {
     fn prim_t(&mut self, id: PrimId, ray: &Ray) -> Option<f64> {
         let i = id.0 as usize;
         self.counts.prim_tests += 1;
-        if std::mem::replace(&mut self.asked[i], true) {
+        if std::mem::replace(&mut self.tested[i], true) {
             self.counts.repeated_prims += 1;
         }
         let t = self.scripted.prims[i].filter(|&t| ray.in_range(t));
@@ -103,7 +103,7 @@ impl Script<'_> {
     }
 }
 
-impl World for Script<'_> {
+impl World for TraverseScript<'_> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         self.counts.box_tests += 1;
         let Some(&node) = self.node_of.get(&box_key(b)) else {

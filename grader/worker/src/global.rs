@@ -95,7 +95,7 @@ fn facing(step: &Step) -> Triangle {
 fn follow(call: u32, path: &ScriptedPath) -> PathAnswer {
     let lit = lit_scene(path);
     let notes = RefCell::new(PathAnswer::default());
-    let script = Script {
+    let script = PathScript {
         path,
         notes: &notes,
         at: Cell::new(0),
@@ -115,8 +115,8 @@ fn follow(call: u32, path: &ScriptedPath) -> PathAnswer {
             script.step(prim as usize).direct.into()
         },
         &mut |throughput, bounces, u| {
-            let games = &mut notes.borrow_mut().games;
-            games.push((throughput.to_array(), bounces, u));
+            let calls = &mut notes.borrow_mut().roulette_calls;
+            calls.push((throughput.to_array(), bounces, u));
             Some(throughput * script.step(script.at.get()).roulette?)
         },
     );
@@ -126,14 +126,14 @@ fn follow(call: u32, path: &ScriptedPath) -> PathAnswer {
 }
 
 /// The turns of a path. It only moves on when a ray is traced.
-struct Script<'a> {
+struct PathScript<'a> {
     path: &'a ScriptedPath,
     notes: &'a RefCell<PathAnswer>,
     /// The step that was hit last.
     at: Cell<usize>,
 }
 
-impl Script<'_> {
+impl PathScript<'_> {
     fn step(&self, i: usize) -> &Step {
         &self.path.steps[i.min(self.path.steps.len() - 1)]
     }
@@ -156,7 +156,7 @@ impl Script<'_> {
     }
 }
 
-impl Scattering for Script<'_> {
+impl Scattering for PathScript<'_> {
     fn f(&self, _: &Material, _: Vec3, _: Vec3) -> Spectrum {
         Spectrum::BLACK
     }

@@ -23,7 +23,7 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
         harness::call(i);
         let mut ray = convert::ray(ray);
         let hit = if work.any_hit {
-            bvh::occludes_bvh(&tree, &ray, &mut world).then_some(SOMETHING)
+            bvh::occludes_bvh(&tree, &ray, &mut world).then_some(ANY_HIT)
         } else {
             bvh::intersect_bvh(&tree, &mut ray, &mut world)
         };
@@ -36,7 +36,7 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
 }
 
 /// What stands for a hit where only whether there is one was asked.
-const SOMETHING: Hit = Hit {
+const ANY_HIT: Hit = Hit {
     t: 0.0,
     p: Vec3::ZERO,
     n: Vec3::Z,

@@ -92,9 +92,9 @@ fn kit_light(light: &Light) -> kit::Light {
 }
 
 /// Scattering whose answers are written down: matte surfaces by [`scripted_f`], all others black.
-pub(crate) struct Script;
+pub(crate) struct ScriptedScattering;
 
-impl Scattering for Script {
+impl Scattering for ScriptedScattering {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {
             Material::Diffuse { reflectance } => {

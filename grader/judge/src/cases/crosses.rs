@@ -4,7 +4,7 @@
 //! a ray that passes through the box meets the plate across its axis: nothing rounds, and no
 //! intersection code is needed.
 
-use super::plan::Plan;
+use super::tree_plan::TreePlan;
 use kit::{Aabb, Ray, Vec3};
 use wire::Work;
 use wire::work::{self, ScriptedRay, ScriptedWorld, Tree};
@@ -19,7 +19,7 @@ pub(crate) struct Cross {
 }
 
 /// Crosses in a tree.
-pub(crate) struct World {
+pub(crate) struct CrossScene {
     crosses: Vec<Cross>,
     tree: Tree,
 }
@@ -50,18 +50,18 @@ impl Cross {
     }
 }
 
-impl World {
-    pub(crate) fn new(crosses: Vec<Cross>, plan: &Plan) -> World {
+impl CrossScene {
+    pub(crate) fn new(crosses: Vec<Cross>, plan: &TreePlan) -> CrossScene {
         let bounds: Vec<Aabb> = crosses.iter().map(|cross| cross.bounds).collect();
-        World {
+        CrossScene {
             tree: plan.tree(&bounds),
             crosses,
         }
     }
 
     /// Nothing, in a tree without nodes.
-    pub(crate) fn empty() -> World {
-        World {
+    pub(crate) fn empty() -> CrossScene {
+        CrossScene {
             crosses: Vec::new(),
             tree: Tree::default(),
         }

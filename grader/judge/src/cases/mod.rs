@@ -5,13 +5,13 @@
 //! fresh rays from it.
 
 pub(crate) mod crosses;
-pub(crate) mod plan;
 pub mod probes;
 pub mod recorded;
+pub(crate) mod tree_plan;
 
+use crate::expected_cache::ExpectedCache;
 use crate::tally::Aspect;
 use crate::tasks;
-use crate::truths::Truths;
 use std::sync::Arc;
 use wire::Work;
 
@@ -36,7 +36,7 @@ pub struct Spec {
     /// show. What goes wrong everywhere is then told where it belongs, and not in every case.
     pub about_aspects: &'static [Aspect],
     /// What is right, as far as somebody has asked.
-    pub(crate) truths: Arc<Truths>,
+    pub(crate) expected_cache: Arc<ExpectedCache>,
 }
 
 /// Where, in the sentence about a case, it goes on with a mistake that is made there.
@@ -65,7 +65,7 @@ impl Spec {
             picture: None,
             enclosed: false,
             about_aspects: &[],
-            truths: Arc::default(),
+            expected_cache: Arc::default(),
         }
     }
 
@@ -83,8 +83,8 @@ impl Spec {
     }
 
     /// Whether rays go through all stages that hit something, not only through the task's own.
-    pub fn needs_neighbours(&self) -> bool {
-        tasks::asked(&self.work).needs_neighbours()
+    pub fn needs_all_stages(&self) -> bool {
+        tasks::check_of(&self.work).needs_all_stages()
     }
 
     /// The case as the worker is given it.
@@ -92,7 +92,7 @@ impl Spec {
         wire::Case {
             task: self.task.into(),
             name: self.name.into(),
-            limit_ms: tasks::asked(&self.work).limit_ms(),
+            limit_ms: tasks::check_of(&self.work).limit_ms(),
             work: self.work.clone(),
         }
     }
@@ -129,7 +129,7 @@ mod tests {
     fn pictures_have_an_answer_for_each_pixel() {
         for spec in all(0) {
             let Some([w, h]) = spec.picture else { continue };
-            let answers = tasks::asked(&spec.work).calls();
+            let answers = tasks::check_of(&spec.work).calls();
             assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
         }
     }

@@ -6,16 +6,16 @@ use wire::Work;
 use wire::work::{self, BruteForceWork, Probe, SphereWork, TriangleWork, Xyz};
 
 /// Random numbers that depend on a name and a seed alone.
-pub struct Dice(PixelSampler);
+pub struct ProbeRng(PixelSampler);
 
-impl Dice {
+impl ProbeRng {
     /// The numbers of the case `name`; `seed` is 0 where they are always the same.
-    pub fn new(name: &str, seed: u64) -> Dice {
+    pub fn new(name: &str, seed: u64) -> ProbeRng {
         // FNV-1a (Fowler, Noll, Vo): any change of the name changes the numbers.
         let hash = name.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
             (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
         });
-        Dice(PixelSampler::new(hash, 0, seed))
+        ProbeRng(PixelSampler::new(hash, 0, seed))
     }
 
     /// Uniform in [low, high).
@@ -105,7 +105,7 @@ impl Dice {
     }
 }
 
-impl Dice {
+impl ProbeRng {
     /// A sphere of radius 0.2 to 5, its centre up to 10 away.
     pub(crate) fn sphere(&mut self) -> Sphere {
         Sphere {

@@ -36,7 +36,7 @@ pub fn worst<'a>(
     failed.sort_by_key(|case| case.tier == Tier::Robust);
     let found = failed.into_iter().find_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(task, case.name))?;
-        let asked = tasks::asked(&spec.work);
+        let asked = tasks::check_of(&spec.work);
         let worst = case
             .findings
             .iter()
@@ -56,7 +56,7 @@ pub fn as_file(task: &str, test: &str) -> String {
 
 /// A test for one call of a case.
 pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
-    let body = tasks::asked(&spec.work).repro(tier, call)?;
+    let body = tasks::check_of(&spec.work).repro(tier, call)?;
     let mut text = format!(
         "/// {}\n#[test]\nfn {}_{call}() {{\n",
         spec.about, spec.name

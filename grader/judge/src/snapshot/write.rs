@@ -59,7 +59,7 @@ pub(crate) type Forms = (Line, Line);
 
 /// What a snapshot says of `answer`, by the check of its kind of work.
 fn content(work: &Work, answer: &Answer) -> Option<Content> {
-    tasks::asked(work).lines(answer)
+    tasks::check_of(work).lines(answer)
 }
 
 /// The fields of a hit; the first two are its main figures.

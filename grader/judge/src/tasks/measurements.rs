@@ -20,7 +20,7 @@ impl Check for Timing {
     type Question = TimingWork;
     type Answer = TimingAnswer;
 
-    const NEEDS_NEIGHBOURS: bool = true;
+    const NEEDS_ALL_STAGES: bool = true;
 
     const LIMIT_MS: u64 = LARGE_LIMIT_MS;
 
@@ -65,7 +65,7 @@ impl Check for Visits {
     type Question = VisitsWork;
     type Answer = VisitsAnswer;
 
-    const NEEDS_NEIGHBOURS: bool = true;
+    const NEEDS_ALL_STAGES: bool = true;
 
     fn calls(work: &VisitsWork) -> usize {
         work.rays.len()

@@ -27,18 +27,18 @@ pub(crate) mod part5_task2;
 pub(crate) mod scene_hits;
 
 use crate::cases::Spec;
-use crate::check::{Asked, Question};
+use crate::check::{CheckedQuestion, ErasedCheck};
 use wire::{Answer, Work};
 
-/// Makes [`asked`] from the list of kinds of work and their checks.
+/// Makes [`check_of`] from the list of kinds of work and their checks.
 macro_rules! checks {
     ($($kind:ident => $check:ty,)*) => {
         /// A question with the check of its kind.
-        pub(crate) fn asked(work: &Work) -> Box<dyn Asked + '_> {
+        pub(crate) fn check_of(work: &Work) -> Box<dyn ErasedCheck + '_> {
             match work {
-                $(Work::$kind(question) => Box::new(Question::<'_, $check> {
+                $(Work::$kind(question) => Box::new(CheckedQuestion::<'_, $check> {
                     question,
-                    of_kind: |answer| match answer {
+                    answer_of_kind: |answer| match answer {
                         Answer::$kind(answer) => Some(answer),
                         _ => None,
                     },

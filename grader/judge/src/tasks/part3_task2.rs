@@ -4,7 +4,7 @@ use super::direct_light::worlds::{
     any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, room, wall, work,
 };
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
@@ -127,8 +127,8 @@ fn around(radiance: f64) -> LitWorld {
 }
 
 fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work {
-    let mut dice = Dice::new(name, 0);
-    let points = (0..points).map(|_| anywhere(&mut dice)).collect();
+    let mut rng = ProbeRng::new(name, 0);
+    let points = (0..points).map(|_| anywhere(&mut rng)).collect();
     work(Strategy::Hemisphere, world, points, samples, 0)
 }
 
@@ -139,7 +139,7 @@ fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> 
 }
 
 fn glowing() -> Vec<ShadedPoint> {
-    let mut dice = Dice::new("glowing", 0);
+    let mut rng = ProbeRng::new("glowing", 0);
     let mut points = vec![ShadedPoint {
         // Exactly edge-on.
         wo: [0.6, 0.0, -0.8],
@@ -154,9 +154,9 @@ fn glowing() -> Vec<ShadedPoint> {
     for i in 0..60 {
         let point = ShadedPoint {
             material: materials[i % materials.len()],
-            ..anywhere(&mut dice)
+            ..anywhere(&mut rng)
         };
-        let wo = point.wo.map(|x| dice.one_of(&[1.0, 1.0, -1.0]) * x);
+        let wo = point.wo.map(|x| rng.one_of(&[1.0, 1.0, -1.0]) * x);
         points.push(ShadedPoint { wo, ..point });
         points.push(ShadedPoint {
             wo: point.wo.map(|x| -x),
@@ -184,8 +184,8 @@ fn away() -> Work {
 }
 
 fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_lamps", seed);
-    let lamps = (0..3).map(|_| any_lamp(&mut dice)).collect();
-    let points = (0..60).map(|_| anywhere(&mut dice)).collect();
+    let mut rng = ProbeRng::new("fresh_lamps", seed);
+    let lamps = (0..3).map(|_| any_lamp(&mut rng)).collect();
+    let points = (0..60).map(|_| anywhere(&mut rng)).collect();
     work(Strategy::Hemisphere, of_panels(lamps), points, 16, seed)
 }

@@ -4,7 +4,7 @@ use super::direct_light::worlds::{
     any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, unit, wall, work,
 };
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
@@ -179,8 +179,8 @@ fn world(lights: Vec<Light>, panels: Vec<Panel>) -> LitWorld {
 
 /// Points with any normal near the origin.
 fn anywhere_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
-    let mut dice = Dice::new("points under lights", 0);
-    let points = (0..80).map(|_| anywhere(&mut dice)).collect();
+    let mut rng = ProbeRng::new("points under lights", 0);
+    let points = (0..80).map(|_| anywhere(&mut rng)).collect();
     work(Strategy::Lights, world(lights, panels), points, samples, 0)
 }
 
@@ -202,9 +202,9 @@ fn shadows() -> Work {
         max: [9.0; 2],
         ..lamp(3.5, [0.0; 3])
     });
-    let mut dice = Dice::new("shadows", 0);
+    let mut rng = ProbeRng::new("shadows", 0);
     let points = (0..80).map(|_| ShadedPoint {
-        p: [dice.range(-3.0, 3.0), 0.0, dice.range(-3.0, 3.0)],
+        p: [rng.range(-3.0, 3.0), 0.0, rng.range(-3.0, 3.0)],
         ..floor()
     });
     let world = world(vec![point()], vec![lamp(3.0, [4.0; 3]), half, behind]);
@@ -292,13 +292,13 @@ fn mirrors() -> Work {
 }
 
 fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_lights", seed);
-    let lamps = (0..2).map(|_| any_lamp(&mut dice)).collect();
+    let mut rng = ProbeRng::new("fresh_lights", seed);
+    let lamps = (0..2).map(|_| any_lamp(&mut rng)).collect();
     let lights = (0..2).map(|_| Light::Point {
-        position: (4.0 * dice.direction()).into(),
-        intensity: [1.0, 4.0, 9.0].map(|most| dice.range(0.5, most)),
+        position: (4.0 * rng.direction()).into(),
+        intensity: [1.0, 4.0, 9.0].map(|most| rng.range(0.5, most)),
     });
     let lights = lights.collect();
-    let points = (0..80).map(|_| anywhere(&mut dice)).collect();
+    let points = (0..80).map(|_| anywhere(&mut rng)).collect();
     work(Strategy::Lights, world(lights, lamps), points, 3, seed)
 }

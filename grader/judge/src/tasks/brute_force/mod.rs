@@ -44,7 +44,7 @@ impl Check for BruteForce {
         work: &BruteForceWork,
         answer: &HitsAnswer,
     ) {
-        let expected = spec.truths.of_shapes(spec, tier);
+        let expected = spec.expected_cache.of_shapes(spec, tier);
         judge::brute_force(tally, &work.rays, expected, answer);
     }
 

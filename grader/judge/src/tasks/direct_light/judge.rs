@@ -4,16 +4,16 @@
 //! the right sum is known to the last digit. That rays are distributed as they should be, and that
 //! the mean is right, is tested apart.
 
-use super::lamps::{Part, Place, SKY_PDF, arrives, surroundings};
-use super::mistakes;
-use crate::chance::{self, MANY};
+use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, arrives, surroundings};
+
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Environment, LightSample, Tally as Numbers, Vec3};
+use kit::{Environment, LightSample, Tally as SampleTally, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
-use wire::direct::{AskedRay, DirectAnswer, DirectWork, ShadedPoint, Strategy};
+use wire::direct::{DirectAnswer, DirectWork, RecordedRay, ShadedPoint, Strategy};
 use wire::light::{Light, Material, Panel};
 
 /// How far a sum may be off, as a share: thousands of roundings, or a π with ten digits.
@@ -35,10 +35,10 @@ const MISSED_BY: f64 = 1e-2;
 /// Judges every estimate of `work`.
 pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
-        let one = One {
+        let one = Estimate {
             work,
             point,
-            place: Place::of(point),
+            place: ShadingPlace::of(point),
             answer,
             call,
         };
@@ -48,16 +48,16 @@ pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnsw
             Strategy::Lights => one.lights(tally),
         }
     }
-    if work.strategy != Strategy::ZeroBounce && answers.len() >= MANY {
+    if work.strategy != Strategy::ZeroBounce && answers.len() >= MIN_ESTIMATES {
         by_chance(tally, work, answers);
     }
 }
 
 /// All points of `work` are the same; the estimates differ by chance.
 fn by_chance(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
-    let place = Place::of(&work.points[0]);
+    let place = ShadingPlace::of(&work.points[0]);
     if work.strategy == Strategy::Hemisphere {
-        let rays = answers.iter().flat_map(|answer| &answer.asked);
+        let rays = answers.iter().flat_map(|answer| &answer.rays);
         let directions: Vec<Option<Vec3>> = rays
             .map(|asked| Some(place.frame.to_local(asked.ray.d.into())))
             .collect();
@@ -65,19 +65,19 @@ fn by_chance(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
         let density = |w: Vec3| if w.z * side > 0.0 { 1.0 / TAU } else { 0.0 };
         chance::spread(tally, &directions, density, "uniformly over the hemisphere");
     }
-    let green: Numbers = answers.iter().map(|answer| answer.radiance[1]).collect();
+    let green: SampleTally = answers.iter().map(|answer| answer.radiance[1]).collect();
     chance::mean(tally, "estimates", &green, place.lit_by(&work.world).y);
 }
 
-struct One<'a> {
+struct Estimate<'a> {
     work: &'a DirectWork,
     point: &'a ShadedPoint,
-    place: Place,
+    place: ShadingPlace,
     answer: &'a DirectAnswer,
     call: usize,
 }
 
-impl One<'_> {
+impl Estimate<'_> {
     fn about(&self) -> String {
         format!(
             "Point {:?} with the normal {:?}, {:?}, seen along wo = {:?}, {} samples",
@@ -87,12 +87,12 @@ impl One<'_> {
 
     /// Judges the sum; a wrong one that a suspect makes of the same rays has its name, whatever the
     /// rays are.
-    fn radiance(&self, tally: &mut Tally, right: Vec3, suspects: &[(&'static str, Vec3)]) {
+    fn radiance(&self, tally: &mut Tally, right: Vec3, mistakes: &[(&'static str, Vec3)]) {
         tally.expect(Aspect::Radiance);
         let answered = self.answer.radiance;
         let (aspect, call) = (Aspect::Radiance, self.call);
         let is = |sum: Vec3| numbers::same_colour(answered, sum.into(), SUM_BOUND);
-        let named = suspects.iter().find(|(_, sum)| !is(right) && is(*sum));
+        let named = mistakes.iter().find(|(_, sum)| !is(right) && is(*sum));
         if let Some((name, _)) = named {
             let class = Some(Class::Named(name));
             tally.judge_class(aspect, call, class, 1.0, || {
@@ -129,9 +129,9 @@ impl One<'_> {
         let wanted = if is_delta { 0 } else { samples };
         self.count(tally, wanted, wanted);
         let mut sum = Vec3::ZERO;
-        let mut suspects = mistakes::LookingAround::default();
+        let mut mistakes = super::mistakes::HemisphereMistakes::default();
         let wrong_side = self.wrong_side();
-        for asked in &self.answer.asked {
+        for asked in &self.answer.rays {
             let d = Vec3::from(asked.ray.d);
             self.start(tally, asked);
             tally.expect(Aspect::Range);
@@ -160,18 +160,18 @@ impl One<'_> {
                 )
             });
             sum += self.place.scattered(d) * Vec3::from(asked.seen);
-            suspects.see(&self.place, asked);
+            mistakes.add(&self.place, asked);
         }
         self.distinct(tally);
         let share = TAU / f64::from(samples.max(1));
-        self.radiance(tally, sum * share, &suspects.sums(share));
+        self.radiance(tally, sum * share, &mistakes.sums(share));
     }
 
     /// The class of rays that go to the wrong side of the surface.
     fn wrong_side(&self) -> Class {
         let to_viewer = self.place.wo.z;
         let all = |z: &dyn Fn(Vec3) -> f64| {
-            let mut rays = self.answer.asked.iter();
+            let mut rays = self.answer.rays.iter();
             rays.all(|asked| z(asked.ray.d.into()) * to_viewer > 0.0)
         };
         if all(&|d| -self.place.frame.to_local(d).z) {
@@ -187,7 +187,7 @@ impl One<'_> {
         let sources = self.sources();
         let targets: Vec<Option<(usize, f64)>> = self
             .answer
-            .asked
+            .rays
             .iter()
             .map(|asked| target(&sources, self.place.p, asked))
             .collect();
@@ -206,11 +206,11 @@ impl One<'_> {
         };
         self.count(tally, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
-        for (asked, target) in self.answer.asked.iter().zip(&targets) {
+        for (asked, target) in self.answer.rays.iter().zip(&targets) {
             self.start(tally, asked);
             self.shadow_ray(tally, asked, target.map(|(_, far)| far));
             if let (Some((source, far)), false) = (target, asked.hit) {
-                let light = self.brings(&sources[*source], *far, asked.ray.d.into());
+                let light = self.contribution(&sources[*source], *far, asked.ray.d.into());
                 sum += light;
                 with_distance_twice += if far.is_finite() {
                     light / (far * far)
@@ -239,7 +239,9 @@ impl One<'_> {
             .panels
             .iter()
             .filter_map(|panel| match panel.material {
-                Material::Emission(radiance) if self.place.sees(panel) != Part::None => {
+                Material::Emission(radiance)
+                    if self.place.visible_part(panel) != VisiblePart::None =>
+                {
                     Some(Source::Lamp(*panel, radiance.into()))
                 }
                 _ => None,
@@ -256,13 +258,15 @@ impl One<'_> {
                 let one = u32::from(self.place.scattered(light.wi) != Vec3::ZERO);
                 (one, one)
             }
-            Source::Lamp(panel, _) if self.place.sees(panel) == Part::All => (samples, samples),
+            Source::Lamp(panel, _) if self.place.visible_part(panel) == VisiblePart::All => {
+                (samples, samples)
+            }
             Source::Lamp(..) | Source::Sky(_) | Source::Picture(_) => (0, samples),
         }
     }
 
     /// What an open ray along `d` to a light that is `far` away adds to the estimate.
-    fn brings(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
+    fn contribution(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
         let share = 1.0 / f64::from(self.work.samples.max(1));
         let scattered = self.place.scattered(d);
         match source {
@@ -280,7 +284,7 @@ impl One<'_> {
     }
 
     /// A shadow ray goes to a light that shines here, and ends just before it.
-    fn shadow_ray(&self, tally: &mut Tally, asked: &AskedRay, far: Option<f64>) {
+    fn shadow_ray(&self, tally: &mut Tally, asked: &RecordedRay, far: Option<f64>) {
         tally.expect(Aspect::Direction);
         tally.expect(Aspect::Range);
         tally.judge(Aspect::Direction, self.call, far.is_some(), 1.0, || {
@@ -316,7 +320,7 @@ impl One<'_> {
 
     fn count(&self, tally: &mut Tally, least: u32, most: u32) {
         tally.expect(Aspect::Rays);
-        let asked = self.answer.asked.len();
+        let asked = self.answer.rays.len();
         let right = (least as usize..=most as usize).contains(&asked);
         let (wanted, size) = (f64::from(least), asked as f64 - f64::from(most));
         let class = (!right).then(|| Class::of_number(asked as f64, wanted));
@@ -334,7 +338,7 @@ impl One<'_> {
     }
 
     /// Rays start on the surface, off by its error bound.
-    fn start(&self, tally: &mut Tally, asked: &AskedRay) {
+    fn start(&self, tally: &mut Tally, asked: &RecordedRay) {
         tally.expect(Aspect::Origin);
         let right = self.place.start(asked.ray.d.into());
         let off = (Vec3::from(asked.ray.o) - right).length();
@@ -353,13 +357,13 @@ impl One<'_> {
     fn distinct(&self, tally: &mut Tally) {
         let endless = |light: &Light| matches!(light, Light::Directional { .. });
         let by_design = self.work.world.lights.iter().filter(|l| endless(l)).count() > 1;
-        if self.answer.asked.len() < 2 || by_design {
+        if self.answer.rays.len() < 2 || by_design {
             return;
         }
         tally.expect(Aspect::Spread);
-        let bits = |asked: &AskedRay| asked.ray.d.map(f64::to_bits);
-        let different: HashSet<_> = self.answer.asked.iter().map(bits).collect();
-        let (all, different) = (self.answer.asked.len(), different.len());
+        let bits = |asked: &RecordedRay| asked.ray.d.map(f64::to_bits);
+        let different: HashSet<_> = self.answer.rays.iter().map(bits).collect();
+        let (all, different) = (self.answer.rays.len(), different.len());
         let right = all == different;
         tally.judge(Aspect::Spread, self.call, right, 1e3, || {
             format!(
@@ -372,7 +376,7 @@ impl One<'_> {
 
 /// A light that shines at a point.
 enum Source {
-    /// One without extent, and what arrives from it.
+    /// Estimate without extent, and what arrives from it.
     Point(LightSample),
     /// A panel and its radiance.
     Lamp(Panel, Vec3),
@@ -384,7 +388,7 @@ enum Source {
 
 /// Which light a shadow ray from `p` is meant for, and how far away that is: of those along its way
 /// the one whose distance is nearest to the end of its range.
-fn target(sources: &[Source], p: Vec3, asked: &AskedRay) -> Option<(usize, f64)> {
+fn target(sources: &[Source], p: Vec3, asked: &RecordedRay) -> Option<(usize, f64)> {
     let (d, max_t) = (Vec3::from(asked.ray.d), asked.ray.max_t);
     let along = |source: &Source| match source {
         Source::Point(light) => {

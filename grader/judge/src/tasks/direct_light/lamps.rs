@@ -7,7 +7,7 @@ use wire::light::{Light, LitWorld, MEAN_F, Material, Panel, scripted_f};
 use wire::work::Xyz;
 
 /// A point with the local space of its surface.
-pub(crate) struct Place {
+pub(crate) struct ShadingPlace {
     pub(crate) p: Vec3,
     pub(crate) frame: Frame,
     pub(crate) wo: Vec3,
@@ -31,10 +31,10 @@ pub(crate) fn surroundings(world: &LitWorld) -> Option<Environment> {
     Environment::new(width, texels.len() / width, texels).ok()
 }
 
-impl Place {
-    pub(crate) fn of(point: &ShadedPoint) -> Place {
+impl ShadingPlace {
+    pub(crate) fn of(point: &ShadedPoint) -> ShadingPlace {
         let frame = Frame::around(point.n.into());
-        Place {
+        ShadingPlace {
             p: point.p.into(),
             wo: frame.to_local(point.wo.into()),
             frame,
@@ -74,19 +74,19 @@ impl Place {
     }
 
     /// Which part of a lamp shines here and is scattered on.
-    pub(crate) fn sees(&self, panel: &Panel) -> Part {
+    pub(crate) fn visible_part(&self, panel: &Panel) -> VisiblePart {
         let towards = panel.corners().map(|corner| Vec3::from(corner) - self.p);
         let front = Vec3::from(panel.front());
         if towards[0].dot(front) >= 0.0 {
-            return Part::None;
+            return VisiblePart::None;
         }
         let lit = towards
             .iter()
             .filter(|d| self.scattered(d.normalize()) != Vec3::ZERO);
         match lit.count() {
-            0 => Part::None,
-            4 => Part::All,
-            _ => Part::Some,
+            0 => VisiblePart::None,
+            4 => VisiblePart::All,
+            _ => VisiblePart::Some,
         }
     }
 
@@ -144,7 +144,7 @@ impl Place {
 
 /// How much of a lamp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum VisiblePart {
     None,
     Some,
     All,
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
     use wire::light::Surroundings;
 
-    fn lit_by_other_half(place: &Place) -> f64 {
+    fn lit_by_other_half(place: &ShadingPlace) -> f64 {
         let picture = Surroundings {
             width: 2,
             texels: vec![[0.0; 3], [2.0; 3], [7.0; 3], [7.0; 3]],
@@ -218,7 +218,7 @@ mod tests {
             material,
         };
         let place = |wo: Vec3| {
-            Place::of(&ShadedPoint {
+            ShadingPlace::of(&ShadedPoint {
                 p: [0.0; 3],
                 n: [0.0, 1.0, 0.0],
                 error: 0.0,

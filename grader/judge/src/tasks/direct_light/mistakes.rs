@@ -1,13 +1,13 @@
 //! What typical mistakes make of the same rays: whoever draws other rays makes the same mistake in
 //! other numbers.
 
-use super::lamps::Place;
+use super::lamps::ShadingPlace;
 use kit::{Spectrum, Vec3};
-use wire::direct::AskedRay;
+use wire::direct::RecordedRay;
 
 /// What an estimate by looking around adds up to if it is wrong in one of these ways.
 #[derive(Default)]
-pub(crate) struct LookingAround {
+pub(crate) struct HemisphereMistakes {
     without_cosine: Vec3,
     cosine_of_wo: Vec3,
     swapped: Vec3,
@@ -25,9 +25,9 @@ pub(crate) struct LookingAround {
     rays_to_light: u32,
 }
 
-impl LookingAround {
+impl HemisphereMistakes {
     /// Takes in one ray and what it sees.
-    pub(crate) fn see(&mut self, place: &Place, asked: &AskedRay) {
+    pub(crate) fn add(&mut self, place: &ShadingPlace, asked: &RecordedRay) {
         let (wo, wi) = (place.wo, place.frame.to_local(asked.ray.d.into()));
         let seen = Vec3::from(asked.seen);
         let light = place.f(wo, wi) * seen;

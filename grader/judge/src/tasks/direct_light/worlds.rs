@@ -1,6 +1,6 @@
 //! Points, lamps and walls.
 
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use kit::Vec3;
 use wire::Work;
 use wire::direct::{DirectWork, ShadedPoint, Strategy};
@@ -61,19 +61,19 @@ pub(crate) fn ceiling() -> ShadedPoint {
 }
 
 /// A matte point within one unit of the origin, with any normal, seen from the side of its normal.
-pub(crate) fn anywhere(dice: &mut Dice) -> ShadedPoint {
-    let n = dice.direction();
+pub(crate) fn anywhere(rng: &mut ProbeRng) -> ShadedPoint {
+    let n = rng.direction();
     let wo = loop {
-        let wo = dice.direction();
+        let wo = rng.direction();
         if wo.dot(n) > 0.1 {
             break wo;
         }
     };
     ShadedPoint {
-        p: (0.8 * dice.in_cube()).into(),
+        p: (0.8 * rng.in_cube()).into(),
         n: n.into(),
         error: POINT_ERROR,
-        material: Material::Diffuse([0.7, 0.4, 0.2].map(|rho: f64| rho * dice.range(0.5, 1.0))),
+        material: Material::Diffuse([0.7, 0.4, 0.2].map(|rho: f64| rho * rng.range(0.5, 1.0))),
         wo: wo.into(),
     }
 }
@@ -139,18 +139,18 @@ pub(crate) fn of_panels(panels: Vec<Panel>) -> LitWorld {
     }
 }
 
-/// A lamp in front of the surface at `p`: its place is drawn from `dice`.
-pub(crate) fn any_lamp(dice: &mut Dice) -> Panel {
-    let axis = dice.below(3);
-    let faces = dice.one_of(&[-1.0, 1.0]);
-    let corner = [dice.range(-2.0, 0.0), dice.range(-2.0, 0.0)];
+/// A lamp in front of the surface at `p`: its place is drawn from `rng`.
+pub(crate) fn any_lamp(rng: &mut ProbeRng) -> Panel {
+    let axis = rng.below(3);
+    let faces = rng.one_of(&[-1.0, 1.0]);
+    let corner = [rng.range(-2.0, 0.0), rng.range(-2.0, 0.0)];
     Panel {
         axis,
-        at: -faces * dice.range(1.5, 3.0),
+        at: -faces * rng.range(1.5, 3.0),
         min: corner,
-        max: corner.map(|least| least + dice.range(0.5, 2.0)),
+        max: corner.map(|least| least + rng.range(0.5, 2.0)),
         faces,
-        material: Material::Emission([1.0, 2.0, 3.0].map(|most| dice.range(0.1, most))),
+        material: Material::Emission([1.0, 2.0, 3.0].map(|most| rng.range(0.1, most))),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Camera rays.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Origin, Range, UnitLength};
 use kit::{Mat3, Vec3};
 use wire::Work;
@@ -178,22 +178,22 @@ fn clipped() -> Vec<Camera> {
 }
 
 fn fresh(seed: u64) -> Vec<Camera> {
-    let mut dice = Dice::new("fresh_cameras", seed);
+    let mut rng = ProbeRng::new("fresh_cameras", seed);
     let mut one = || {
-        let pos = 10.0 * dice.in_cube();
-        let backward = dice.direction();
+        let pos = 10.0 * rng.in_cube();
+        let backward = rng.direction();
         let up = loop {
-            let up = dice.direction();
+            let up = rng.direction();
             if up.cross(backward).length() > 0.3 {
                 break up;
             }
         };
-        let n_clip = dice.range(0.0, 1.0);
+        let n_clip = rng.range(0.0, 1.0);
         Camera {
-            h_fov: dice.range(5.0, 140.0),
-            v_fov: dice.range(5.0, 140.0),
+            h_fov: rng.range(5.0, 140.0),
+            v_fov: rng.range(5.0, 140.0),
             n_clip,
-            f_clip: n_clip + dice.range(1.0, 1e3),
+            f_clip: n_clip + rng.range(1.0, 1e3),
             ..placed(pos, pos - backward, up)
         }
     };

@@ -1,8 +1,8 @@
 //! Walking the tree.
 
 use crate::cases::Spec;
-use crate::cases::crosses::{Cross, World, along};
-use crate::cases::plan::Plan;
+use crate::cases::crosses::{Cross, CrossScene, along};
+use crate::cases::tree_plan::TreePlan;
 use kit::{PixelSampler, Ray, Vec3};
 use wire::Work;
 use wire::work::NodeKind;
@@ -52,56 +52,56 @@ fn through_blocks() -> Vec<Ray> {
     rays
 }
 
-fn leaf(ids: &[u32]) -> Plan {
-    Plan::Leaf(ids.to_vec())
+fn leaf(ids: &[u32]) -> TreePlan {
+    TreePlan::Leaf(ids.to_vec())
 }
 
 fn by_hand() -> Vec<Spec> {
-    let one_leaf = World::new(
+    let one_leaf = CrossScene::new(
         vec![block(0.0, 1.0), block(3.0, 4.0), block(6.0, 7.0)],
         &leaf(&[0, 1, 2]),
     );
-    let siblings = World::new(
+    let siblings = CrossScene::new(
         vec![
             block(0.0, 1.0),
             Cross::new(Vec3::new(4.0, 0.25, -1.0), Vec3::new(5.0, 2.0, 1.0)),
             block(8.0, 9.0),
         ],
-        &Plan::split(Plan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
+        &TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
     );
-    let box_in_box = World::new(
+    let box_in_box = CrossScene::new(
         vec![
             block_with_plate(0.0, 20.0, 19.0),
             block_with_plate(8.0, 12.0, 9.0),
         ],
-        &Plan::split(leaf(&[0]), leaf(&[1])),
+        &TreePlan::split(leaf(&[0]), leaf(&[1])),
     );
-    let reversed = World::new(
+    let reversed = CrossScene::new(
         vec![
             block_with_plate(0.0, 4.0, 3.0),
             block_with_plate(0.0, 4.0, 1.0),
             block(6.0, 7.0),
         ],
-        &Plan::split(leaf(&[0, 1]), leaf(&[2])),
+        &TreePlan::split(leaf(&[0, 1]), leaf(&[2])),
     );
-    let flat = World::new(
+    let flat = CrossScene::new(
         vec![block(1.0, 1.0), block(5.0, 5.0), block(9.0, 9.0)],
-        &Plan::split(leaf(&[0]), Plan::split(leaf(&[1]), leaf(&[2]))),
+        &TreePlan::split(leaf(&[0]), TreePlan::split(leaf(&[1]), leaf(&[2]))),
     );
-    let twins = World::new(
+    let twins = CrossScene::new(
         vec![
             block(0.0, 2.0),
             block(0.0, 2.0),
             block(-1.0, 3.0),
             block(7.0, 9.0),
         ],
-        &Plan::split(leaf(&[3, 0]), Plan::split(leaf(&[2]), leaf(&[1]))),
+        &TreePlan::split(leaf(&[3, 0]), TreePlan::split(leaf(&[2]), leaf(&[1]))),
     );
     vec![
         case(
             "empty_tree",
             "A tree without nodes: every ray misses.",
-            World::empty().closest(&through_blocks()),
+            CrossScene::empty().closest(&through_blocks()),
         ),
         case(
             "one_leaf",
@@ -214,16 +214,16 @@ fn rounded_boxes() -> Work {
             Vec3::new(1.0, y + half, 1.0),
         )
     };
-    let world = World::new(
+    let world = CrossScene::new(
         vec![
             wall(0.0, 1.0),
             wall(0.0, 0.75),
             wall(4.0, 0.75),
             wall(4.0, 1.0),
         ],
-        &Plan::split(
-            Plan::split(leaf(&[0]), leaf(&[1])),
-            Plan::split(leaf(&[2]), leaf(&[3])),
+        &TreePlan::split(
+            TreePlan::split(leaf(&[0]), leaf(&[1])),
+            TreePlan::split(leaf(&[2]), leaf(&[3])),
         ),
     );
     let from = |x: f64, step: f64| [0.0, 4.0].map(|y| along(0, step, Vec3::new(x, y, 0.0)));
@@ -278,7 +278,7 @@ fn at_random() -> Vec<Spec> {
 
 /// Boxes on a grid of halves, some flat, in a tree that joins random pairs from the leaves up; rays
 /// along all axes through cell middles, where nothing touches.
-fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
+fn random_world(boxes: u32, rays: u32) -> (CrossScene, Vec<Ray>) {
     let mut sampler = PixelSampler::new(boxes, rays, 3);
     let mut whole = |n: f64| (n * sampler.next_1d()).floor();
     let mut crosses = Vec::new();
@@ -291,11 +291,11 @@ fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
         let inside = Vec3::new(whole(5.0), whole(5.0), whole(5.0)) / 4.0;
         crosses.push(Cross::new(min, min + size).with_plates(min + size * inside));
     }
-    let mut plans: Vec<Plan> = (0..boxes / 2).map(|i| leaf(&[2 * i + 1, 2 * i])).collect();
+    let mut plans: Vec<TreePlan> = (0..boxes / 2).map(|i| leaf(&[2 * i + 1, 2 * i])).collect();
     while plans.len() > 1 {
         let left = plans.swap_remove(whole(plans.len() as f64) as usize);
         let right = plans.swap_remove(whole(plans.len() as f64) as usize);
-        plans.push(Plan::split(left, right));
+        plans.push(TreePlan::split(left, right));
     }
     let rays = (0..rays).map(|i| {
         let o = Vec3::new(whole(24.0), whole(24.0), whole(24.0)) + 0.5;
@@ -313,7 +313,7 @@ fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
         }
     });
     let rays = rays.collect();
-    (World::new(crosses, &plans.remove(0)), rays)
+    (CrossScene::new(crosses, &plans.remove(0)), rays)
 }
 
 fn counted() -> Vec<Spec> {
@@ -347,7 +347,7 @@ fn layers() -> Work {
             crosses.push(Cross::new(min, min + size));
         }
         let ids: Vec<u32> = (first..first + LAYERS).collect();
-        stacks.push(Plan::halves(&ids, 1));
+        stacks.push(TreePlan::halves(&ids, 1));
         for i in 0..16 {
             let mut start =
                 corner + 0.5 + f64::from(i % 4) * Vec3::AXES[(axis + 2) % 3] + f64::from(i / 4);
@@ -357,9 +357,9 @@ fn layers() -> Work {
             rays.push(along(axis, -1.0, start));
         }
     }
-    let plan = stacks.into_iter().reduce(Plan::split);
+    let plan = stacks.into_iter().reduce(TreePlan::split);
     let plan = plan.unwrap_or_else(|| leaf(&[]));
-    World::new(crosses, &plan).closest(&rays)
+    CrossScene::new(crosses, &plan).closest(&rays)
 }
 
 /// Boxes that all reach from end to end along x, with their plates anywhere inside.
@@ -383,7 +383,7 @@ fn crowd() -> Work {
             }
         })
         .collect();
-    World::new(crosses, &Plan::halves(&ids, 1)).any(&rays)
+    CrossScene::new(crosses, &TreePlan::halves(&ids, 1)).any(&rays)
 }
 
 fn deep() -> Vec<Spec> {
@@ -427,8 +427,8 @@ fn chains(levels: u32) -> Work {
             });
             plan = Some(match (plan, rest_on_left) {
                 (None, _) => leaf(&[id]),
-                (Some(rest), true) => Plan::split(rest, leaf(&[id])),
-                (Some(rest), false) => Plan::split(leaf(&[id]), rest),
+                (Some(rest), true) => TreePlan::split(rest, leaf(&[id])),
+                (Some(rest), false) => TreePlan::split(leaf(&[id]), rest),
             });
         }
         chains.extend(plan);
@@ -438,7 +438,7 @@ fn chains(levels: u32) -> Work {
     }
     let plan = chains
         .into_iter()
-        .reduce(Plan::split)
+        .reduce(TreePlan::split)
         .unwrap_or_else(|| leaf(&[]));
-    World::new(crosses, &plan).closest(&rays)
+    CrossScene::new(crosses, &plan).closest(&rays)
 }

@@ -1,6 +1,6 @@
 //! Judging matte surfaces.
 
-use crate::chance::{self, MANY};
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers::{self, same_colour};
 use crate::tally::{Aspect, Class, Tally};
@@ -17,7 +17,7 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         one(tally, call, probe, answer);
     }
-    if probes.len() < MANY {
+    if probes.len() < MIN_ESTIMATES {
         return;
     }
     for side in [1.0, -1.0] {
@@ -26,7 +26,7 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
             .filter(|(probe, _)| probe.wo[2] * side > 0.0)
             .map(|(_, answer)| answer.sample.map(|sample| sample.wi.into()))
             .collect();
-        if directions.len() >= MANY {
+        if directions.len() >= MIN_ESTIMATES {
             let density = |w: Vec3| (w.z * side).max(0.0) / PI;
             chance::spread(tally, &directions, density, "by the cosine to the normal");
         }
@@ -104,14 +104,14 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let f = sample.f;
     let cosine = seen(drawn_wi);
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-    let suspects = [
+    let known_mistakes = [
         ("f times the cosine", share.map(|channel| channel * cosine)),
         ("f over the cosine", share.map(|channel| channel / cosine)),
         ("f without pi", probe.reflectance),
         ("f without the reflectance", [1.0 / PI; 3]),
     ];
     let is = |right: Xyz| same_colour(f, right, BOUND);
-    let named = suspects
+    let named = known_mistakes
         .iter()
         .find(|(_, wrong)| is(*wrong) && !is(share))
         .map(|(name, _)| Class::Named(name));
@@ -127,7 +127,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let right = cosine / PI;
     // Near the horizon the sample may know its height better than its z says.
     let bound = BOUND + 1e-15 / right.max(1e-300);
-    let suspects = [
+    let known_mistakes = [
         ("pdf 1", 1.0),
         ("pdf of uniform directions", 0.5 / PI),
         ("pdf without pi", cosine),
@@ -136,7 +136,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         ("pdf negative", -right),
     ];
     let pdf = sample.pdf;
-    let named = suspects
+    let named = known_mistakes
         .iter()
         .find(|(_, wrong)| (pdf - wrong).abs() <= BOUND && (right - wrong).abs() > bound)
         .map(|(name, _)| Class::Named(name));

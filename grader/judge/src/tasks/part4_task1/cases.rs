@@ -1,7 +1,7 @@
 //! Mirrors, refraction and glass.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Bsdf, Decision, Fresnel, Mean, Pdf, SampledDirection};
 use kit::Vec3;
 use wire::Work;
@@ -24,8 +24,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "mirror",
             "A mirror turns wo by half a turn around the normal, on both sides; the share \
              reflectance arrives, so f carries 1 / |cos θ|.",
-            calls("mirror", 0, 100, |dice| {
-                let wo = any_side(dice);
+            calls("mirror", 0, 100, |rng| {
+                let wo = any_side(rng);
                 vec![
                     Reflect { wo },
                     Mirror {
@@ -46,9 +46,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "snells_law",
             "sin θi = η · sin θo on the other side of the normal and of the surface: η is 1 / ior \
              on the way in, ior on the way out.",
-            calls("snells_law", 0, 100, |dice| {
-                let ior = dice.one_of(&INDICES);
-                let wo = away_from_critical(dice, ior);
+            calls("snells_law", 0, 100, |rng| {
+                let ior = rng.one_of(&INDICES);
+                let wo = away_from_critical(rng, ior);
                 vec![Refract { wo, ior }]
             }),
         ),
@@ -56,10 +56,10 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "total_internal_reflection",
             "From inside beyond the critical angle nothing passes: refract has no direction, glass \
              reflects all, whatever the choice.",
-            calls("total_internal_reflection", 0, 60, |dice| {
-                let ior = dice.one_of(&[1.33, 1.5, 2.4]);
-                let sine = dice.range(1.02 / ior, 0.999);
-                let turn = dice.range(0.0, 6.0);
+            calls("total_internal_reflection", 0, 60, |rng| {
+                let ior = rng.one_of(&[1.33, 1.5, 2.4]);
+                let sine = rng.range(1.02 / ior, 0.999);
+                let turn = rng.range(0.0, 6.0);
                 let height = (1.0 - sine * sine).sqrt();
                 let wo = [sine * turn.cos(), sine * turn.sin(), -height];
                 vec![
@@ -69,20 +69,20 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                         ior,
                         wo,
                     },
-                    glass(ior, wo, dice.range(0.0, 1.0)),
+                    glass(ior, wo, rng.range(0.0, 1.0)),
                 ]
             }),
         ),
         case(
             "no_boundary",
             "An index of 1 is no boundary: light goes straight on and nothing is reflected.",
-            calls("no_boundary", 0, 60, |dice| {
-                let (ior, wo) = (1.0, any_side(dice));
+            calls("no_boundary", 0, 60, |rng| {
+                let (ior, wo) = (1.0, any_side(rng));
                 let (cos_i, eta) = (wo[2].abs(), 1.0);
                 vec![
                     Refract { wo, ior },
                     Share { cos_i, eta },
-                    glass(ior, wo, dice.range(0.01, 1.0)),
+                    glass(ior, wo, rng.range(0.01, 1.0)),
                 ]
             }),
         )
@@ -97,9 +97,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "squeezed_light",
             "Radiance that enters a denser material is squeezed into a narrower cone: \
              transmittance · η² arrives, with η the index of the side of wo over the other.",
-            calls("squeezed_light", 0, 80, |dice| {
-                let ior = dice.one_of(&INDICES);
-                let wo = away_from_critical(dice, ior);
+            calls("squeezed_light", 0, 80, |rng| {
+                let ior = rng.one_of(&INDICES);
+                let wo = away_from_critical(rng, ior);
                 vec![Refraction {
                     transmittance: TINT,
                     ior,
@@ -112,9 +112,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "either_way",
             "Glass reflects if choice < F and refracts else; the pdf is F or 1 - F, and it is in \
              f, too, so that each way counts in full once it is chosen.",
-            calls("either_way", 0, 80, |dice| {
-                let ior = dice.one_of(&[1.33, 1.5, 2.4]);
-                let wo = away_from_critical(dice, ior);
+            calls("either_way", 0, 80, |rng| {
+                let ior = rng.one_of(&[1.33, 1.5, 2.4]);
+                let wo = away_from_critical(rng, ior);
                 [0.0, 0.003, 0.3, 0.999]
                     .map(|choice| glass(ior, wo, choice))
                     .to_vec()
@@ -131,9 +131,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "fresh_boundaries",
             "Directions and indices that differ for each seed.",
-            calls("fresh_boundaries", seed, 60, |dice| {
-                let ior = dice.range(1.1, 2.5);
-                let wo = away_from_critical(dice, ior);
+            calls("fresh_boundaries", seed, 60, |rng| {
+                let ior = rng.range(1.1, 2.5);
+                let wo = away_from_critical(rng, ior);
                 let (cos_i, eta) = (wo[2].abs(), if wo[2] > 0.0 { 1.0 / ior } else { ior });
                 vec![
                     Reflect { wo },
@@ -144,7 +144,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                         ior,
                         wo,
                     },
-                    glass(ior, wo, dice.range(0.0, 1.0)),
+                    glass(ior, wo, rng.range(0.0, 1.0)),
                 ]
             }),
         ),
@@ -167,10 +167,10 @@ fn calls(
     name: &str,
     seed: u64,
     rounds: usize,
-    mut round: impl FnMut(&mut Dice) -> Vec<SpecularCall>,
+    mut round: impl FnMut(&mut ProbeRng) -> Vec<SpecularCall>,
 ) -> Vec<SpecularCall> {
-    let mut dice = Dice::new(name, seed);
-    (0..rounds).flat_map(|_| round(&mut dice)).collect()
+    let mut rng = ProbeRng::new(name, seed);
+    (0..rounds).flat_map(|_| round(&mut rng)).collect()
 }
 
 fn glass(ior: f64, wo: Xyz, choice: f64) -> SpecularCall {
@@ -184,9 +184,9 @@ fn glass(ior: f64, wo: Xyz, choice: f64) -> SpecularCall {
 }
 
 /// A direction on either side, not too flat.
-fn any_side(dice: &mut Dice) -> Xyz {
+fn any_side(rng: &mut ProbeRng) -> Xyz {
     loop {
-        let wo = dice.direction();
+        let wo = rng.direction();
         if wo.z.abs() > 0.05 {
             return wo.into();
         }
@@ -194,9 +194,9 @@ fn any_side(dice: &mut Dice) -> Xyz {
 }
 
 /// A direction on either side at which light passes, and not near the angle where it stops to.
-fn away_from_critical(dice: &mut Dice, ior: f64) -> Xyz {
+fn away_from_critical(rng: &mut ProbeRng, ior: f64) -> Xyz {
     loop {
-        let wo = any_side(dice);
+        let wo = any_side(rng);
         let n = if wo[2] > 0.0 { ior } else { 1.0 / ior };
         let sine = Vec3::new(wo[0], wo[1], 0.0).length();
         if sine < 0.98 * n {
@@ -242,8 +242,8 @@ fn shares() -> Vec<SpecularCall> {
 
 fn how_often() -> Vec<SpecularCall> {
     let wo = Vec3::new(0.9, 0.1, 0.25).normalize().into();
-    calls("how_often", 0, 8000, |dice| {
-        vec![glass(1.5, wo, dice.range(0.0, 1.0))]
+    calls("how_often", 0, 8000, |rng| {
+        vec![glass(1.5, wo, rng.range(0.0, 1.0))]
     })
 }
 

@@ -1,11 +1,11 @@
 //! Judging mirrors, refraction and glass.
 
 use crate::Tier;
-use crate::chance::{self, MANY};
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Tally as Numbers, Vec3};
+use kit::{Tally as SampleTally, Vec3};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::light::BsdfSample;
 use wire::work::Xyz;
@@ -82,7 +82,7 @@ pub(crate) fn specular(
     for (call, (asked, answer)) in calls.iter().zip(answers).enumerate() {
         one(tally, tier, call, asked, answer);
     }
-    if calls.len() >= MANY {
+    if calls.len() >= MIN_ESTIMATES {
         frequency(tally, calls, answers);
     }
 }
@@ -288,7 +288,7 @@ fn frequency(tally: &mut Tally, calls: &[SpecularCall], answers: &[SpecularAnswe
     let Some(&SpecularCall::Glass { ior, wo, .. }) = calls.first() else {
         return;
     };
-    let reflected: Numbers = answers
+    let reflected: SampleTally = answers
         .iter()
         .map(|answer| match answer {
             SpecularAnswer::Sample(Some(sample)) if sample.wi[2] * wo[2] > 0.0 => 1.0,

@@ -1,7 +1,7 @@
 //! Paths whose every turn is written down.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{
     Direction, Origin, Questions, Radiance, Rays, SampledDirection, Spread, Throughput,
 };
@@ -117,11 +117,11 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
 
 /// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a
 /// lamp, B for the back of one.
-fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
-    let first = dice.direction();
+fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
+    let first = rng.direction();
     let mut d = first;
     let steps = letters.split_whitespace().map(|letter| {
-        let step = step(letter, d, dice);
+        let step = step(letter, d, rng);
         if let Some(sample) = step.sample {
             d = Frame::around(step.n.into()).to_world(sample.wi.into());
         }
@@ -130,7 +130,7 @@ fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     ScriptedPath {
         steps: steps.collect(),
         ray: Ray {
-            o: dice.in_cube().into(),
+            o: rng.in_cube().into(),
             d: first.into(),
             min_t: 0.5,
             max_t: 100.0,
@@ -143,17 +143,17 @@ fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
 
 /// A surface that is met along `d` from the side of its normal; glass from either side, the back of
 /// a lamp from the other.
-fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
-    let mut n = dice.direction();
+fn step(letter: &str, d: Vec3, rng: &mut ProbeRng) -> Step {
+    let mut n = rng.direction();
     while n.dot(d).abs() < 0.2 {
-        n = dice.direction();
+        n = rng.direction();
     }
-    let from_behind = letter == "B" || letter == "G" && dice.below(2) == 0;
+    let from_behind = letter == "B" || letter == "G" && rng.below(2) == 0;
     if from_behind != (n.dot(d) > 0.0) {
         n = -n;
     }
     let wo = Frame::around(n).to_local(-d);
-    let share = |dice: &mut Dice| [0.9, 0.8, 0.7].map(|most| dice.range(0.3, most));
+    let share = |rng: &mut ProbeRng| [0.9, 0.8, 0.7].map(|most| rng.range(0.3, most));
     let delta = |wi: Vec3, f: Xyz| BsdfSample {
         wi: wi.into(),
         f: f.map(|f| f / wi.z.abs()),
@@ -162,19 +162,19 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
     };
     let (material, sample) = match letter {
         "M" => {
-            let tint = share(dice);
+            let tint = share(rng);
             let wi = Vec3::new(-wo.x, -wo.y, wo.z);
             (Material::Mirror(tint), Some(delta(wi, tint)))
         }
-        "G" => (Material::Glass(1.5), Some(delta(-wo, share(dice)))),
+        "G" => (Material::Glass(1.5), Some(delta(-wo, share(rng)))),
         "L" | "B" => {
-            let radiance = [5.0, 4.0, 3.0].map(|most| dice.range(1.0, most));
+            let radiance = [5.0, 4.0, 3.0].map(|most| rng.range(1.0, most));
             (Material::Emission(radiance), None)
         }
         _ => {
-            let tint = share(dice);
+            let tint = share(rng);
             let wi = loop {
-                let wi = dice.direction();
+                let wi = rng.direction();
                 if wi.z > 0.2 {
                     break wi;
                 }
@@ -182,7 +182,7 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
             let sample = BsdfSample {
                 wi: wi.into(),
                 f: tint.map(|tint| 0.3 * tint),
-                pdf: dice.range(0.2, 0.6),
+                pdf: rng.range(0.2, 0.6),
                 delta: false,
             };
             (Material::Diffuse(tint), Some(sample))
@@ -190,13 +190,13 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
     };
     let is_lamp = matches!(material, Material::Emission(_));
     Step {
-        p: (3.0 * dice.in_cube()).into(),
+        p: (3.0 * rng.in_cube()).into(),
         n: n.into(),
         material,
         direct: if is_lamp {
             [0.0; 3]
         } else {
-            [1.0, 2.0, 3.0].map(|most| dice.range(0.1, most))
+            [1.0, 2.0, 3.0].map(|most| rng.range(0.1, most))
         },
         sample,
         roulette: Some(1.0),
@@ -205,20 +205,20 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
 
 /// Each kind of path at each depth, three times.
 fn every(kinds: &[&str], depths: &[u32]) -> Vec<ScriptedPath> {
-    let mut dice = Dice::new(&kinds.join("/"), 0);
+    let mut rng = ProbeRng::new(&kinds.join("/"), 0);
     let pairs = kinds
         .iter()
         .flat_map(|kind| depths.iter().map(move |depth| (kind, *depth)));
     pairs
         .flat_map(|pair| [pair; 3])
-        .map(|(kind, depth)| path(kind, depth, &mut dice))
+        .map(|(kind, depth)| path(kind, depth, &mut rng))
         .collect()
 }
 
 fn series() -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("geometric_series", 0);
+    let mut rng = ProbeRng::new("geometric_series", 0);
     let half = |depth: u32| {
-        let mut path = path("D D D D D D D D D D D D", depth, &mut dice);
+        let mut path = path("D D D D D D D D D D D D", depth, &mut rng);
         for step in &mut path.steps {
             step.direct = [1.0; 3];
             if let Some(sample) = &mut step.sample {
@@ -233,11 +233,11 @@ fn series() -> Vec<ScriptedPath> {
 
 /// Paths on which roulette makes the survivors brighter.
 fn lucky() -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("lucky", 0);
+    let mut rng = ProbeRng::new("lucky", 0);
     let mut lucky = |letters: &str| {
-        let mut path = path(letters, 7, &mut dice);
+        let mut path = path(letters, 7, &mut rng);
         for step in &mut path.steps {
-            step.roulette = Some(dice.range(1.0, 3.0));
+            step.roulette = Some(rng.range(1.0, 3.0));
         }
         path
     };
@@ -249,9 +249,9 @@ fn lucky() -> Vec<ScriptedPath> {
 
 /// Paths that `end` ends at one of their surfaces.
 fn ended(end: impl Fn(&mut Step)) -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("ended", 0);
+    let mut rng = ProbeRng::new("ended", 0);
     let ended = (0..12).map(|i| {
-        let mut path = path("D M D G D", 7, &mut dice);
+        let mut path = path("D M D G D", 7, &mut rng);
         end(&mut path.steps[i % 5]);
         path
     });
@@ -259,15 +259,15 @@ fn ended(end: impl Fn(&mut Step)) -> Vec<ScriptedPath> {
 }
 
 fn fresh(seed: u64) -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("fresh_paths", seed);
+    let mut rng = ProbeRng::new("fresh_paths", seed);
     let fresh = (0..60).map(|_| {
-        let letters: Vec<&str> = (0..dice.below(7))
-            .map(|_| dice.one_of(&["D", "D", "M", "G", "L", "B"]))
+        let letters: Vec<&str> = (0..rng.below(7))
+            .map(|_| rng.one_of(&["D", "D", "M", "G", "L", "B"]))
             .collect();
-        let depth = dice.below(8) as u32;
+        let depth = rng.below(8) as u32;
         ScriptedPath {
             seed,
-            ..path(&letters.join(" "), depth, &mut dice)
+            ..path(&letters.join(" "), depth, &mut rng)
         }
     });
     fresh.collect()

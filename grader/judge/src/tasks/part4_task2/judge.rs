@@ -252,7 +252,7 @@ fn draws(
     }
     tally.expect(Aspect::Spread);
     let drawn = answer.samples.iter().flat_map(|(_, _, numbers)| *numbers);
-    let played = answer.games.iter().map(|(_, _, u)| *u);
+    let played = answer.roulette_calls.iter().map(|(_, _, u)| *u);
     let all: Vec<u64> = drawn.chain(played).map(f64::to_bits).collect();
     let different = all.iter().collect::<BTreeSet<_>>().len();
     tally.judge(Aspect::Spread, call, different == all.len(), 1.0, || {

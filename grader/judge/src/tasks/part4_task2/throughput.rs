@@ -22,7 +22,7 @@ struct Bounce<'a> {
 type Told = fn(&Bounce<'_>) -> Vec3;
 
 /// Throughputs that typical mistakes tell roulette of.
-const SUSPECTS: [(&str, Told); 8] = [
+const KNOWN_MISTAKES: [(&str, Told); 8] = [
     ("before the bounce", |bounce| bounce.before),
     ("the weight alone", |bounce| factor(bounce.sample)),
     ("the weight added", |bounce| {
@@ -79,15 +79,15 @@ pub(crate) fn judge(
         .map(|bounce| bounce.before * factor(bounce.sample))
         .collect();
     tally.expect(Aspect::Throughput);
-    let off = answer.games.len().abs_diff(wanted.len()) as f64;
+    let off = answer.roulette_calls.len().abs_diff(wanted.len()) as f64;
     let class = match off == 0.0 {
-        true => misheard(path, &answer.games, &bounces, &wanted),
+        true => misheard(path, &answer.roulette_calls, &bounces, &wanted),
         false => Some(Class::of_size(1.0 + off)),
     };
     tally.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
         format!(
             "roulette was asked with (throughput, bounces, u) {:?}, right are the throughputs {wanted:?} after 1, 2, ... bounces. {}",
-            answer.games,
+            answer.roulette_calls,
             about()
         )
     });
@@ -110,8 +110,8 @@ fn misheard(
         if is(game, *right) {
             continue;
         }
-        let mut suspects = SUSPECTS.iter();
-        let named = suspects.find(|(_, wrong)| is(game, wrong(bounce)));
+        let mut known_mistakes = KNOWN_MISTAKES.iter();
+        let named = known_mistakes.find(|(_, wrong)| is(game, wrong(bounce)));
         return Some(named.map_or(Class::Wrong, |(name, _)| Class::Named(name)));
     }
     let counts = |bounces_at: &dyn Fn(u32) -> u32| {

@@ -1,7 +1,7 @@
 //! Russian roulette.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Mean, Survival, Throughput};
 use wire::Work;
 use wire::global::RouletteWork;
@@ -73,9 +73,9 @@ fn work(throughputs: &[Xyz], bounces: &[u32]) -> RouletteWork {
 }
 
 fn many(seed: u64, name: &str, games: u32) -> RouletteWork {
-    let mut dice = Dice::new(name, seed);
+    let mut rng = ProbeRng::new(name, seed);
     RouletteWork {
         paths: vec![(DIM, 4), ([0.6, 0.3, 0.1], 9)],
-        numbers: (0..games).map(|_| dice.range(0.0, 1.0)).collect(),
+        numbers: (0..games).map(|_| rng.range(0.0, 1.0)).collect(),
     }
 }

@@ -1,9 +1,9 @@
 //! Judging Russian roulette.
 
-use crate::chance::{self, MANY};
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::Tally as Numbers;
+use kit::Tally as SampleTally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
@@ -22,9 +22,9 @@ pub(crate) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option
             one(tally, call, throughput, bounces, *u, *answer);
         }
         let channel = (0..3).find(|&c| throughput[c] > 0.0);
-        if let (Some(channel), true) = (channel, answers.len() >= MANY) {
+        if let (Some(channel), true) = (channel, answers.len() >= MIN_ESTIMATES) {
             let counts = answers.iter().map(|a| a.map_or(0.0, |t| t[channel]));
-            let numbers: Numbers = counts.collect();
+            let numbers: SampleTally = counts.collect();
             chance::mean(
                 tally,
                 "throughputs, 0 for paths that ended,",

@@ -1,7 +1,7 @@
 //! The cases: when a pixel has had enough samples, and pixels that stop then.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Calls, Placement, Questions, Radiance};
 use wire::Work;
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
@@ -119,13 +119,13 @@ pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
 
 /// Samples of two values, with tolerances just below and just above where the rule turns.
 fn near_the_turn(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
-    let mut dice = Dice::new(name, seed);
+    let mut rng = ProbeRng::new(name, seed);
     let calls = (0..60).flat_map(|_| {
-        let (few, many) = (1 + dice.below(40) as u32, 1 + dice.below(400) as u32);
+        let (few, many) = (1 + rng.below(40) as u32, 1 + rng.below(400) as u32);
         let runs = vec![
-            (few, dice.range(2.0, 9.0)),
-            (many, dice.range(0.1, 1.0)),
-            (few, dice.range(0.0, 0.5)),
+            (few, rng.range(2.0, 9.0)),
+            (many, rng.range(0.1, 1.0)),
+            (few, rng.range(0.0, 0.5)),
         ];
         let turn = turn(&runs);
         [1.0 - share, 1.0 + share].map(|factor| StopCall {
@@ -180,23 +180,23 @@ fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
 
 /// Colours that differ from each other, dark and bright.
 fn colours(name: &str, i: u32) -> Vec<Xyz> {
-    let mut dice = Dice::new(name, u64::from(i));
-    let colours = (0..13).map(|_| [0.0; 3].map(|_: f64| dice.range(0.0, 1.0).powi(3) * 20.0));
+    let mut rng = ProbeRng::new(name, u64::from(i));
+    let colours = (0..13).map(|_| [0.0; 3].map(|_: f64| rng.range(0.0, 1.0).powi(3) * 20.0));
     colours.collect()
 }
 
 /// Pixels of all sorts that stop by the plain rule, clearly so: nowhere near where it turns.
 fn exact(name: &str, seed: u64) -> Vec<AdaptivePixel> {
-    let mut dice = Dice::new(name, seed);
+    let mut rng = ProbeRng::new(name, seed);
     let pixels = (0..24).map(|i| {
-        let noise = dice.one_of(&[0.0, 0.1, 0.5, 2.0]);
-        let base = dice.range(0.2, 2.0);
-        let stream = (0..64).map(|_| [base + noise * dice.range(0.0, 1.0).powi(4); 3]);
+        let noise = rng.one_of(&[0.0, 0.1, 0.5, 2.0]);
+        let base = rng.range(0.2, 2.0);
+        let stream = (0..64).map(|_| [base + noise * rng.range(0.0, 1.0).powi(4); 3]);
         AdaptivePixel {
             stream: stream.collect(),
-            tolerance: dice.one_of(&[0.02, 0.05, 0.2]),
+            tolerance: rng.one_of(&[0.02, 0.05, 0.2]),
             seed,
-            ..of(i, 512, dice.one_of(&[5, 16, 32]), StopRule::Plain)
+            ..of(i, 512, rng.one_of(&[5, 16, 32]), StopRule::Plain)
         }
     });
     pixels.collect()

@@ -3,7 +3,7 @@
 use super::placement;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Spectrum, Tally as Numbers};
+use kit::{Spectrum, Tally as SampleTally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 use wire::work::Xyz;
 
@@ -14,7 +14,7 @@ const BOUND: f64 = 1e-9;
 const CONFIDENCE: f64 = 1.96;
 
 /// Whether the interval around the mean is narrow enough, with both sides squared.
-fn is_narrow(samples: &Numbers, tolerance: f64) -> bool {
+fn is_narrow(samples: &SampleTally, tolerance: f64) -> bool {
     let (n, wanted) = (samples.count() as f64, tolerance * samples.mean());
     n > 0.0 && n * wanted * wanted >= CONFIDENCE * CONFIDENCE * samples.variance()
 }
@@ -24,7 +24,7 @@ pub(crate) fn converged(call: &StopCall) -> bool {
     is_narrow(&samples(call), call.tolerance)
 }
 
-pub(crate) fn samples(call: &StopCall) -> Numbers {
+pub(crate) fn samples(call: &StopCall) -> SampleTally {
     let runs = call.runs.iter();
     runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
         .collect()
@@ -72,8 +72,8 @@ pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[Adap
 }
 
 /// The samples that a sound loop takes, and the looks at the rule on the way.
-pub(crate) fn sound(work: &AdaptivePixel) -> (u32, Vec<Numbers>) {
-    let mut taken = Numbers::default();
+pub(crate) fn sound(work: &AdaptivePixel) -> (u32, Vec<SampleTally>) {
+    let mut taken = SampleTally::default();
     let mut looks = Vec::new();
     let endless = work.stream.iter().cycle().zip(1..=work.ns_aa);
     for (radiance, count) in endless {
@@ -144,7 +144,7 @@ fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<
     ];
     let is = |number: &&(&str, Number)| {
         let stream = work.stream.iter().cycle().take(asked.0 as usize);
-        let mean = stream.map(number.1).collect::<Numbers>().mean();
+        let mean = stream.map(number.1).collect::<SampleTally>().mean();
         (asked.1 - mean).abs() <= BOUND * mean.abs()
     };
     NUMBERS.iter().find(is).map(|(name, _)| *name)
@@ -157,36 +157,40 @@ fn questions(
     call: usize,
     work: &AdaptivePixel,
     answer: &AdaptiveAnswer,
-    looks: &[Numbers],
+    looks: &[SampleTally],
     about: &impl Fn() -> String,
 ) {
     let needless = looks
         .last()
         .is_some_and(|look| look.count() == u64::from(work.ns_aa));
     let least = looks.len() - usize::from(needless);
-    let enough = (least..=looks.len()).contains(&answer.looks.len());
+    let enough = (least..=looks.len()).contains(&answer.rule_calls.len());
     let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= BOUND * scale;
-    let same = |(asked, right): (&(u64, f64, f64, f64), &Numbers)| {
+    let same = |(asked, right): (&(u64, f64, f64, f64), &SampleTally)| {
         let square = right.mean() * right.mean() + right.variance();
         asked.0 == right.count()
             && near(asked.1, right.mean(), right.mean().abs())
             && near(asked.2, right.variance(), square)
             && asked.3 == work.tolerance
     };
-    let right = enough && answer.looks.iter().zip(looks).all(same);
-    let off = answer.looks.len().abs_diff(looks.len());
+    let right = enough && answer.rule_calls.iter().zip(looks).all(same);
+    let off = answer.rule_calls.len().abs_diff(looks.len());
     let class = (!right).then(|| {
-        let misheard = answer.looks.iter().zip(looks).find(|pair| !same(*pair));
+        let misheard = answer
+            .rule_calls
+            .iter()
+            .zip(looks)
+            .find(|pair| !same(*pair));
         let number = misheard.and_then(|(asked, _)| another_number(work, asked));
         number.map_or(Class::of_size(1.0 + off as f64), Class::Named)
     });
     tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
-        let show = |n: &Numbers| (n.count(), n.mean(), n.variance(), work.tolerance);
+        let show = |n: &SampleTally| (n.count(), n.mean(), n.variance(), work.tolerance);
         let wanted: Vec<_> = looks.iter().take(4).map(show).collect();
-        let asked: Vec<_> = answer.looks.iter().take(4).collect();
+        let asked: Vec<_> = answer.rule_calls.iter().take(4).collect();
         format!(
             "stop was asked {} times, first with (count, mean, variance, tolerance) {asked:?}; right are {} times, first {wanted:?}. {}",
-            answer.looks.len(),
+            answer.rule_calls.len(),
             looks.len(),
             about()
         )

@@ -12,7 +12,7 @@ pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
     question.push(number("tolerance", call.tolerance));
     let answer = vec![
         number("stop", f64::from(u8::from(answer.stop))),
-        number("asked", answer.asked.len() as f64),
+        number("asked", answer.rule_calls.len() as f64),
     ];
     forms(question, answer.clone(), answer)
 }
@@ -28,12 +28,12 @@ pub(super) fn pixel(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> Forms {
     let short = vec![
         number("samples", f64::from(answer.samples)),
         field("radiance", vector(&answer.radiance)),
-        number("looks", answer.looks.len() as f64),
+        number("looks", answer.rule_calls.len() as f64),
     ];
     let mut full = short.clone();
     full.extend(
         answer
-            .looks
+            .rule_calls
             .iter()
             .take(2)
             .map(|&(count, mean, variance, _)| {

@@ -16,7 +16,7 @@ fn right(point: f64, at: f64, size: f64) -> f64 {
 }
 
 /// How typical mistakes place points.
-const SUSPECTS: [(&str, Place); 4] = [
+const KNOWN_MISTAKES: [(&str, Place); 4] = [
     ("half a pixel off", |point, at, size| {
         point * size - at + 0.5
     }),
@@ -52,13 +52,13 @@ pub(crate) fn judge(
     let all = answer.points.len();
     let outside = all - inside(right, [x, y], [w, h]);
     let class = (outside > 0).then(|| {
-        let mut suspects = SUSPECTS.iter();
+        let mut known_mistakes = KNOWN_MISTAKES.iter();
         if inside(right, [x, y], [h, w]) == all {
             Class::Named("sizes swapped")
         } else if inside(right, [x, h - 1.0 - y], [w, h]) == all {
             Class::Named("rows from the top")
         } else if let Some((name, _)) =
-            suspects.find(|(_, place)| inside(*place, [x, y], [w, h]) == all)
+            known_mistakes.find(|(_, place)| inside(*place, [x, y], [w, h]) == all)
         {
             Class::Named(name)
         } else {

@@ -1,7 +1,7 @@
 //! The cases: when a pixel has surely had enough samples.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::Stop;
 use crate::tasks::part5_task1::cases::call;
 use wire::Work;
@@ -67,13 +67,13 @@ fn sure(name: &'static str, about: &'static str, calls: Vec<StopCall>) -> Spec {
 }
 
 fn decided(name: &str, seed: u64) -> Vec<StopCall> {
-    let mut dice = Dice::new(name, seed);
+    let mut rng = ProbeRng::new(name, seed);
     let calls = (0..60).map(|i| StopCall {
-        tolerance: dice.range(0.01, 0.3),
+        tolerance: rng.range(0.01, 0.3),
         ..call(
             vec![
-                (dice.below(400) as u32, dice.range(0.0, 1.0)),
-                (1 + dice.below(400) as u32, dice.range(0.0, 5.0)),
+                (rng.below(400) as u32, rng.range(0.0, 1.0)),
+                (1 + rng.below(400) as u32, rng.range(0.0, 5.0)),
             ],
             i % 3 != 0,
         )

@@ -20,20 +20,20 @@ pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAn
         verdict(tally, i, call, answer, may_ask && call.rule);
         tally.expect(Aspect::Questions);
         let right = (samples.count(), samples.mean(), call.tolerance);
-        let known = answer.asked.iter().all(|asked| *asked == right);
+        let known = answer.rule_calls.iter().all(|asked| *asked == right);
         let class = if !known {
             let samples_are = |asked: &(u64, f64, f64)| (asked.0, asked.1) == (right.0, right.1);
-            Some(match answer.asked.iter().all(samples_are) {
+            Some(match answer.rule_calls.iter().all(samples_are) {
                 true => Class::Named("another tolerance"),
                 false => Class::Named("other samples"),
             })
         } else {
-            (may_ask && answer.asked.is_empty()).then_some(Class::Named("not asked"))
+            (may_ask && answer.rule_calls.is_empty()).then_some(Class::Named("not asked"))
         };
         tally.judge_class(Aspect::Questions, i, class, 1.0, || {
             format!(
                 "the plain rule was asked {:?} (count, mean, tolerance); it has the last word on {right:?}",
-                answer.asked
+                answer.rule_calls
             )
         });
     }

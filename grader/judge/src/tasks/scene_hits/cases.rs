@@ -2,7 +2,7 @@
 
 use crate::cases::Spec;
 use crate::cases::crosses::wire_ray;
-use crate::cases::plan::along_a_curve;
+use crate::cases::tree_plan::along_morton_curve;
 use crate::scene::load;
 use kit::{Ray, Triangle, Vec3};
 use wire::Work;
@@ -50,7 +50,7 @@ fn case(
     any_hit: bool,
 ) -> Spec {
     let work = Work::SceneHits(SceneWork {
-        tree: along_a_curve(&load(&scene).primitive_bounds(), MAX_LEAF_SIZE),
+        tree: along_morton_curve(&load(&scene).primitive_bounds(), MAX_LEAF_SIZE),
         scene,
         rays: rays.iter().map(wire_ray).collect(),
         any_hit,

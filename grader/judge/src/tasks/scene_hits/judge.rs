@@ -131,7 +131,7 @@ fn blocked(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::truths;
+    use crate::scene::closest_hits;
     use crate::tally::Finding;
     use wire::work::SceneSource;
 
@@ -167,7 +167,7 @@ mod tests {
             prim_tests: 1,
         };
         let mut tally = Tally::default();
-        let truths = truths(&walls(), &[RAY]);
+        let truths = closest_hits(&walls(), &[RAY]);
         hits(&mut tally, Tier::Core, &truths, &[RAY], any_hit, &answer);
         let findings = tally.into_findings();
         let failed = findings.iter().filter(|finding| !finding.passed());

@@ -6,7 +6,7 @@ mod hard;
 mod hits;
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Decision, GeometricNormal, Normal, Position, Primitive, RayAfter, T};
 use crate::tasks::brute_force::pictures;
 use wire::Work;
@@ -79,7 +79,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "nearest_of_many",
             "A ray through a heap of spheres in any order: max_t must shorten with every hit \
              and only with hits.",
-            hits::heap(&mut Dice::new("nearest_of_many spheres", 0), 600),
+            hits::heap(&mut ProbeRng::new("nearest_of_many spheres", 0), 600),
         )
         .only(&[Decision, Primitive, T, RayAfter]),
         case(

@@ -4,27 +4,27 @@ use kit::{Aabb, Vec3};
 use wire::work::{Node, NodeKind, Tree};
 
 /// A tree as it is drawn on paper.
-pub(crate) enum Plan {
+pub(crate) enum TreePlan {
     /// A leaf with these primitives.
     Leaf(Vec<u32>),
     /// Two children, left and right.
-    Split(Box<Plan>, Box<Plan>),
+    Split(Box<TreePlan>, Box<TreePlan>),
 }
 
-impl Plan {
-    pub(crate) fn split(left: Plan, right: Plan) -> Plan {
-        Plan::Split(Box::new(left), Box::new(right))
+impl TreePlan {
+    pub(crate) fn split(left: TreePlan, right: TreePlan) -> TreePlan {
+        TreePlan::Split(Box::new(left), Box::new(right))
     }
 
     /// Leaves of at most so many primitives, and each half of `ids` below a child of its own.
-    pub(crate) fn halves(ids: &[u32], max_leaf_size: usize) -> Plan {
+    pub(crate) fn halves(ids: &[u32], max_leaf_size: usize) -> TreePlan {
         if ids.len() <= max_leaf_size {
-            return Plan::Leaf(ids.to_vec());
+            return TreePlan::Leaf(ids.to_vec());
         }
         let (low, high) = ids.split_at(ids.len() / 2);
-        Plan::split(
-            Plan::halves(low, max_leaf_size),
-            Plan::halves(high, max_leaf_size),
+        TreePlan::split(
+            TreePlan::halves(low, max_leaf_size),
+            TreePlan::halves(high, max_leaf_size),
         )
     }
 
@@ -40,11 +40,11 @@ impl Plan {
 /// A tree over boxes, with leaves of at most so many: halves of a list that is sorted along a curve
 /// through all cells of a grid, so that neighbours in the list are neighbours in space (Morton
 /// 1966; Lauterbach and others, "Fast BVH construction on GPUs", 2009).
-pub(crate) fn along_a_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
+pub(crate) fn along_morton_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
     let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
     let mut ids: Vec<u32> = (0..bounds.len() as u32).collect();
     ids.sort_by_key(|&id| place(&all, bounds[id as usize].centroid()));
-    Plan::halves(&ids, max_leaf_size).tree(bounds)
+    TreePlan::halves(&ids, max_leaf_size).tree(bounds)
 }
 
 /// Where a point comes on the curve: the digits of its cell's three coordinates, shuffled.
@@ -69,9 +69,9 @@ fn unfinished() -> Node {
 }
 
 /// Writes `plan` into place `at` of the tree; gives its box.
-fn grow(tree: &mut Tree, at: usize, plan: &Plan, prims: &[Aabb]) -> Aabb {
+fn grow(tree: &mut Tree, at: usize, plan: &TreePlan, prims: &[Aabb]) -> Aabb {
     let (bounds, kind) = match plan {
-        Plan::Leaf(ids) => {
+        TreePlan::Leaf(ids) => {
             let first = tree.order.len() as u32;
             tree.order.extend(ids);
             let boxes = ids.iter().map(|&id| prims[id as usize]);
@@ -81,7 +81,7 @@ fn grow(tree: &mut Tree, at: usize, plan: &Plan, prims: &[Aabb]) -> Aabb {
             };
             (boxes.fold(Aabb::EMPTY, Aabb::union), kind)
         }
-        Plan::Split(left, right) => {
+        TreePlan::Split(left, right) => {
             let children = tree.nodes.len();
             tree.nodes.extend([unfinished(), unfinished()]);
             let bounds =
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn along_a_curve_neighbours_share_leaves() {
+    fn along_morton_curve_neighbours_share_leaves() {
         // The cells of a grid of 8 a side, from last to first.
         let bounds: Vec<Aabb> = (0..512_i32)
             .rev()
@@ -137,7 +137,7 @@ mod tests {
                 }
             })
             .collect();
-        let tree = along_a_curve(&bounds, 8);
+        let tree = along_morton_curve(&bounds, 8);
         let mut ids = below(&tree, &bounds, 0, 8);
         ids.sort_unstable();
         assert_eq!(ids, (0..512).collect::<Vec<u32>>());

@@ -12,16 +12,16 @@ use wire::work::{Ray, SceneSource};
 
 /// What the oracle has said about a case.
 #[derive(Debug, Default)]
-pub(crate) struct Truths {
+pub(crate) struct ExpectedCache {
     scene: OnceLock<Vec<Closest>>,
     core: OnceLock<Vec<Expected>>,
     robust: OnceLock<Vec<Expected>>,
 }
 
-impl Truths {
+impl ExpectedCache {
     /// What each ray truly hits in a whole scene.
     pub(super) fn of_scene(&self, source: &SceneSource, rays: &[Ray]) -> &[Closest] {
-        self.scene.get_or_init(|| scene::truths(source, rays))
+        self.scene.get_or_init(|| scene::closest_hits(source, rays))
     }
 
     /// What scores on each probe or ray of `spec`, whose truths these are; nothing if it has no
@@ -38,5 +38,5 @@ impl Truths {
 /// What scores on each probe or ray of a case about single shapes or a list of them; nothing for
 /// other cases.
 pub fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
-    tasks::asked(&spec.work).expected(tier, spec.enclosed)
+    tasks::check_of(&spec.work).expected(tier, spec.enclosed)
 }

@@ -33,7 +33,7 @@ fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
     };
     let (_, rest) = spec.about.split_once(start)?;
     let (percent, rest) = rest.split_once(" %")?;
-    assert!(rest.starts_with(" is sure to be seen"), "{}", spec.name);
+    assert!(rest.starts_with(" is always detected"), "{}", spec.name);
     Some(percent.parse::<f64>().ok()? / 100.0)
 }
 
@@ -64,7 +64,7 @@ fn each_case_states_what_it_is_sure_to_see() {
                 let stated = stated(&spec, finding.aspect);
                 if !stated.is_some_and(|stated| sure <= stated && stated <= LOOSEST * sure) {
                     unlike.push(format!(
-                        "{name}: a share of {sure:.4} is sure to be seen, the case says {stated:?}"
+                        "{name}: a share of {sure:.4} is always detected, the case states {stated:?}"
                     ));
                 }
             }

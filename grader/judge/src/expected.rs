@@ -1,13 +1,13 @@
-//! What is known to be right, in the form in which answers are judged.
+//! The results that score, in the form in which answers are judged.
 
 use kit::{Vec2, Vec3};
 use oracle::BigFloat;
 
-/// What a ray and what it is traced through have to do with each other: the answers that score.
+/// The answers that score for one ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
-    /// The hits that score, the likeliest first: more than one where rounding errors of sound `f64`
-    /// code decide which comes first, or where shapes touch.
+    /// The hits that score, the likeliest first: more than one where rounding errors of correct
+    /// `f64` code decide which hit is the closest, or where shapes touch.
     pub hits: Vec<ExpectedHit>,
     /// Whether a miss scores.
     pub miss: bool,
@@ -15,25 +15,25 @@ pub struct Expected {
     pub why_miss: &'static str,
 }
 
-/// The verdict on hit or miss.
+/// Whether hit, miss or both are right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HitOrMiss {
     /// Only a hit is right.
     Hit,
     /// Only a miss is right.
     Miss,
-    /// Rounding errors of sound `f64` code decide: either is right.
+    /// Both are right: rounding errors of correct `f64` code decide.
     Either,
 }
 
-/// A hit and how far an answer may be from it.
+/// An exact hit, and how far an answer may be from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExpectedHit {
     /// Number of the primitive.
     pub prim: u32,
     /// Distance along the ray, rounded to the nearest float.
     pub t: f64,
-    /// The same with more digits than a float has.
+    /// `t` with more digits than `f64` has.
     pub exact_t: BigFloat,
     /// How far `t` may be off.
     pub t_bound: f64,
@@ -41,7 +41,8 @@ pub struct ExpectedHit {
     pub p: Vec3,
     /// How far each coordinate of the hit point may be off, in world units.
     pub p_bound: f64,
-    /// The surface that the point must lie on, and how far from it it may lie, if that is asked.
+    /// The surface on which the hit point must lie, and its largest distance from it; `None` if
+    /// that is not judged.
     pub surface: Option<(TrueSurface, f64)>,
     /// Barycentric weights of `p1` and `p2`, and how far they may be off; for triangles.
     pub uv: Option<(Vec2, f64)>,
@@ -55,7 +56,7 @@ pub struct ExpectedHit {
     pub ng_bound: f64,
 }
 
-/// A surface that a point can be on.
+/// The exact surface of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TrueSurface {
     /// The plane through a point with a unit normal.
@@ -74,8 +75,8 @@ impl Expected {
         }
     }
 
-    /// The hit to hold an answer with `prim` and `t` against: of the same primitive if there is
-    /// one, then the one whose `t` is closest in terms of its bound.
+    /// The expected hit to compare an answer with: one of the same primitive if possible, and of
+    /// those the one whose `t` is the closest relative to its bound.
     pub fn closest_to(&self, prim: u32, t: f64) -> Option<&ExpectedHit> {
         let off = |hit: &ExpectedHit| {
             let off = (t - hit.t).abs() / hit.t_bound;

@@ -1,5 +1,5 @@
-//! What is right about each call of a case. The exact oracle takes its time, and many versions of
-//! the code are judged by the same: so it is asked once, by whoever comes first.
+//! Stores the exact results of a case. The exact oracle is slow and many versions of the code are
+//! judged by the same results, so they are computed once, at first use.
 
 use super::expected::Expected;
 use super::scene;
@@ -10,7 +10,7 @@ use oracle::closest::Closest;
 use std::sync::OnceLock;
 use wire::work::{Ray, SceneSource};
 
-/// What the oracle has said about a case.
+/// The exact results of a case, as far as they have been computed.
 #[derive(Debug, Default)]
 pub(crate) struct ExpectedCache {
     scene: OnceLock<Vec<Closest>>,
@@ -19,24 +19,24 @@ pub(crate) struct ExpectedCache {
 }
 
 impl ExpectedCache {
-    /// What each ray truly hits in a whole scene.
+    /// The exact closest hit of each ray in a whole scene.
     pub(super) fn of_scene(&self, source: &SceneSource, rays: &[Ray]) -> &[Closest] {
         self.scene.get_or_init(|| scene::closest_hits(source, rays))
     }
 
-    /// What scores on each probe or ray of `spec`, whose truths these are; nothing if it has no
-    /// single shapes and no list of shapes.
+    /// The results that score for each probe or ray of `spec`, the case of this cache; empty for
+    /// cases that are about neither single shapes nor a list of shapes.
     pub(super) fn of_shapes(&self, spec: &Spec, tier: Tier) -> &[Expected] {
-        let known = match tier {
+        let results = match tier {
             Tier::Core => &self.core,
             Tier::Robust => &self.robust,
         };
-        known.get_or_init(|| expected(spec, tier))
+        results.get_or_init(|| expected(spec, tier))
     }
 }
 
-/// What scores on each probe or ray of a case about single shapes or a list of them; nothing for
-/// other cases.
+/// The results that score for each probe or ray of a case about single shapes or a list of shapes;
+/// empty for other cases.
 pub fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
     tasks::check_of(&spec.work).expected(tier, spec.enclosed)
 }

@@ -18,71 +18,72 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "glowing_surface",
-            "zero_bounce_radiance is what the surface emits: on its front side, whatever the \
-             angle, and nothing behind, edge-on, or on a surface that does not emit.",
+            "zero_bounce_radiance is the radiance that the surface emits: on its front side, at \
+             any angle; and 0 from behind, edge-on, or where the surface does not emit.",
             work(Strategy::ZeroBounce, LitWorld::default(), glowing(), 0, 0),
         ),
         case(
             "rays_start_at_the_surface",
-            "Every ray starts where Surface::leave puts it, with all of its range. Pitfall: a ray \
-             from the point itself may hit the surface that it leaves.",
+            "Every ray starts at the origin that Surface::leave returns, with its whole range. \
+             Pitfall: a ray that starts at the hit point itself may hit the surface again.",
             hemisphere("start", around(0.5), 60, 4),
         )
         .only(&[Origin, Range]),
         case(
             "rays_fill_the_hemisphere",
-            "As many rays as samples, each a unit vector in world space above the surface, and \
-             all of them together even over the hemisphere (a χ² test). A deviation of 24 % is sure \
-             to be seen.",
+            "One ray a sample, each a unit vector in world space above the surface; together they \
+             are distributed uniformly over the hemisphere (a χ² test). A deviation of 24 % is \
+             always detected.",
             same(around(1.0), floor(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread]),
         case(
             "side_of_the_viewer",
-            "Seen from below, light from below counts: directions are drawn on the side of wo. A \
-             bias of 9 % is sure to be seen. A deviation of 24 % is sure to be seen.",
+            "A surface seen from below scatters light from below: directions are sampled on the \
+             side of wo. A bias of 9 % is always detected. A deviation of 24 % is always \
+             detected.",
             same(around(1.0), ceiling(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread, Mean]),
         case(
             "tilted_surfaces",
-            "Surfaces with normals in all directions: f is asked for local directions, rays are \
-             traced along world ones.",
+            "Surfaces with normals in all directions: f takes local directions, rays have world \
+             directions.",
             hemisphere("tilted", room(), 60, 4),
         )
         .only(&[Direction, Radiance]),
         case(
             "sum_of_what_is_seen",
-            "Given the rays that were asked for, the sum of f · L · |cos θ| · 2π over their \
-             number is known to the last digit: emission only, from the front, and the \
-             background where nothing is hit.",
+            "Given the traced rays, the sum of f · L · |cos θ| · 2π over their number is known \
+             exactly: L is what the front of the hit surface emits, or the background where the \
+             ray misses.",
             hemisphere("sum", room(), 60, 8),
         )
         .only(&[Radiance]),
         case(
             "uniform_environment",
-            "The same light from everywhere: the mean of many estimates is the integral of f \
-             times the cosine. A bias of 6 % is sure to be seen.",
+            "The same radiance from every direction: the mean of many estimates is the integral \
+             of f times the cosine. A bias of 6 % is always detected.",
             same(around(2.0), floor(), ESTIMATES, 4),
         )
         .only(&[Mean]),
         case(
             "square_lamp",
-            "A lamp above the floor: the mean of many estimates is its form factor. A bias of \
-             15 % is sure to be seen.",
+            "A lamp above the floor: the mean of many estimates follows from its form factor. A \
+             bias of 15 % is always detected.",
             same(of_panels(vec![lamp(1.0, [5.0; 3])]), floor(), ESTIMATES, 4),
         )
         .only(&[Mean]),
         case(
             "lamp_that_faces_away",
-            "A lamp shines to one side; seen from behind, or behind a wall, it is black.",
+            "A lamp emits on one side; seen from its back, or behind a wall, it adds no light.",
             away(),
         )
         .only(&[Radiance]),
         case(
             "mirrors_ask_for_nothing",
-            "No random direction is a mirror's or glass's own: they get no light this way, and \
-             cast no ray.",
+            "A mirror or glass scatters no light from a random direction: the estimate is black, \
+             and no ray is traced.",
             work(
                 Strategy::Hemisphere,
                 around(1.0),
@@ -98,13 +99,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Rays, Radiance]),
         case(
             "no_samples",
-            "0 samples are black, not 0 / 0.",
+            "With 0 samples the estimate is black, not 0 / 0.",
             work(Strategy::Hemisphere, around(1.0), vec![floor(); 3], 0, 0),
         )
         .only(&[Rays, Radiance]),
         case(
             "fresh_lamps",
-            "Lamps, points and numbers that differ for each seed.",
+            "Random lamps and points that depend on the seed.",
             fresh(seed),
         ),
     ]

@@ -18,60 +18,61 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "point_light",
-            "A point light arrives with its intensity over the squared distance, times f and the \
-             cosine: the answer is exact.",
+            "A point light arrives with its intensity divided by the squared distance, times f \
+             and the cosine: the result is exact.",
             anywhere_lit(vec![point()], Vec::new(), 1),
         )
         .only(&[Radiance]),
         case(
             "spot_light",
-            "A spot shines into its cone alone.",
+            "A spot light illuminates the inside of its cone only.",
             anywhere_lit(vec![spot()], Vec::new(), 1),
         )
         .only(&[Radiance, Rays]),
         case(
             "sun",
-            "A sun is infinitely far away: so far the shadow ray reaches.",
+            "A directional light is infinitely far away, and its shadow ray has no end.",
             anywhere_lit(vec![sun()], Vec::new(), 1),
         )
         .only(&[Radiance, Range]),
         case(
             "one_sample_of_a_point",
-            "A light without extent gets one sample, whatever -l says: more would all be the same. \
-             Pitfall: its light is not divided by -l.",
+            "A light without extent gets one sample, whatever -l is, since all its samples would \
+             be equal. Pitfall: its light is not divided by -l.",
             anywhere_lit(vec![point(), sun()], Vec::new(), 4),
         )
         .only(&[Rays, Radiance]),
         case(
             "shadow_rays",
-            "A shadow ray starts where Surface::leave puts it, goes to the light, and ends just \
-             before it: a lamp does not stand in its own way.",
+            "A shadow ray starts at the origin that Surface::leave returns, goes to the light, \
+             and ends just before it, so that a lamp does not block its own light.",
             anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 4),
         )
         .only(&[Origin, Direction, Range]),
         case(
             "in_the_shadow",
-            "What stands before a light takes it away; what stands behind it does not.",
+            "A wall between the point and a light blocks the light; a wall behind the light does \
+             not.",
             shadows(),
         )
         .only(&[Radiance, Rays]),
         case(
             "lamp_overhead",
-            "A lamp above the floor: f · L · |cos θ| / pdf of each sample, and their mean is the \
-             form factor. A bias of 12 % is sure to be seen.",
+            "A lamp above the floor: each sample is f · L · |cos θ| / pdf, and their mean follows \
+             from the form factor. A bias of 12 % is always detected.",
             same(vec![lamp(1.0, [5.0; 3])], Vec::new(), floor(), 1),
         )
         .only(&[Radiance, Mean]),
         case(
             "several_samples",
-            "With -l 4 a lamp gives the mean of four different samples. A bias of 4 % is sure to be \
-             seen. Pitfall: their sum is four times as bright.",
+            "With -l 4 the light of a lamp is the mean of four different samples. A bias of 4 % \
+             is always detected. Pitfall: their sum is four times as bright.",
             same(vec![lamp(1.5, [5.0; 3])], Vec::new(), floor(), 4),
         )
         .only(&[Rays, Radiance, Spread, Mean]),
         case(
             "many_lights",
-            "The light of all lights is their sum, each averaged by itself.",
+            "The result is the sum over all lights, each averaged over its own samples.",
             anywhere_lit(
                 vec![point(), sun(), spot()],
                 vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()],
@@ -82,52 +83,53 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "nothing_arrives",
             "A lamp that faces away, a light below the horizon, a point outside the cone: black, \
-             and no shadow ray is cast in vain.",
+             and no shadow ray is traced.",
             nothing(),
         )
         .only(&[Rays, Radiance]),
         case(
             "half_below_the_horizon",
-            "A lamp that reaches below the horizon: samples of its lower part count as 0 in the \
-             mean, they do not drop out of it. A bias of 16 % is sure to be seen.",
+            "A lamp that extends below the horizon: samples of its lower part are 0 and count in \
+             the mean. A bias of 16 % is always detected.",
             same(vec![half_below()], Vec::new(), floor(), 2),
         )
         .only(&[Radiance, Mean]),
         case(
             "sky",
-            "A sky shines from the whole upper half. A bias of 7 % is sure to be seen.",
+            "A sky emits from the whole upper hemisphere. A bias of 7 % is always detected.",
             same(Vec::new(), vec![Light::Sky([1.0, 1.5, 2.0])], floor(), 3),
         )
         .only(&[Radiance, Mean]),
         case(
             "environment",
-            "A picture all around: its directions are drawn by its light, so the density \
-             differs from texel to texel, and L is that of the texel. A bias of 9 % is sure to be \
-             seen.",
+            "An environment map: directions are sampled in proportion to its radiance, so the \
+             density differs from texel to texel, and L is the radiance of the texel. A bias of 9 \
+             % is always detected.",
             pictured(),
         )
         .only(&[Origin, Direction, Range, Rays, Radiance, Mean]),
         case(
             "seen_from_below",
-            "Seen from below, only light from below is scattered.",
+            "A surface seen from below scatters only light from below.",
             below(),
         )
         .only(&[Rays, Radiance]),
         case(
             "mirrors_ask_for_nothing",
-            "A mirror or glass scatters no sampled light, and casts no shadow ray.",
+            "A mirror or glass scatters no light from a sampled direction: black, and no shadow \
+             ray is traced.",
             mirrors(),
         )
         .only(&[Rays, Radiance]),
         case(
             "no_samples",
-            "With -l 0 lamps give nothing (and not 0 / 0); points and suns still do.",
+            "With -l 0 lamps add nothing (not 0 / 0); point lights and suns still do.",
             anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 0),
         )
         .only(&[Rays, Radiance]),
         case(
             "fresh_lights",
-            "Lights, points and numbers that differ for each seed.",
+            "Random lights and points that depend on the seed.",
             fresh(seed),
         ),
     ]

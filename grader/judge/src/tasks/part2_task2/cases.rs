@@ -11,104 +11,109 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     let mut cases = vec![
         case(
             "all_octants",
-            "Rays from every corner of the sky through a box. Pitfall: where d is negative the ray \
-             meets the max plane first.",
+            "Rays from all eight octants through a box. Pitfall: where d is negative, the ray \
+             crosses the max plane first.",
             octants(),
         ),
         case(
             "miss_on_one_axis",
-            "Rays inside two of the three slabs, but beside the box on the third. Pitfall: all \
-             three axes must agree before anything is returned.",
+            "Rays inside two of the three slabs, but outside the third. Pitfall: all three axes \
+             must be tested before anything is returned.",
             beside_on_one_axis(),
         ),
         case(
             "behind",
-            "Boxes behind the origin: the line meets them, at t < 0 only.",
+            "Boxes behind the ray's origin: the line crosses them at t < 0 only.",
             behind(),
         ),
         case(
             "origin_inside",
-            "The ray starts inside: a hit, whose interval starts at min_t.",
+            "The ray starts inside the box: a hit, whose interval starts at min_t.",
             inside(),
         ),
         case(
             "along_an_axis_inside",
-            "Rays parallel to an axis between the planes of the other two: d is 0 there, which is no miss.",
+            "Rays parallel to an axis, inside the slabs of the other two: d is 0 there, and the \
+             ray hits.",
             along_axes(true),
         ),
         case(
             "along_an_axis_beside",
-            "Rays parallel to an axis beside the box: where d is 0 the origin decides.",
+            "Rays parallel to an axis, outside the box: on an axis where d is 0, the origin \
+             decides.",
             along_axes(false),
         ),
         case(
             "clipped",
-            "Ranges that end before the box, begin behind it or cut it: the interval is cut to min_t..max_t.",
+            "Ranges that end before the box, start behind it or cut it: the interval is clipped \
+             to min_t..=max_t.",
             clipped(),
         ),
         case(
             "any_length_of_d",
-            "Directions of other lengths than 1: t counts lengths of d.",
+            "Directions whose length is not 1: t is in units of the length of d.",
             scaled_directions(),
         ),
         case(
             "flat_box_crossed",
-            "Boxes without depth, as walls have, crossed by rays: entry and exit are the same t, and a hit.",
+            "Boxes without depth, such as those of walls: a ray that crosses one enters and \
+             leaves at the same t, which is a hit.",
             flat_crossed(),
         ),
         case(
             "near_misses",
-            "Rays that pass the box at a millionth of its size, at scales from 1e-6 to 1e6. \
-             Pitfall: padding by an epsilon makes hits of them.",
+            "Rays that pass the box at a millionth of its size, for sizes from 1e-6 to 1e6. \
+             Pitfall: padding by an epsilon turns these misses into hits.",
             near_misses(),
         ),
         case(
             "fresh_random",
-            "Random boxes and rays, fresh for each seed.",
+            "Random boxes and rays that depend on the seed.",
             random(seed),
         ),
         case(
             "origin_on_a_face",
-            "The origin on a plane of the box and the ray along it. Pitfall: 0 / 0 is NaN, and a \
-             comparison with NaN is false.",
+            "The origin lies on a plane of the box and the ray runs along that plane. Pitfall: 0 \
+             / 0 is NaN, and comparisons with NaN are false.",
             on_faces(),
         ),
         case(
             "flat_box_in_its_plane",
-            "Rays inside the plane of a flat box: faces count, so it is hit.",
+            "Rays inside the plane of a flat box: faces belong to the box, so the ray hits.",
             flat_in_plane(),
         ),
         case(
             "corners_and_edges",
-            "Rays aimed at corners and edges: rounding may make a hit of a miss, never a miss of a hit, or the picture has holes.",
+            "Rays aimed at corners and edges: rounding may turn a miss into a hit, but never a \
+             hit into a miss, which would be a hole in the picture.",
             corners_and_edges(seed),
         ),
         case(
             "point_box",
-            "A box of a single point: hit by a ray right through it.",
+            "A box that is a single point: a ray exactly through it hits.",
             point_boxes(),
         ),
         case(
             "empty_box",
-            "The box that holds nothing (min > max), and a range that holds nothing (min_t > \
-             max_t): both are a miss. Pitfall: sorting a box's two planes turns it inside out, into \
-             one that holds everything, and a comparison with each end alone does not notice an \
-             empty range.",
+            "An empty box (min > max) and an empty range (min_t > max_t): both are a miss. \
+             Pitfall: sorting the two planes of an axis turns an empty box into a large one, and \
+             comparing with each end of the range alone does not detect that the range is empty.",
             empty_boxes(),
         ),
         case(
             "infinite_box",
-            "Boxes without end on some axes. Pitfall: inf - inf and 0 * inf are NaN.",
+            "Boxes that are infinite along some axes. Pitfall: inf - inf and 0 * inf are NaN.",
             infinite_boxes(),
         ),
         case(
             "not_a_number",
-            "NaN in the box or the ray, and d = 0 outside the box: no hit.",
+            "NaN in the box or the ray, and d = 0 outside the box: a miss.",
             not_numbers(),
         ),
         case(
             "denormal_direction",
-            "A component of d so small that 1 / d overflows: not parallel, only nearly so.",
+            "A component of d so small that 1 / d overflows: the ray is nearly parallel, but not \
+             parallel.",
             denormal(),
         ),
     ];
@@ -592,7 +597,7 @@ fn picture() -> Spec {
         picture: Some(SIZE),
         ..case(
             "picture",
-            "A box seen by a camera, bright where the ray enters it soon.",
+            "A box seen by a camera: the nearer the ray enters it, the brighter the pixel.",
             probes.collect(),
         )
     }

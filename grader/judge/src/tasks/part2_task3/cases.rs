@@ -105,55 +105,60 @@ fn by_hand() -> Vec<Spec> {
         ),
         case(
             "one_leaf",
-            "A root that is a leaf of three.",
+            "The root is a leaf of three primitives.",
             one_leaf.closest(&through_blocks()),
         ),
         case(
             "both_children",
-            "Hits on the left, on the right and on both sides. Pitfall: one child alone, or `||` \
-             between the two, loses some.",
+            "Hits in the left child, in the right child and in both. Pitfall: visiting one child \
+             only, or combining both with `||`, loses hits.",
             siblings.closest(&through_blocks()),
         ),
         case(
             "box_in_box",
-            "The box that the ray enters first holds the farther hit. Pitfall: the first hit found \
-             is not the closest.",
+            "The box that the ray enters first contains the farther hit. Pitfall: the first hit \
+             found is not the closest.",
             box_in_box.closest(&through_blocks()),
         ),
         case(
             "leaf_in_any_order",
-            "A leaf whose farther primitive comes first: all of a leaf is asked.",
+            "A leaf whose farther primitive comes first: all primitives of a leaf are tested.",
             reversed.closest(&through_blocks()),
         ),
         case(
             "flat_boxes",
-            "Boxes without depth, as walls have: their interval is a single t, with min == max.",
+            "Boxes without depth, such as those of walls: their interval is a single t, with min \
+             == max.",
             flat.closest(&through_blocks()),
         ),
         case(
             "ties",
-            "Primitives in one place, in one leaf and in two: any of them, at their t.",
+            "Primitives in the same place, in one leaf and in two: any of them is right, at their \
+             t.",
             twins.closest(&through_blocks()),
         ),
         case(
             "clipped_rays",
-            "Ranges that begin or end before, between and behind the hits: what is out of range does not count, and a miss leaves max_t alone.",
+            "Ranges that start or end before, between and behind the hits: hits out of range do \
+             not count, and a miss does not change max_t.",
             siblings.closest(&clipped()),
         ),
         case(
             "clipped_rays_any_hit",
-            "The same question for any hit.",
+            "The same rays, traced for any hit.",
             siblings.any(&clipped()),
         ),
         case(
             "range_ends",
-            "Ranges that begin or end exactly at a hit in a flat box: both ends count, for the box too.",
+            "Ranges that start or end exactly at a hit in a flat box: both ends count, for boxes \
+             too.",
             flat.closest(&range_ends()),
         ),
         case(
             "rounded_boxes",
-            "Boxes that begin a few units in the last place behind their primitive, as rounding has \
-             it. Pitfall: skipping them against max_t without slack loses the closest hit.",
+            "Boxes whose interval starts a few units in the last place behind the hit inside, \
+             because of rounding. Pitfall: culling them against max_t without slack loses the \
+             closest hit.",
             rounded_boxes(),
         ),
     ]
@@ -265,12 +270,13 @@ fn at_random() -> Vec<Spec> {
     vec![
         case(
             "random_trees",
-            "Crowded boxes in a tree that pairs them at random, so that siblings overlap everywhere: the closest of all hits.",
+            "Overlapping boxes in a tree of random pairs, so that siblings overlap everywhere: \
+             the closest of all hits.",
             world.closest(&rays),
         ),
         case(
             "random_trees_any_hit",
-            "The same rays: any hit exactly where there is a closest one.",
+            "The same rays: there is any hit exactly where there is a closest hit.",
             world.any(&rays),
         ),
     ]
@@ -320,12 +326,14 @@ fn counted() -> Vec<Spec> {
     vec![
         case(
             "nearer_first",
-            "Layers behind layers: after a hit, boxes beyond max_t are skipped. Left child first is fine, nearer child first is better. Pitfall: the farther child first, or every box, is too much.",
+            "Layers behind layers: after a hit, boxes beyond max_t are culled. Visiting the left \
+             child first is accepted, the nearer child first makes fewer tests. Pitfall: visiting \
+             the farther child first, or every node, makes too many tests.",
             layers(),
         ),
         case(
             "stops_at_first_hit",
-            "A crowd of overlapping boxes, most of them hit: a shadow ray stops at the first.",
+            "Many overlapping boxes, most of them hit: a shadow ray stops at the first hit.",
             crowd(),
         ),
     ]
@@ -390,8 +398,8 @@ fn deep() -> Vec<Spec> {
     vec![
         case(
             "deep_tree",
-            "A tree of 48 levels whose last leaf holds the hit. Pitfall: a stack of 32 nodes is too \
-             small.",
+            "A tree of 48 levels with the only hit in the last leaf. Pitfall: a stack of 32 nodes \
+             is too small.",
             chains(48),
         ),
         case(

@@ -22,8 +22,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "mirror",
-            "A mirror turns wo by half a turn around the normal, on both sides; the share \
-             reflectance arrives, so f carries 1 / |cos θ|.",
+            "A mirror reflects wo about the normal, on both sides of the surface; the share \
+             `reflectance` of the light arrives, so f contains 1 / |cos θ|.",
             calls("mirror", 0, 100, |rng| {
                 let wo = any_side(rng);
                 vec![
@@ -37,7 +37,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "edge_on",
-            "wo in the plane of the surface comes from no side: no sample, no direction, and no \
+            "wo in the plane of the surface is on neither side: no sample, no direction, and no \
              division by 0.",
             edge_on(),
         )
@@ -45,7 +45,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "snells_law",
             "sin θi = η · sin θo on the other side of the normal and of the surface: η is 1 / ior \
-             on the way in, ior on the way out.",
+             where light enters, ior where it leaves.",
             calls("snells_law", 0, 100, |rng| {
                 let ior = rng.one_of(&INDICES);
                 let wo = away_from_critical(rng, ior);
@@ -54,8 +54,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "total_internal_reflection",
-            "From inside beyond the critical angle nothing passes: refract has no direction, glass \
-             reflects all, whatever the choice.",
+            "From inside, beyond the critical angle, no light is transmitted: refract returns \
+             None, and glass reflects all light for any choice.",
             calls("total_internal_reflection", 0, 60, |rng| {
                 let ior = rng.one_of(&[1.33, 1.5, 2.4]);
                 let sine = rng.range(1.02 / ior, 0.999);
@@ -75,7 +75,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "no_boundary",
-            "An index of 1 is no boundary: light goes straight on and nothing is reflected.",
+            "An index of 1 is no boundary: light passes straight through and nothing is \
+             reflected.",
             calls("no_boundary", 0, 60, |rng| {
                 let (ior, wo) = (1.0, any_side(rng));
                 let (cos_i, eta) = (wo[2].abs(), 1.0);
@@ -89,14 +90,16 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision, SampledDirection, Fresnel, Bsdf]),
         case(
             "fresnel",
-            "Fresnel's share from head-on (0.04 for glass) to grazing (1), into the denser side and \
-             out of it. Pitfall: Schlick's formula is near it, and not it.",
+            "The Fresnel reflectance from normal incidence (0.04 for glass) to grazing incidence \
+             (1), into the denser material and out of it. Pitfall: Schlick's formula is only an \
+             approximation.",
             shares(),
         ),
         case(
             "squeezed_light",
-            "Radiance that enters a denser material is squeezed into a narrower cone: \
-             transmittance · η² arrives, with η the index of the side of wo over the other.",
+            "Radiance that enters a denser material is compressed into a narrower cone: \
+             transmittance · η² arrives, where η is the index on the side of wo over the index on \
+             the other side.",
             calls("squeezed_light", 0, 80, |rng| {
                 let ior = rng.one_of(&INDICES);
                 let wo = away_from_critical(rng, ior);
@@ -110,8 +113,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf, Decision]),
         case(
             "either_way",
-            "Glass reflects if choice < F and refracts else; the pdf is F or 1 - F, and it is in \
-             f, too, so that each way counts in full once it is chosen.",
+            "Glass reflects if choice < F and refracts otherwise; the pdf is F or 1 - F, and f \
+             contains it as a factor, so that the chosen direction has its full weight.",
             calls("either_way", 0, 80, |rng| {
                 let ior = rng.one_of(&[1.33, 1.5, 2.4]);
                 let wo = away_from_critical(rng, ior);
@@ -123,14 +126,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf, SampledDirection]),
         case(
             "how_often",
-            "Over many choices glass reflects as often as Fresnel says. A bias of 25 % is sure to \
-             be seen.",
+            "Over many choices, the share of reflections is the Fresnel reflectance. A bias of 25 \
+             % is always detected.",
             how_often(),
         )
         .only(&[Mean]),
         case(
             "fresh_boundaries",
-            "Directions and indices that differ for each seed.",
+            "Random directions and indices that depend on the seed.",
             calls("fresh_boundaries", seed, 60, |rng| {
                 let ior = rng.range(1.1, 2.5);
                 let wo = away_from_critical(rng, ior);
@@ -150,9 +153,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "nearly_grazing",
-            "Light that comes in almost along the surface. Pitfall: 1 - cos² rounds to 1, and the \
-             few digits that the cosine has are lost on the way; η² cos² + (1 - η)(1 + η) keeps \
-             them.",
+            "Light at nearly grazing incidence. Pitfall: 1 - cos² rounds to 1, and the digits of \
+             the cosine are lost; η² cos² + (1 - η)(1 + η) keeps them.",
             grazing(),
         )
         .only(&[Decision, SampledDirection, Fresnel]),

@@ -15,13 +15,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "first_bounces",
-            "The first three bounces are free: the path goes on as it is, however dim.",
+            "Up to the third bounce a path continues unchanged, however dim it is.",
             work(&[DIM, [0.9, 0.01, 0.5], [3.0, 0.5, 0.0]], &[0, 1, 2, 3]),
         ),
         case(
             "survivors",
-            "From the fourth bounce on the path lives if u < q, where q is the largest channel, \
-             and counts 1 / q times as much for those who do not.",
+            "From the fourth bounce on a path continues if u < q, where q is the largest channel \
+             of the throughput, and its throughput is divided by q.",
             work(
                 &[DIM, [0.1, 0.9, 0.5], [0.0, 0.0, 0.5], [0.02, 0.01, 0.0]],
                 &[4, 5, 17, 1000],
@@ -29,25 +29,26 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "bright_paths",
-            "A path that counts 1 or more always goes on, as it is: q is no more than 1.",
+            "A path whose largest channel is 1 or more always continues unchanged: q is at most \
+             1.",
             work(&[[1.0; 3], [0.2, 1.5, 0.1], [7.0, 8.0, 9.0]], &[4, 30]),
         ),
         case(
             "black_paths",
-            "A black path ends at once, even in the first bounces: nothing it finds can be seen.",
+            "A black path ends at once, also in the first bounces: it cannot add light.",
             work(&[[0.0; 3]], &[0, 1, 3, 4, 50]),
         )
         .only(&[Survival]),
         case(
             "mean_of_many",
-            "Over many games the mean throughput is what it was before: the picture gets neither \
-             darker nor brighter. A bias of 19 % is sure to be seen.",
+            "Over many calls the mean throughput is the throughput before: the picture gets \
+             neither darker nor brighter. A bias of 19 % is always detected.",
             many(0, "mean_of_many", 12_000),
         )
         .only(&[Mean]),
         case(
             "fresh_games",
-            "Games that differ for each seed.",
+            "Random numbers u that depend on the seed.",
             many(seed, "fresh_games", 1000),
         )
         .only(&[Survival, Throughput]),

@@ -12,32 +12,34 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         rule(
             "spread_against_the_mean",
-            "1.96 · σ / √n <= tolerance · μ, tried a hundredth to both sides of where it turns: \
-             σ is the root of the variance, and n stands under a root.",
+            "1.96 · σ / √n <= tolerance · μ, tested with tolerances 1 % below and above the one \
+             where the result changes: σ is the square root of the variance, and n is under a \
+             square root.",
             near_the_turn("spread_against_the_mean", 0, 0.01),
         ),
         rule(
             "confidence",
-            "1.96 is for 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 %, and 2 is rounded.",
+            "The factor 1.96 is for a confidence of 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 \
+             %, and 2 is rounded.",
             near_the_turn("confidence", 0, 0.001),
         ),
         rule(
             "samples_all_alike",
-            "Samples that are all the same have no spread: one look is enough, even with a \
-             tolerance of 0. No samples are never enough.",
+            "Equal samples have a variance of 0: they are enough, even with a tolerance of 0. No \
+             samples are never enough.",
             alike(),
         ),
         pixel(
             "samples_and_mean",
-            "A rule that never says yes: all -s samples are taken, each through camera_ray and \
-             trace_ray, and averaged over their number.",
+            "A stopping rule that always returns false: all -s samples are taken, each with one \
+             call of camera_ray and trace_ray, and averaged over their number.",
             (0..6).map(|i| of(i, 9 + 7 * i, 4, never())).collect(),
         )
         .only(&[Calls, Radiance]),
         pixel(
             "batches",
-            "The rule is asked after each batch, about all samples so far, and the loop stops when \
-             it says yes.",
+            "The stopping rule is called after each batch, with all samples so far, and the loop \
+             stops when it returns true.",
             (0..8)
                 .map(|i| of(i, 100, 3 + i, StopRule::From(u64::from(10 * i + 1))))
                 .collect(),
@@ -45,8 +47,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Questions]),
         pixel(
             "mean_of_what_was_taken",
-            "A pixel that stops early divides by the samples that it took. Pitfall: dividing by -s \
-             makes it too dark.",
+            "A pixel that stops early divides by the number of samples taken. Pitfall: dividing \
+             by -s makes it too dark.",
             (1..6)
                 .map(|i| of(i, 640, 8, StopRule::From(u64::from(8 * i))))
                 .collect(),
@@ -54,8 +56,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         pixel(
             "odd_budgets",
-            "No samples are black, not 0 / 0; a batch of 0 counts as 1; the last batch may be a \
-             short one.",
+            "0 samples are black, not 0 / 0; a batch of 0 counts as 1; the last batch may be \
+             shorter.",
             vec![
                 of(0, 0, 4, never()),
                 of(1, 5, 0, StopRule::From(3)),
@@ -67,8 +69,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Radiance]),
         pixel(
             "luminance",
-            "The rule hears of luminances, in which green counts most, and of the tolerance as it \
-             was given.",
+            "The stopping rule gets luminances, in which green has the largest weight, and the \
+             tolerance unchanged.",
             (0..6)
                 .map(|i| AdaptivePixel {
                     stream: colours("luminance", i),
@@ -79,19 +81,19 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Questions]),
         pixel(
             "places_in_the_pixel",
-            "Each sample goes through a place of its own inside the pixel.",
+            "Each sample goes through a point of its own inside the pixel.",
             (0..6).map(|i| of(i, 64, 16, never())).collect(),
         )
         .only(&[Placement]),
         pixel(
             "exact_counts",
-            "With your own rule a pixel stops at an exact number of samples.",
+            "With your own stopping rule a pixel stops at an exact number of samples.",
             exact("exact_counts", 0),
         )
         .only(&[Calls, Radiance]),
         pixel(
             "fresh_pixels",
-            "Pixels whose samples differ for each seed.",
+            "Pixels with random samples that depend on the seed.",
             exact("fresh_pixels", seed),
         ),
     ]

@@ -16,7 +16,8 @@ pub(crate) fn cases() -> Vec<Spec> {
             picture: Some(PICTURE),
             ..case(
                 "mesh_in_cornell_box",
-                "A smooth mesh of 1,500 triangles in a Cornell box, with all of your stages: the closest hit of every pixel, as all primitives in turn would give it.",
+                "A smooth mesh of 1,500 triangles in a Cornell box, traced with all of your \
+                 stages: for every pixel the closest hit of all primitives.",
                 cornell(),
                 through_the_front(),
                 false,
@@ -24,14 +25,16 @@ pub(crate) fn cases() -> Vec<Spec> {
         },
         case(
             "shadow_rays_in_cornell_box",
-            "Rays from the floor and the walls of the same box to points of its light: is anything in between?",
+            "Shadow rays from the floor and the walls of the same box to points of its light: \
+             whether a primitive blocks them.",
             cornell(),
             to_the_light(),
             true,
         ),
         case(
             "rays_on_the_grid",
-            "A mesh with whole numbers for coordinates, and rays straight through its vertices and edges and along the faces of its boxes: no holes.",
+            "A mesh with integer coordinates, and rays exactly through its vertices and edges and \
+             along the faces of its boxes: no holes.",
             SceneSource::Triangles(steps().iter().map(wire_triangle).collect()),
             down_the_grid(),
             false,

@@ -1,10 +1,10 @@
-//! Closed meshes and rays from inside at their edges: one face must be hit.
+//! Closed meshes, and rays from inside aimed at their edges: one face must be hit.
 
 use crate::cases::probes::{ProbeRng, brute_force, through};
 use kit::{Ray, Triangle, Vec3};
 use wire::Work;
 
-/// A ball of 128 triangles without a gap, its vertices at uneven distances from the centre.
+/// A closed ball of 128 triangles, whose vertices have different distances from the centre.
 fn closed_ball(rng: &mut ProbeRng, stretch: Vec3) -> Vec<Triangle> {
     let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z];
     let mut faces: Vec<[Vec3; 3]> = Vec::new();
@@ -23,10 +23,10 @@ fn closed_ball(rng: &mut ProbeRng, stretch: Vec3) -> Vec<Triangle> {
         faces.push(if outward { [a, b, c] } else { [a, c, b] });
     }
     for _ in 0..2 {
-        faces = faces.into_iter().flat_map(quartered).collect();
+        faces = faces.into_iter().flat_map(subdivided).collect();
     }
-    // A vertex is moved by numbers that depend on where it is, so that neighbours agree on it bit
-    // for bit.
+    // The displacement depends only on the position of the vertex, so that adjacent triangles share
+    // it bit for bit.
     let turn = rng.range(0.0, 1.0);
     let moved = |v: Vec3| {
         let wave = kit::math::sin(40.0 * (v.x + 1.3 * v.y + 1.7 * v.z) + turn);
@@ -39,13 +39,14 @@ fn closed_ball(rng: &mut ProbeRng, stretch: Vec3) -> Vec<Triangle> {
     faces.into_iter().map(bent).collect()
 }
 
-/// Four triangles for one, by the middles of its edges; halves of sums, the same from both sides.
-fn quartered([a, b, c]: [Vec3; 3]) -> [[Vec3; 3]; 4] {
+/// Splits a triangle into four at the midpoints of its edges. A midpoint is half of a sum, the same
+/// for both triangles of the edge.
+fn subdivided([a, b, c]: [Vec3; 3]) -> [[Vec3; 3]; 4] {
     let [ab, bc, ca] = [(a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0];
     [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
 }
 
-/// Rays from inside at the edges and vertices of `mesh`.
+/// Rays from inside, aimed at the edges and vertices of `mesh`.
 fn at_edges(rng: &mut ProbeRng, mesh: &[Triangle], inner: Vec3, rays: usize) -> Vec<Ray> {
     let mut one = || {
         let t = mesh[rng.below(mesh.len())];

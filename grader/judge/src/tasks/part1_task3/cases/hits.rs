@@ -1,10 +1,10 @@
-//! Triangles that are hit somewhere inside.
+//! Rays that hit triangles in the interior.
 
 use crate::cases::probes::{ProbeRng, Probes, brute_force, through, within};
 use kit::{Ray, Triangle};
 use wire::Work;
 
-/// Large enough to stay inside the triangle for every sound kernel.
+/// The smallest barycentric weight of a target: large enough that every correct kernel hits.
 pub(super) const MARGIN: f64 = 0.02;
 
 pub(super) fn from_side(name: &str, side: f64) -> Work {
@@ -36,7 +36,7 @@ pub(super) fn length_of_direction() -> Work {
                 ..ray
             };
             probes.ray(longer);
-            // In range only if t counts lengths of d.
+            // In range only if t is in units of the length of d.
             let t = distance / length;
             probes.ray(within(longer, 0.9 * t, 1.1 * t));
         }
@@ -49,10 +49,10 @@ pub(super) fn interpolated_normals() -> Work {
     let mut probes = Probes::default();
     for i in 0..30 {
         let mut triangle = rng.triangle();
-        // Normals up to 80 degrees apart: what is mixed and not normalised is a quarter too short.
+        // Normals up to 80 degrees apart: their weighted sum is up to a quarter too short.
         triangle.n1 = (triangle.n1 + 0.8 * rng.direction()).normalize();
         if i % 3 == 0 {
-            // Files have triangles whose vertices go round the other way than their normals say.
+            // Files contain triangles whose winding contradicts their normals.
             std::mem::swap(&mut triangle.p1, &mut triangle.p2);
         }
         probes.triangle(&triangle);
@@ -87,7 +87,7 @@ pub(super) fn close_up() -> Work {
     probes.work()
 }
 
-/// A heap of triangles, and rays through it from all around.
+/// A heap of triangles, and rays through it from all directions.
 fn heap(rng: &mut ProbeRng, triangles: usize, rays: usize) -> Work {
     let triangles: Vec<Triangle> = (0..triangles)
         .map(|_| {

@@ -1,4 +1,4 @@
-//! Rays that pass beside, stop short, or look the other way.
+//! Rays that pass beside the triangle, end before it, or point away from it.
 
 use super::hits::MARGIN;
 use crate::cases::probes::{ProbeRng, Probes, within};
@@ -24,7 +24,7 @@ pub(super) fn beside() -> Work {
                 ));
             }
         }
-        // Some that it does hit, so that a kernel which never hits does not pass.
+        // Hits, so that a kernel which always misses does not pass.
         for b in [[0.01, 0.4], [0.4, 0.01], [0.5, 0.49]] {
             probes.ray(rng.ray_to(&triangle, b, 1.0, 3.0));
         }
@@ -45,7 +45,7 @@ pub(super) fn behind() -> Work {
                 probes.ray(Ray { d: -ray.d, ..ray });
             }
         }
-        // One that it does hit, so that a kernel which never hits does not pass.
+        // A hit, so that a kernel which always misses does not pass.
         let b = rng.inside(MARGIN);
         probes.ray(rng.ray_to(&triangle, b, 1.0, 3.0));
     }
@@ -54,8 +54,8 @@ pub(super) fn behind() -> Work {
         probes.triangle(&triangle);
         for side in [1.0, -1.0] {
             for _ in 0..3 {
-                // Turned around p0: with the determinant's or the origin's sign lost, weights and t
-                // come out positive.
+                // Mirrored at p0: without the sign of the determinant or of the origin, weights and
+                // t are positive.
                 let (b, distance) = (rng.inside(MARGIN), rng.range(0.01, 20.0));
                 let ray = rng.ray_to(&triangle, b.map(|weight| -weight), side, distance);
                 probes.ray(Ray { d: -ray.d, ..ray });
@@ -86,7 +86,7 @@ pub(super) fn range() -> Work {
         for (min_t, max_t) in ranges {
             probes.ray(within(ray, min_t, max_t));
         }
-        // Behind the origin, and before a min_t that is farther back still.
+        // Behind the origin, with t below a negative min_t.
         probes.ray(within(Ray { d: -ray.d, ..ray }, -0.5 * t, 5.0));
     }
     probes.work()

@@ -1,4 +1,4 @@
-//! Rays that start on the triangle, exact slants, NaN, and normals that cancel.
+//! Rays that start on the triangle, slanted triangles in integers, NaN, and normals that cancel.
 
 use crate::cases::probes::{ProbeRng, Probes, at, within};
 use kit::{Ray, Triangle, Vec3};
@@ -42,7 +42,7 @@ pub(super) fn exact_slants() -> Work {
     let mut rng = ProbeRng::new("exact_slants", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        // Even corners: the middles of the edges are integers, too.
+        // Even coordinates: the midpoints of the edges are integers, too.
         let mut corner = || (8.0 * rng.in_cube()).round() * 2.0;
         let t = Triangle::flat(corner(), corner(), corner());
         if t.n0 == Vec3::ZERO {
@@ -63,7 +63,7 @@ pub(super) fn exact_slants() -> Work {
             ]);
             let o = target - rng.one_of(&[1.0, 2.0, 3.0, 5.0]) * d;
             probes.ray(Ray::new(o, d));
-            // An eighth beside.
+            // Moved by up to an eighth.
             probes.ray(Ray::new(o + (8.0 * rng.direction()).round() / 64.0, d));
         }
     }
@@ -128,8 +128,8 @@ pub(super) fn cancelling_normals() -> Work {
         }
     };
     for t in in_coordinate_planes() {
-        // Opposite normals at both ends of an edge cancel in its middle; here just inside of it,
-        // too.
+        // Opposite normals at both ends of an edge cancel at its midpoint; for this triangle also
+        // at points inside it.
         let opposite = Triangle { n1: -t.n0, ..t };
         aim(
             opposite,

@@ -1,4 +1,5 @@
-//! Large and small, thin and far, at a slant and by a hair: where digits are lost.
+//! Triangles and rays that cost digits: large and small, thin and far, at small angles and close to
+//! edges.
 
 use super::hits::MARGIN;
 use crate::cases::probes::{ProbeRng, Probes, at, through};
@@ -23,8 +24,8 @@ fn shifted(t: &Triangle, offset: Vec3) -> Triangle {
     }
 }
 
-/// Rays at a triangle, most of them inside.
-fn shots(rng: &mut ProbeRng, probes: &mut Probes, t: &Triangle, size: f64, count: usize) {
+/// Adds rays aimed at a triangle; three in four hit it.
+fn probe(rng: &mut ProbeRng, probes: &mut Probes, t: &Triangle, size: f64, count: usize) {
     probes.triangle(t);
     for i in 0..count {
         let b = match i % 4 {
@@ -42,13 +43,13 @@ pub(super) fn tiny_and_huge() -> Work {
     for scale in [1e-30, 1e-15, 1e-9, 1e-6, 1e-4, 1e6, 1e15, 1e30] {
         for _ in 0..5 {
             let t = scaled(&rng.triangle(), scale);
-            shots(&mut rng, &mut probes, &t, scale, 8);
+            probe(&mut rng, &mut probes, &t, scale, 8);
         }
     }
     probes.work()
 }
 
-/// A triangle of length 1 and width `width`, turned anyhow.
+/// A triangle of length 1 and width `width`, in a random orientation.
 fn sliver(rng: &mut ProbeRng, width: f64) -> Triangle {
     let along = rng.direction();
     let across = along.any_orthonormal_vector();
@@ -67,7 +68,7 @@ pub(super) fn slivers() -> Work {
     for width in [1e-3, 1e-4, 1e-5, 1e-6] {
         for _ in 0..8 {
             let t = sliver(&mut rng, width);
-            shots(&mut rng, &mut probes, &t, 1.0, 8);
+            probe(&mut rng, &mut probes, &t, 1.0, 8);
         }
     }
     probes.work()
@@ -78,12 +79,13 @@ pub(super) fn far_from_the_world_origin() -> Work {
     let mut probes = Probes::default();
     for _ in 0..30 {
         let t = shifted(&rng.triangle(), 1e6 * rng.direction());
-        shots(&mut rng, &mut probes, &t, 1.0, 8);
+        probe(&mut rng, &mut probes, &t, 1.0, 8);
     }
     probes.work()
 }
 
-/// A ray at the point `b` of the triangle's plane, at the angle `angle` to the plane.
+/// A ray through the point `b` of the triangle's plane, at an angle of about `angle` radians to the
+/// plane.
 fn grazing_ray(rng: &mut ProbeRng, t: &Triangle, b: [f64; 2], angle: f64, distance: f64) -> Ray {
     let normal = (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
     let along = rng.direction().reject_from_normalized(normal).normalize();
@@ -115,7 +117,7 @@ pub(super) fn a_million_away() -> Work {
     let mut probes = Probes::default();
     for _ in 0..30 {
         let t = rng.triangle();
-        shots(&mut rng, &mut probes, &t, 1e5, 8);
+        probe(&mut rng, &mut probes, &t, 1e5, 8);
     }
     probes.work()
 }
@@ -150,7 +152,7 @@ pub(super) fn fresh(seed: u64) -> Work {
             &shifted(&t, rng.one_of(&[0.0, 10.0, 1e4]) * rng.direction()),
             scale,
         );
-        shots(&mut rng, &mut probes, &t, scale, 6);
+        probe(&mut rng, &mut probes, &t, scale, 6);
         if i % 3 == 1 {
             let b = rng.inside(0.1);
             probes.ray(grazing_ray(&mut rng, &t, b, 1e-4, 5.0 * scale));

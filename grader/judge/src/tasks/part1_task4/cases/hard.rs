@@ -1,4 +1,4 @@
-//! Spheres: where the quadratic formula loses its digits.
+//! Cases of spheres where the quadratic formula loses its digits.
 
 use super::{boundary, case};
 use crate::cases::Spec;
@@ -12,50 +12,51 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "far_away",
-            "Spheres a thousand to a million radii away. Pitfall: b * b and 4ac are so large that \
-             their difference keeps no digit; take it as r * r - |f - (f.d / d.d) d|^2 instead.",
+            "Spheres at distances of a thousand to a million radii. Pitfall: b * b and 4ac are so \
+             large that no digit of their difference is correct; use r * r - |f - (f.d / d.d) \
+             d|^2 instead.",
             far_away(),
         )
         .only(&[Decision, T]),
         case(
             "ground_sphere",
-            "A sphere of radius 1e5 as the ground, the ray close above it. Pitfall: -b and the root \
-             cancel; divide c by the root that adds up.",
+            "A sphere of radius 1e5 as the ground, with rays that start close above it. Pitfall: \
+             -b and the square root cancel; compute the root in which they add up, and divide c \
+             by it.",
             ground(),
         )
         .only(&[Decision, T]),
         case(
             "on_the_surface",
-            "Rays that leave the sphere from its surface, with a small min_t: outward they \
-             miss, inward they hit the other side, not where they start.",
+            "Rays that start on the surface, with a small min_t: outward they miss; inward they \
+             hit the far side, not the point where they start.",
             on_the_surface(),
         )
         .only(&[Decision, T]),
         case(
             "by_a_hair",
-            "Rays a millionth of the radius and less inside the rim and outside, from up to a \
-             thousand radii away.",
+            "Rays that pass the silhouette, inside or outside, at a millionth of the radius or \
+             less, from up to a thousand radii away.",
             by_a_hair(),
         )
         .only(&[Decision]),
         case(
             "hit_point_on_the_sphere",
             "Hits from far away: the hit point lies on the sphere. Pitfall: o + t d is off by the \
-             rounding of t; scale the way from the centre to p back to the radius.",
+             rounding of t; scale the vector from the centre to p to the length of the radius.",
             hit_point_on_the_sphere(),
         )
         .only(&[Position, Normal]),
         case(
             "sphere_without_size",
-            "Radius 0: a miss unless the ray goes exactly through the centre, and no NaN \
-             normal.",
+            "Radius 0: a miss unless the ray goes exactly through the centre; no normal is NaN.",
             without_size(),
         )
         .only(&[Decision, Normal]),
         case(
             "range_ends_beside_the_center",
-            "A root is exactly min_t or exactly max_t, in small integers beside the centre. \
-             Pitfall: a division by the radius rounds it away.",
+            "A root is exactly min_t or exactly max_t, with small integer coordinates and rays \
+             that pass beside the centre. Pitfall: a division by the radius rounds the root.",
             boundary::range_ends_beside_the_center(),
         )
         .only(&[Decision, T]),
@@ -68,14 +69,14 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "not_a_number",
             "NaN in the ray or the sphere, d = 0, min_t > max_t, a negative radius: a miss. \
-             Pitfall: comparisons with NaN are false; write tests so that NaN fails them.",
+             Pitfall: comparisons with NaN are false; write each test so that NaN fails it.",
             not_a_number(),
         )
         .only(&[Decision]),
         case(
             "fresh_hard_spheres",
-            "Far and near, large and small, through the middle and at the rim, differing for \
-             each seed.",
+            "Random spheres, far and near, large and small, hit in the middle and at the \
+             silhouette, that depend on the seed.",
             fresh(seed),
         ),
     ]
@@ -134,7 +135,7 @@ fn on_the_surface() -> Work {
             probes.ray(within(Ray::new(o, d), 1e-9, f64::INFINITY));
         }
     }
-    // In integers: the root at the origin is exactly 0, and counts if min_t is 0.
+    // With integer coordinates the root at the origin is exactly 0, and counts if min_t is 0.
     let s = Sphere {
         center: Vec3::new(1.0, 2.0, -3.0),
         radius: 4.0,

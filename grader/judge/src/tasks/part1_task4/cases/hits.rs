@@ -1,4 +1,4 @@
-//! Rays through spheres, past them, from inside them and away from them.
+//! Rays through spheres, beside them, from inside them and away from them.
 
 use crate::cases::probes::{ProbeRng, Probes, brute_force, through, within};
 use kit::{Ray, Sphere};
@@ -65,7 +65,7 @@ pub(super) fn behind() -> Work {
             let ray = rng.ray_past(&s, impact, distance);
             probes.ray(Ray { d: -ray.d, ..ray });
         }
-        // One that it does hit, so that a kernel which never hits does not pass.
+        // A hit, so that a kernel which always misses does not pass.
         probes.ray(rng.ray_past(&s, 0.5, 2.0 * s.radius));
     }
     probes.work()
@@ -94,7 +94,7 @@ pub(super) fn range() -> Work {
         ] {
             probes.ray(within(ray, min_t, max_t));
         }
-        // Both roots are behind the origin, and before a min_t that is farther back still.
+        // Both roots are behind the origin, and below a negative min_t.
         probes.ray(within(Ray { d: -ray.d, ..ray }, -0.9 * near, 5.0));
     }
     probes.work()
@@ -114,7 +114,8 @@ pub(super) fn length_of_direction() -> Work {
                 ..ray
             };
             probes.ray(longer);
-            // From the middle of the sphere on: in range only if t counts lengths of d.
+            // The range starts in the middle of the sphere: the hit is in range only if t is in
+            // units of the length of d.
             let middle = distance / length;
             probes.ray(within(
                 longer,
@@ -126,7 +127,7 @@ pub(super) fn length_of_direction() -> Work {
     probes.work()
 }
 
-/// Spheres in a heap, and rays through it from all around.
+/// A heap of spheres, and rays through it from all directions.
 pub(super) fn heap(rng: &mut ProbeRng, rays: usize) -> Work {
     let spheres: Vec<Sphere> = (0..30)
         .map(|_| Sphere {

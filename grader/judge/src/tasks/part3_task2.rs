@@ -1,7 +1,7 @@
-//! Emission, and direct light by looking around at random.
+//! Cases of emission, and of direct light by uniform hemisphere sampling.
 
 use super::direct_light::worlds::{
-    any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, room, wall, work,
+    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, room, wall, work,
 };
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -10,7 +10,7 @@ use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
 use wire::light::{LitWorld, Material, Panel, Surroundings};
 
-/// Estimates of a case about their mean.
+/// The number of estimates in a case about their mean.
 const ESTIMATES: usize = 4000;
 
 /// The cases of `part3.task2`.
@@ -20,13 +20,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "glowing_surface",
             "zero_bounce_radiance is the radiance that the surface emits: on its front side, at \
              any angle; and 0 from behind, edge-on, or where the surface does not emit.",
-            work(Strategy::ZeroBounce, LitWorld::default(), glowing(), 0, 0),
+            work(Strategy::ZeroBounce, LitWorld::default(), emitting(), 0, 0),
         ),
         case(
             "rays_start_at_the_surface",
             "Every ray starts at the origin that Surface::leave returns, with its whole range. \
              Pitfall: a ray that starts at the hit point itself may hit the surface again.",
-            hemisphere("start", around(0.5), 60, 4),
+            hemisphere("start", uniform_environment(0.5), 60, 4),
         )
         .only(&[Origin, Range]),
         case(
@@ -34,7 +34,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "One ray a sample, each a unit vector in world space above the surface; together they \
              are distributed uniformly over the hemisphere (a χ² test). A deviation of 24 % is \
              always detected.",
-            same(around(1.0), floor(), 2000, 4),
+            same(uniform_environment(1.0), floor(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread]),
         case(
@@ -42,7 +42,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "A surface seen from below scatters light from below: directions are sampled on the \
              side of wo. A bias of 9 % is always detected. A deviation of 24 % is always \
              detected.",
-            same(around(1.0), ceiling(), 2000, 4),
+            same(uniform_environment(1.0), ceiling(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread, Mean]),
         case(
@@ -64,7 +64,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "uniform_environment",
             "The same radiance from every direction: the mean of many estimates is the integral \
              of f times the cosine. A bias of 6 % is always detected.",
-            same(around(2.0), floor(), ESTIMATES, 4),
+            same(uniform_environment(2.0), floor(), ESTIMATES, 4),
         )
         .only(&[Mean]),
         case(
@@ -77,7 +77,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "lamp_that_faces_away",
             "A lamp emits on one side; seen from its back, or behind a wall, it adds no light.",
-            away(),
+            facing_away(),
         )
         .only(&[Radiance]),
         case(
@@ -86,7 +86,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              and no ray is traced.",
             work(
                 Strategy::Hemisphere,
-                around(1.0),
+                uniform_environment(1.0),
                 vec![
                     floor_of(Material::Mirror([1.0; 3])),
                     floor_of(Material::Glass(1.5)),
@@ -100,7 +100,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "no_samples",
             "With 0 samples the estimate is black, not 0 / 0.",
-            work(Strategy::Hemisphere, around(1.0), vec![floor(); 3], 0, 0),
+            work(
+                Strategy::Hemisphere,
+                uniform_environment(1.0),
+                vec![floor(); 3],
+                0,
+                0,
+            ),
         )
         .only(&[Rays, Radiance]),
         case(
@@ -115,8 +121,8 @@ fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
     Spec::new("part3.task2", name, about, work)
 }
 
-/// Nothing but light from everywhere.
-fn around(radiance: f64) -> LitWorld {
+/// A world with only a constant environment.
+fn uniform_environment(radiance: f64) -> LitWorld {
     LitWorld {
         environment: Some(Surroundings::uniform([
             radiance,
@@ -129,17 +135,17 @@ fn around(radiance: f64) -> LitWorld {
 
 fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work {
     let mut rng = ProbeRng::new(name, 0);
-    let points = (0..points).map(|_| anywhere(&mut rng)).collect();
+    let points = (0..points).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Hemisphere, world, points, samples, 0)
 }
 
-/// Many estimates of the same.
+/// Many estimates at the same point.
 fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> Work {
     let points = vec![point; estimates];
     work(Strategy::Hemisphere, world, points, samples, 1)
 }
 
-fn glowing() -> Vec<ShadedPoint> {
+fn emitting() -> Vec<ShadedPoint> {
     let mut rng = ProbeRng::new("glowing", 0);
     let mut points = vec![ShadedPoint {
         // Exactly edge-on.
@@ -155,7 +161,7 @@ fn glowing() -> Vec<ShadedPoint> {
     for i in 0..60 {
         let point = ShadedPoint {
             material: materials[i % materials.len()],
-            ..anywhere(&mut rng)
+            ..random_point(&mut rng)
         };
         let wo = point.wo.map(|x| rng.one_of(&[1.0, 1.0, -1.0]) * x);
         points.push(ShadedPoint { wo, ..point });
@@ -168,7 +174,7 @@ fn glowing() -> Vec<ShadedPoint> {
     points
 }
 
-fn away() -> Work {
+fn facing_away() -> Work {
     let world = of_panels(vec![
         Panel {
             faces: 1.0,
@@ -186,7 +192,7 @@ fn away() -> Work {
 
 fn fresh(seed: u64) -> Work {
     let mut rng = ProbeRng::new("fresh_lamps", seed);
-    let lamps = (0..3).map(|_| any_lamp(&mut rng)).collect();
-    let points = (0..60).map(|_| anywhere(&mut rng)).collect();
+    let lamps = (0..3).map(|_| random_lamp(&mut rng)).collect();
+    let points = (0..60).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Hemisphere, of_panels(lamps), points, 16, seed)
 }

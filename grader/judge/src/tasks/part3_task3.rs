@@ -1,7 +1,7 @@
-//! Direct light by sampling the lights.
+//! Cases of direct light by sampling the lights.
 
 use super::direct_light::worlds::{
-    any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, unit, wall, work,
+    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, unit, wall, work,
 };
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -10,7 +10,7 @@ use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
 use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 
-/// Estimates of a case about their mean.
+/// The number of estimates in a case about their mean.
 const ESTIMATES: usize = 4000;
 
 /// The cases of `part3.task3`.
@@ -20,33 +20,33 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "point_light",
             "A point light arrives with its intensity divided by the squared distance, times f \
              and the cosine: the result is exact.",
-            anywhere_lit(vec![point()], Vec::new(), 1),
+            random_points_lit(vec![point()], Vec::new(), 1),
         )
         .only(&[Radiance]),
         case(
             "spot_light",
             "A spot light illuminates the inside of its cone only.",
-            anywhere_lit(vec![spot()], Vec::new(), 1),
+            random_points_lit(vec![spot()], Vec::new(), 1),
         )
         .only(&[Radiance, Rays]),
         case(
             "sun",
             "A directional light is infinitely far away, and its shadow ray has no end.",
-            anywhere_lit(vec![sun()], Vec::new(), 1),
+            random_points_lit(vec![sun()], Vec::new(), 1),
         )
         .only(&[Radiance, Range]),
         case(
             "one_sample_of_a_point",
             "A light without extent gets one sample, whatever -l is, since all its samples would \
              be equal. Pitfall: its light is not divided by -l.",
-            anywhere_lit(vec![point(), sun()], Vec::new(), 4),
+            random_points_lit(vec![point(), sun()], Vec::new(), 4),
         )
         .only(&[Rays, Radiance]),
         case(
             "shadow_rays",
             "A shadow ray starts at the origin that Surface::leave returns, goes to the light, \
              and ends just before it, so that a lamp does not block its own light.",
-            anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 4),
+            random_points_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 4),
         )
         .only(&[Origin, Direction, Range]),
         case(
@@ -73,7 +73,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "many_lights",
             "The result is the sum over all lights, each averaged over its own samples.",
-            anywhere_lit(
+            random_points_lit(
                 vec![point(), sun(), spot()],
                 vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()],
                 3,
@@ -84,7 +84,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "nothing_arrives",
             "A lamp that faces away, a light below the horizon, a point outside the cone: black, \
              and no shadow ray is traced.",
-            nothing(),
+            no_light(),
         )
         .only(&[Rays, Radiance]),
         case(
@@ -105,7 +105,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "An environment map: directions are sampled in proportion to its radiance, so the \
              density differs from texel to texel, and L is the radiance of the texel. A bias of 9 \
              % is always detected.",
-            pictured(),
+            environment(),
         )
         .only(&[Origin, Direction, Range, Rays, Radiance, Mean]),
         case(
@@ -124,7 +124,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "no_samples",
             "With -l 0 lamps add nothing (not 0 / 0); point lights and suns still do.",
-            anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 0),
+            random_points_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 0),
         )
         .only(&[Rays, Radiance]),
         case(
@@ -179,20 +179,20 @@ fn world(lights: Vec<Light>, panels: Vec<Panel>) -> LitWorld {
     }
 }
 
-/// Points with any normal near the origin.
-fn anywhere_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
+/// Points near the origin with random normals.
+fn random_points_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
     let mut rng = ProbeRng::new("points under lights", 0);
-    let points = (0..80).map(|_| anywhere(&mut rng)).collect();
+    let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, panels), points, samples, 0)
 }
 
-/// Many estimates of the same.
+/// Many estimates at the same point.
 fn same(panels: Vec<Panel>, lights: Vec<Light>, point: ShadedPoint, samples: u32) -> Work {
     let points = vec![point; ESTIMATES];
     work(Strategy::Lights, world(lights, panels), points, samples, 1)
 }
 
-/// A wall shades half of the plane; another is behind the lights.
+/// One wall blocks the lights for half of the plane; another is behind the lights.
 fn shadows() -> Work {
     let half = wall(Panel {
         min: [-9.0, 0.0],
@@ -213,7 +213,7 @@ fn shadows() -> Work {
     work(Strategy::Lights, world, points.collect(), 4, 0)
 }
 
-fn nothing() -> Work {
+fn no_light() -> Work {
     let up = Panel {
         faces: 1.0,
         ..lamp(2.0, [5.0; 3])
@@ -242,7 +242,7 @@ fn nothing() -> Work {
 }
 
 /// A sunset: bright low in one direction, dim above, dark below.
-fn pictured() -> Work {
+fn environment() -> Work {
     let texel = |x: i32, y: i32| {
         let towards_the_sun = f64::from(if x == 5 { 6 } else { x.min(1) });
         let high = f64::from(4 - y);
@@ -295,12 +295,12 @@ fn mirrors() -> Work {
 
 fn fresh(seed: u64) -> Work {
     let mut rng = ProbeRng::new("fresh_lights", seed);
-    let lamps = (0..2).map(|_| any_lamp(&mut rng)).collect();
+    let lamps = (0..2).map(|_| random_lamp(&mut rng)).collect();
     let lights = (0..2).map(|_| Light::Point {
         position: (4.0 * rng.direction()).into(),
         intensity: [1.0, 4.0, 9.0].map(|most| rng.range(0.5, most)),
     });
     let lights = lights.collect();
-    let points = (0..80).map(|_| anywhere(&mut rng)).collect();
+    let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, lamps), points, 3, seed)
 }

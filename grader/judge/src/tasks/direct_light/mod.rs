@@ -13,7 +13,7 @@ use crate::snapshot::{field, forms, number, vector};
 use crate::tally::Tally;
 use wire::direct::{DirectAnswer, DirectWork};
 
-/// Estimate of the estimates of direct light, called at each point.
+/// A function that estimates direct light, called for each point.
 pub(crate) struct Direct;
 
 impl Check for Direct {

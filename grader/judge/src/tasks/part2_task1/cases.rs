@@ -1,4 +1,4 @@
-//! Building the tree.
+//! Cases of building the tree.
 
 use crate::cases::Spec;
 use kit::{Aabb, PixelSampler, Vec3};
@@ -168,7 +168,8 @@ fn one_side_empty() -> Vec<Aabb> {
     small.chain([huge]).collect()
 }
 
-/// Unit cubes on the points of a grid, 9 a side: every middle is a centroid, again and again.
+/// Unit cubes on the points of a grid, 9 a side: the midpoint of each node is a centroid, at
+/// several levels.
 fn grid() -> Vec<Aabb> {
     let side = || (-4..=4).map(f64::from);
     let points = side().flat_map(|x| side().flat_map(move |y| side().map(move |z| (x, y, z))));
@@ -177,9 +178,8 @@ fn grid() -> Vec<Aabb> {
         .collect()
 }
 
-/// Box `i` reaches from just beyond `i / 2` to `3i / 2` along x, and another set likewise against
-/// it. Of all boxes up to `k` only the last ones lie beyond the middle, `k / 2`, with their nearer
-/// corner.
+/// Box `i` extends from just beyond `i / 2` to `3i / 2` along x; a second set is its mirror image.
+/// Of the boxes up to `k`, only the last ones have their nearer corner beyond the middle, `k / 2`.
 fn long_boxes() -> Vec<Aabb> {
     let along_x = (0..300).map(|i| {
         let i = f64::from(i);
@@ -208,16 +208,16 @@ fn cloud(n: u32, center: Vec3) -> Vec<Aabb> {
 fn strip_case(name: &'static str, axis: usize) -> Spec {
     case(
         name,
-        "A strip of boxes, in no order. Pitfall: only splits along the longest axis get anywhere.",
+        "A strip of boxes, in random order. Pitfall: only splits along the longest axis separate them.",
         strip(axis),
         4,
     )
 }
 
-/// 256 boxes one behind the other along an axis, a little out of line, in no order.
+/// 256 boxes one behind the other along an axis, with small random offsets, in permuted order.
 fn strip(axis: usize) -> Vec<Aabb> {
     let mut sampler = PixelSampler::new(axis as u32, 0, 2);
-    // 91 has no divisor in common with 256, so every place comes once.
+    // 91 and 256 have no common divisor, so every position comes once.
     (0..256_u32)
         .map(|i| {
             let mut center = random_point(&mut sampler);

@@ -1,13 +1,13 @@
-//! How a snapshot shows a tree.
+//! Writes a tree to a snapshot.
 
 use crate::snapshot::{Forms, field, forms, vector};
 use wire::work::{NodeKind, Tree};
 
-/// How many nodes of a tree are written: a change of the recipe shows in the first ones, and in
-/// their number.
+/// The number of nodes that are written: a change of the algorithm changes the first ones, or their
+/// number.
 const TREE_LINES: usize = 512;
 
-/// What is below each node; on full lines its box, too.
+/// The children or primitives of each node; full lines also have its box.
 pub(super) fn nodes(tree: &Tree) -> Vec<Forms> {
     let nodes = tree.nodes.iter().take(TREE_LINES);
     nodes

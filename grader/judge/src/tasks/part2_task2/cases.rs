@@ -1,4 +1,4 @@
-//! Rays and boxes.
+//! Cases of rays and boxes.
 
 use crate::cases::Spec;
 use crate::cases::crosses::wire_ray;
@@ -135,13 +135,13 @@ fn case(name: &'static str, about: &'static str, probes: Vec<(Aabb, Ray)>) -> Sp
     Spec::new("part2.task2", name, about, work)
 }
 
-/// An unsymmetrical box, with no face on a round number.
+/// An asymmetric box, with no face at an integer.
 const BOX: Aabb = Aabb {
     min: Vec3::new(-1.3, 0.7, -2.1),
     max: Vec3::new(1.9, 2.4, -0.4),
 };
 
-/// A box of round numbers.
+/// A box with integer coordinates.
 const ROUND: Aabb = Aabb {
     min: Vec3::new(-1.0, -2.0, 1.0),
     max: Vec3::new(3.0, 2.0, 2.0),
@@ -197,7 +197,7 @@ fn beside_on_one_axis() -> Vec<(Aabb, Ray)> {
     for axis in 0..3 {
         for side in [-1.0, 1.0] {
             for corner in signs() {
-                // Flies nearly at right angles to `axis`, a little outside the slab all the time.
+                // Nearly perpendicular to `axis`, and a little outside the slab.
                 let mut o = BOX.centroid() + corner * Vec3::splat(6.0);
                 let mut target = BOX.centroid() - corner * Vec3::new(0.2, 0.1, 0.3);
                 let outside = BOX.centroid()[axis] + side * 0.5 * BOX.extent()[axis];
@@ -347,8 +347,7 @@ fn flat_crossed() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Rays parallel to a face, at right angles to one axis, that pass at a millionth of the box's
-/// size.
+/// Rays perpendicular to one axis that pass a face at a millionth of the box's size.
 fn near_misses() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for scale in [1e-6, 1.0, 1e6] {
@@ -386,8 +385,8 @@ fn random(seed: u64) -> Vec<(Aabb, Ray)> {
     (0..2000).map(one).collect()
 }
 
-/// Origins on a plane of the box, on either side of its middle and beside it, and rays along that
-/// plane; the zeros of `d` of both signs.
+/// Rays along a plane of the box, with origins before, in, behind and beside its face; the zeros of
+/// `d` have both signs.
 fn on_faces() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for (axis, sign) in directions() {
@@ -427,8 +426,8 @@ fn flat_in_plane() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Aims at every corner and at the middle of every edge: first in whole numbers, where nothing
-/// rounds, then from anywhere.
+/// Rays aimed at every corner and at the midpoint of every edge: first with integer coordinates,
+/// where nothing rounds, then with random origins.
 fn corners_and_edges(seed: u64) -> Vec<(Aabb, Ray)> {
     let mut sampler = PixelSampler::new(1, 2, seed);
     let mut probes = Vec::new();
@@ -493,7 +492,7 @@ fn empty_boxes() -> Vec<(Aabb, Ray)> {
     let of_boxes = boxes
         .into_iter()
         .flat_map(|b| rays.iter().map(move |ray| (b, *ray)));
-    // Of a range between these ends, turned round, both lie inside the box.
+    // Both ends of these ranges lie inside the box.
     let of_ranges = signs().map(|d| Ray {
         min_t: 8.0,
         max_t: 7.9,
@@ -549,14 +548,14 @@ fn not_numbers() -> Vec<(Aabb, Ray)> {
         let (mut low, mut high) = (ROUND, ROUND);
         low.min[axis] = f64::NAN;
         high.max[axis] = f64::NAN;
-        let (mut from_nowhere, mut to_nowhere) = (ray, ray);
-        from_nowhere.o[axis] = f64::NAN;
-        to_nowhere.d[axis] = f64::NAN;
+        let (mut nan_origin, mut nan_direction) = (ray, ray);
+        nan_origin.o[axis] = f64::NAN;
+        nan_direction.d[axis] = f64::NAN;
         probes.extend([
             (low, ray),
             (high, ray),
-            (ROUND, from_nowhere),
-            (ROUND, to_nowhere),
+            (ROUND, nan_origin),
+            (ROUND, nan_direction),
         ]);
     }
     probes.push((ROUND, Ray::new(ray.o, Vec3::ZERO)));
@@ -580,7 +579,7 @@ fn denormal() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// A box as a camera sees it: the nearer it is entered, the brighter.
+/// A box seen by a camera: the nearer the ray enters it, the brighter.
 fn picture() -> Spec {
     const SIZE: [u32; 2] = [64, 48];
     let eye = Vec3::new(3.1, 4.3, 5.2);

@@ -1,4 +1,4 @@
-//! Walking the tree.
+//! Cases of traversing the tree.
 
 use crate::cases::Spec;
 use crate::cases::crosses::{Cross, CrossScene, along};
@@ -7,16 +7,16 @@ use kit::{PixelSampler, Ray, Vec3};
 use wire::Work;
 use wire::work::NodeKind;
 
-/// The cases of `part2.task3` in worlds of their own; none of them needs another task.
+/// The cases of `part2.task3` with scripted worlds; none of them needs another task.
 pub(crate) fn cases() -> Vec<Spec> {
-    let mut cases = by_hand();
-    cases.extend(at_random());
+    let mut cases = hand_written();
+    cases.extend(random());
     cases.extend(counted());
     cases.extend(deep());
     cases
 }
 
-/// Whether the tests that a case makes are counted.
+/// Whether a case judges the number of box and primitive tests.
 pub(crate) fn counts_work(case: &str) -> bool {
     ["nearer_first", "stops_at_first_hit"].contains(&case)
 }
@@ -30,12 +30,12 @@ fn block(x0: f64, x1: f64) -> Cross {
     Cross::new(Vec3::new(x0, -1.0, -1.0), Vec3::new(x1, 1.0, 1.0))
 }
 
-/// The same box, its plate across x at `x`.
+/// The same box, with the plate perpendicular to x at `x`.
 fn block_with_plate(x0: f64, x1: f64, x: f64) -> Cross {
     block(x0, x1).with_plates(Vec3::new(x, 0.0, 0.0))
 }
 
-/// Rays along x, forwards and backwards and with steps of 1 and 2, at different heights.
+/// Rays along x, in both directions, with |d| of 1, 2 and 0.5, at different heights.
 fn through_blocks() -> Vec<Ray> {
     let mut rays = Vec::new();
     for y in [0.0, 0.5, -0.75, 1.5] {
@@ -56,7 +56,7 @@ fn leaf(ids: &[u32]) -> TreePlan {
     TreePlan::Leaf(ids.to_vec())
 }
 
-fn by_hand() -> Vec<Spec> {
+fn hand_written() -> Vec<Spec> {
     let one_leaf = CrossScene::new(
         vec![block(0.0, 1.0), block(3.0, 4.0), block(6.0, 7.0)],
         &leaf(&[0, 1, 2]),
@@ -210,7 +210,7 @@ fn range_ends() -> Vec<Ray> {
     rays
 }
 
-/// Pairs of primitives 2 ulp apart; the box of the nearer one comes out 6 ulp behind it.
+/// Pairs of primitives 2 ulp apart; the box interval of the nearer one starts 6 ulp behind it.
 fn rounded_boxes() -> Work {
     const NEARER: [u32; 2] = [0, 3];
     let wall = |y: f64, half: f64| {
@@ -265,7 +265,7 @@ fn rounded_boxes() -> Work {
     Work::Traverse(script)
 }
 
-fn at_random() -> Vec<Spec> {
+fn random() -> Vec<Spec> {
     let (world, rays) = random_world(60, 600);
     vec![
         case(
@@ -282,8 +282,8 @@ fn at_random() -> Vec<Spec> {
     ]
 }
 
-/// Boxes on a grid of halves, some flat, in a tree that joins random pairs from the leaves up; rays
-/// along all axes through cell middles, where nothing touches.
+/// Boxes with integer coordinates, some flat, in a tree that joins random pairs from the leaves up;
+/// rays along all axes through the centres of cells, where no ray touches a box edge.
 fn random_world(boxes: u32, rays: u32) -> (CrossScene, Vec<Ray>) {
     let mut sampler = PixelSampler::new(boxes, rays, 3);
     let mut whole = |n: f64| (n * sampler.next_1d()).floor();
@@ -334,7 +334,7 @@ fn counted() -> Vec<Spec> {
         case(
             "stops_at_first_hit",
             "Many overlapping boxes, most of them hit: a shadow ray stops at the first hit.",
-            crowd(),
+            overlapping_boxes(),
         ),
     ]
 }
@@ -370,8 +370,8 @@ fn layers() -> Work {
     CrossScene::new(crosses, &plan).closest(&rays)
 }
 
-/// Boxes that all reach from end to end along x, with their plates anywhere inside.
-fn crowd() -> Work {
+/// Boxes that all extend from end to end along x, with their plates at random positions inside.
+fn overlapping_boxes() -> Work {
     let mut sampler = PixelSampler::new(0, 0, 4);
     let crosses: Vec<Cross> = (0..256)
         .map(|i| {
@@ -410,10 +410,10 @@ fn deep() -> Vec<Spec> {
     ]
 }
 
-/// Four chains, one above the other: from level to level the rest of the chain is the left child or
-/// the right one, nearer than its sibling, a leaf, or farther. Whichever child a traversal prefers,
-/// in one of them all leaves wait on its stack until it comes to the end, and the only hit is in
-/// the last of them.
+/// Four chains, one above the other: at each level, one child is a leaf and the other the rest of
+/// the chain, on the left or on the right, nearer or farther than the leaf. Whichever child a
+/// traversal visits first, in one of the chains all leaves are on its stack before it reaches the
+/// end, and the only hit is in the last one it visits.
 fn chains(levels: u32) -> Work {
     let mut crosses = Vec::new();
     let mut chains = Vec::new();

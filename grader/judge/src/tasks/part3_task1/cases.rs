@@ -1,4 +1,4 @@
-//! Matte surfaces: value, density, samples.
+//! Cases of matte surfaces: value, density and samples of the BSDF.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -97,7 +97,7 @@ fn case(name: &'static str, about: &'static str, probes: Vec<LambertProbe>) -> S
     Spec::new("part3.task1", name, about, Work::Lambert(probes))
 }
 
-/// A unit direction above the surface, not too flat.
+/// A unit direction above the surface, not near its plane.
 fn above(rng: &mut ProbeRng) -> Vec3 {
     loop {
         let d = rng.direction();

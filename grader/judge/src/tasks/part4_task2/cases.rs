@@ -16,40 +16,41 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "depth_0",
-            "-m 0 shows what emits and nothing else: direct light is not even asked for.",
+            "-m 0 shows emitted light only: direct light is not computed.",
             every(&["D", "L", "B", "M L", ""], &[0]),
         )
         .only(&[Radiance, Rays, Questions]),
         case(
             "depth_1",
-            "-m 1 adds the direct light of the first surface, and goes nowhere from there.",
+            "-m 1 adds the direct light of the first surface; the path ends there.",
             every(&["D D", "L", "M L", "G D", ""], &[1]),
         )
         .only(&[Radiance, Rays, Questions]),
         case(
             "geometric_series",
-            "Matte surfaces that each send on half of the light and get 1 of it directly: 1, 1.5, \
-             1.75, ... with each ray of depth.",
+            "Matte surfaces that each scatter half of the light and receive 1 as direct light: 1, \
+             1.5, 1.75, ... as the depth grows.",
             series(),
         )
         .only(&[Radiance, Rays]),
         case(
             "depth",
-            "A path has at most -m rays, the first one counted.",
+            "A path has at most -m rays, including the first.",
             every(&["D D D D D D"], &[2, 3, 4, 5, 6, 9]),
         )
         .only(&[Radiance, Rays]),
         case(
             "lamp_met_by_chance",
-            "A matte surface got the lamp's light as direct light already, and then a ray meets the \
-             lamp by chance: it counts once. Pitfall: adding what it emits there counts it again.",
+            "A matte surface has received the lamp's light as direct light when a sampled ray \
+             hits the lamp: the lamp counts once. Pitfall: adding the emitted light there counts \
+             it twice.",
             every(&["D L", "D D L", "M D L"], &[2, 3, 5]),
         )
         .only(&[Radiance]),
         case(
             "lamp_in_a_mirror",
-            "Mirrors and glass get no direct light: what is seen in them counts where it emits, on \
-             the front of a lamp and not on its back.",
+            "Mirrors and glass get no direct light: a lamp seen in them adds the light that it \
+             emits, on its front and not on its back.",
             every(
                 &["M L", "G L", "M M L", "D M L", "G G L", "M B"],
                 &[2, 3, 5],
@@ -58,54 +59,54 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "sky_in_a_mirror",
-            "The background counts where the eye sees it, first hand or in a mirror, and not after \
+            "The background counts where the eye sees it, directly or in a mirror, but not after \
              a matte surface.",
             every(&["", "M", "G G", "D", "D M", "M D"], &[0, 1, 2, 3, 5]),
         )
         .only(&[Radiance, Rays]),
         case(
             "direct_light",
-            "Direct light is asked for once at each surface but mirrors and glass, towards the \
+            "Direct light is computed once at each surface except mirrors and glass; wo is the \
              unit world direction back along the ray.",
             every(&["D M D D", "G G D", "M D L"], &[1, 2, 4, 7]),
         )
         .only(&[Questions]),
         case(
             "rays_leave_the_surface",
-            "Each ray starts where Surface::leave puts it, on the side that it goes to, and goes \
-             along the sample's direction in world space.",
+            "Each ray starts at the origin that Surface::leave returns, on the side to which it \
+             goes, along the sample's direction in world space.",
             every(&["D G G D", "M M M", "G D"], &[5]),
         )
         .only(&[Origin, Direction]),
         case(
             "drawn_directions",
-            "Scattering::sample is asked with wo in local space, and every random number serves \
-             once.",
+            "Scattering::sample gets wo in local space, and every random number is used once.",
             every(&["D D D", "M G D D"], &[5]),
         )
         .only(&[SampledDirection, Spread]),
         case(
             "throughput",
-            "Roulette hears of the product of all f · |cos θ| / pdf, the new one among them, and \
-             of 1, 2, ... bounces; what it answers is the throughput from there on.",
+            "Roulette gets the product of all f · |cos θ| / pdf, including that of the new \
+             bounce, and the number of bounces, 1, 2, ...; the throughput that it returns is used \
+             from there on.",
             lucky(),
         )
         .only(&[Throughput, Radiance]),
         case(
             "roulette_ends_the_path",
-            "Where roulette says None the path ends with what it has.",
+            "Where roulette returns None, the path ends with the radiance it has so far.",
             ended(|step| step.roulette = None),
         )
         .only(&[Radiance, Rays]),
         case(
             "no_direction",
-            "Where no direction can be drawn the path ends with what it has.",
+            "Where no direction can be sampled, the path ends with the radiance it has so far.",
             ended(|step| step.sample = None),
         )
         .only(&[Radiance, Rays]),
         case(
             "fresh_paths",
-            "Paths that differ for each seed.",
+            "Random paths that depend on the seed.",
             fresh(seed),
         ),
     ]

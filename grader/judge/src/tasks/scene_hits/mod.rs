@@ -1,4 +1,4 @@
-//! Rays through whole scenes with all of the student's stages: cases of `part2.task3`.
+//! Rays traced through whole scenes with all of the student's stages: cases of `part2.task3`.
 
 pub(crate) mod cases;
 mod judge;

@@ -384,7 +384,7 @@ impl Estimate<'_> {
 
 /// A light whose light can arrive at the point.
 enum Source {
-    /// Estimate without extent, and what sample_of_delta_light from it.
+    /// A light without extent, with its sample.
     Point(LightSample),
     /// A panel and its radiance.
     Lamp(Panel, Vec3),

@@ -1,4 +1,4 @@
-//! Mirrors, refraction and glass.
+//! Cases of mirrors, refraction and glass.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -10,7 +10,7 @@ use wire::global::SpecularCall::{
 };
 use wire::work::Xyz;
 
-/// Tints that tell the channels apart.
+/// Tints whose channels differ.
 const TINT: Xyz = [1.0, 0.5, 0.25];
 const OTHER_TINT: Xyz = [0.2, 0.6, 0.9];
 
@@ -128,7 +128,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "how_often",
             "Over many choices, the share of reflections is the Fresnel reflectance. A bias of 25 \
              % is always detected.",
-            how_often(),
+            many_choices(),
         )
         .only(&[Mean]),
         case(
@@ -185,7 +185,7 @@ fn glass(ior: f64, wo: Xyz, choice: f64) -> SpecularCall {
     }
 }
 
-/// A direction on either side, not too flat.
+/// A direction on either side of the surface, not near its plane.
 fn any_side(rng: &mut ProbeRng) -> Xyz {
     loop {
         let wo = rng.direction();
@@ -195,7 +195,7 @@ fn any_side(rng: &mut ProbeRng) -> Xyz {
     }
 }
 
-/// A direction on either side at which light passes, and not near the angle where it stops to.
+/// A direction on either side that is transmitted, away from the critical angle.
 fn away_from_critical(rng: &mut ProbeRng, ior: f64) -> Xyz {
     loop {
         let wo = any_side(rng);
@@ -226,7 +226,7 @@ fn edge_on() -> Vec<SpecularCall> {
             ]
         })
     });
-    // One that does pass, so that a function which never answers does not.
+    // A direction that is transmitted, so that a function which always returns None does not pass.
     let passes = Refract {
         wo: [0.0, 0.6, 0.8],
         ior: 1.5,
@@ -242,7 +242,7 @@ fn shares() -> Vec<SpecularCall> {
         .collect()
 }
 
-fn how_often() -> Vec<SpecularCall> {
+fn many_choices() -> Vec<SpecularCall> {
     let wo = Vec3::new(0.9, 0.1, 0.25).normalize().into();
     calls("how_often", 0, 8000, |rng| {
         vec![glass(1.5, wo, rng.range(0.0, 1.0))]

@@ -1,4 +1,4 @@
-//! Paths whose every turn is written down.
+//! Cases of scripted paths, whose surfaces and samples are given.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -89,7 +89,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "Roulette gets the product of all f · |cos θ| / pdf, including that of the new \
              bounce, and the number of bounces, 1, 2, ...; the throughput that it returns is used \
              from there on.",
-            lucky(),
+            with_roulette(),
         )
         .only(&[Throughput, Radiance]),
         case(
@@ -116,8 +116,8 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
     Spec::new("part4.task2", name, about, Work::Paths(paths))
 }
 
-/// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a
-/// lamp, B for the back of one.
+/// A path over the surfaces in `letters`: D for matte, M for a mirror, G for glass, L for a lamp, B
+/// for the back of one.
 fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
     let first = rng.direction();
     let mut d = first;
@@ -142,8 +142,7 @@ fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
     }
 }
 
-/// A surface that is met along `d` from the side of its normal; glass from either side, the back of
-/// a lamp from the other.
+/// A surface that is hit along `d` on its front; glass on either side, "B" on its back.
 fn step(letter: &str, d: Vec3, rng: &mut ProbeRng) -> Step {
     let mut n = rng.direction();
     while n.dot(d).abs() < 0.2 {
@@ -204,7 +203,7 @@ fn step(letter: &str, d: Vec3, rng: &mut ProbeRng) -> Step {
     }
 }
 
-/// Each kind of path at each depth, three times.
+/// Each kind of path with each depth, three times.
 fn every(kinds: &[&str], depths: &[u32]) -> Vec<ScriptedPath> {
     let mut rng = ProbeRng::new(&kinds.join("/"), 0);
     let pairs = kinds
@@ -232,10 +231,10 @@ fn series() -> Vec<ScriptedPath> {
     (1..=10).map(half).collect()
 }
 
-/// Paths on which roulette makes the survivors brighter.
-fn lucky() -> Vec<ScriptedPath> {
+/// Paths whose throughput roulette increases.
+fn with_roulette() -> Vec<ScriptedPath> {
     let mut rng = ProbeRng::new("lucky", 0);
-    let mut lucky = |letters: &str| {
+    let mut with_roulette = |letters: &str| {
         let mut path = path(letters, 7, &mut rng);
         for step in &mut path.steps {
             step.roulette = Some(rng.range(1.0, 3.0));
@@ -244,7 +243,7 @@ fn lucky() -> Vec<ScriptedPath> {
     };
     ["D D D D", "M D G D D", "D M L", "G G D D D"]
         .iter()
-        .flat_map(|letters| [lucky(letters), lucky(letters)])
+        .flat_map(|letters| [with_roulette(letters), with_roulette(letters)])
         .collect()
 }
 

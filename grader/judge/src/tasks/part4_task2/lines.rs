@@ -1,9 +1,9 @@
-//! How a snapshot shows a path.
+//! Writes a path to a snapshot.
 
 use crate::snapshot::{Forms, field, forms, number, vector};
 use wire::global::{PathAnswer, ScriptedPath};
 
-/// Radiance, rays and games of roulette; on full lines the first throughputs, too.
+/// Radiance, number of rays and of calls of roulette; full lines also have the first throughputs.
 pub(super) fn path(path: &ScriptedPath, answer: &PathAnswer) -> Forms {
     let question = vec![
         number("max_depth", f64::from(path.max_depth)),

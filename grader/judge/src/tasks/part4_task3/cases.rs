@@ -1,4 +1,4 @@
-//! Russian roulette.
+//! Cases of Russian roulette.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -7,7 +7,7 @@ use wire::Work;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
-/// A dim throughput, in binary fractions.
+/// A dim throughput, exact in binary.
 const DIM: Xyz = [0.25, 0.125, 0.0625];
 
 /// The cases of `part4.task3`.
@@ -43,13 +43,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "mean_of_many",
             "Over many calls the mean throughput is the throughput before: the picture gets \
              neither darker nor brighter. A bias of 19 % is always detected.",
-            many(0, "mean_of_many", 12_000),
+            random_numbers(0, "mean_of_many", 12_000),
         )
         .only(&[Mean]),
         case(
             "fresh_games",
             "Random numbers u that depend on the seed.",
-            many(seed, "fresh_games", 1000),
+            random_numbers(seed, "fresh_games", 1000),
         )
         .only(&[Survival, Throughput]),
     ]
@@ -59,7 +59,7 @@ fn case(name: &'static str, about: &'static str, work: RouletteWork) -> Spec {
     Spec::new("part4.task3", name, about, Work::Roulette(work))
 }
 
-/// Each throughput after each number of bounces, with numbers all over [0, 1).
+/// Each throughput after each number of bounces, with numbers u spread over [0, 1).
 fn work(throughputs: &[Xyz], bounces: &[u32]) -> RouletteWork {
     let paths = throughputs
         .iter()
@@ -73,10 +73,10 @@ fn work(throughputs: &[Xyz], bounces: &[u32]) -> RouletteWork {
     }
 }
 
-fn many(seed: u64, name: &str, games: u32) -> RouletteWork {
+fn random_numbers(seed: u64, name: &str, count: u32) -> RouletteWork {
     let mut rng = ProbeRng::new(name, seed);
     RouletteWork {
         paths: vec![(DIM, 4), ([0.6, 0.3, 0.1], 9)],
-        numbers: (0..games).map(|_| rng.range(0.0, 1.0)).collect(),
+        numbers: (0..count).map(|_| rng.range(0.0, 1.0)).collect(),
     }
 }

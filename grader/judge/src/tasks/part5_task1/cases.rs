@@ -1,4 +1,4 @@
-//! The cases: when a pixel has had enough samples, and pixels that stop then.
+//! Cases of the stopping rule, and of pixels that stop by it.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -15,19 +15,19 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "1.96 · σ / √n <= tolerance · μ, tested with tolerances 1 % below and above the one \
              where the result changes: σ is the square root of the variance, and n is under a \
              square root.",
-            near_the_turn("spread_against_the_mean", 0, 0.01),
+            near_the_threshold("spread_against_the_mean", 0, 0.01),
         ),
         rule(
             "confidence",
             "The factor 1.96 is for a confidence of 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 \
              %, and 2 is rounded.",
-            near_the_turn("confidence", 0, 0.001),
+            near_the_threshold("confidence", 0, 0.001),
         ),
         rule(
             "samples_all_alike",
             "Equal samples have a variance of 0: they are enough, even with a tolerance of 0. No \
              samples are never enough.",
-            alike(),
+            equal_samples(),
         ),
         pixel(
             "samples_and_mean",
@@ -119,8 +119,9 @@ pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
     }
 }
 
-/// Samples of two values, with tolerances just below and just above where the rule turns.
-fn near_the_turn(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
+/// Random samples, with tolerances just below and just above the one where the rule's result
+/// changes.
+fn near_the_threshold(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
     let mut rng = ProbeRng::new(name, seed);
     let calls = (0..60).flat_map(|_| {
         let (few, many) = (1 + rng.below(40) as u32, 1 + rng.below(400) as u32);
@@ -129,18 +130,18 @@ fn near_the_turn(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
             (many, rng.range(0.1, 1.0)),
             (few, rng.range(0.0, 0.5)),
         ];
-        let turn = turn(&runs);
+        let threshold = threshold(&runs);
         [1.0 - share, 1.0 + share].map(|factor| StopCall {
-            tolerance: turn * factor,
+            tolerance: threshold * factor,
             ..call(runs.clone(), false)
         })
     });
     calls.collect()
 }
 
-/// The tolerance from which on the rule says yes: 1.96 standard errors over the mean, from plain
-/// sums.
-fn turn(runs: &[(u32, f64)]) -> f64 {
+/// The smallest tolerance for which the rule returns true: 1.96 standard errors over the mean,
+/// computed from plain sums.
+fn threshold(runs: &[(u32, f64)]) -> f64 {
     let over = |f: &dyn Fn(f64) -> f64| -> f64 {
         runs.iter().map(|&(count, x)| f64::from(count) * f(x)).sum()
     };
@@ -150,7 +151,7 @@ fn turn(runs: &[(u32, f64)]) -> f64 {
     1.96 * (variance / n).sqrt() / mean
 }
 
-fn alike() -> Vec<StopCall> {
+fn equal_samples() -> Vec<StopCall> {
     let of = |runs: Vec<(u32, f64)>, tolerance: f64| StopCall {
         tolerance,
         ..call(runs, false)
@@ -166,7 +167,7 @@ fn alike() -> Vec<StopCall> {
     ]
 }
 
-/// A pixel of its own for each `i`.
+/// A different pixel for each `i`.
 fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
     AdaptivePixel {
         film: [7, 5],
@@ -187,7 +188,7 @@ fn colours(name: &str, i: u32) -> Vec<Xyz> {
     colours.collect()
 }
 
-/// Pixels of all sorts that stop by the plain rule, clearly so: nowhere near where it turns.
+/// Random pixels that stop by the plain rule.
 fn exact(name: &str, seed: u64) -> Vec<AdaptivePixel> {
     let mut rng = ProbeRng::new(name, seed);
     let pixels = (0..24).map(|i| {

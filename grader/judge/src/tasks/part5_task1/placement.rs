@@ -1,4 +1,4 @@
-//! Judging where in a pixel samples lie.
+//! Judges the positions of samples in a pixel.
 
 use crate::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
@@ -7,15 +7,15 @@ use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
 /// How far a point may be outside its pixel, in pixels.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// Where in the pixel in that column of a film of that width a point lies, if 0 to 1 is inside;
-/// rows and heights alike.
+/// Computes the position of a film point in the pixel at column `at` of a film of width `size`; 0
+/// to 1 is inside. The same for rows and heights.
 type Place = fn(point: f64, at: f64, size: f64) -> f64;
 
 fn right(point: f64, at: f64, size: f64) -> f64 {
     point * size - at
 }
 
-/// How typical mistakes place points.
+/// The positions that common mistakes compute.
 const KNOWN_MISTAKES: [(&str, Place); 4] = [
     ("half a pixel off", |point, at, size| {
         point * size - at + 0.5
@@ -29,7 +29,7 @@ const KNOWN_MISTAKES: [(&str, Place); 4] = [
     }),
 ];
 
-/// Samples lie inside the pixel, each in a place of its own.
+/// Judges that samples lie inside the pixel, at different points.
 pub(crate) fn judge(
     tally: &mut Tally,
     call: usize,

@@ -1,4 +1,4 @@
-//! The cases: when a pixel has surely had enough samples.
+//! Cases of the stopping rule that waits for enough samples.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -43,7 +43,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "the_plain_rule_decides",
             "After enough samples with light, the result is that of the plain rule, called with \
              the same samples and the same tolerance.",
-            decided("the_plain_rule_decides", 0),
+            decided_by_the_plain_rule("the_plain_rule_decides", 0),
         ),
         sure(
             "fireflies",
@@ -59,7 +59,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         sure(
             "fresh_rules",
             "Random samples that depend on the seed.",
-            decided("fresh_rules", seed),
+            decided_by_the_plain_rule("fresh_rules", seed),
         ),
     ]
 }
@@ -68,7 +68,7 @@ fn sure(name: &'static str, about: &'static str, calls: Vec<StopCall>) -> Spec {
     Spec::new("part5.task2", name, about, Work::SureStop(calls))
 }
 
-fn decided(name: &str, seed: u64) -> Vec<StopCall> {
+fn decided_by_the_plain_rule(name: &str, seed: u64) -> Vec<StopCall> {
     let mut rng = ProbeRng::new(name, seed);
     let calls = (0..60).map(|i| StopCall {
         tolerance: rng.range(0.01, 0.3),

@@ -1,4 +1,4 @@
-//! A whole run: build the worker, run the cases, judge, add up.
+//! Grades tasks: builds the workers, runs the cases, judges the answers and adds up the points.
 
 use crate::course::{Course, Task, stages_of};
 use crate::diagnosis;
@@ -17,7 +17,7 @@ use judge::repro::{self, FailedCase};
 use std::path::Path;
 use wire::{Answer, Outcome};
 
-/// What to grade.
+/// A request to grade tasks.
 #[derive(Clone, Debug)]
 pub struct GradeRequest {
     /// `all`, a part or a task.
@@ -26,14 +26,14 @@ pub struct GradeRequest {
     pub seed: u64,
 }
 
-/// A report, and what was said meanwhile.
+/// A report, with the output of the student's code and of the compiler.
 #[derive(Clone, Debug)]
 pub struct Graded {
     /// The scores.
     pub report: Report,
-    /// Printed by the student's code.
+    /// The output of the student's code.
     pub printed: String,
-    /// What the compiler said of stages that do not compile.
+    /// The compiler's messages about stages that do not compile.
     pub compiler: String,
 }
 
@@ -42,7 +42,7 @@ pub struct Graded {
 pub struct BuildRoot<'a> {
     /// The top folder of a workspace with a worker in it.
     pub root: &'a Path,
-    /// Where cargo keeps what it builds, if not there.
+    /// Cargo's target folder, if it is not in `root`.
     pub target: Option<&'a Path>,
     /// As [`crate::compile::WorkerBuild::sealed`].
     pub sealed: bool,
@@ -59,7 +59,8 @@ impl BuildRoot<'_> {
     }
 }
 
-/// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH, if a task is about it.
+/// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
+/// if one of the tasks is about them.
 pub fn in_place(
     workspace: &Workspace,
     request: &GradeRequest,
@@ -102,7 +103,8 @@ pub fn at(
     })
 }
 
-/// The workers for `tasks`; for whole scenes, too, if a case needs it or `whole_scene` says so.
+/// Builds the workers for `tasks`, including one for whole scenes if a case needs it or
+/// `whole_scene` is set.
 pub fn workers(
     build_root: &BuildRoot,
     tasks: &[&Task],
@@ -116,20 +118,21 @@ pub fn workers(
     WorkerSet::build(build_root, &stages(tasks), whole_scene)
 }
 
-/// The stages that `tasks` are written in, by name, each once.
+/// The names of the stages of `tasks`, sorted, each once.
 pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
     let mut stages = stages_of(tasks.iter().copied());
     stages.sort_unstable();
     stages
 }
 
-/// The scores of some tasks, and what their code printed.
+/// The scores of some tasks, and the output of their code.
 struct ScoredRun {
     results: Vec<TaskResult>,
     printed: String,
 }
 
-/// Runs the cases of `tasks` in `workers` and scores them, stage by stage. The results are ordered by key.
+/// Runs the cases of `tasks` in `workers` and scores them, stage by stage. The results are ordered
+/// by key.
 fn run(
     workers: &WorkerSet,
     course: &Course,
@@ -222,8 +225,8 @@ pub fn grade_tasks(
     Ok(results)
 }
 
-/// The answer of a case of `task`, or how the case stands without one. A case that could not run at all names the
-/// stages for want of which.
+/// The answer of a case of `task`, or the status of a case without an answer. The error of `ending`
+/// names the stages without which the case could not run.
 pub fn answered<'a>(
     task: &str,
     ending: &'a Result<Ending, String>,
@@ -260,8 +263,7 @@ fn does_not_compile(task: &Task) -> TaskResult {
     TaskResult::new(task, cases.collect())
 }
 
-/// The status of a case of `task` that ended without an answer; `None` if there is an answer to
-/// judge.
+/// The status of a case of `task` that ended without an answer; `None` if there is an answer.
 fn status_without_answer(
     task: &str,
     ending: &Ending,
@@ -288,7 +290,7 @@ fn status_without_answer(
                 Some(Status::Needs(hole.clone()))
             }
             Outcome::NotAttempted { task: hole } => Some(Status::Crashed(format!(
-                "the worker's record names the hole {hole:?}, which is none of the course"
+                "the worker's record names the hole {hole:?}, which is not in the course"
             ))),
             Outcome::Panicked {
                 message,

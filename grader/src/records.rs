@@ -1,25 +1,26 @@
-//! Reading what a worker wrote. The student's code runs in the worker, so none of it is trusted.
+//! Reads and validates a worker's records. The student's code runs in the worker, so they are
+//! untrusted.
 //!
-//! Everything is checked here, once: that the file holds frames ([`FrameReader`]), that the cases
-//! begin and end in their order, that each answer has the form which its case calls for
-//! ([`judge::fits`]). What is wrong costs the case that was running, and ends the reading; what
-//! came before counts.
+//! Everything is validated here, once: that the file consists of frames ([`FrameReader`]), that the
+//! cases start and end in order, that each answer has the form that its case requires
+//! ([`judge::fits`]). An invalid record fails the case that was running and ends the reading; the
+//! records before it count.
 
 use crate::runner::Ending;
 use wire::file::FrameReader;
 use wire::{Case, Outcome, Record, RecordFrame};
 
-/// What the records of one worker say.
+/// The endings that the records of one worker contain.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Records {
     /// How the cases from the first one on ended, in order.
     pub endings: Vec<Ending>,
-    /// Whether the next case had begun, and then nothing follows: it ended the worker.
+    /// Whether the next case started and has no end: it ended the worker.
     pub next_began: bool,
 }
 
 impl Records {
-    /// Where there is no file of records: that fails the case that was to run.
+    /// The result for a file of records that cannot be opened: it fails the next case.
     pub fn unreadable(why: &str) -> Records {
         Records {
             endings: vec![cannot_be_read(why)],
@@ -28,13 +29,13 @@ impl Records {
     }
 }
 
-/// Reads the records of a worker that was to run `cases` from number `first` on.
+/// Reads the records of a worker that ran `cases` from number `first` on.
 pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
     let mut records = Records::default();
     for frame in frames {
         let next = first + records.endings.len();
         let Some(case) = cases.get(next) else {
-            // Every case has ended: whatever follows is of none.
+            // Every case has ended: ignore what follows.
             break;
         };
         let began = records.next_began;
@@ -64,7 +65,7 @@ pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
     records
 }
 
-/// The ending of a case whose record is well placed.
+/// The ending of a case whose record is in order; validates its answer.
 fn ending(case: &Case, record: Record) -> Ending {
     if let Outcome::Answered(answer) = &record.outcome
         && let Err(why) = judge::fits(&case.work, answer)
@@ -78,7 +79,7 @@ fn cannot_be_read(why: &str) -> Ending {
     Ending::Malformed(format!("the worker's record cannot be read: {why}"))
 }
 
-/// What is wrong with the order of frames.
+/// Describes a frame that is out of order.
 fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
     let (event, case) = match frame {
         RecordFrame::Started { case } => ("begins", case),
@@ -135,12 +136,12 @@ mod tests {
     fn read_all(frames: &[RecordFrame]) -> Records {
         let mut bytes = Vec::new();
         for frame in frames {
-            file::write_frame(&mut bytes, frame).expect("memory takes it");
+            file::write_frame(&mut bytes, frame).expect("writing to memory succeeds");
         }
         read(FrameReader::new(Box::new(Cursor::new(bytes))), &cases(), 0)
     }
 
-    /// How many cases have a record, and why the next one fails.
+    /// The number of cases with a record, and why the next one fails.
     fn summary(frames: &[RecordFrame]) -> (usize, Option<String>) {
         let mut records = read_all(frames);
         let why = records
@@ -181,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_out_of_order_costs_the_case_that_runs() {
+    fn a_record_out_of_order_fails_the_running_case() {
         let before = [started(0), done(0), started(1)];
         for (wrong, why) in [
             (done(0), "case 0 ends where case 1 runs"),
@@ -203,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_of_another_form_costs_its_case() {
+    fn an_answer_of_another_form_fails_its_case() {
         for (answer, why) in [
             (
                 Answer::Boxes(vec![None]),
@@ -215,7 +216,7 @@ mod tests {
             ),
             (
                 Answer::Stop(Vec::new()),
-                "it answers another kind of work, Stop",
+                "it is an answer to another kind of work, Stop",
             ),
         ] {
             let why = format!("the worker's record does not fit the case: {why}");
@@ -224,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_follows_the_last_case_is_of_none() {
+    fn records_after_the_last_case_are_ignored() {
         let all = [
             started(0),
             done(0),

@@ -1,5 +1,6 @@
-//! The workers that a stage's cases run in: most in one with the stage alone, so that no neighbour
-//! stops them; rays through whole scenes in one with every stage that hits something.
+//! The workers that run a stage's cases: most cases run in a worker that links only the stage, so
+//! that other stages cannot break them; rays through whole scenes run in one that links all
+//! intersection stages.
 
 use crate::error::GraderError;
 use crate::runner::{self, Ending, Worker};
@@ -8,15 +9,15 @@ use judge::cases::Spec;
 /// The workers of a stage.
 #[derive(Clone, Debug)]
 pub struct StageWorkers {
-    /// Has the stage.
+    /// Links the stage.
     pub stage: Worker,
-    /// Has every stage that hits something; or the stages that keep it from being built.
+    /// Links all intersection stages; or else the names of those that do not compile.
     pub whole_scene: Result<Worker, String>,
 }
 
 impl StageWorkers {
-    /// Runs each case in its worker: its ending, or the stages for want of which it could not run.
-    /// Adds what the code printed to `printed`.
+    /// Runs each case in its worker. Returns its ending, or the names of the stages without which
+    /// it cannot run. Appends the output of the code to `printed`.
     pub fn run(
         &self,
         specs: &[&Spec],

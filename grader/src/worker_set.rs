@@ -17,7 +17,7 @@ const SCENES_FEATURE: &str = "meshes";
 /// The stages that this feature links.
 const INTERSECTION_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
 
-/// What a message names in place of a stage if none is at fault.
+/// The name in messages where no single stage is the cause.
 const SCENES_WORKER: &str = "the worker for whole scenes";
 
 /// The workers of some stages.

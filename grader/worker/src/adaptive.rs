@@ -1,4 +1,4 @@
-//! Part 5: stopping rules, and pixels whose samples are written down.
+//! Runs Part 5: stopping rules, and pixels with given samples.
 
 use kit::{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
@@ -97,7 +97,7 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
     }
 }
 
-/// A ray that tells which point of the film it was made for.
+/// A ray whose origin identifies the film point it was made for.
 fn from_camera(point: Vec2) -> Ray {
     Ray::new(Vec3::new(point.x, point.y, 1.0), Vec3::NEG_Z)
 }

@@ -1,5 +1,4 @@
-//! Part 2, tasks 1 and 3: trees built from boxes, and walks through worlds whose answers are
-//! written down.
+//! Runs Part 2, tasks 1 and 3: builds trees, and traverses them in scripted worlds.
 
 use crate::convert;
 use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};
@@ -13,7 +12,7 @@ pub(crate) fn build(work: &BuildWork) -> BuildAnswer {
     let tree = bvh::construct_bvh(&bounds, max_leaf_size);
     harness::call(1);
     let again = bvh::construct_bvh(&bounds, max_leaf_size);
-    // The debug form tells NaN from NaN-free trees apart, and finds a tree equal to itself.
+    // The debug text of a tree with NaN equals itself, while the tree does not.
     let repeatable = tree == again || format!("{tree:?}") == format!("{again:?}");
     BuildAnswer {
         tree: wire_tree(&tree),
@@ -82,7 +81,7 @@ struct Counts {
     unknown_boxes: u32,
 }
 
-/// A world that looks its answers up. It only cuts them to the ray's range.
+/// A world with given test results, which it clips to the ray's range.
 struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
     node_of: &'a HashMap<BoxKey, usize>,

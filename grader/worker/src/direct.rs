@@ -1,4 +1,4 @@
-//! Part 3: matte surfaces, and direct light in worlds that write down what they are rays.
+//! Runs Part 3: matte surfaces, and direct light in worlds that record the traced rays.
 
 use crate::{convert, light, panels};
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};

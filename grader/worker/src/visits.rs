@@ -1,4 +1,4 @@
-//! For which boxes a traversal asks: rays through a whole scene, watched.
+//! Records which boxes a traversal tests, for rays through a whole scene.
 
 use crate::bvh::{BoxKey, box_key, kit_tree};
 use crate::convert;
@@ -33,7 +33,7 @@ pub(crate) fn visits(work: &VisitsWork) -> Result<VisitsAnswer, String> {
     })
 }
 
-/// A scene that writes down which boxes it is asked for.
+/// A scene that records the box tests.
 struct RecordingWorld<'a> {
     world: SceneWorld<'a>,
     nodes_of: &'a HashMap<BoxKey, Vec<u32>>,
@@ -41,7 +41,7 @@ struct RecordingWorld<'a> {
 }
 
 impl RecordingWorld<'_> {
-    /// The node that has this box; of several, the first that was not asked for yet.
+    /// The node that has this box; of several, the first that was not tested yet.
     fn node(&self, b: &Aabb) -> Option<u32> {
         let nodes = self.nodes_of.get(&box_key(b))?;
         let is_new = |node: &&u32| !self.visits.iter().any(|visit| visit.node == **node);

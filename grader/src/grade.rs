@@ -37,7 +37,8 @@ pub struct Graded {
     pub compiler: String,
 }
 
-/// Where the code under test is built. Everything else (the course, the goldens) is the trusted workspace's.
+/// Where the code under test is built. Everything else (the course, the goldens) is the trusted
+/// workspace's.
 #[derive(Clone, Copy, Debug)]
 pub struct BuildRoot<'a> {
     /// The top folder of a workspace with a worker in it.

@@ -44,10 +44,10 @@ impl Check for Direct {
                 number("rays", answer.rays.len() as f64),
             ];
             let mut full = short.clone();
-            full.extend(answer.rays.iter().take(2).flat_map(|asked| {
+            full.extend(answer.rays.iter().take(2).flat_map(|recorded| {
                 [
-                    field("d", vector(&asked.ray.d)),
-                    number("max_t", asked.ray.max_t),
+                    field("d", vector(&recorded.ray.d)),
+                    number("max_t", recorded.ray.max_t),
                 ]
             }));
             forms(question, short, full)

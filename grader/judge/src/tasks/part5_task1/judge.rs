@@ -187,9 +187,9 @@ fn questions(
     tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
         let show = |n: &SampleTally| (n.count(), n.mean(), n.variance(), work.tolerance);
         let wanted: Vec<_> = rule_calls.iter().take(4).map(show).collect();
-        let asked: Vec<_> = answer.rule_calls.iter().take(4).collect();
+        let called: Vec<_> = answer.rule_calls.iter().take(4).collect();
         format!(
-            "your result: {} calls of the rule, first with (count, mean, variance, tolerance) {asked:?}; expected: {} calls, first {wanted:?}. {}",
+            "your result: {} calls of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {} calls, first {wanted:?}. {}",
             answer.rule_calls.len(),
             rule_calls.len(),
             about()

@@ -13,21 +13,21 @@ pub(crate) fn waiting_rule(call: &StopCall) -> Option<String> {
     samples(&mut text, call)?;
     let _ = write!(
         text,
-        "let mut asked = Vec::new();
+        "let mut rule_args = Vec::new();
 let mut rule = |samples: &Tally, tolerance: f64| {{
-    asked.push((samples.count(), samples.mean(), tolerance));
+    rule_args.push((samples.count(), samples.mean(), tolerance));
     {}
 }};
 let stop = adaptive::has_surely_converged(&samples, {tolerance}, &mut rule);
 assert_eq!(stop, {});
 let right = (samples.count(), samples.mean(), {tolerance});
-assert!(asked.iter().all(|asked| *asked == right), \"{{asked:?}}\");
+assert!(rule_args.iter().all(|rule_args| *rule_args == right), \"{{rule_args:?}}\");
 ",
         call.rule,
         plain_decides && call.rule
     );
     if plain_decides {
-        text.push_str("assert!(!asked.is_empty(), \"expected a call of the plain rule\");\n");
+        text.push_str("assert!(!rule_args.is_empty(), \"expected a call of the plain rule\");\n");
     }
     Some(text)
 }

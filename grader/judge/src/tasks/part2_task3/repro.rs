@@ -9,7 +9,8 @@ const NODES: usize = 40;
 
 /// A world with given test results, the same as the grader's.
 const WORLD: &str = "\
-/// For each node the interval in which the line of the ray is inside its box; for each primitive the t of its hit.
+/// For each node the interval in which the line of the ray is inside its box; for each primitive
+/// the t of its hit.
 struct ScriptedWorldTest {
     boxes: Vec<Aabb>,
     spans: Vec<Option<[f64; 2]>>,

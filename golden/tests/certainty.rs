@@ -33,7 +33,7 @@ fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
     };
     let (_, rest) = spec.about.split_once(start)?;
     let (percent, rest) = rest.split_once(" %")?;
-    assert!(rest.starts_with(" is sure to be seen"), "{}", spec.name);
+    assert!(rest.starts_with(" is always detected"), "{}", spec.name);
     Some(percent.parse::<f64>().ok()? / 100.0)
 }
 
@@ -45,7 +45,7 @@ fn by_chance(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
     answered
         .map(|(spec, answer)| {
             let mut findings = judge::judge(&spec, Tier::Core, &answer);
-            findings.retain(|finding| finding.sure.is_some());
+            findings.retain(|finding| finding.detectable.is_some());
             (spec, answer, findings)
         })
         .filter(|(.., findings)| !findings.is_empty())
@@ -60,11 +60,11 @@ fn each_case_states_what_it_is_sure_to_see() {
             for finding in findings {
                 let name = format!("{} {} {:?}", spec.task, spec.name, finding.aspect);
                 assert!(finding.passed(), "{name}: {:?}", finding.worst);
-                let sure = finding.sure.expect("those without are left out");
+                let sure = finding.detectable.expect("those without are left out");
                 let stated = stated(&spec, finding.aspect);
                 if !stated.is_some_and(|stated| sure <= stated && stated <= LOOSEST * sure) {
                     unlike.push(format!(
-                        "{name}: a share of {sure:.4} is sure to be seen, the case says {stated:?}"
+                        "{name}: a share of {sure:.4} is always detected, the case states {stated:?}"
                     ));
                 }
             }
@@ -158,7 +158,7 @@ fn uneven(answer: &Answer, off: f64) -> Answer {
         }
         // The surface lies in the plane of x and z.
         Answer::Direct(answers) => {
-            let asked = answers.iter_mut().flat_map(|answer| &mut answer.asked);
+            let asked = answers.iter_mut().flat_map(|answer| &mut answer.rays);
             asked.for_each(|asked| crowd(&mut asked.ray.d, [2, 0], off));
         }
         _ => panic!("no spread is judged of this kind of answer"),

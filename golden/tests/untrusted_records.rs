@@ -11,7 +11,7 @@ use std::io::Cursor;
 use wire::answer::{HitsAnswer, VisitsAnswer};
 use wire::file::{FrameReader, MAX_FRAME_BYTES, write_frame};
 use wire::work::{Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
-use wire::{Answer, Case, Frame, Outcome, Record, Work};
+use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
 
 /// Random numbers (Marsaglia's xorshift64), the same in every run.
 struct Random(u64);
@@ -187,14 +187,14 @@ impl Change {
     }
 }
 
-fn bytes_of(frame: &Frame) -> Vec<u8> {
+fn bytes_of(frame: &RecordFrame) -> Vec<u8> {
     let mut bytes = Vec::new();
     write_frame(&mut bytes, frame).expect("memory takes it");
     bytes
 }
 
 fn done(case: u32, answer: Answer) -> Vec<u8> {
-    bytes_of(&Frame::Done(Record {
+    bytes_of(&RecordFrame::Done(Record {
         case,
         untouched: Vec::new(),
         outcome: Outcome::Answered(answer),
@@ -242,7 +242,7 @@ fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
             "{name} has a record of {} bytes",
             written.len()
         );
-        let start = bytes_of(&Frame::Started { case: 0 });
+        let start = bytes_of(&RecordFrame::Started { case: 0 });
         let right = read(
             [start.clone(), written.clone()].concat(),
             std::slice::from_ref(&case),
@@ -333,7 +333,9 @@ fn spoilt_records_end_nothing_and_do_not_score() {
             let answers = of_kind.iter().cycle().skip(off).map(|a| a.answer.clone());
             let records = (0..).zip(answers).take(of_kind.len());
             records
-                .flat_map(|(case, answer)| [bytes_of(&Frame::Started { case }), done(case, answer)])
+                .flat_map(|(case, answer)| {
+                    [bytes_of(&RecordFrame::Started { case }), done(case, answer)]
+                })
                 .collect()
         });
         for _ in 0..FILES {

@@ -71,8 +71,8 @@ pub fn total_points(course: &Course) -> [f64; 2] {
 mod tests {
     use super::*;
     use judge::cases::all;
-    use judge::expected::Decision;
-    use judge::truths::expected;
+    use judge::expected::HitOrMiss;
+    use judge::expected_cache::expected;
 
     #[test]
     fn core_cases_contain_hits_and_few_undecidable_probes() {
@@ -86,7 +86,7 @@ mod tests {
                 let spec = spec.expect("the grader has every case of the course");
                 let expected = expected(spec, Tier::Core);
                 let count = |decision| expected.iter().filter(|e| e.decision() == decision).count();
-                let (hits, undecidable) = (count(Decision::Hit), count(Decision::Either));
+                let (hits, undecidable) = (count(HitOrMiss::Hit), count(HitOrMiss::Either));
                 let counts = format!(
                     "{} {}: {hits} hits and {undecidable} undecidable of {} probes",
                     task.key,

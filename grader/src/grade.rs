@@ -1,4 +1,4 @@
-//! A whole run: build the worker, run the cases, judge, add up.
+//! Grades tasks: builds the workers, runs the cases, judges the answers and adds up the points.
 
 use crate::course::{Course, Task, stages_of};
 use crate::diagnosis;
@@ -8,7 +8,7 @@ use crate::runner::Ending;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::Signature;
 use crate::speedup;
-use crate::stage_workers::Workers;
+use crate::stage_workers::StageWorkers;
 use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
 use judge;
@@ -17,7 +17,7 @@ use judge::repro::{self, FailedCase};
 use std::path::Path;
 use wire::{Answer, Outcome};
 
-/// What to grade.
+/// A request to grade tasks.
 #[derive(Clone, Debug)]
 pub struct GradeRequest {
     /// `all`, a part or a task.
@@ -26,23 +26,24 @@ pub struct GradeRequest {
     pub seed: u64,
 }
 
-/// A report, and what was said meanwhile.
+/// A report, with the output of the student's code and of the compiler.
 #[derive(Clone, Debug)]
 pub struct Graded {
     /// The scores.
     pub report: Report,
-    /// Printed by the student's code.
+    /// The output of the student's code.
     pub printed: String,
-    /// What the compiler said of stages that do not compile.
+    /// The compiler's messages about stages that do not compile.
     pub compiler: String,
 }
 
-/// Where the code under test is built. Everything else (the course, the goldens) is the trusted workspace's.
+/// Where the code under test is built. Everything else (the course, the goldens) is the trusted
+/// workspace's.
 #[derive(Clone, Copy, Debug)]
 pub struct BuildRoot<'a> {
     /// The top folder of a workspace with a worker in it.
     pub root: &'a Path,
-    /// Where cargo keeps what it builds, if not there.
+    /// Cargo's target folder, if it is not in `root`.
     pub target: Option<&'a Path>,
     /// As [`crate::compile::WorkerBuild::sealed`].
     pub sealed: bool,
@@ -59,7 +60,8 @@ impl BuildRoot<'_> {
     }
 }
 
-/// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH, if a task is about it.
+/// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
+/// if one of the tasks is about them.
 pub fn in_place(
     workspace: &Workspace,
     request: &GradeRequest,
@@ -73,7 +75,7 @@ pub fn in_place(
     let run = run(&workers, &course, &tasks, &specs)?;
     let tasks = explain(workspace, run.results, &specs)?;
     let speedups = if times {
-        Some(speedup::measure(&course, &workers.together)?)
+        Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
         None
     };
@@ -102,34 +104,36 @@ pub fn at(
     })
 }
 
-/// The workers for `tasks`; for whole scenes, too, if a case needs it or `together` says so.
+/// Builds the workers for `tasks`, including one for whole scenes if a case needs it or
+/// `whole_scene` is set.
 pub fn workers(
-    site: &BuildRoot,
+    build_root: &BuildRoot,
     tasks: &[&Task],
     specs: &[Spec],
-    together: bool,
+    whole_scene: bool,
 ) -> Result<WorkerSet, GraderError> {
-    let together = together
+    let whole_scene = whole_scene
         || chosen(tasks, specs)?
             .iter()
-            .any(|spec| spec.needs_neighbours());
-    WorkerSet::build(site, &stages(tasks), together)
+            .any(|spec| spec.needs_all_stages());
+    WorkerSet::build(build_root, &stages(tasks), whole_scene)
 }
 
-/// The stages that `tasks` are written in, by name, each once.
+/// The names of the stages of `tasks`, sorted, each once.
 pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
     let mut stages = stages_of(tasks.iter().copied());
     stages.sort_unstable();
     stages
 }
 
-/// The scores of some tasks, and what their code printed.
+/// The scores of some tasks, and the output of their code.
 struct ScoredRun {
     results: Vec<TaskResult>,
     printed: String,
 }
 
-/// Runs the cases of `tasks` in `workers` and scores them, stage by stage. The results are ordered by key.
+/// Runs the cases of `tasks` in `workers` and scores them, stage by stage. The results are ordered
+/// by key.
 fn run(
     workers: &WorkerSet,
     course: &Course,
@@ -195,7 +199,7 @@ pub fn grade_tasks(
     course: &Course,
     tasks: &[&Task],
     specs: &[Spec],
-    workers: &Workers,
+    workers: &StageWorkers,
     printed: &mut String,
 ) -> Result<Vec<TaskResult>, GraderError> {
     let chosen = chosen(tasks, specs)?;
@@ -213,7 +217,7 @@ pub fn grade_tasks(
                 Ok(answer) => (Status::Passed, judge::judge(spec, entry.tier, answer)),
             };
             case_results.push(CaseResult {
-                with_neighbours: spec.needs_neighbours(),
+                with_neighbours: spec.needs_all_stages(),
                 ..CaseResult::new(entry, spec.about, status, findings)
             });
         }
@@ -222,8 +226,8 @@ pub fn grade_tasks(
     Ok(results)
 }
 
-/// The answer of a case of `task`, or how the case stands without one. A case that could not run at all names the
-/// stages for want of which.
+/// The answer of a case of `task`, or the status of a case without an answer. The error of `ending`
+/// names the stages without which the case could not run.
 pub fn answered<'a>(
     task: &str,
     ending: &'a Result<Ending, String>,
@@ -260,8 +264,7 @@ fn does_not_compile(task: &Task) -> TaskResult {
     TaskResult::new(task, cases.collect())
 }
 
-/// The status of a case of `task` that ended without an answer; `None` if there is an answer to
-/// judge.
+/// The status of a case of `task` that ended without an answer; `None` if there is an answer.
 fn status_without_answer(
     task: &str,
     ending: &Ending,
@@ -288,7 +291,7 @@ fn status_without_answer(
                 Some(Status::Needs(hole.clone()))
             }
             Outcome::NotAttempted { task: hole } => Some(Status::Crashed(format!(
-                "the worker's record names the hole {hole:?}, which is none of the course"
+                "the worker's record names the hole {hole:?}, which is not in the course"
             ))),
             Outcome::Panicked {
                 message,

@@ -1,25 +1,26 @@
-//! Reading what a worker wrote. The student's code runs in the worker, so none of it is trusted.
+//! Reads and validates a worker's records. The student's code runs in the worker, so they are
+//! untrusted.
 //!
-//! Everything is checked here, once: that the file holds frames ([`FrameReader`]), that the cases
-//! begin and end in their order, that each answer has the form which its case calls for
-//! ([`judge::fits`]). What is wrong costs the case that was running, and ends the reading; what
-//! came before counts.
+//! Everything is validated here, once: that the file consists of frames ([`FrameReader`]), that the
+//! cases start and end in order, that each answer has the form that its case requires
+//! ([`judge::fits`]). An invalid record fails the case that was running and ends the reading; the
+//! records before it count.
 
 use crate::runner::Ending;
 use wire::file::FrameReader;
-use wire::{Case, Frame, Outcome, Record};
+use wire::{Case, Outcome, Record, RecordFrame};
 
-/// What the records of one worker say.
+/// The endings that the records of one worker contain.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Records {
     /// How the cases from the first one on ended, in order.
     pub endings: Vec<Ending>,
-    /// Whether the next case had begun, and then nothing follows: it ended the worker.
+    /// Whether the next case started and has no end: it ended the worker.
     pub next_began: bool,
 }
 
 impl Records {
-    /// Where there is no file of records: that fails the case that was to run.
+    /// The result for a file of records that cannot be opened: it fails the next case.
     pub fn unreadable(why: &str) -> Records {
         Records {
             endings: vec![cannot_be_read(why)],
@@ -28,24 +29,24 @@ impl Records {
     }
 }
 
-/// Reads the records of a worker that was to run `cases` from number `first` on.
+/// Reads the records of a worker that ran `cases` from number `first` on.
 pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
     let mut records = Records::default();
     for frame in frames {
         let next = first + records.endings.len();
         let Some(case) = cases.get(next) else {
-            // Every case has ended: whatever follows is of none.
+            // Every case has ended: ignore what follows.
             break;
         };
         let began = records.next_began;
         let is_next = |number: u32| number as usize == next;
         let ending = match frame {
-            Ok(Frame::Started { case }) if is_next(case) && !began => {
+            Ok(RecordFrame::Started { case }) if is_next(case) && !began => {
                 records.next_began = true;
                 continue;
             }
-            Ok(Frame::Done(record)) if is_next(record.case) && began => ending(case, record),
-            Ok(Frame::TimedOut { case: number, call }) if is_next(number) && began => {
+            Ok(RecordFrame::Done(record)) if is_next(record.case) && began => ending(case, record),
+            Ok(RecordFrame::TimedOut { case: number, call }) if is_next(number) && began => {
                 Ending::TimedOut {
                     call,
                     limit_ms: case.limit_ms,
@@ -64,7 +65,7 @@ pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
     records
 }
 
-/// The ending of a case whose record is well placed.
+/// The ending of a case whose record is in order; validates its answer.
 fn ending(case: &Case, record: Record) -> Ending {
     if let Outcome::Answered(answer) = &record.outcome
         && let Err(why) = judge::fits(&case.work, answer)
@@ -78,12 +79,12 @@ fn cannot_be_read(why: &str) -> Ending {
     Ending::Malformed(format!("the worker's record cannot be read: {why}"))
 }
 
-/// What is wrong with the order of frames.
-fn out_of_order(frame: &Frame, next: usize, began: bool) -> String {
+/// Describes a frame that is out of order.
+fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
     let (event, case) = match frame {
-        Frame::Started { case } => ("begins", case),
-        Frame::TimedOut { case, .. } => ("times out", case),
-        Frame::Done(record) => ("ends", &record.case),
+        RecordFrame::Started { case } => ("begins", case),
+        RecordFrame::TimedOut { case, .. } => ("times out", case),
+        RecordFrame::Done(record) => ("ends", &record.case),
     };
     let state = if began { "runs" } else { "is next" };
     format!("case {case} {event} where case {next} {state}")
@@ -116,32 +117,32 @@ mod tests {
         ["a", "b", "c"].map(case).to_vec()
     }
 
-    fn started(case: u32) -> Frame {
-        Frame::Started { case }
+    fn started(case: u32) -> RecordFrame {
+        RecordFrame::Started { case }
     }
 
-    fn answered(case: u32, answer: Answer) -> Frame {
-        Frame::Done(Record {
+    fn answered(case: u32, answer: Answer) -> RecordFrame {
+        RecordFrame::Done(Record {
             case,
             untouched: Vec::new(),
             outcome: Outcome::Answered(answer),
         })
     }
 
-    fn done(case: u32) -> Frame {
+    fn done(case: u32) -> RecordFrame {
         answered(case, Answer::Boxes(vec![None; 2]))
     }
 
-    fn read_all(frames: &[Frame]) -> Records {
+    fn read_all(frames: &[RecordFrame]) -> Records {
         let mut bytes = Vec::new();
         for frame in frames {
-            file::write_frame(&mut bytes, frame).expect("memory takes it");
+            file::write_frame(&mut bytes, frame).expect("writing to memory succeeds");
         }
         read(FrameReader::new(Box::new(Cursor::new(bytes))), &cases(), 0)
     }
 
-    /// How many cases have a record, and why the next one fails.
-    fn summary(frames: &[Frame]) -> (usize, Option<String>) {
+    /// The number of cases with a record, and why the next one fails.
+    fn summary(frames: &[RecordFrame]) -> (usize, Option<String>) {
         let mut records = read_all(frames);
         let why = records
             .endings
@@ -172,7 +173,7 @@ mod tests {
         assert_eq!(summary(&frames), (3, None));
         assert!(read_all(&frames[..5]).next_began);
         assert!(!read_all(&frames[..4]).next_began);
-        let late = [&frames[..1], &[Frame::TimedOut { case: 0, call: 1 }]].concat();
+        let late = [&frames[..1], &[RecordFrame::TimedOut { case: 0, call: 1 }]].concat();
         let limit = Ending::TimedOut {
             call: 1,
             limit_ms: 77,
@@ -181,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_out_of_order_costs_the_case_that_runs() {
+    fn a_record_out_of_order_fails_the_running_case() {
         let before = [started(0), done(0), started(1)];
         for (wrong, why) in [
             (done(0), "case 0 ends where case 1 runs"),
@@ -189,7 +190,7 @@ mod tests {
             (done(u32::MAX), "case 4294967295 ends where case 1 runs"),
             (started(1), "case 1 begins where case 1 runs"),
             (
-                Frame::TimedOut { case: 9, call: 0 },
+                RecordFrame::TimedOut { case: 9, call: 0 },
                 "case 9 times out where case 1 runs",
             ),
         ] {
@@ -203,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_of_another_form_costs_its_case() {
+    fn an_answer_of_another_form_fails_its_case() {
         for (answer, why) in [
             (
                 Answer::Boxes(vec![None]),
@@ -215,7 +216,7 @@ mod tests {
             ),
             (
                 Answer::Stop(Vec::new()),
-                "it answers another kind of work, Stop",
+                "it is an answer to another kind of work, Stop",
             ),
         ] {
             let why = format!("the worker's record does not fit the case: {why}");
@@ -224,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_follows_the_last_case_is_of_none() {
+    fn records_after_the_last_case_are_ignored() {
         let all = [
             started(0),
             done(0),

@@ -1,4 +1,4 @@
-//! Running a worker over cases, and telling which case ended it.
+//! Runs workers over cases, and finds which case ended a worker.
 
 use crate::child_processes;
 use crate::error::GraderError;
@@ -12,23 +12,23 @@ use std::process::{Command, ExitStatus, Stdio};
 use wire::file::{self, FrameReader};
 use wire::{Case, Outcome, Record, Work};
 
-/// What became of one case, seen from outside the worker.
+/// How a case ended, as seen from outside the worker.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {
     /// The worker wrote a record.
     Recorded(Record),
-    /// The case ran longer than it may.
+    /// The case exceeded its time limit.
     TimedOut {
-        /// Which of its calls was running, counted from 0.
+        /// The call that was running, counted from 0.
         call: u32,
-        /// What it was allowed.
+        /// The time limit in milliseconds.
         limit_ms: u64,
     },
-    /// The worker died: how, in words for the student.
+    /// The case ended the worker; the text tells the student how.
     Died(String),
-    /// The worker's record is none of this case: why, in a sentence.
+    /// The worker's record is invalid; the text is a sentence that explains why.
     Malformed(String),
-    /// Not run, because what is smaller has timed out.
+    /// Not run, because smaller timings have timed out.
     Skipped,
 }
 
@@ -37,24 +37,24 @@ pub enum Ending {
 pub struct Run {
     /// One for each case, in order.
     pub endings: Vec<Ending>,
-    /// What it wrote to stdout and stderr, cut to its last lines.
+    /// The end of its output to stdout and stderr.
     pub printed: String,
 }
 
-/// After this many timeouts the rest of a task has to hurry: an endless loop should not cost the
-/// student minutes.
+/// After this many timeouts of a task, its other cases get a short time limit: an endless loop
+/// should not cost the student minutes.
 const TIMEOUTS_A_TASK: u32 = 2;
 
-/// Milliseconds for a case that has to. Sound code needs a few.
-const HURRIED_MS: u64 = 500;
+/// The short time limit in milliseconds. Correct code needs a few milliseconds.
+const SHORT_LIMIT_MS: u64 = 500;
 
-/// Memory that a worker may take beyond its cases.
+/// Memory that a worker may allocate in addition to its cases.
 const MEMORY_MB: u32 = 4096;
 
 /// The file of records in a worker's folder.
 const RECORDS: &str = "records";
 
-/// How much of what a student prints is kept.
+/// How many bytes of the student's output are kept.
 const PRINTED_BYTES: usize = 4096;
 
 /// A worker to run.
@@ -62,9 +62,9 @@ const PRINTED_BYTES: usize = 4096;
 pub struct Worker {
     /// The program.
     pub program: PathBuf,
-    /// Environment variables that it is given.
+    /// Environment variables to set.
     pub environment: Vec<(&'static str, String)>,
-    /// No case may take longer, whatever it may by itself.
+    /// Upper bound of the time limit of every case, in milliseconds.
     pub longest_ms: u64,
 }
 
@@ -78,7 +78,7 @@ impl From<PathBuf> for Worker {
     }
 }
 
-/// Runs `cases` in the program `worker`. A case that ends the worker costs only itself.
+/// Runs `cases` in `worker`. A case that ends the worker does not affect the others.
 pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let folder = interrupt::temp_folder()?;
     let mut cases_to_run = cases.to_vec();
@@ -121,16 +121,15 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
                 continue;
             }
             match case.work {
-                // What is timed takes its time, and more the larger it is.
+                // Timings take longer for larger meshes: a short limit does not help.
                 Work::Timing(_) => *ending = Some(Ending::Skipped),
-                _ => case.limit_ms = case.limit_ms.min(HURRIED_MS),
+                _ => case.limit_ms = case.limit_ms.min(SHORT_LIMIT_MS),
             }
         }
         while first < cases.len() && endings[first].is_some() {
             first += 1;
         }
-        // A worker reads all cases before it starts: later ones need not see the ones that are
-        // done.
+        // A worker reads all cases before it starts: do not send the finished ones again.
         cases_to_run[..first]
             .iter_mut()
             .for_each(|case| case.work = Work::Stop(Vec::new()));
@@ -144,7 +143,7 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     })
 }
 
-/// Runs one worker to its end and adds what it printed to `printed`.
+/// Runs one worker to its end and appends its output to `printed`.
 fn one_worker(
     worker: &Worker,
     folder: &Path,
@@ -187,7 +186,7 @@ fn one_worker(
     Ok(status)
 }
 
-/// The last bytes of what comes out of a pipe; reads on to its end, so that the writer never waits.
+/// The last bytes of a pipe. Reads it to its end, so that the writer never blocks.
 pub fn tail(mut pipe: impl Read) -> String {
     let mut kept: Vec<u8> = Vec::new();
     let mut chunk = [0; 8192];
@@ -199,13 +198,13 @@ pub fn tail(mut pipe: impl Read) -> String {
     String::from_utf8_lossy(&kept).into_owned()
 }
 
-/// How a worker died, in words for the student.
+/// A message for the student on how a worker died.
 fn death(status: ExitStatus, printed: &str) -> String {
     if printed.contains("has overflowed its stack") {
-        return "overflowed the stack: a recursion that does not end?".into();
+        return "overflowed the stack: does a recursion not end?".into();
     }
     if printed.contains("memory allocation of") {
-        return format!("asked for more than {MEMORY_MB} MB of memory");
+        return format!("tried to allocate more than {MEMORY_MB} MB of memory");
     }
     match status.code() {
         Some(code) => {
@@ -215,9 +214,8 @@ fn death(status: ExitStatus, printed: &str) -> String {
     }
 }
 
-/// The outcome inside an ending, if the worker lived to record one.
 impl Ending {
-    /// What the worker recorded, if it did.
+    /// The outcome that the worker recorded; `None` if it recorded none.
     pub fn outcome(&self) -> Option<&Outcome> {
         match self {
             Ending::Recorded(record) => Some(&record.outcome),

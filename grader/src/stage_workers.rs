@@ -1,5 +1,6 @@
-//! The workers that a stage's cases run in: most in one with the stage alone, so that no neighbour
-//! stops them; rays through whole scenes in one with every stage that hits something.
+//! The workers that run a stage's cases: most cases run in a worker that links only the stage, so
+//! that other stages cannot break them; rays through whole scenes run in one that links all
+//! intersection stages.
 
 use crate::error::GraderError;
 use crate::runner::{self, Ending, Worker};
@@ -7,40 +8,40 @@ use judge::cases::Spec;
 
 /// The workers of a stage.
 #[derive(Clone, Debug)]
-pub struct Workers {
-    /// Has the stage.
-    pub own: Worker,
-    /// Has every stage that hits something; or the stages that keep it from being built.
-    pub together: Result<Worker, String>,
+pub struct StageWorkers {
+    /// Links the stage.
+    pub stage: Worker,
+    /// Links all intersection stages; or else the names of those that do not compile.
+    pub whole_scene: Result<Worker, String>,
 }
 
-impl Workers {
-    /// Runs each case in its worker: its ending, or the stages for want of which it could not run.
-    /// Adds what the code printed to `printed`.
+impl StageWorkers {
+    /// Runs each case in its worker. Returns its ending, or the names of the stages without which
+    /// it cannot run. Appends the output of the code to `printed`.
     pub fn run(
         &self,
         specs: &[&Spec],
         printed: &mut String,
     ) -> Result<Vec<Result<Ending, String>>, GraderError> {
-        let mut run = |worker: &Worker, with_neighbours: bool| -> Result<_, GraderError> {
+        let mut run = |worker: &Worker, all_stages: bool| -> Result<_, GraderError> {
             let chosen = specs
                 .iter()
-                .filter(|spec| spec.needs_neighbours() == with_neighbours);
+                .filter(|spec| spec.needs_all_stages() == all_stages);
             let cases: Vec<wire::Case> = chosen.map(|spec| spec.case()).collect();
             let run = runner::run(worker, &cases)?;
             printed.push_str(&run.printed);
             Ok(run.endings.into_iter())
         };
-        let mut alone = run(&self.own, false)?;
-        let mut together = match &self.together {
+        let mut alone = run(&self.stage, false)?;
+        let mut whole_scene = match &self.whole_scene {
             Ok(worker) => Ok(run(worker, true)?),
             Err(broken) => Err(broken),
         };
         let lost = || GraderError::new("the worker lost a case");
         let each = specs.iter();
-        each.map(|spec| match (spec.needs_neighbours(), &mut together) {
+        each.map(|spec| match (spec.needs_all_stages(), &mut whole_scene) {
             (false, _) => alone.next().map(Ok).ok_or_else(lost),
-            (true, Ok(together)) => together.next().map(Ok).ok_or_else(lost),
+            (true, Ok(whole_scene)) => whole_scene.next().map(Ok).ok_or_else(lost),
             (true, Err(broken)) => Ok(Err((*broken).clone())),
         })
         .collect()

@@ -8,7 +8,7 @@ use crate::compile::{BuildOutcome, CompileErrors, WorkerBuild};
 use crate::error::GraderError;
 use crate::grade::BuildRoot;
 use crate::runner::Worker;
-use crate::stage_workers::Workers;
+use crate::stage_workers::StageWorkers;
 use std::collections::BTreeMap;
 
 /// The worker's cargo feature for tracing rays through whole scenes.
@@ -17,7 +17,7 @@ const SCENES_FEATURE: &str = "meshes";
 /// The stages that this feature links.
 const INTERSECTION_STAGES: [&str; 3] = ["intersect", "bbox", "bvh"];
 
-/// What a message names in place of a stage if none is at fault.
+/// The name in messages where no single stage is the cause.
 const SCENES_WORKER: &str = "the worker for whole scenes";
 
 /// The workers of some stages.
@@ -26,27 +26,27 @@ pub struct WorkerSet {
     /// For each stage that compiles, a worker that links it.
     by_stage: BTreeMap<String, Worker>,
     /// A worker that links all intersection stages, or else the names of those that do not compile.
-    pub together: Result<Worker, String>,
+    pub whole_scene: Result<Worker, String>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
 }
 
 impl WorkerSet {
-    /// Builds workers for `stages` in `build_root`. `together` also builds one for whole scenes.
+    /// Builds workers for `stages` in `build_root`. `whole_scene` also builds one for whole scenes.
     pub fn build(
         build_root: &BuildRoot,
         stages: &[&str],
-        together: bool,
+        whole_scene: bool,
     ) -> Result<WorkerSet, GraderError> {
         let mut workers = WorkerSet::empty();
         let mut remaining = stages.to_vec();
-        let mut together = together;
-        while !remaining.is_empty() || together {
+        let mut whole_scene = whole_scene;
+        while !remaining.is_empty() || whole_scene {
             let mut features = remaining.clone();
-            features.extend(together.then_some(SCENES_FEATURE));
+            features.extend(whole_scene.then_some(SCENES_FEATURE));
             let errors = match build(build_root, &features)? {
                 BuildOutcome::Worker(program) => {
-                    workers.add(&remaining, together, &program.into());
+                    workers.add(&remaining, whole_scene, &program.into());
                     break;
                 }
                 BuildOutcome::DoesNotCompile(errors) => errors,
@@ -56,12 +56,12 @@ impl WorkerSet {
                 known.any(|stage| stage == name)
             };
             if !errors.failed_crates.iter().all(is_stage) {
-                return WorkerSet::build_one_by_one(build_root, stages, together);
+                return WorkerSet::build_one_by_one(build_root, stages, whole_scene);
             }
             workers.compiler.push_str(&errors.messages);
             remaining.retain(|stage| !errors.failed_crates.contains(*stage));
-            if together && let Some(names) = failed_intersection_stages(&errors) {
-                (workers.together, together) = (Err(names), false);
+            if whole_scene && let Some(names) = failed_intersection_stages(&errors) {
+                (workers.whole_scene, whole_scene) = (Err(names), false);
             }
         }
         Ok(workers)
@@ -71,13 +71,13 @@ impl WorkerSet {
     fn build_one_by_one(
         build_root: &BuildRoot,
         stages: &[&str],
-        together: bool,
+        whole_scene: bool,
     ) -> Result<WorkerSet, GraderError> {
         let mut workers = WorkerSet::empty();
         let mut all_errors = CompileErrors::default();
         let others = INTERSECTION_STAGES
             .iter()
-            .filter(|stage| together && !stages.contains(stage));
+            .filter(|stage| whole_scene && !stages.contains(stage));
         for &stage in stages.iter().chain(others) {
             match build(build_root, &[stage])? {
                 BuildOutcome::Worker(program) => workers.add(&[stage], false, &program.into()),
@@ -87,9 +87,9 @@ impl WorkerSet {
                 }
             }
         }
-        if together {
+        if whole_scene {
             let failed = failed_intersection_stages(&all_errors);
-            workers.together = match (failed, build(build_root, &[SCENES_FEATURE])?) {
+            workers.whole_scene = match (failed, build(build_root, &[SCENES_FEATURE])?) {
                 (None, BuildOutcome::Worker(program)) => Ok(program.into()),
                 (names, _) => Err(names.unwrap_or_else(|| SCENES_WORKER.into())),
             };
@@ -101,25 +101,25 @@ impl WorkerSet {
     fn empty() -> WorkerSet {
         WorkerSet {
             by_stage: BTreeMap::new(),
-            together: Err(SCENES_WORKER.into()),
+            whole_scene: Err(SCENES_WORKER.into()),
             compiler: String::new(),
         }
     }
 
-    /// Adds `worker`, which links `stages` and, with `together`, all intersection stages.
-    fn add(&mut self, stages: &[&str], together: bool, worker: &Worker) {
+    /// Adds `worker`, which links `stages` and, with `whole_scene`, all intersection stages.
+    fn add(&mut self, stages: &[&str], whole_scene: bool, worker: &Worker) {
         let entries = stages.iter().map(|s| (s.to_string(), worker.clone()));
         self.by_stage.extend(entries);
-        if together {
-            self.together = Ok(worker.clone());
+        if whole_scene {
+            self.whole_scene = Ok(worker.clone());
         }
     }
 
     /// The workers of `stage`; `None` if it does not compile.
-    pub fn workers(&self, stage: &str) -> Option<Workers> {
-        Some(Workers {
-            own: self.by_stage.get(stage)?.clone(),
-            together: self.together.clone(),
+    pub fn workers(&self, stage: &str) -> Option<StageWorkers> {
+        Some(StageWorkers {
+            stage: self.by_stage.get(stage)?.clone(),
+            whole_scene: self.whole_scene.clone(),
         })
     }
 }

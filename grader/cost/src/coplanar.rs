@@ -2,7 +2,7 @@
 //! boxes. All are hit at the same exact `t`; which one is the closest depends on rounding, and the
 //! box test rounds its entry differently.
 
-use judge::cases::probes::{Dice, through};
+use judge::cases::probes::{ProbeRng, through};
 use kernels::{Builder, ClosestHit, Traversal, brute_force};
 use kit::{Ray, Triangle, Vec3};
 
@@ -29,7 +29,7 @@ struct CoplanarScene {
 impl CoplanarScenes {
     /// Generates the scenes, with `rays` rays in all.
     pub(crate) fn new(seed: u64, rays: usize) -> CoplanarScenes {
-        let mut dice = Dice::new("cost overlaps", seed);
+        let mut dice = ProbeRng::new("cost overlaps", seed);
         let scenes = (0..PLANES).map(|plane| {
             let triangles = overlapping(&mut dice, plane % 3);
             let rays = (0..rays / PLANES).map(|_| {
@@ -68,7 +68,7 @@ impl CoplanarScenes {
 
 /// Returns triangles of many sizes in a plane perpendicular to `axis`, at a coordinate that is not
 /// a round number.
-fn overlapping(dice: &mut Dice, axis: usize) -> Vec<Triangle> {
+fn overlapping(dice: &mut ProbeRng, axis: usize) -> Vec<Triangle> {
     let coordinate = dice.range(-3.0, 3.0);
     let mut vertex = |around: Vec3, size: f64| {
         let mut p = around + size * dice.in_cube();

@@ -6,7 +6,7 @@
 //! them must return a hit.
 
 use super::rays::{Target, stored_ray};
-use judge::cases::probes::{Dice, at, through};
+use judge::cases::probes::{ProbeRng, at, through};
 use kernels::{HitF64, Kernel, Precision};
 use kit::{Primitive, Ray, Triangle};
 use meshes::{MeshKind, generate};
@@ -37,7 +37,7 @@ impl ClosedMeshes {
     /// Generates both meshes, with `rays` rays in all. Triangles share their vertices after
     /// rounding, too: a mesh that is stored in `f32` is still closed.
     pub(crate) fn new(seed: u64, rays: usize, precision: Precision) -> ClosedMeshes {
-        let mut dice = Dice::new("cost leaks", seed);
+        let mut dice = ProbeRng::new("cost leaks", seed);
         let meshes = MESHES
             .map(|kind| {
                 let exact = generate(kind, TRIANGLES);
@@ -111,7 +111,7 @@ impl ClosedMesh {
 }
 
 /// Returns a ray from near the middle to an edge, or in one of eight cases to a vertex.
-fn outward(mesh: &[Triangle], dice: &mut Dice) -> Ray {
+fn outward(mesh: &[Triangle], dice: &mut ProbeRng) -> Ray {
     let tri = mesh[dice.below(mesh.len())];
     let along = match dice.below(8) {
         0 => 0.0,

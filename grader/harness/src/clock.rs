@@ -1,34 +1,34 @@
-//! How long the student's thread has worked, as the processor counts it: on a busy machine it
-//! waits, and that is not its fault.
+//! Measures the processor time of the student's thread. Waiting for a processor on a busy machine
+//! does not count.
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-/// Where Linux keeps the student's thread's times.
+/// The file in which Linux shows the times of the student's thread.
 static TIMES: OnceLock<PathBuf> = OnceLock::new();
 
-/// Code that neither works nor comes back, because it sleeps or waits, has so many times its limit.
+/// Code that sleeps or waits may take this many times its limit in elapsed time.
 const WAITING: u32 = 8;
 
-/// Says that this thread is the one to be timed.
+/// Makes the current thread the one whose time is measured.
 pub(crate) fn start() {
     if let Ok(thread) = std::fs::read_link("/proc/thread-self") {
         let _ = TIMES.set(PathBuf::from("/proc").join(thread).join("schedstat"));
     }
 }
 
-/// Time that one case has taken.
+/// Measures the time of one case.
 pub(crate) struct Stopwatch {
     worked_before: Duration,
     started: Instant,
 }
 
 impl Stopwatch {
-    /// Starts now.
+    /// Starts a stopwatch.
     pub(crate) fn start() -> Stopwatch {
         Stopwatch {
-            // A thread that has not begun has not worked.
+            // A thread that has not started has used no processor time.
             worked_before: worked().unwrap_or_default(),
             started: Instant::now(),
         }
@@ -41,14 +41,14 @@ impl Stopwatch {
     }
 }
 
-/// What is left of `limit` after so much time on the wall's clock, of which the thread has worked
-/// so much. Where the system does not say, it has worked all the time.
+/// The rest of `limit` after `passed` elapsed time and `worked` processor time; `None` if it is
+/// used up. Where the system does not report processor time, elapsed time counts.
 fn left(limit: Duration, passed: Duration, worked: Option<Duration>) -> Option<Duration> {
     let left = limit.checked_sub(worked.unwrap_or(passed))?;
     (passed < limit * WAITING && !left.is_zero()).then_some(left)
 }
 
-/// What the student's thread has worked since it began, if the system says.
+/// The processor time of the student's thread since its start, if the system reports it.
 fn worked() -> Option<Duration> {
     let times = std::fs::read_to_string(TIMES.get()?).ok()?;
     let nanoseconds = times.split_whitespace().next()?.parse().ok()?;
@@ -66,7 +66,11 @@ mod tests {
         assert_eq!(of_five(30, Some(seconds(2))), Some(seconds(3)));
         assert_eq!(of_five(30, Some(seconds(5))), None);
         assert_eq!(of_five(30, Some(seconds(6))), None);
-        assert_eq!(of_five(40, Some(seconds(0))), None, "it only sleeps");
+        assert_eq!(
+            of_five(40, Some(seconds(0))),
+            None,
+            "it sleeps beyond 8 limits"
+        );
         assert_eq!(of_five(2, None), Some(seconds(3)));
         assert_eq!(of_five(6, None), None);
     }

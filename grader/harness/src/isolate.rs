@@ -1,4 +1,4 @@
-//! Runs one case so that it cannot end the others: panics and holes become outcomes.
+//! Runs one case in isolation: panics and holes become outcomes.
 
 use kit::hole::Hole;
 use std::any::Any;
@@ -7,14 +7,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU32, Ordering};
 use wire::{Answer, Case, Outcome, Record, Work};
 
-/// The call into the student's code that is running, counted from 0 in its case.
+/// The call of the student's code that is running, counted from 0 in its case.
 static CALL: AtomicU32 = AtomicU32::new(0);
 
 thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Records that call number `index` of the case begins, counted from 0.
+/// Records the start of call number `index` of the case, counted from 0.
 pub fn call(index: usize) {
     CALL.store(u32::try_from(index).unwrap_or(u32::MAX), Ordering::Relaxed);
 }
@@ -35,8 +35,8 @@ pub(crate) fn watch_panics() {
     }));
 }
 
-/// Runs case number `index`. `dispatch` calls the stages: it returns their answer, or why it
-/// cannot.
+/// Runs case number `index`. `dispatch` calls the stages and returns their answer, or an error if
+/// this worker cannot run the work.
 pub fn run(index: u32, case: &Case, dispatch: impl Fn(&Work) -> Result<Answer, String>) -> Record {
     let _ = kit::hole::take_marks();
     let outcome = outcome(&|| dispatch(&case.work));

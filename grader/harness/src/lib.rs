@@ -1,9 +1,9 @@
-//! The part of a worker that does not depend on any stage, so that an edit of a stage does not
-//! compile it again.
+//! The part of a worker that does not depend on any stage, and is not compiled again when a stage
+//! changes.
 //!
-//! [`run`] takes a case to its record: a panic or a hole in the student's code becomes an outcome.
-//! [`main`] is the whole worker program: it runs case after case, limited in time and memory, and
-//! writes each record as it is made.
+//! [`run`] runs a case and returns its record: a panic or a hole in the student's code becomes an
+//! outcome. [`main`] is the whole worker program: it runs the cases with limits on time and memory
+//! and writes each record at once.
 
 mod clock;
 mod isolate;

@@ -1,9 +1,9 @@
 //! The worker program: `worker CASES RECORDS FIRST MEMORY_MB` runs the cases from number FIRST on
 //! and appends their records.
 //!
-//! The grader starts it and reads what it wrote. The student's code runs on a thread of its own;
-//! the main thread watches the clock. A case that takes too long, or more memory than it may, ends
-//! the whole worker: the grader sees which case it was and starts another worker after it.
+//! The grader starts it and reads the records. The student's code runs on its own thread; the main
+//! thread enforces the time limit. A case that exceeds its time or memory limit ends the worker:
+//! the grader reads which case it was and starts another worker with the next case.
 
 use crate::clock::{self, Stopwatch};
 use crate::isolate;
@@ -14,15 +14,17 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
-use wire::{Case, Frame, Record, file};
+use wire::{Case, Record, RecordFrame, file};
 
-/// Enough for honest recursion over a deep tree; endless recursion overflows it soon.
+/// Stack size of the student's thread: enough for recursion over a deep tree; endless recursion
+/// overflows it soon.
 const STACK_BYTES: usize = 64 << 20;
 
-/// The clock is looked at no more often than so.
-const LOOK_AGAIN: Duration = Duration::from_millis(1);
+/// The shortest time between two checks of the time limit.
+const MIN_WAIT: Duration = Duration::from_millis(1);
 
-/// Runs the program. `memory` is its allocator; `run` takes a case and its number to its record.
+/// Runs the program. `memory` is its allocator; `run` runs a case with its number and returns its
+/// record.
 pub fn main(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> ExitCode {
     match work(memory, run) {
         Ok(()) => ExitCode::SUCCESS,
@@ -36,9 +38,7 @@ pub fn main(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> ExitCode {
 fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [cases, records, first, memory_mb] = arguments.as_slice() else {
-        return Err(
-            "started by hand? The grader starts it: run `cargo grader part1` instead".into(),
-        );
+        return Err("the grader starts this program: run `cargo grader part1` instead".into());
     };
     let first: u32 = first
         .parse()
@@ -52,14 +52,15 @@ fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), Strin
     let out = out.map_err(|e| format!("cannot write {records}: {e}"))?;
 
     isolate::watch_panics();
-    // The cases themselves do not count.
+    // The memory of the cases does not count.
     memory
         .set_limit(memory.allocated().saturating_add(memory_mb << 20))
         .map_err(|_| "no memory left".to_string())?;
     watch(cases, first, out, run)
 }
 
-/// Hands case after case to a thread of its own, and ends the process when one takes too long.
+/// Runs the cases on another thread, one after the other, and ends the process when one takes too
+/// long.
 fn watch(
     cases: Vec<Case>,
     first: u32,
@@ -70,11 +71,11 @@ fn watch(
         .iter()
         .map(|case| Duration::from_millis(case.limit_ms))
         .collect();
-    let (to_runner, orders) = mpsc::channel::<u32>();
+    let (to_runner, indices) = mpsc::channel::<u32>();
     let (to_watch, finished) = mpsc::channel::<Record>();
     let run_all = move || {
         clock::start();
-        for index in orders {
+        for index in indices {
             if to_watch.send(run(index, &cases[index as usize])).is_err() {
                 return;
             }
@@ -87,24 +88,24 @@ fn watch(
         .spawn(run_all)
         .map_err(|e| format!("cannot start a thread: {e}"))?;
 
-    let mut write = |frame: &Frame| {
+    let mut write = |frame: &RecordFrame| {
         file::write_frame(&mut out, frame).map_err(|e| format!("cannot write a record: {e}"))
     };
     for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
-        write(&Frame::Started { case })?;
+        write(&RecordFrame::Started { case })?;
         let stopwatch = Stopwatch::start();
         to_runner.send(case).map_err(|e| e.to_string())?;
         loop {
             let Some(left) = stopwatch.left(*limit) else {
-                write(&Frame::TimedOut {
+                write(&RecordFrame::TimedOut {
                     case,
                     call: isolate::current_call(),
                 })?;
                 std::process::exit(0);
             };
-            match finished.recv_timeout(left.max(LOOK_AGAIN)) {
+            match finished.recv_timeout(left.max(MIN_WAIT)) {
                 Ok(record) => {
-                    write(&Frame::Done(record))?;
+                    write(&RecordFrame::Done(record))?;
                     break;
                 }
                 Err(RecvTimeoutError::Timeout) => {}

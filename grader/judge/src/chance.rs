@@ -1,51 +1,51 @@
-//! Judging random answers: how often a right one would look this wrong.
+//! Statistical tests of random answers: how often would right code give such an answer?
 //!
-//! All tests of a run together accuse right code with a chance of at most one in a million (Šidák's
-//! correction over the most tests that a run makes). The other side is what they are sure to see:
-//! each finding carries it, each case says it to students ("A bias of 6 % is sure to be seen"), and
-//! a test of the goldens holds the two together.
+//! All tests of a run together have a false alarm with a probability of at most one in a million
+//! (Šidák's correction over the largest number of tests in a run). Their power is the deviation
+//! that they always detect: each finding has it, each case states it for students ("A bias of 6 %
+//! is always detected"), and a test of the goldens checks that the two agree.
 
 use super::tally::{Aspect, Class, Tally};
-use kit::{Tally as Numbers, Vec3};
+use kit::{Tally as SampleTally, Vec3};
 use statistics::chi_square;
 use statistics::{detectable_bias, sidak, two_sided};
 
-/// Chance that a whole run accuses right code because of its luck.
-const FAMILY: f64 = 1e-6;
+/// Probability that a whole run reports a false alarm on right code.
+const RUN_FALSE_ALARM: f64 = 1e-6;
 
-/// A run makes no more tests by chance than this.
-pub(crate) const TESTS: usize = 100;
+/// The largest number of statistical tests in a run.
+pub(crate) const MAX_TESTS: usize = 100;
 
-/// Estimates below this number are not tested: a mean of few is not normally distributed.
-pub(crate) const MANY: usize = 500;
+/// The smallest number of estimates that is tested: a mean of fewer is not normally distributed.
+pub(crate) const MIN_ESTIMATES: usize = 500;
 
-/// Chance of a false alarm of each test.
-fn alarm() -> f64 {
-    sidak(FAMILY, TESTS)
+/// Probability of a false alarm of each test.
+fn test_false_alarm() -> f64 {
+    sidak(RUN_FALSE_ALARM, MAX_TESTS)
 }
 
-/// Whether the mean of `numbers` is `truth`, as far as their spread lets one tell.
-pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &Numbers, truth: f64) {
+/// Tests whether the mean of `numbers` is `truth`, by its standard error (a z-test).
+pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: f64) {
     let z = numbers.z_against(truth);
-    let wrong = two_sided(z).is_nan() || two_sided(z) < alarm();
+    let wrong = two_sided(z).is_nan() || two_sided(z) < test_false_alarm();
     let class = wrong.then(|| Class::of_number(numbers.mean(), truth));
-    let sure = detectable_bias(numbers.standard_error(), alarm()) / truth.abs();
+    let sure = detectable_bias(numbers.standard_error(), test_false_alarm()) / truth.abs();
     tally.expect(Aspect::Mean);
-    tally.sure(Aspect::Mean, sure);
+    tally.set_detectable(Aspect::Mean, sure);
     tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
         format!(
-            "the mean of {} {what} is {:.5} ± {:.5}, right is {truth:.5}: {:.1} standard errors off, where {:.1} are allowed (a bias of {:.1} % is sure to be seen)",
+            "your result: the mean of {} {what} is {:.5} ± {:.5}; expected: {truth:.5} (off by {:.1} standard errors, allowed {:.1}; a bias of {:.1} % is always detected)",
             numbers.count(),
             numbers.mean(),
             numbers.standard_error(),
             z.abs(),
-            statistics::critical_z(alarm()),
+            statistics::critical_z(test_false_alarm()),
             100.0 * sure
         )
     });
 }
 
-/// Whether `directions` fall where the density `pdf` says.
+/// Tests whether `directions` are distributed with the density `pdf` (a χ² test).
 pub(crate) fn spread(
     tally: &mut Tally,
     directions: &[Option<Vec3>],
@@ -53,42 +53,45 @@ pub(crate) fn spread(
     right: &str,
 ) {
     tally.expect(Aspect::Spread);
-    // Too few are none: whoever asks for next to nothing is not even.
-    if directions.len() < MANY {
+    // Fewer directions cannot be tested, and count as wrong.
+    if directions.len() < MIN_ESTIMATES {
         tally.judge(Aspect::Spread, 0, false, f64::INFINITY, || {
-            format!("there are {} directions only", directions.len())
+            format!(
+                "only {} directions were sampled; too few to test their distribution",
+                directions.len()
+            )
         });
         return;
     }
     let fit = chi_square::fit(directions.iter().copied(), pdf);
-    let sure = fit.detectable_deviation(alarm());
-    tally.sure(Aspect::Spread, sure);
+    let sure = fit.detectable_deviation(test_false_alarm());
+    tally.set_detectable(Aspect::Spread, sure);
     let badness = -fit.p.max(1e-300).log10();
-    let class = (fit.p < alarm()).then(|| middle(directions));
+    let class = (fit.p < test_false_alarm()).then(|| mean_direction_class(directions));
     tally.judge_class(Aspect::Spread, 0, class, badness, || {
         format!(
-            "{} directions are not distributed {right}: a right sample looks so uneven with a chance of {:.0e}, where {:.0e} is allowed (a deviation of {:.0} % is sure to be seen)",
+            "your {} directions are not distributed {right}: right directions deviate this much with a probability of {:.0e}, allowed is {:.0e} (a deviation of {:.0} % is always detected)",
             directions.len(),
             fit.p,
-            alarm(),
+            test_false_alarm(),
             100.0 * sure
         )
     });
 }
 
-/// How finely the middle of directions tells mistakes apart, across the normal and along it: so
-/// coarse that chance does not round it up and down by turns. Along it the middles of a uniform
-/// hemisphere and of one drawn by the cosine, 1/2 and 2/3, are whole.
-const FINE: Vec3 = Vec3::new(8.0, 8.0, 24.0);
+/// Quantisation of mean directions across the normal (x, y) and along it (z): so coarse that random
+/// variation does not change the class. Along the normal, the means of uniform and of
+/// cosine-distributed directions, 1/2 and 2/3, are whole numbers of steps.
+const MEAN_DIRECTION_STEPS: Vec3 = Vec3::new(8.0, 8.0, 24.0);
 
-/// The class of directions that are not distributed rightly: where their middle lies.
-fn middle(directions: &[Option<Vec3>]) -> Class {
+/// The class of wrongly distributed directions: their mean.
+fn mean_direction_class(directions: &[Option<Vec3>]) -> Class {
     let sum: Vec3 = directions.iter().flatten().sum();
-    let middle = FINE * sum / directions.len() as f64;
-    if middle.is_nan() {
+    let mean = MEAN_DIRECTION_STEPS * sum / directions.len() as f64;
+    if mean.is_nan() {
         return Class::NotANumber;
     }
-    Class::Towards(middle.to_array().map(|along| along.round() as i8))
+    Class::Towards(mean.to_array().map(|along| along.round() as i8))
 }
 
 #[cfg(test)]
@@ -98,24 +101,24 @@ mod tests {
     use wire::Work;
 
     #[test]
-    fn a_family_has_room_for_all_tests_of_a_run() {
+    fn a_run_makes_at_most_max_tests() {
         let by_chance = |spec: &cases::Spec| match &spec.work {
-            Work::Lambert(probes) => probes.len() >= MANY,
-            Work::Direct(work) => work.points.len() >= MANY,
-            Work::Specular(calls) => calls.len() >= MANY,
-            Work::Roulette(work) => work.numbers.len() >= MANY,
+            Work::Lambert(probes) => probes.len() >= MIN_ESTIMATES,
+            Work::Direct(work) => work.points.len() >= MIN_ESTIMATES,
+            Work::Specular(calls) => calls.len() >= MIN_ESTIMATES,
+            Work::Roulette(work) => work.numbers.len() >= MIN_ESTIMATES,
             _ => false,
         };
         let cases = cases::all(0);
-        // No case makes more than two of them.
+        // No case makes more than two statistical tests.
         let tests = 2 * cases.iter().filter(|spec| by_chance(spec)).count();
-        assert!((20..=TESTS).contains(&tests), "{tests}");
+        assert!((20..=MAX_TESTS).contains(&tests), "{tests}");
     }
 
     #[test]
-    fn a_bias_that_is_sure_to_be_seen_is_seen() {
-        let numbers: Numbers = (0..10_000).map(|i| f64::from(i % 2)).collect();
-        let sure = detectable_bias(numbers.standard_error(), alarm());
+    fn a_detectable_bias_is_detected() {
+        let numbers: SampleTally = (0..10_000).map(|i| f64::from(i % 2)).collect();
+        let sure = detectable_bias(numbers.standard_error(), test_false_alarm());
         let wrong = |truth: f64| {
             let mut tally = Tally::default();
             mean(&mut tally, "numbers", &numbers, truth);

@@ -1,4 +1,4 @@
-//! What the grader does with one kind of work: from the question to points, golden and pasted test.
+//! The grader's operations on one kind of work: validate, judge, write a golden and a Rust test.
 
 use crate::Tier;
 use crate::cases::Spec;
@@ -8,49 +8,50 @@ use crate::tally::{Aspect, Tally};
 use wire::Answer;
 use wire::work::Xyz;
 
-/// Milliseconds after which a case has failed. Sound code needs a few.
+/// Default time limit of a case, in milliseconds. Correct code needs a few milliseconds.
 const LIMIT_MS: u64 = 5000;
 
-/// Milliseconds for cases that build trees over large meshes.
+/// Time limit of cases that build trees over large meshes, in milliseconds.
 pub(crate) const LARGE_LIMIT_MS: u64 = 120_000;
 
-/// What a snapshot says of an answer: totals, and each line in its short and its full form.
+/// The content of a snapshot: the totals, and each line in its short and its full form.
 pub(crate) type Content = (Fields, Vec<Forms>);
 
-/// A kind of work. Each task has a folder in `tasks` with an implementation for each of its own
-/// kinds.
+/// The operations on one kind of work. The folder of a task in `tasks` implements it for each kind
+/// of work of that task.
 ///
-/// What the worker wrote is untrusted until [`Check::fits`] has passed it. All other functions are
-/// only called with answers that fit, so they may rely on the number of answers and on every index
-/// that `fits` tests.
+/// A worker's answer is untrusted until [`Check::fits`] accepts it. All other functions are only
+/// called with answers that fit, so they may rely on the number of answers and on every index that
+/// `fits` tests.
 pub(crate) trait Check {
-    /// What the worker is asked, as in [`wire::Work`].
+    /// The input of the work, as in [`wire::Work`].
     type Question;
 
-    /// What it answers, as in [`wire::Answer`].
+    /// The result of the work, as in [`wire::Answer`].
     type Answer;
 
-    /// Whether rays go through all stages that hit something, not only through the task's own.
-    const NEEDS_NEIGHBOURS: bool = false;
+    /// Whether the work traces rays through all intersection stages, not only the task's own stage.
+    const NEEDS_ALL_STAGES: bool = false;
 
     /// Milliseconds after which a case has failed.
     const LIMIT_MS: u64 = LIMIT_MS;
 
-    /// How many calls of the student's functions the question makes.
+    /// The number of calls of the student's functions that the question makes.
     fn calls(question: &Self::Question) -> usize;
 
-    /// Whether the answer has the form that the question calls for: as many entries, indices in
-    /// their range. The error ends the sentence "the worker's record does not fit the case: ...".
+    /// Checks that the answer has the form that the question requires: the number of entries, the
+    /// ranges of indices. The error ends the sentence "the worker's record does not fit the case:
+    /// ...".
     fn fits(question: &Self::Question, answer: &Self::Answer) -> Result<(), String>;
 
-    /// What scores on each call, for work on triangles and spheres: what the oracle computes once
-    /// for all answers. `enclosed` is that of the case.
+    /// The results that score for each call, for work on triangles and spheres; the oracle computes
+    /// them once for all answers. `enclosed` is [`Spec::enclosed`].
     fn expected(_question: &Self::Question, _tier: Tier, _enclosed: bool) -> Vec<Expected> {
         Vec::new()
     }
 
-    /// Counts what is right and wrong about an answer to the case `spec`, whose points are of
-    /// `tier`.
+    /// Judges an answer to the case `spec`, whose points are of `tier`, and counts the results in
+    /// `tally`.
     fn judge(
         tally: &mut Tally,
         spec: &Spec,
@@ -59,16 +60,17 @@ pub(crate) trait Check {
         answer: &Self::Answer,
     );
 
-    /// The content of a snapshot of the answer; `None` for what is different every time (times).
+    /// The content of a snapshot of the answer; `None` for answers that differ on every run
+    /// (times).
     fn lines(question: &Self::Question, answer: &Self::Answer) -> Option<Content>;
 
-    /// The body of a Rust test for one call; `None` if there is none that is short, or more than
-    /// one answer scores.
+    /// The body of a Rust test for one call; `None` if the test would be long, or if more than one
+    /// answer scores.
     fn repro(_tier: Tier, _question: &Self::Question, _call: usize) -> Option<String> {
         None
     }
 
-    /// Whether such a test of one call shows what is wrong about the aspect.
+    /// Whether a test of one call can fail because of a wrong `aspect`.
     fn repro_shows(_aspect: Aspect) -> bool {
         true
     }
@@ -80,10 +82,10 @@ pub(crate) trait Check {
     }
 }
 
-/// A question of any kind, with its check.
-pub(crate) trait Asked {
-    /// As [`Check::NEEDS_NEIGHBOURS`].
-    fn needs_neighbours(&self) -> bool;
+/// A [`Check`] and its question with their types erased: work of any kind.
+pub(crate) trait ErasedCheck {
+    /// As [`Check::NEEDS_ALL_STAGES`].
+    fn needs_all_stages(&self) -> bool;
 
     /// As [`Check::LIMIT_MS`].
     fn limit_ms(&self) -> u64;
@@ -114,16 +116,16 @@ pub(crate) trait Asked {
     fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>>;
 }
 
-/// A question of one kind.
-pub(crate) struct Question<'a, C: Check> {
+/// A question of one kind of work, with its check `C`.
+pub(crate) struct CheckedQuestion<'a, C: Check> {
     pub(crate) question: &'a C::Question,
-    /// The answer inside, if it is one to this kind of work.
-    pub(crate) of_kind: fn(&Answer) -> Option<&C::Answer>,
+    /// The typed answer inside an [`Answer`] of this kind of work; `None` for another kind.
+    pub(crate) answer_of_kind: fn(&Answer) -> Option<&C::Answer>,
 }
 
-impl<C: Check> Asked for Question<'_, C> {
-    fn needs_neighbours(&self) -> bool {
-        C::NEEDS_NEIGHBOURS
+impl<C: Check> ErasedCheck for CheckedQuestion<'_, C> {
+    fn needs_all_stages(&self) -> bool {
+        C::NEEDS_ALL_STAGES
     }
 
     fn limit_ms(&self) -> u64 {
@@ -136,10 +138,10 @@ impl<C: Check> Asked for Question<'_, C> {
     }
 
     fn fits(&self, answer: &Answer) -> Result<(), String> {
-        match (self.of_kind)(answer) {
+        match (self.answer_of_kind)(answer) {
             Some(answer) => C::fits(self.question, answer),
             None => Err(format!(
-                "it answers another kind of work, {}",
+                "it is an answer to another kind of work, {}",
                 answer.kind()
             )),
         }
@@ -151,13 +153,13 @@ impl<C: Check> Asked for Question<'_, C> {
 
     fn judge(&self, tally: &mut Tally, spec: &Spec, tier: Tier, answer: &Answer) {
         debug_assert_eq!(self.fits(answer), Ok(()), "{} {}", spec.task, spec.name);
-        if let Some(answer) = (self.of_kind)(answer) {
+        if let Some(answer) = (self.answer_of_kind)(answer) {
             C::judge(tally, spec, tier, self.question, answer);
         }
     }
 
     fn lines(&self, answer: &Answer) -> Option<Content> {
-        C::lines(self.question, (self.of_kind)(answer)?)
+        C::lines(self.question, (self.answer_of_kind)(answer)?)
     }
 
     fn repro(&self, tier: Tier, call: usize) -> Option<String> {
@@ -169,16 +171,16 @@ impl<C: Check> Asked for Question<'_, C> {
     }
 
     fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>> {
-        C::colours((self.of_kind)(answer)?)
+        C::colours((self.answer_of_kind)(answer)?)
     }
 }
 
-/// Whether there is one answer for each of so many calls.
+/// Checks that there is one answer for each call.
 pub(crate) fn one_each<T>(calls: usize, answers: &[T]) -> Result<(), String> {
     same_length("answers", answers.len(), calls)
 }
 
-/// Whether there are as many of `what` as the case has calls.
+/// Checks that there are as many of `what` as the case has calls.
 pub(crate) fn same_length(what: &str, found: usize, calls: usize) -> Result<(), String> {
     if found == calls {
         Ok(())
@@ -189,13 +191,13 @@ pub(crate) fn same_length(what: &str, found: usize, calls: usize) -> Result<(), 
     }
 }
 
-/// Whether the item `what` of call number `call` is one of `count`.
+/// Checks that `index`, which call number `call` has for a `what`, is below `count`.
 pub(crate) fn in_range(what: &str, call: usize, index: u32, count: usize) -> Result<(), String> {
     if (index as usize) < count {
         Ok(())
     } else {
         Err(format!(
-            "call {call} names {what} {index}, but there are only {count}"
+            "call {call} has the {what} index {index}, expected one below {count}"
         ))
     }
 }

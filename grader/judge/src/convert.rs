@@ -1,4 +1,4 @@
-//! From the plain numbers of the wire to the kit's types.
+//! Converts the plain numbers of `wire` to the types of `kit`.
 
 use kit::{Ray, Scene, Sphere, Triangle, Vec3};
 use wire::work::{self, Xyz};

@@ -1,40 +1,41 @@
-//! How far off the numbers of answers are, as a distribution.
+//! The distribution of the errors of numbers.
 
 use serde::Serialize;
 
-/// How far off one number is.
+/// The error of one number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NumberError {
     /// In units in the last place of the right number.
     pub ulps: f64,
-    /// As a share of what is allowed; over 1 is wrong.
+    /// Relative to the allowed error; above 1 is wrong.
     pub of_bound: f64,
 }
 
-/// How far off many numbers are, in units in the last place.
+/// The distribution of the errors of many numbers, in units in the last place.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorSpread {
-    /// Half of the numbers are no farther off.
+    /// The median.
     pub p50: f64,
-    /// Of a hundred numbers, 99 are no farther off.
+    /// The 99th percentile.
     pub p99: f64,
-    /// None is farther off.
+    /// The largest error.
     pub max: f64,
-    /// The largest share of its bound that an error makes; over 1 is wrong.
+    /// The largest ratio of an error to its bound; above 1 is wrong.
     pub of_bound: f64,
 }
 
 impl ErrorSpread {
-    /// The spread of `errors`; `None` without any. NaN counts as infinitely far off.
+    /// The distribution of `errors`; `None` if there are none. NaN counts as an infinite error.
     pub fn of<'a>(errors: impl IntoIterator<Item = &'a NumberError>) -> Option<ErrorSpread> {
-        let sized = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+        let or_infinite = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let (mut ulps, shares): (Vec<f64>, Vec<f64>) = errors
             .into_iter()
-            .map(|error| (sized(error.ulps), sized(error.of_bound)))
+            .map(|error| (or_infinite(error.ulps), or_infinite(error.of_bound)))
             .unzip();
         ulps.sort_by(f64::total_cmp);
         let max = *ulps.last()?;
-        // The smallest that at least this share of the numbers does not exceed (nearest rank).
+        // The smallest number that at least this share of the numbers does not exceed (nearest
+        // rank).
         let quantile = |share: f64| ulps[((share * ulps.len() as f64).ceil() as usize).max(1) - 1];
         Some(ErrorSpread {
             p50: quantile(0.5),
@@ -65,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn nan_is_infinitely_far_off() {
+    fn nan_is_an_infinite_error() {
         let nan = NumberError {
             ulps: f64::NAN,
             of_bound: f64::NAN,

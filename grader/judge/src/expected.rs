@@ -1,13 +1,13 @@
-//! What is known to be right, in the form in which answers are judged.
+//! The results that score, in the form in which answers are judged.
 
 use kit::{Vec2, Vec3};
 use oracle::BigFloat;
 
-/// What a ray and what it is traced through have to do with each other: the answers that score.
+/// The answers that score for one ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
-    /// The hits that score, the likeliest first: more than one where rounding errors of sound `f64`
-    /// code decide which comes first, or where shapes touch.
+    /// The hits that score, the likeliest first: more than one where rounding errors of correct
+    /// `f64` code decide which hit is the closest, or where shapes touch.
     pub hits: Vec<ExpectedHit>,
     /// Whether a miss scores.
     pub miss: bool,
@@ -15,25 +15,25 @@ pub struct Expected {
     pub why_miss: &'static str,
 }
 
-/// The verdict on hit or miss.
+/// Whether hit, miss or both are right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Decision {
+pub enum HitOrMiss {
     /// Only a hit is right.
     Hit,
     /// Only a miss is right.
     Miss,
-    /// Rounding errors of sound `f64` code decide: either is right.
+    /// Both are right: rounding errors of correct `f64` code decide.
     Either,
 }
 
-/// A hit and how far an answer may be from it.
+/// An exact hit, and how far an answer may be from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExpectedHit {
     /// Number of the primitive.
     pub prim: u32,
     /// Distance along the ray, rounded to the nearest float.
     pub t: f64,
-    /// The same with more digits than a float has.
+    /// `t` with more digits than `f64` has.
     pub exact_t: BigFloat,
     /// How far `t` may be off.
     pub t_bound: f64,
@@ -41,8 +41,9 @@ pub struct ExpectedHit {
     pub p: Vec3,
     /// How far each coordinate of the hit point may be off, in world units.
     pub p_bound: f64,
-    /// The surface that the point must lie on, and how far from it it may lie, if that is asked.
-    pub surface: Option<(Surface, f64)>,
+    /// The surface on which the hit point must lie, and its largest distance from it; `None` if
+    /// that is not judged.
+    pub surface: Option<(TrueSurface, f64)>,
     /// Barycentric weights of `p1` and `p2`, and how far they may be off; for triangles.
     pub uv: Option<(Vec2, f64)>,
     /// Unit shading normal; `None` where any unit vector is right (the vertex normals cancel).
@@ -55,9 +56,9 @@ pub struct ExpectedHit {
     pub ng_bound: f64,
 }
 
-/// A surface that a point can be on.
+/// The exact surface of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Surface {
+pub enum TrueSurface {
     /// The plane through a point with a unit normal.
     Plane(Vec3, Vec3),
     /// The sphere around a centre with a radius.
@@ -66,16 +67,16 @@ pub enum Surface {
 
 impl Expected {
     /// Whether hit, miss or both are right.
-    pub fn decision(&self) -> Decision {
+    pub fn decision(&self) -> HitOrMiss {
         match (self.hits.is_empty(), self.miss) {
-            (true, _) => Decision::Miss,
-            (false, true) => Decision::Either,
-            (false, false) => Decision::Hit,
+            (true, _) => HitOrMiss::Miss,
+            (false, true) => HitOrMiss::Either,
+            (false, false) => HitOrMiss::Hit,
         }
     }
 
-    /// The hit to hold an answer with `prim` and `t` against: of the same primitive if there is
-    /// one, then the one whose `t` is closest in terms of its bound.
+    /// The expected hit to compare an answer with: one of the same primitive if possible, and of
+    /// those the one whose `t` is the closest relative to its bound.
     pub fn closest_to(&self, prim: u32, t: f64) -> Option<&ExpectedHit> {
         let off = |hit: &ExpectedHit| {
             let off = (t - hit.t).abs() / hit.t_bound;
@@ -92,12 +93,12 @@ impl Expected {
     }
 }
 
-impl Surface {
+impl TrueSurface {
     /// How far `p` is from the surface.
     pub fn distance(&self, p: Vec3) -> f64 {
         match *self {
-            Surface::Plane(q, n) => (p - q).dot(n).abs(),
-            Surface::Sphere(center, radius) => ((p - center).length() - radius).abs(),
+            TrueSurface::Plane(q, n) => (p - q).dot(n).abs(),
+            TrueSurface::Sphere(center, radius) => ((p - center).length() - radius).abs(),
         }
     }
 }

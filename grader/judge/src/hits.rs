@@ -1,32 +1,32 @@
-//! Judging a hit record against what is right.
+//! Judges hit records against the exact hit.
 
 use super::errors::NumberError;
-use super::expected::{Decision, Expected, ExpectedHit};
+use super::expected::{Expected, ExpectedHit, HitOrMiss};
 use super::tally::{Aspect, Class, SAME, Tally};
 use kit::Vec3;
 use wire::answer::Hit;
 use wire::work::Ray;
 
-/// How far the length of a normal may be from 1. A normalisation rounds it by 1e-16; this also lets
-/// pass who divides by the radius a vector to a hit point that `o + t d` has rounded.
+/// How far the length of a normal may be from 1. Normalising rounds it by 1e-16; this bound also
+/// accepts the vector from a sphere's centre to a rounded `o + t d`, divided by the radius.
 const UNIT_BOUND: f64 = 1e-9;
 
-/// One call of one of the student's functions, and where to write down what is found about it.
+/// A call of one of the student's functions, with the tally that collects its findings.
 pub(crate) struct Call<'a> {
     pub(crate) tally: &'a mut Tally,
     /// Number of the call in its case, from 0.
     pub(crate) number: usize,
-    /// The function that answered.
+    /// The function that was called.
     pub(crate) function: &'static str,
-    /// What it was asked.
+    /// The ray that it got.
     pub(crate) ray: &'a Ray,
 }
 
-/// Notes the aspects that a right answer shows.
+/// Counts the aspects that the right answer has.
 pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
     tally.expect(Aspect::Decision);
     tally.expect(Aspect::RayAfter);
-    if expected.decision() != Decision::Hit {
+    if expected.decision() != HitOrMiss::Hit {
         return;
     }
     let aspects = [
@@ -43,7 +43,7 @@ pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
 }
 
 impl Call<'_> {
-    /// Judges one aspect; `message` says what is wrong, the ray is added.
+    /// Judges one aspect. `message` describes the error; the ray is appended to it.
     fn judge(
         &mut self,
         aspect: Aspect,
@@ -59,7 +59,7 @@ impl Call<'_> {
         );
     }
 
-    /// The same for an answer that is wrong in a way that has a class; `None` if it is right.
+    /// Judges one aspect, with the class of a wrong answer; `None` if it is right.
     fn judge_class(
         &mut self,
         aspect: Aspect,
@@ -77,18 +77,18 @@ impl Call<'_> {
     /// Hit or miss.
     pub(crate) fn decision(&mut self, expected: &Expected, answered: Option<f64>) {
         let right = match expected.decision() {
-            Decision::Either => true,
-            Decision::Hit => answered.is_some(),
-            Decision::Miss => answered.is_none(),
+            HitOrMiss::Either => true,
+            HitOrMiss::Hit => answered.is_some(),
+            HitOrMiss::Miss => answered.is_none(),
         };
         let class = decision_class(right, answered.is_some());
         self.judge_class(Aspect::Decision, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
-                format!("{function} says miss, but the ray hits at t = {t:?}")
+                format!("{function}: your result: miss; expected: hit at t = {t:?}")
             }
             Some(t) => format!(
-                "{function} says hit at t = {t:?}, but the ray misses: {}",
+                "{function}: your result: hit at t = {t:?}; expected: miss, because {}",
                 expected.why_miss
             ),
         });
@@ -106,7 +106,7 @@ impl Call<'_> {
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {
             format!(
-                "{function} gives t = {answered:?}, right is {right:?} (off by {off:.1e}, allowed {bound:.1e})"
+                "{function}: your result: t = {answered:?}; expected: {right:?} (error {off:.1e}, allowed {bound:.1e})"
             )
         });
     }
@@ -124,9 +124,9 @@ impl Call<'_> {
             _ => Class::of_size(off),
         });
         self.judge_class(Aspect::Barycentrics, class, off / bound, |function| {
-            let hint = if swapped { " (they are swapped)" } else { "" };
+            let hint = if swapped { " (b1 and b2 are swapped)" } else { "" };
             format!(
-                "{function} gives b1 = {b1:?}, b2 = {b2:?}, right is b1 = {:?}, b2 = {:?}{hint}",
+                "{function}: your result: b1 = {b1:?}, b2 = {b2:?}; expected: b1 = {:?}, b2 = {:?}{hint}",
                 right.x, right.y
             )
         });
@@ -137,7 +137,7 @@ impl Call<'_> {
         let right = expected.hits.iter().any(|hit| hit.prim == prim);
         self.judge(Aspect::Primitive, right, 1.0, |function| {
             let right = expected.hits.first().map_or(0, |hit| hit.prim);
-            format!("{function} gives primitive {prim}, right is {right}")
+            format!("{function}: your result: primitive {prim}; expected: primitive {right}")
         });
     }
 
@@ -161,7 +161,7 @@ impl Call<'_> {
         let class = wrong_unless(off <= bound, || self.position_class(expected, p));
         self.judge_class(Aspect::Position, class, off / bound, |function| {
             format!(
-                "{function} gives p = {}, right is {} (off by {off:.1e}, allowed {bound:.1e})",
+                "{function}: your result: p = {}; expected: {} (error {off:.1e}, allowed {bound:.1e})",
                 show(p),
                 show(right)
             )
@@ -170,21 +170,21 @@ impl Call<'_> {
             let off = surface.distance(p);
             self.judge(Aspect::Position, off <= bound, off / bound, |function| {
                 format!(
-                    "{function} gives p = {}, which is {off:.1e} off the surface (allowed {bound:.1e})",
+                    "{function}: your result: p = {}; expected: a point on the surface (distance {off:.1e}, allowed {bound:.1e})",
                     show(p)
                 )
             });
         }
     }
 
-    /// The class of a wrong hit point: how far along the ray it lies, or how far from the right one
-    /// if beside the ray.
+    /// The class of a wrong hit point: its t if it lies on the ray, else its distance from the
+    /// right point.
     fn position_class(&self, expected: &ExpectedHit, p: Vec3) -> Class {
         let (o, d) = (Vec3::from(self.ray.o), Vec3::from(self.ray.d));
         let t = (p - o).dot(d) / d.length_squared();
         let beside = (o + t * d - p).length();
         if beside <= SAME * (expected.p - o).length() {
-            // A point at the origin is off it by rounding.
+            // At the origin, t is a rounding error and not 0.
             let t = if t.abs() <= SAME * expected.t { 0.0 } else { t };
             Class::of_number(t, expected.t)
         } else {
@@ -203,19 +203,19 @@ impl Call<'_> {
             })
         });
         self.judge_class(aspect, class, off.max(length_off), |function| {
-            let is = format!("{function} gives {name} = {}", show(given));
+            let result = format!("{function}: your result: {name} = {}", show(given));
             match right {
-                _ if !is_unit => format!("{is} of length {length}, not 1"),
+                _ if !is_unit => format!("{result} of length {length}; expected: length 1"),
                 Some(n) if worst((given + n).to_array()) <= bound => {
-                    format!("{is}, right is the opposite, {}", show(n))
+                    format!("{result}; expected: the opposite, {}", show(n))
                 }
-                Some(n) => format!("{is}, right is {}", show(n)),
-                None => is,
+                Some(n) => format!("{result}; expected: {}", show(n)),
+                None => result,
             }
         });
     }
 
-    /// The ray after the call: shortened to a hit, untouched by a miss.
+    /// The ray after the call: a hit sets `max_t`, a miss changes nothing.
     pub(crate) fn ray_after(&mut self, hit_t: Option<f64>, after: &Ray) {
         let before = *self.ray;
         let rest = Ray {
@@ -225,7 +225,7 @@ impl Call<'_> {
         let rest_untouched = bits(&rest) == bits(&before);
         let class = wrong_unless(rest_untouched, || Class::Named("o, d or min_t"));
         self.judge_class(Aspect::RayAfter, class, 2.0, |function| {
-            format!("{function} changed the ray's o, d or min_t")
+            format!("{function} changed the ray's o, d or min_t; expected: they stay as they are")
         });
         self.max_t_after(hit_t, after.max_t);
     }
@@ -246,28 +246,30 @@ impl Call<'_> {
         });
         self.judge_class(Aspect::RayAfter, class, 1.0, |function| {
             let why = if hit_t.is_some() {
-                "a hit shortens the ray to the t that it gives"
+                "a hit sets max_t to the t that it returns"
             } else {
-                "a miss leaves it alone"
+                "a miss does not change max_t"
             };
-            format!("{function} left ray.max_t = {after:?}, right is {right:?}: {why}")
+            format!(
+                "{function}: your result: ray.max_t = {after:?}; expected: {right:?}, since {why}"
+            )
         });
     }
 
-    /// Where either answer scores, the two functions must still give the same one.
+    /// The two functions must agree on hit or miss, also where either scores.
     pub(crate) fn agrees_with(&mut self, test: &str, test_hits: bool, hits: bool) {
-        let says = |hit: bool| if hit { "hit" } else { "miss" };
+        let name = |hit: bool| if hit { "hit" } else { "miss" };
         self.judge(Aspect::Decision, test_hits == hits, 0.5, |function| {
             format!(
-                "{test} says {} and {function} says {}",
-                says(test_hits),
-                says(hits)
+                "your results: {test} returns a {}, {function} a {}; expected: the same from both",
+                name(test_hits),
+                name(hits)
             )
         });
     }
 }
 
-/// Judges a hit record but for its barycentric weights.
+/// Judges a hit record, except for its barycentric weights.
 pub(crate) fn record(call: &mut Call<'_>, expected: &Expected, hit: Option<&Hit>) {
     call.decision(expected, hit.map(|hit| hit.t));
     if let Some(hit) = hit
@@ -294,7 +296,7 @@ fn wrong_unless(right: bool, class: impl FnOnce() -> Class) -> Option<Class> {
     if right { None } else { Some(class()) }
 }
 
-/// The largest absolute value; NaN if one is NaN, so that it is within no bound.
+/// The largest absolute value; NaN if one of them is NaN, which is within no bound.
 fn worst<const N: usize>(values: [f64; N]) -> f64 {
     if values.iter().any(|value| value.is_nan()) {
         return f64::NAN;
@@ -304,7 +306,7 @@ fn worst<const N: usize>(values: [f64; N]) -> f64 {
         .fold(0.0, |worst, value| worst.max(value.abs()))
 }
 
-/// Bit for bit, so that NaN equals itself.
+/// The bits of the ray's numbers: NaN equals itself.
 fn bits(r: &Ray) -> [[u64; 3]; 3] {
     [r.o, r.d, [r.min_t, r.max_t, 0.0]].map(|v| v.map(f64::to_bits))
 }
@@ -314,7 +316,7 @@ pub(crate) fn show(v: Vec3) -> String {
     format!("({:?}, {:?}, {:?})", v.x, v.y, v.z)
 }
 
-/// A ray for people.
+/// The text of a ray in messages.
 pub(crate) fn show_ray(ray: &Ray) -> String {
     let (o, d) = (show(Vec3::from(ray.o)), show(Vec3::from(ray.d)));
     let (min_t, max_t) = (ray.min_t, ray.max_t);

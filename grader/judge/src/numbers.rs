@@ -1,13 +1,15 @@
-//! Comparing colours and vectors of answers.
+//! Judges colours, numbers and directions.
 
 use super::hits::show;
 use super::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use wire::work::Xyz;
 
-/// Whether every channel is within `bound`, a share of the largest right one.
+/// Whether every channel is within `bound` of the right one, relative to the largest right channel.
 pub(crate) fn same_colour(answered: Xyz, right: Xyz, bound: f64) -> bool {
-    let scale = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let scale = right
+        .iter()
+        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let pairs = answered.iter().zip(right);
     pairs
         .into_iter()
@@ -39,7 +41,10 @@ pub(crate) fn colour(
     let off = (Vec3::from(answered) - Vec3::from(right)).length();
     let class = (!same_colour(answered, right, bound)).then(|| class_of(answered, right));
     tally.judge_class(aspect, call, class, off, || {
-        format!("it is {answered:?}, right is {right:?}. {}", about())
+        format!(
+            "your result: {answered:?}; expected: {right:?}. {}",
+            about()
+        )
     });
 }
 
@@ -57,7 +62,7 @@ pub(crate) fn number(
     let is_right = off <= bound * right.abs() || answered == right;
     let class = (!is_right).then(|| Class::of_number(answered, right));
     tally.judge_class(aspect, call, class, off, || {
-        format!("it is {answered}, right is {right}. {}", about())
+        format!("your result: {answered}; expected: {right}. {}", about())
     });
 }
 
@@ -76,7 +81,7 @@ pub(crate) fn direction(
     let class = (off.is_nan() || off > bound).then(|| Class::of_direction(answered, right));
     tally.judge_class(aspect, call, class, off, || {
         format!(
-            "it is {}, right is {}. {}",
+            "your result: {}; expected: {}. {}",
             show(answered),
             show(right),
             about()

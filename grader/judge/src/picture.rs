@@ -1,4 +1,4 @@
-//! Pictures from answers: the colour of each call.
+//! Colours of answers, for pictures.
 
 use crate::tasks;
 use wire::answer::Hit;
@@ -8,18 +8,18 @@ use wire::{Answer, Work};
 /// The linear colour of each call, each channel from 0 to 1; `None` for work whose answers have no
 /// colours.
 ///
-/// Hits show their normal, camera rays their direction, boxes the distance at which the ray enters
-/// them (near is bright); a miss is black.
+/// The colour of a hit is its normal, that of a camera ray its direction, that of a box the
+/// distance at which the ray enters it (near is bright); a miss is black.
 pub fn colours(work: &Work, answer: &Answer) -> Option<Vec<Xyz>> {
-    tasks::asked(work).colours(answer)
+    tasks::check_of(work).colours(answer)
 }
 
-/// The colour of a hit: that of its normal.
+/// The colour of a hit: its normal.
 pub fn hit(hit: Option<&Hit>) -> Xyz {
     hit.map_or([0.0; 3], |hit| direction(hit.n))
 }
 
-/// The colour of a unit vector: each component from -1..1 to 0..1.
+/// The colour of a unit vector: maps each component from -1..1 to 0..1.
 pub(crate) fn direction(d: Xyz) -> Xyz {
     d.map(|component| component / 2.0 + 0.5)
 }

@@ -1,6 +1,6 @@
 //! Singular and plural.
 
-/// `count` with the word that fits it: `one` for 1, else `many`.
+/// `count` followed by `one` if it is 1, else by `many`.
 pub fn plural(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

@@ -1,21 +1,21 @@
-//! Counting right and wrong answers, aspect by aspect.
+//! Counts right and wrong answers, aspect by aspect.
 
 use super::errors::{ErrorSpread, NumberError};
 use kit::Vec3;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// One side of an answer that is scored by itself.
+/// A part of an answer that is judged separately.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Aspect {
-    /// How often the student's code called its neighbours.
+    /// How often the student's code calls `camera_ray` and `trace_ray`.
     Calls,
-    /// Where samples fall in the pixel.
+    /// Where the samples lie in the pixel.
     Placement,
-    /// How samples spread over the pixel.
+    /// How samples are distributed.
     Spread,
-    /// What the samples are averaged to.
+    /// The radiance of a pixel or an estimate.
     Radiance,
     /// The origin of a camera ray.
     Origin,
@@ -27,7 +27,7 @@ pub enum Aspect {
     Range,
     /// Hit or miss.
     Decision,
-    /// Which primitive.
+    /// The index of the primitive.
     Primitive,
     /// Distance along the ray.
     T,
@@ -43,42 +43,42 @@ pub enum Aspect {
     RayAfter,
     /// The interval inside a box.
     Interval,
-    /// Whether the tree is one, and holds every primitive once.
+    /// Whether the nodes form a tree whose leaves hold every primitive once.
     Structure,
-    /// Whether boxes hold what is below them.
+    /// Whether the box of each node contains the primitives below it.
     Bounds,
-    /// Whether leaves are as small as asked.
+    /// Whether leaves hold at most `max_leaf_size` primitives.
     LeafSize,
     /// Whether the same input gives the same tree.
     Repeatable,
-    /// Work done against work recorded for the reference.
+    /// The number of tests compared with that of the reference.
     Work,
     /// The value of a BSDF.
     Bsdf,
     /// A density, or the probability of a choice.
     Pdf,
-    /// Which way a sample goes.
+    /// The direction of a sample.
     SampledDirection,
-    /// What a sample says of itself.
+    /// The other fields of a sample: its value, density and delta flag.
     SampleRecord,
-    /// How many rays were asked for.
+    /// The number of traced rays.
     Rays,
     /// The mean of many estimates.
     Mean,
-    /// The share of light that a boundary reflects.
+    /// The Fresnel reflectance of a boundary.
     Fresnel,
-    /// What a path multiplies light by.
+    /// The throughput of a path.
     Throughput,
-    /// What neighbours were asked.
+    /// The arguments of calls to other functions, such as direct light or the stopping rule.
     Questions,
-    /// Whether a path goes on.
+    /// Whether a path continues.
     Survival,
-    /// Whether there are samples enough.
+    /// Whether a pixel has enough samples.
     Stop,
 }
 
 impl Aspect {
-    /// For people.
+    /// The name of the aspect in reports.
     pub fn label(self) -> &'static str {
         match self {
             Aspect::Calls => "number of samples",
@@ -101,27 +101,28 @@ impl Aspect {
             Aspect::Structure => "tree structure",
             Aspect::Bounds => "bounding boxes",
             Aspect::LeafSize => "leaf size",
-            Aspect::Repeatable => "same tree again",
+            Aspect::Repeatable => "same tree on a second build",
             Aspect::Work => "work",
             Aspect::Bsdf => "BSDF",
             Aspect::Pdf => "pdf",
             Aspect::SampledDirection => "sampled direction",
-            Aspect::SampleRecord => "record of the sample",
+            Aspect::SampleRecord => "fields of the sample",
             Aspect::Rays => "number of rays",
             Aspect::Mean => "mean of estimates",
-            Aspect::Fresnel => "reflected share",
+            Aspect::Fresnel => "Fresnel reflectance",
             Aspect::Throughput => "throughput",
-            Aspect::Questions => "what neighbours are asked",
-            Aspect::Survival => "which paths go on",
+            Aspect::Questions => "arguments of calls",
+            Aspect::Survival => "which paths continue",
             Aspect::Stop => "when to stop",
         }
     }
 }
 
-/// The class of a wrong answer: what the same mistake shows whatever formula it is made in.
+/// The class of a wrong answer: the same mistake gives the same class, whatever formula contains
+/// it. Signatures store the `Debug` text of a class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Nothing more is known than that it is wrong.
+    /// Wrong in no way that has a class of its own.
     Wrong,
     /// Off by about 2 to this power.
     Off(i8),
@@ -129,28 +130,26 @@ pub enum Class {
     FalseHit,
     /// No hit where there is one.
     FalseMiss,
-    /// A number that is not one.
+    /// NaN.
     NotANumber,
-    /// The right number or direction with its sign turned.
+    /// The negated right number or direction.
     Negated,
     /// The right direction with another length.
     WrongLength,
-    /// A number whose ratio to the right one is about 2 to this power.
+    /// A number that is about 2 to this power times the right one.
     Ratio(i8),
-    /// A colour whose channels have about these ratios to the right ones, in `PER_OCTAVE`ths of a
-    /// power of 2; `BLACK_CHANNEL` for channels that are black, and rightly so.
+    /// A colour whose channels are about 2 to the power of these numbers over `PER_OCTAVE` times
+    /// the right ones; `BLACK_CHANNEL` for channels that are rightly black.
     Colour([i8; 3]),
-    /// A direction that goes this way instead, or many whose middle lies there, in small fractions
-    /// of its length along each axis.
+    /// A wrong direction, or the mean of many, quantised along each axis.
     Towards([i8; 3]),
     /// An infinite number.
     Infinite,
-    /// 0 where the right number is another.
+    /// 0 where the right number is not 0.
     Zero,
-    /// The right numbers in each other's places.
+    /// The right numbers, swapped.
     Swapped,
-    /// A fault with a name of its own; several of them stand beside each other, whatever else is
-    /// wrong.
+    /// A fault with a name of its own. A finding may have several of them.
     Named(&'static str),
 }
 
@@ -173,8 +172,7 @@ impl Class {
         }
     }
 
-    /// The class of a wrong colour that is not black instead of another, nor another instead of
-    /// black.
+    /// The class of a wrong colour where neither it nor the right one is black.
     pub fn of_colour(answered: [f64; 3], right: [f64; 3]) -> Class {
         let mut ratios = [0; 3];
         for ((ratio, a), r) in ratios.iter_mut().zip(answered).zip(right) {
@@ -190,7 +188,7 @@ impl Class {
         Class::Colour(ratios)
     }
 
-    /// The class of an answer that is off by `size`, in whatever unit.
+    /// The class of an answer that is off by `size`, in any unit.
     pub fn of_size(size: f64) -> Class {
         if size.is_nan() {
             Class::NotANumber
@@ -201,11 +199,11 @@ impl Class {
         }
     }
 
-    /// The class of a ray's origin that is off by `off`: what a fixed offset from the surface makes
-    /// has a name.
+    /// The class of a ray's origin that is off by `off`: a fixed offset from the surface has a
+    /// name.
     pub fn of_offset(off: f64) -> Class {
         match off {
-            EPSILONS_FROM..=EPSILONS_TO => Class::Named("an epsilon away"),
+            MIN_FIXED_OFFSET..=MAX_FIXED_OFFSET => Class::Named("an epsilon away"),
             _ => Class::of_size(off),
         }
     }
@@ -223,7 +221,8 @@ impl Class {
         }
     }
 
-    /// The same for a direction that no chance has a part in: also where it goes.
+    /// The class of a wrong unit vector that does not depend on random numbers: a direction that is
+    /// wrong in another way than sign or length is itself part of the class.
     pub fn of_certain_direction(answered: Vec3, right: Vec3) -> Class {
         match Class::of_direction(answered, right) {
             Class::Off(_) => {
@@ -235,55 +234,55 @@ impl Class {
     }
 }
 
-/// Wrong answers this close to the right one, but for sign or length or place, are of that class.
+/// Answers that match the right one to this bound after a change of sign, length or order have the
+/// class of that change.
 pub(crate) const SAME: f64 = 1e-6;
 
-/// Origins that are off by so much are meant to be,
-const EPSILONS_FROM: f64 = 1e-9;
+/// The smallest error of an origin that counts as a fixed offset. Rounding errors are smaller.
+const MIN_FIXED_OFFSET: f64 = 1e-9;
 
-/// up to the largest fixed offset from a surface that anybody would take.
-const EPSILONS_TO: f64 = 0.1;
+/// The largest error of an origin that counts as a fixed offset from the surface.
+const MAX_FIXED_OFFSET: f64 = 0.1;
 
 /// A wrong answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Which call of the case.
     pub call: u32,
-    /// Which function gave it, where the calls of a case are calls of several.
+    /// The function that returned it, in cases that call several.
     pub function: Option<&'static str>,
     /// How it is wrong.
     pub class: Class,
 }
 
-/// How many classes of ratios of colours there are between a number and its double.
+/// Number of classes of colour ratios in a factor of 2.
 pub(crate) const PER_OCTAVE: f64 = 4.0;
 
-/// Stands for the ratio of black to black.
+/// The ratio of a black channel to a right one that is black, too.
 pub const BLACK_CHANNEL: i8 = i8::MAX;
 
-/// What was found about one aspect in one case.
+/// The result of judging one aspect in one case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
     /// Which aspect.
     pub aspect: Aspect,
-    /// On how many calls a right answer would have shown it.
+    /// In how many calls a right answer has the aspect.
     pub expected: u32,
-    /// On how many calls the answer showed it.
+    /// In how many calls the answer has the aspect.
     pub judged: u32,
     /// How many of those were wrong.
     pub wrong: u32,
-    /// The worst of them.
+    /// The worst wrong answer.
     pub worst: Option<Worst>,
-    /// Each of them.
+    /// All wrong answers.
     #[serde(skip)]
     pub faults: Vec<Fault>,
-    /// Where many answers are judged by chance: the smallest bias or deviation, as a share, that is
-    /// sure to be seen.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sure: Option<f64>,
-    /// How far off its numbers are, where that is measured.
+    /// In statistical tests: the smallest relative bias or deviation that is always detected.
+    #[serde(rename = "sure", skip_serializing_if = "Option::is_none")]
+    pub detectable: Option<f64>,
+    /// The distribution of numerical errors, where they are measured.
     pub spread: Option<ErrorSpread>,
-    /// The same number by number.
+    /// The error of each number.
     #[serde(skip)]
     pub errors: Vec<NumberError>,
     #[serde(skip)]
@@ -295,21 +294,22 @@ pub struct Finding {
 pub struct Worst {
     /// Which call of the case, counted from 0.
     pub call: u32,
-    /// How bad, to rank by; larger is worse.
+    /// Rank among wrong answers; larger is worse.
     pub badness: f64,
-    /// What was asked, what came, what was right.
+    /// The student's result, the expected one and the input.
     pub message: String,
 }
 
 impl Finding {
-    /// Whether the aspect earns its points: shown at all where it could be, and never wrong.
+    /// Whether the aspect earns its points: never wrong, and judged at least once if a right answer
+    /// has it.
     pub fn passed(&self) -> bool {
         self.wrong == 0 && (self.judged > 0 || self.expected == 0)
     }
 }
 
 impl fmt::Display for Finding {
-    /// What is wrong, in a sentence, with the worst answer.
+    /// The number of wrong answers and the worst one.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of = self.judged.max(self.expected);
         write!(f, "{} wrong on {} of {of}", self.aspect.label(), self.wrong)?;
@@ -320,7 +320,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// Findings in the making.
+/// Collects the findings of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     findings: Vec<Finding>,
@@ -328,18 +328,17 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// What is judged from here on are answers of `function`, in a case that calls several.
+    /// Sets the function whose answers are judged next, in a case that calls several.
     pub fn answers_of(&mut self, function: &'static str) {
         self.function = Some(function);
     }
 
-    /// A right answer to this call shows `aspect`.
+    /// Counts a call whose right answer has `aspect`.
     pub fn expect(&mut self, aspect: Aspect) {
         self.entry(aspect).expected += 1;
     }
 
-    /// The answer to call number `call` shows `aspect`, rightly or not; `badness` ranks the wrong
-    /// ones.
+    /// Judges `aspect` of the answer to call number `call`; `badness` ranks the wrong answers.
     pub fn judge(
         &mut self,
         aspect: Aspect,
@@ -352,7 +351,8 @@ impl Tally {
         self.judge_class(aspect, call, class, badness, message);
     }
 
-    /// The same for an answer that is wrong in a way that has a class; `None` if it is right.
+    /// Judges `aspect` of the answer to call number `call`, with the class of a wrong answer;
+    /// `None` if it is right.
     pub fn judge_class(
         &mut self,
         aspect: Aspect,
@@ -364,7 +364,7 @@ impl Tally {
         let call = u32::try_from(call).unwrap_or(u32::MAX);
         let function = self.function;
         let finding = self.entry(aspect);
-        // Two functions may show the same aspect in one call: it still counts once.
+        // Two functions may be judged on the same aspect in one call: it counts once.
         finding.judged += u32::from(finding.last_judged.replace(call) != Some(call));
         let Some(class) = class else { return };
         let again = finding.faults.last().is_some_and(|last| last.call == call);
@@ -374,7 +374,7 @@ impl Tally {
             function,
             class,
         });
-        // NaN is as bad as it gets.
+        // NaN ranks as the worst.
         let badness = if badness.is_nan() {
             f64::INFINITY
         } else {
@@ -393,24 +393,24 @@ impl Tally {
         }
     }
 
-    /// Whether no answer so far is wrong about `aspect`.
+    /// Whether no answer so far has a wrong `aspect`.
     pub fn is_right(&mut self, aspect: Aspect) -> bool {
         self.entry(aspect).wrong == 0
     }
 
-    /// What is judged of `aspect` by chance is sure to be seen from this share on; of several tests
-    /// the weakest counts.
-    pub fn sure(&mut self, aspect: Aspect, share: f64) {
-        let weakest = &mut self.entry(aspect).sure;
+    /// Records that a statistical test of `aspect` always detects a relative deviation of `share`;
+    /// of several tests the largest value counts.
+    pub fn set_detectable(&mut self, aspect: Aspect, share: f64) {
+        let weakest = &mut self.entry(aspect).detectable;
         *weakest = Some(weakest.map_or(share, |other| other.max(share)));
     }
 
-    /// A number that shows `aspect` is so far off, rightly or not.
+    /// Records the error of a number that belongs to `aspect`, right or wrong.
     pub fn measure(&mut self, aspect: Aspect, error: NumberError) {
         self.entry(aspect).errors.push(error);
     }
 
-    /// The findings in the order in which their aspects first came up.
+    /// The findings, in the order in which their aspects were first judged or expected.
     pub fn into_findings(mut self) -> Vec<Finding> {
         for finding in &mut self.findings {
             finding.spread = ErrorSpread::of(&finding.errors);
@@ -430,7 +430,7 @@ impl Tally {
                     judged: 0,
                     wrong: 0,
                     worst: None,
-                    sure: None,
+                    detectable: None,
                     faults: Vec::new(),
                     spread: None,
                     errors: Vec::new(),

@@ -2,12 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a case's points are for.
+/// The tier of a case's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Tier {
-    /// What the textbook solution earns.
+    /// Points that the textbook solution earns.
     Core,
-    /// Numerical stability beyond the textbook: extra credit.
+    /// Extra credit for numerical stability beyond the textbook.
     Robust,
 }

@@ -1,11 +1,11 @@
-//! What is right, from the exact oracle, in the form in which answers are judged.
+//! Computes the results that score for triangles and spheres, with the exact oracle.
 //!
-//! The tier decides how much rounding is forgiven: core points ask for what textbook code in `f64`
-//! can give, robust points for what code made for hard cases can, and then the hit point must lie
-//! on the surface.
+//! The tier decides how large rounding errors may be: as large as those of textbook code in `f64`
+//! for core points; as large as those of numerically stable code for robust points, where the hit
+//! point must also lie on the surface.
 
 use crate::Tier;
-use crate::expected::{Expected, ExpectedHit, Surface};
+use crate::expected::{Expected, ExpectedHit, TrueSurface};
 use kit::{PrimId, Ray, Sphere, Triangle, Vec3, scene::Primitive};
 use oracle::surface::{
     geometric_normal, sphere_normal, sphere_point, triangle_normal, triangle_point,
@@ -15,11 +15,12 @@ use oracle::{
     TriangleVerdict, closest, near,
 };
 
-/// A hit point may be off the surface by so many roundings of its largest coordinate: mixing three
-/// vertices costs about ten, pulling a point back to a sphere a few less.
+/// The largest distance of a hit point from the surface, in roundings of its largest coordinate:
+/// the weighted sum of three vertices makes about ten roundings, projecting a point to a sphere
+/// fewer.
 const SURFACE_ROUNDINGS: f64 = 16.0;
 
-/// What `ray` and a triangle with the number `prim` have to do with each other.
+/// The results that score for `ray` and the triangle with index `prim`.
 pub fn triangle(tier: Tier, prim: u32, triangle: &Triangle, ray: &Ray) -> Expected {
     let verdict = oracle::triangle(triangle, ray);
     let answers = verdict.answers.get(kernel(tier));
@@ -36,7 +37,7 @@ pub fn triangle(tier: Tier, prim: u32, triangle: &Triangle, ray: &Ray) -> Expect
     }
 }
 
-/// What `ray` and a sphere with the number `prim` have to do with each other.
+/// The results that score for `ray` and the sphere with index `prim`.
 pub fn sphere(tier: Tier, prim: u32, sphere: &Sphere, ray: &Ray) -> Expected {
     let verdict = oracle::sphere(sphere, ray);
     let answers = verdict.answers.get(kernel(tier));
@@ -53,8 +54,9 @@ pub fn sphere(tier: Tier, prim: u32, sphere: &Sphere, ray: &Ray) -> Expected {
     }
 }
 
-/// What `ray` hits first of `shapes`, numbered from 0. `enclosed` says that they close in on the
-/// ray: even where rounding decides which of two neighbours is hit, a miss is wrong.
+/// The results that score for the closest hit of `ray` among `shapes`, numbered from 0. If
+/// `enclosed`, the shapes enclose the ray's origin: a miss is wrong even where rounding decides
+/// which of two adjacent shapes is hit.
 pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool) -> Expected {
     let near = near(shapes, ray);
     let closest = closest(near.iter().map(|(_, shape)| *shape), ray);
@@ -77,7 +79,7 @@ pub fn first_of(tier: Tier, shapes: &[Primitive<'_>], ray: &Ray, enclosed: bool)
         miss: answers.miss && !enclosed,
         why_miss: match closest.nearest {
             Some(_) => "",
-            None => "nothing is in its way",
+            None => "no shape is in its way",
         },
     }
 }
@@ -113,7 +115,7 @@ fn triangle_hit(
         t_bound: t_bound(candidate),
         p: p.p,
         p_bound: *p.tolerance.get(kernel),
-        surface: surface(tier, Surface::Plane(triangle.p0, direction), p.p),
+        surface: surface(tier, TrueSurface::Plane(triangle.p0, direction), p.p),
         uv: Some((
             kit::Vec2::new(at.b1.to_f64(), at.b2.to_f64()),
             *at.b_tolerance.get(kernel),
@@ -134,7 +136,7 @@ fn sphere_hit(
     candidate: &Candidate,
 ) -> Option<ExpectedHit> {
     let kernel = kernel(tier);
-    // Where textbook code may find a hit that is none, there is no root; the place is near the rim.
+    // Near the silhouette textbook code may report a false hit, for which there is no root.
     let root = usize::from(verdict.roots.is_some_and(|[near, _]| near != candidate.t));
     let (p, p_bound) = match sphere_point(verdict, ray, root) {
         Some(point) => (point.p, *point.tolerance.get(kernel)),
@@ -150,7 +152,7 @@ fn sphere_hit(
         t_bound: t_bound(candidate),
         p,
         p_bound,
-        surface: surface(tier, Surface::Sphere(sphere.center, sphere.radius), p),
+        surface: surface(tier, TrueSurface::Sphere(sphere.center, sphere.radius), p),
         uv: None,
         n: outward,
         n_bound,
@@ -159,16 +161,17 @@ fn sphere_hit(
     })
 }
 
-/// The oracle's bound, and never less than one unit in the last place.
+/// The oracle's bound, but at least one unit in the last place.
 fn t_bound(candidate: &Candidate) -> f64 {
     candidate.tolerance.max(candidate.t.ulp())
 }
 
-/// Robust points ask for a hit point on the surface, textbook code cannot promise it.
-fn surface(tier: Tier, surface: Surface, p: Vec3) -> Option<(Surface, f64)> {
+/// The surface on which the hit point must lie, for robust points; textbook code cannot guarantee
+/// it.
+fn surface(tier: Tier, surface: TrueSurface, p: Vec3) -> Option<(TrueSurface, f64)> {
     let world = match surface {
-        Surface::Plane(q, _) => p.abs().max(q.abs()),
-        Surface::Sphere(center, radius) => p.abs().max(center.abs() + radius),
+        TrueSurface::Plane(q, _) => p.abs().max(q.abs()),
+        TrueSurface::Sphere(center, radius) => p.abs().max(center.abs() + radius),
     };
     let bound = SURFACE_ROUNDINGS * f64::EPSILON * world.max_element();
     (tier == Tier::Robust).then_some((surface, bound))
@@ -176,21 +179,21 @@ fn surface(tier: Tier, surface: Surface, p: Vec3) -> Option<(Surface, f64)> {
 
 fn why_miss(why: Miss) -> &'static str {
     match why {
-        Miss::NotANumber => "there is a NaN in it",
-        Miss::NotFinite => "there is an infinite number in it",
-        Miss::ZeroDirection => "its direction is 0",
-        Miss::EmptyRange => "its range is empty, min_t > max_t",
+        Miss::NotANumber => "an input is NaN",
+        Miss::NotFinite => "an input is infinite",
+        Miss::ZeroDirection => "the direction is 0",
+        Miss::EmptyRange => "the range is empty, min_t > max_t",
         Miss::Degenerate => "the shape has no area",
-        Miss::Coplanar => "it runs inside the triangle's plane, which is a miss by convention",
-        Miss::LineMisses => "its line passes beside the shape",
-        Miss::OutOfRange => "where it meets the shape, t is not in min_t..=max_t",
+        Miss::Coplanar => "the ray lies in the triangle's plane, which is a miss by convention",
+        Miss::LineMisses => "the line of the ray does not meet the shape",
+        Miss::OutOfRange => "the line of the ray meets the shape at a t outside min_t..=max_t",
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expected::Decision;
+    use crate::expected::HitOrMiss;
     use oracle::may_touch;
 
     /// The triangles (0, 0), (8, 0), (0, 8) and its mirror image across their shared edge, in the
@@ -211,17 +214,17 @@ mod tests {
     }
 
     #[test]
-    fn on_a_shared_edge_either_neighbour_scores() {
+    fn on_a_shared_edge_either_triangle_scores() {
         let [first, second] = square();
         let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&second)];
         let expected = first_of(Tier::Core, &shapes, &down(3.0, 5.0), false);
         let mut prims: Vec<u32> = expected.hits.iter().map(|hit| hit.prim).collect();
         prims.sort_unstable();
-        assert_eq!((prims, expected.decision()), (vec![0, 1], Decision::Hit));
+        assert_eq!((prims, expected.decision()), (vec![0, 1], HitOrMiss::Hit));
     }
 
     #[test]
-    fn the_first_of_two_hides_the_second() {
+    fn only_the_closer_of_two_triangles_scores() {
         let [first, _] = square();
         let above = Triangle {
             p0: first.p0 + Vec3::Z,
@@ -237,7 +240,8 @@ mod tests {
 
     #[test]
     fn enclosed_rays_never_miss() {
-        // Aimed at an edge by numbers that round: textbook code may go either way, but not out.
+        // Aimed at an edge with coordinates that round: textbook code may hit either triangle, but
+        // must not miss both.
         let [first, second] = square();
         let shapes = [Primitive::Triangle(&first), Primitive::Triangle(&second)];
         let target = Vec3::new(0.1 * 3.0, 8.0 - 0.1 * 3.0, 0.0);
@@ -248,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn robust_points_ask_for_more() {
+    fn robust_points_have_tighter_bounds() {
         let [triangle, _] = square();
         let far = Ray::new(Vec3::new(1.0, 2.0, 1e6), Vec3::new(1e-6, 1e-6, -1.0));
         let [core, robust] = [Tier::Core, Tier::Robust].map(|tier| {
@@ -260,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn loose_balls_keep_every_shape_that_is_hit() {
+    fn may_touch_accepts_every_shape_that_is_hit() {
         let mut sampler = kit::PixelSampler::new(1, 2, 3);
         let mut vector = || {
             let [x, y, z] = [0; 3].map(|_| 2.0 * sampler.next_1d() - 1.0);

@@ -80,7 +80,7 @@ impl Review {
                     Err(status) => Case::silent(spec, status_text(&status)),
                     Ok(answer) => {
                         let tier = author.tier(entry);
-                        Case::of(workspace, spec, tier, answer, &workers.together)?
+                        Case::of(workspace, spec, tier, answer, &workers.whole_scene)?
                     }
                 };
                 self.cases.push(case);

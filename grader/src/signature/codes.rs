@@ -37,7 +37,10 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
     // Where many answers are judged by chance, they are all to the same question.
-    let by_chance = case.findings.iter().any(|finding| finding.sure.is_some());
+    let by_chance = case
+        .findings
+        .iter()
+        .any(|finding| finding.detectable.is_some());
     let compared = if by_chance { SAME_QUESTION } else { u32::MAX };
     let calls = |finding: &Finding| finding.judged.max(finding.expected);
     let calls = case.findings.iter().map(calls).max().unwrap_or(0);

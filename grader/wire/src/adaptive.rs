@@ -1,69 +1,70 @@
-//! Part 5: as many samples as a pixel needs.
+//! Questions and answers of Part 5: adaptive sampling.
 
 use crate::work::Xyz;
 use serde::{Deserialize, Serialize};
 
-/// A question to a stopping rule.
+/// A call of a stopping rule.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StopCall {
-    /// The samples so far: runs of a count and a luminance.
+    /// The samples so far, as runs of equal luminances: count and luminance.
     pub runs: Vec<(u32, f64)>,
     /// Error that is good enough, as a share of the mean.
     pub tolerance: f64,
-    /// What the plain rule answers, if the mended one asks it.
+    /// The result of the plain rule, if the waiting rule calls it.
     pub rule: bool,
 }
 
-/// What a stopping rule answered.
+/// The result of a stopping rule.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StopAnswer {
     /// Whether to stop.
     pub stop: bool,
-    /// What the mended rule asked the plain one: count and mean of the samples, and the tolerance.
-    pub asked: Vec<(u64, f64, f64)>,
+    /// The calls of the plain rule by the waiting rule: count and mean of the samples, and the
+    /// tolerance.
+    pub rule_calls: Vec<(u64, f64, f64)>,
 }
 
-/// The rule that a pixel is given.
+/// The stopping rule of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StopRule {
-    /// A stand-in that says yes from this count on.
+    /// A scripted rule that returns true from this number of samples on.
     From(u64),
     /// `has_converged`.
     Plain,
 }
 
-/// A pixel whose samples are written down.
+/// A pixel whose samples are given.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AdaptivePixel {
     /// Film width and height.
     pub film: [u32; 2],
     /// Column and row.
     pub pixel: [u32; 2],
-    /// The most samples.
+    /// The largest number of samples.
     pub ns_aa: u32,
-    /// Samples between two looks at the rule.
+    /// Samples between two calls of the rule.
     pub batch: u32,
     /// Error that is good enough, as a share of the mean.
     pub tolerance: f64,
     /// Seed of the sampler.
     pub seed: u64,
-    /// What `trace_ray` answers, over and over.
+    /// The radiances that `trace_ray` returns, repeated in a cycle.
     pub stream: Vec<Xyz>,
     /// The rule.
     pub rule: StopRule,
 }
 
-/// What an adaptive pixel did.
+/// The calls and the result of an adaptive pixel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AdaptiveAnswer {
-    /// Points that the camera was asked for.
+    /// The points with which `camera_ray` was called.
     pub points: Vec<[f64; 2]>,
-    /// How many rays were traced.
+    /// The number of traced rays.
     pub traced: u32,
-    /// How many of them the camera had not made.
+    /// The number of traced rays that `camera_ray` did not return.
     pub foreign: u32,
-    /// What the rule was asked: count, mean and variance of the luminances, and the tolerance.
-    pub looks: Vec<(u64, f64, f64, f64)>,
+    /// The calls of the rule: count, mean and variance of the luminances, and the tolerance.
+    pub rule_calls: Vec<(u64, f64, f64, f64)>,
     /// The pixel's radiance.
     pub radiance: Xyz,
     /// The pixel's count of samples.

@@ -1,13 +1,13 @@
-//! Records: what the student's code answered.
+//! Records, and the answers of Parts 1 and 2.
 
 use crate::kinds::Answer;
 use crate::work::{Ray, Tree, Xyz};
 use serde::{Deserialize, Serialize};
 
-/// What the worker writes, in this order: a start for each case, then its record.
+/// An entry of the file that the worker writes: for each case a start, then its end.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Frame {
-    /// Work on the case with this index begins. If nothing follows, this case ended the worker.
+pub enum RecordFrame {
+    /// The case with this index starts. If no entry follows, the case ended the worker.
     Started {
         /// Index in the list of cases.
         case: u32,
@@ -16,41 +16,41 @@ pub enum Frame {
     TimedOut {
         /// Index in the list of cases.
         case: u32,
-        /// Which of its calls was running, counted from 0.
+        /// The call that was running, counted from 0.
         call: u32,
     },
-    /// The case has run.
+    /// The case has ended.
     Done(Record),
 }
 
-/// What became of one case.
+/// The result of one case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Index in the list of cases.
     pub case: u32,
-    /// Tasks whose given start was still in place.
+    /// Tasks whose given code was called unchanged.
     pub untouched: Vec<String>,
-    /// How it ended.
+    /// How the case ended.
     pub outcome: Outcome,
 }
 
 /// How a case ended.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Outcome {
-    /// The student's code answered.
+    /// The student's code returned.
     Answered(Answer),
-    /// It came to a hole.
+    /// The student's code called a hole.
     NotAttempted {
         /// Key of the task that is not written yet.
         task: String,
     },
-    /// It panicked.
+    /// The student's code panicked.
     Panicked {
         /// The panic's message.
         message: String,
         /// File and line, if known.
         location: String,
-        /// Which of the case's calls was running, counted from 0.
+        /// The call that was running, counted from 0.
         call: u32,
     },
     /// The worker cannot do this work: a stage is not linked or a file is missing.
@@ -60,15 +60,15 @@ pub enum Outcome {
     },
 }
 
-/// What `raytrace_pixel` did with one pixel.
+/// The calls and the result of `raytrace_pixel` for one pixel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PixelAnswer {
-    /// Points that the camera was asked for.
+    /// The points with which `camera_ray` was called.
     pub points: Vec<[f64; 2]>,
     /// For each traced ray the index of the point it came from; `None` if no camera ray had its
     /// origin and direction.
     pub traced: Vec<Option<u32>>,
-    /// What `trace_ray` answered, call after call.
+    /// The radiance that each call of `trace_ray` returned.
     pub traced_radiance: Vec<Xyz>,
     /// The pixel's radiance.
     pub radiance: Xyz,
@@ -76,7 +76,7 @@ pub struct PixelAnswer {
     pub samples: u32,
 }
 
-/// A `Hit`.
+/// A `kit::Hit`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hit {
     /// Distance along the ray.
@@ -93,7 +93,7 @@ pub struct Hit {
     pub prim: u32,
 }
 
-/// What the two triangle functions answered to one probe.
+/// The results of the two triangle functions for one probe.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriangleAnswer {
     /// `test_triangle`: `t`, `b1`, `b2`.
@@ -104,7 +104,7 @@ pub struct TriangleAnswer {
     pub ray_after: Ray,
 }
 
-/// What the two sphere functions answered to one probe.
+/// The results of the two sphere functions for one probe.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SphereAnswer {
     /// `test_sphere`: `t`.
@@ -118,9 +118,9 @@ pub struct SphereAnswer {
 /// Closest or any hits of many rays.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HitsAnswer {
-    /// For each ray its hit. Of an any-hit query only whether there was one counts.
+    /// The hit of each ray. For any-hit queries only whether there is one counts.
     pub hits: Vec<Option<Hit>>,
-    /// For each ray its `max_t` afterwards.
+    /// The `max_t` of each ray after the call.
     pub max_t: Vec<f64>,
     /// Box tests over all rays.
     pub box_tests: u64,
@@ -128,32 +128,32 @@ pub struct HitsAnswer {
     pub prim_tests: u64,
 }
 
-/// What `construct_bvh` built.
+/// The result of `construct_bvh`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BuildAnswer {
     /// The tree.
     pub tree: Tree,
-    /// Whether building it again gave the same tree.
+    /// Whether a second build gave the same tree.
     pub repeatable: bool,
 }
 
-/// What a traversal answered to one ray of a scripted world.
+/// The result of a traversal for one ray of a scripted world.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TraverseAnswer {
-    /// The closest hit's `t` and primitive; of an any-hit query, whether there is one (`t` and
-    /// primitive 0).
+    /// The `t` and primitive of the closest hit; for an any-hit query, `(0.0, 0)` if there is a
+    /// hit.
     pub hit: Option<(f64, u32)>,
-    /// The ray afterwards.
+    /// The ray after the call.
     pub ray_after: Ray,
-    /// How many boxes were asked for.
+    /// The number of box tests.
     pub box_tests: u32,
-    /// How many primitives were asked for.
+    /// The number of primitive tests.
     pub prim_tests: u32,
-    /// How many primitives were hit, in the range that the ray had when they were asked for.
+    /// The number of primitive tests that were hits.
     pub prim_hits: u32,
-    /// How many primitives had been asked for before with the same ray.
+    /// The number of primitive tests that repeat one with the same ray.
     pub repeated_prims: u32,
-    /// How many boxes were asked for that the tree does not have.
+    /// The number of tests of boxes that are not in the tree.
     pub unknown_boxes: u32,
 }
 
@@ -162,38 +162,38 @@ pub struct TraverseAnswer {
 pub struct TimingAnswer {
     /// Primitives in the scene.
     pub primitives: u64,
-    /// Seconds to build the tree, one entry a round.
+    /// Seconds to build the tree, in each round.
     pub build_s: Vec<f64>,
-    /// Seconds for all rays through the tree, one entry a round.
+    /// Seconds to trace all rays through the tree, in each round.
     pub tree_s: Vec<f64>,
-    /// Rays through the tree, each round.
+    /// Rays traced through the tree in each round.
     pub tree_rays: u64,
-    /// Seconds for the brute-force rays, one entry a round.
+    /// Seconds to trace the brute-force rays, in each round.
     pub brute_s: Vec<f64>,
-    /// Rays through brute force, each round.
+    /// Rays traced by brute force in each round.
     pub brute_rays: u64,
-    /// Box tests of the tree, one round.
+    /// Box tests of the tree in one round.
     pub box_tests: u64,
-    /// Primitive tests of the tree, one round.
+    /// Primitive tests of the tree in one round.
     pub prim_tests: u64,
     /// Rays whose closest hit differs between tree and brute force.
     pub differing_hits: u64,
-    /// Rays of the tree that hit something.
+    /// Rays through the tree that hit a primitive.
     pub tree_hits: u64,
 }
 
-/// For which boxes of a tree a traversal asks.
+/// The boxes of a tree that a traversal tests.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VisitsAnswer {
-    /// For each ray its visits in order. Boxes that the tree does not have are left out.
+    /// The box tests of each ray, in order, without boxes that are not in the tree.
     pub rays: Vec<Vec<Visit>>,
 }
 
-/// A box that a traversal asked for.
+/// A box test of a traversal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Visit {
     /// Index of the node.
     pub node: u32,
-    /// Whether the ray meets its box.
+    /// Whether the ray hits its box.
     pub met: bool,
 }

@@ -1,4 +1,4 @@
-//! Part 3: direct light.
+//! Questions and answers of Part 3: direct light.
 
 use crate::light::{BsdfSample, LitWorld, Material};
 use crate::work::{Ray, Xyz};
@@ -17,7 +17,7 @@ pub struct LambertProbe {
     pub u: [f64; 2],
 }
 
-/// What they answered.
+/// The results of the Lambertian functions for one probe.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LambertAnswer {
     /// `lambert_f`.
@@ -28,7 +28,7 @@ pub struct LambertAnswer {
     pub sample: Option<BsdfSample>,
 }
 
-/// Which estimate of direct light to ask for.
+/// Which function estimates direct light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Strategy {
     /// `zero_bounce_radiance`.
@@ -39,52 +39,52 @@ pub enum Strategy {
     Lights,
 }
 
-/// Light at points of surfaces in a world whose answers are known.
+/// Points of surfaces at which direct light is estimated, in a scripted world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DirectWork {
     /// The world.
     pub world: LitWorld,
-    /// Which estimate.
+    /// Which function to call.
     pub strategy: Strategy,
-    /// Where, call after call.
+    /// The point of each call.
     pub points: Vec<ShadedPoint>,
-    /// Samples a call.
+    /// Samples per call.
     pub samples: u32,
     /// Seed of the samplers.
     pub seed: u64,
 }
 
-/// A point of a surface and who looks at it.
+/// A point of a surface and the direction to the viewer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ShadedPoint {
     /// The point.
     pub p: Xyz,
     /// Its normal: shading and geometric.
     pub n: Xyz,
-    /// No coordinate of the point is farther off than this.
+    /// Upper bound of the error of each coordinate of the point.
     pub error: f64,
-    /// What the surface is made of.
+    /// The material of the surface.
     pub material: Material,
     /// The unit world direction to the viewer.
     pub wo: Xyz,
 }
 
-/// What an estimate answered and asked.
+/// The result of an estimate and the rays that it traced.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DirectAnswer {
     /// The radiance.
     pub radiance: Xyz,
-    /// The rays that were traced, or asked about for shadow.
-    pub asked: Vec<AskedRay>,
+    /// The traced rays or shadow rays.
+    pub rays: Vec<RecordedRay>,
 }
 
-/// A ray and what was answered.
+/// A traced ray and its result.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct AskedRay {
+pub struct RecordedRay {
     /// The ray.
     pub ray: Ray,
-    /// Of a traced ray, the radiance that what it sees sends back along it.
+    /// The radiance that arrives along a traced ray; black for a shadow ray.
     pub seen: Xyz,
-    /// Whether something was in its range.
+    /// Whether the ray hit something in its range.
     pub hit: bool,
 }

@@ -1,4 +1,4 @@
-//! Part 4: mirrors, glass and light that bounces.
+//! Questions and answers of Part 4: mirrors, glass and path tracing.
 
 use crate::light::{BsdfSample, Material};
 use crate::work::{Ray, Xyz};
@@ -57,10 +57,10 @@ pub enum SpecularCall {
     },
 }
 
-/// What such a call answered.
+/// The result of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum SpecularAnswer {
-    /// A share of the light.
+    /// A Fresnel reflectance.
     Share(f64),
     /// A direction, if there is one.
     Direction(Option<Xyz>),
@@ -68,16 +68,17 @@ pub enum SpecularAnswer {
     Sample(Option<BsdfSample>),
 }
 
-/// A path whose every turn is written down: no intersection, no scattering, no light is computed.
+/// A path whose surfaces, samples and direct light are given: no intersection or scattering code
+/// runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ScriptedPath {
-    /// The ray that begins it.
+    /// The first ray.
     pub ray: Ray,
-    /// The most rays.
+    /// The largest number of rays.
     pub max_depth: u32,
-    /// The surfaces that rays hit, call after call; then they hit nothing.
+    /// The surface that each ray hits, in order; later rays miss.
     pub steps: Vec<Step>,
-    /// The radiance of what a ray sees that hits nothing.
+    /// The radiance along a ray that misses.
     pub background: Xyz,
     /// Seed of the sampler.
     pub seed: u64,
@@ -86,41 +87,40 @@ pub struct ScriptedPath {
 /// A surface on a path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
-    /// Where it is hit.
+    /// The hit point.
     pub p: Xyz,
     /// Its normal.
     pub n: Xyz,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
-    /// What `direct` answers there.
+    /// The direct light that `direct` returns there.
     pub direct: Xyz,
-    /// What `Scattering::sample` answers there.
+    /// The sample that `Scattering::sample` returns there.
     pub sample: Option<BsdfSample>,
-    /// What `roulette` multiplies the throughput by; `None` ends the path.
+    /// The factor by which `roulette` multiplies the throughput; `None` ends the path.
     pub roulette: Option<f64>,
 }
 
-/// What a path asked its neighbours, and the radiance in the end.
+/// The calls that a path made, and its radiance.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PathAnswer {
     /// The radiance.
     pub radiance: Xyz,
     /// Rays that were traced.
     pub rays: Vec<Ray>,
-    /// Surfaces that direct light was asked of, and the direction to the viewer.
+    /// The calls of `direct`: surface, and direction to the viewer.
     pub direct: Vec<(u32, Xyz)>,
-    /// Surfaces that a direction was drawn at: the local direction to the viewer and the random
-    /// numbers.
+    /// The calls of `sample`: surface, local direction to the viewer, random numbers.
     pub samples: Vec<(u32, Xyz, Xyz)>,
-    /// Games of roulette: throughput, bounces, random number.
-    pub games: Vec<(Xyz, u32, f64)>,
+    /// The calls of roulette: throughput, bounces, random number.
+    pub roulette_calls: Vec<(Xyz, u32, f64)>,
 }
 
-/// A call of `play_roulette` for each of many numbers `u`.
+/// Calls of `play_roulette`: each path with each of many numbers `u`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RouletteWork {
     /// Throughput and bounces.
     pub paths: Vec<(Xyz, u32)>,
-    /// For each of them, each of these.
+    /// The numbers `u`.
     pub numbers: Vec<f64>,
 }

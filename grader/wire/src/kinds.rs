@@ -1,6 +1,6 @@
 //! The kinds of work: each with its question and its answer, in one list.
 //!
-//! A new kind is one entry here. The worker answers it (`worker/src/run.rs`), and the crate `judge`
+//! A new kind is one entry here. The worker runs it (`worker/src/run.rs`), and the crate `judge`
 //! has a check for it.
 
 use crate::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
@@ -16,7 +16,7 @@ use crate::work::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Makes [`Work`] and [`Answer`], with a variant of the same name for each kind.
+/// Defines [`Work`] and [`Answer`], with a variant of the same name for each kind.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident($question:ty) -> $answer:ty;)*) => {
         /// What the worker does in a case: a kind of work and its question.
@@ -25,17 +25,17 @@ macro_rules! kinds {
             $($(#[$doc])* $kind($question),)*
         }
 
-        /// What the student's code answered. Of most kinds of work one entry a call.
+        /// The results of the student's code: for most kinds of work, one entry per call.
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         pub enum Answer {
             $(
-                #[doc = concat!("To [`Work::", stringify!($kind), "`].")]
+                #[doc = concat!("The answer to [`Work::", stringify!($kind), "`].")]
                 $kind($answer),
             )*
         }
 
         impl Work {
-            /// The name of its kind.
+            /// The name of the kind.
             pub fn kind(&self) -> &'static str {
                 match self {
                     $(Work::$kind(_) => stringify!($kind),)*
@@ -44,7 +44,7 @@ macro_rules! kinds {
         }
 
         impl Answer {
-            /// The name of the kind of work that it answers.
+            /// The name of the kind of work that it belongs to.
             pub fn kind(&self) -> &'static str {
                 match self {
                     $(Answer::$kind(_) => stringify!($kind),)*
@@ -63,38 +63,37 @@ kinds! {
     Triangles(TriangleWork) -> Vec<TriangleAnswer>;
     /// Call `test_sphere` and `intersect_sphere` for every probe.
     Spheres(SphereWork) -> Vec<SphereAnswer>;
-    /// For every ray go through all primitives in order with `intersect_*`, one ray for all of
+    /// Call `intersect_*` for every ray with all primitives in order, with the same ray for all of
     /// them.
     BruteForce(BruteForceWork) -> HitsAnswer;
     /// Call `intersect_bbox` for every probe.
     Boxes(BoxWork) -> Vec<Option<[f64; 2]>>;
     /// Call `construct_bvh`, twice.
     Build(BuildWork) -> BuildAnswer;
-    /// Call `intersect_bvh` or `occludes_bvh` in a world whose answers are given.
+    /// Call `intersect_bvh` or `occludes_bvh` in a world whose test results are given.
     Traverse(ScriptedWorld) -> Vec<TraverseAnswer>;
-    /// Trace rays through a scene with all of the student's stages but for the tree, which is
-    /// given.
+    /// Trace rays through a scene with all of the student's stages and a given tree.
     SceneHits(SceneWork) -> HitsAnswer;
-    /// Time the student's tree against the student's brute force.
+    /// Time the student's tree and the student's brute force.
     Timing(TimingWork) -> TimingAnswer;
     /// Time one of the student's intersection tests: seconds of each round.
     TimeTest(TestTiming) -> Vec<f64>;
-    /// Trace rays through a scene for their closest hits, and record which boxes of its tree are
+    /// Trace the closest hits of rays through a scene, and record which boxes of its tree are
     /// tested.
     Visits(VisitsWork) -> VisitsAnswer;
     /// Call `lambert_f`, `lambert_pdf` and `lambert_sample` for every probe.
     Lambert(Vec<LambertProbe>) -> Vec<LambertAnswer>;
-    /// Estimate direct light in a world that records the rays.
+    /// Estimate direct light in a world that records the traced rays.
     Direct(DirectWork) -> Vec<DirectAnswer>;
     /// Call the functions of mirrors and glass.
     Specular(Vec<SpecularCall>) -> Vec<SpecularAnswer>;
-    /// Call `estimate_radiance` for paths whose every turn is given.
+    /// Call `estimate_radiance` for paths whose surfaces and samples are given.
     Paths(Vec<ScriptedPath>) -> Vec<PathAnswer>;
-    /// Call `play_roulette` for each path and each number: the throughput to go on with.
+    /// Call `play_roulette` for each path and each number. The answer is the new throughput.
     Roulette(RouletteWork) -> Vec<Option<Xyz>>;
     /// Call `has_converged`.
     Stop(Vec<StopCall>) -> Vec<StopAnswer>;
-    /// Call `has_surely_converged` with a plain rule whose answer is given.
+    /// Call `has_surely_converged` with a plain rule whose result is given.
     SureStop(Vec<StopCall>) -> Vec<StopAnswer>;
     /// Call `raytrace_pixel_adaptive` with samples that are given.
     AdaptivePixels(Vec<AdaptivePixel>) -> Vec<AdaptiveAnswer>;

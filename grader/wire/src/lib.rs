@@ -1,13 +1,13 @@
-//! What crosses between the grader and the worker: [`Case`]s in, [`Record`]s out.
+//! The data that the grader and the worker exchange: [`Case`]s in, [`Record`]s out.
 //!
-//! Plain data that knows nothing of the course's types. Numbers keep their bits: files are
+//! Plain data that does not depend on the course's types. Numbers keep their bits: files are
 //! [postcard](https://docs.rs/postcard), so NaN, infinities and -0 arrive as they were sent.
 //!
 //! [`kinds`] lists the kinds of work, each with its question and its answer. [`work`] has the
-//! questions of Parts 1 and 2, [`answer`] their answers and the records around every answer;
-//! [`direct`], [`global`] and [`adaptive`] have both for Parts 3 to 5, and [`light`] what lit
-//! worlds are made of. [`mod@file`] reads and writes them: what a worker had finished can still be
-//! read after it was killed.
+//! questions of Parts 1 and 2, [`answer`] their answers and the records of all answers; [`direct`],
+//! [`global`] and [`adaptive`] have both for Parts 3 to 5, and [`light`] the materials and lights
+//! of scripted worlds. [`mod@file`] reads and writes them: the records that a worker has finished
+//! can be read even if it is killed.
 
 pub mod adaptive;
 pub mod answer;
@@ -18,6 +18,6 @@ pub mod kinds;
 pub mod light;
 pub mod work;
 
-pub use answer::{Frame, Outcome, Record};
+pub use answer::{Outcome, Record, RecordFrame};
 pub use kinds::{Answer, Work};
 pub use work::Case;

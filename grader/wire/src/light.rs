@@ -1,9 +1,9 @@
-//! Light in numbers: what scenes of Parts 3 and 4 are made of.
+//! Materials, lights and worlds of Parts 3 and 4, as plain numbers.
 
 use crate::work::Xyz;
 use serde::{Deserialize, Serialize};
 
-/// What a surface is made of.
+/// The material of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Material {
     /// Matte, with this reflectance.
@@ -50,25 +50,25 @@ pub enum Light {
     Sky(Xyz),
 }
 
-/// A rectangle at right angles to an axis: found with one division, by nobody's intersection code.
+/// An axis-aligned rectangle: a ray test takes one division and no code of the student.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Panel {
-    /// The axis that it is at right angles to: 0, 1 or 2 for x, y or z.
+    /// The axis that it is perpendicular to: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// Its place on that axis.
+    /// Its coordinate on that axis.
     pub at: f64,
-    /// Its least coordinates on the next axis and the one after (of y: z and x).
+    /// Its smallest coordinates on the next axis and the one after (for y: z and x).
     pub min: [f64; 2],
-    /// Its greatest coordinates there.
+    /// Its largest coordinates on these axes.
     pub max: [f64; 2],
     /// 1 if its front is the side towards +axis, -1 if it is the other.
     pub faces: f64,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
 }
 
 impl Panel {
-    /// The point with these coordinates on the two axes in its plane.
+    /// The point with the coordinates `u` and `v` on the two axes in its plane.
     pub fn point(&self, [u, v]: [f64; 2]) -> Xyz {
         let mut point = [0.0; 3];
         point[self.axis] = self.at;
@@ -95,8 +95,8 @@ impl Panel {
         (self.max[0] - self.min[0]) * (self.max[1] - self.min[1])
     }
 
-    /// Where the line from `o` along `d` meets it: the distance in lengths of `d`, and the place as
-    /// shares of both sides.
+    /// The intersection with the line from `o` along `d`: the distance in units of the length of
+    /// `d`, and the position as shares of both sides.
     pub fn meets(&self, o: Xyz, d: Xyz) -> Option<(f64, [f64; 2])> {
         let t = (self.at - o[self.axis]) / d[self.axis];
         let share = [0, 1].map(|side| {
@@ -111,21 +111,21 @@ impl Panel {
 /// A world of rectangles and lights.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct LitWorld {
-    /// What rays hit. Those that emit are lights.
+    /// The surfaces. Panels that emit are lights.
     pub panels: Vec<Panel>,
     /// Further lights.
     pub lights: Vec<Light>,
-    /// What is seen behind the panels.
+    /// The background: the radiance of rays that miss all panels.
     pub environment: Option<Surroundings>,
 }
 
-/// A picture all around, as [`kit::Environment`] has it: by longitude and latitude, row by row from
-/// the top left.
+/// An environment map, as in [`kit::Environment`]: by longitude and latitude, row by row from the
+/// top left.
 ///
 /// [`kit::Environment`]: ../../kit/environment/struct.Environment.html
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Surroundings {
-    /// How many texels are in a row.
+    /// The number of texels in a row.
     pub width: u32,
     /// The radiance of each texel.
     pub texels: Vec<Xyz>,
@@ -141,8 +141,9 @@ impl Surroundings {
     }
 }
 
-/// What the stand-in for scattering answers for a matte surface, directions in its local space. It
-/// is no Lambertian: it shows which directions it was asked for, and in which order and space.
+/// The BSDF of a matte surface in scripted worlds, for directions in local space. It is not
+/// Lambertian: its value depends on the directions, their order and their space, so that wrong
+/// arguments show.
 pub fn scripted_f(reflectance: Xyz, wo: Xyz, wi: Xyz) -> Xyz {
     if wo[2] * wi[2] <= 0.0 {
         return [0.0; 3];
@@ -154,14 +155,14 @@ pub fn scripted_f(reflectance: Xyz, wo: Xyz, wi: Xyz) -> Xyz {
 /// The mean of [`scripted_f`] over the azimuth of `wi`, for a reflectance of 1.
 pub const MEAN_F: f64 = 0.25;
 
-/// A direction drawn for incoming light: `BsdfSample` in numbers.
+/// A sampled direction: `kit::BsdfSample` as plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BsdfSample {
     /// Direction, in local space.
     pub wi: Xyz,
     /// Value of the BSDF.
     pub f: Xyz,
-    /// Density, or chance of the choice.
+    /// Density, or probability of the choice.
     pub pdf: f64,
     /// Whether the direction is one of finitely many.
     pub delta: bool,

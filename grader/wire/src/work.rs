@@ -1,4 +1,4 @@
-//! Cases and their questions: what the worker does with the student's code.
+//! Cases, and the questions of Parts 1 and 2.
 
 use crate::kinds::Work;
 use serde::{Deserialize, Serialize};
@@ -13,31 +13,31 @@ pub struct Case {
     pub task: String,
     /// Name of the case, unique in its task.
     pub name: String,
-    /// After this many milliseconds the case has failed.
+    /// Time limit in milliseconds. A case that takes longer fails.
     pub limit_ms: u64,
-    /// What to do.
+    /// The kind of work and its question.
     pub work: Work,
 }
 
-/// Which rays against which triangles.
+/// Rays to test against single triangles.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriangleWork {
     /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`.
     pub triangles: Vec<[Xyz; 6]>,
-    /// One call of both functions each.
+    /// One call of both functions for each probe.
     pub probes: Vec<Probe>,
 }
 
-/// Which rays against which spheres.
+/// Rays to test against single spheres.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SphereWork {
     /// Centre and radius.
     pub spheres: Vec<(Xyz, f64)>,
-    /// One call of both functions each.
+    /// One call of both functions for each probe.
     pub probes: Vec<Probe>,
 }
 
-/// Rays against a list of shapes.
+/// Rays to trace through a list of shapes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BruteForceWork {
     /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`. Numbered first.
@@ -48,12 +48,12 @@ pub struct BruteForceWork {
     pub rays: Vec<Ray>,
 }
 
-/// Which rays against which boxes.
+/// Rays to test against single boxes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BoxWork {
     /// Corners `min` and `max`.
     pub boxes: Vec<[Xyz; 2]>,
-    /// One call each.
+    /// One call for each probe.
     pub probes: Vec<Probe>,
 }
 
@@ -66,7 +66,7 @@ pub struct BuildWork {
     pub max_leaf_size: u32,
 }
 
-/// Rays through a scene.
+/// Rays to trace through a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneWork {
     /// The scene.
@@ -79,7 +79,7 @@ pub struct SceneWork {
     pub any_hit: bool,
 }
 
-/// Rays through a scene whose box tests are recorded.
+/// Rays to trace through a scene while its box tests are recorded.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VisitsWork {
     /// The scene.
@@ -103,7 +103,7 @@ pub struct Ray {
     pub max_t: f64,
 }
 
-/// One ray against one shape.
+/// A ray and the shape to test it against.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Probe {
     /// Index of the shape.
@@ -145,59 +145,59 @@ pub struct PixelWork {
     pub film: [u32; 2],
     /// Column and row of each pixel.
     pub pixels: Vec<[u32; 2]>,
-    /// Camera samples a pixel.
+    /// Camera samples per pixel.
     pub ns_aa: u32,
     /// Seed of the pixel samplers.
     pub seed: u64,
-    /// What `trace_ray` answers.
+    /// The radiance that `trace_ray` returns.
     pub world: PixelWorld,
 }
 
-/// What the stand-in for `trace_ray` answers.
+/// The radiance that the scripted `trace_ray` returns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PixelWorld {
     /// The same radiance everywhere.
     Constant(Xyz),
-    /// The red channel is `u`, the green is `v`, the blue is `u * v`, of the point the camera was
-    /// asked for.
+    /// The channels are `u`, `v` and `u * v` of the point with which the camera was called.
     Ramp,
-    /// By turns this radiance and black, call after call.
+    /// Alternates between this radiance and black from call to call.
     Flicker(Xyz),
-    /// Coloured rings around the centre of the film, ever narrower (a Fresnel zone plate): what is
-    /// too narrow for the pixels shows as rings in other places.
+    /// Coloured rings around the centre of the film that get narrower outward (a Fresnel zone
+    /// plate): where they are too narrow for the pixels, aliasing shows false rings.
     Rings,
 }
 
-/// A world whose every answer is written down: no intersection code runs.
+/// A world whose box and primitive test results are given: no intersection code runs.
 ///
-/// Boxes are known by their corners, so that a traversal may ask in any order.
+/// Boxes are identified by their corners, so that a traversal may test them in any order.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ScriptedWorld {
-    /// The tree to walk.
+    /// The tree to traverse.
     pub tree: Tree,
-    /// Ask for any hit instead of the closest.
+    /// Whether to trace any hit instead of the closest.
     pub any_hit: bool,
-    /// The rays and what they meet.
+    /// The rays and their test results.
     pub rays: Vec<ScriptedRay>,
 }
 
-/// A ray and what it meets.
+/// A ray and its test results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ScriptedRay {
     /// The ray.
     pub ray: Ray,
-    /// For each node of the tree, where the infinite line of the ray is inside its box.
+    /// For each node of the tree, the interval in which the infinite line of the ray is inside its
+    /// box.
     pub spans: Vec<Option<[f64; 2]>>,
-    /// For each primitive, the `t` at which the line meets it.
+    /// For each primitive, the `t` at which the line hits it.
     pub prims: Vec<Option<f64>>,
 }
 
-/// A tree, as the student's crate is given it or as it built it.
+/// A tree, given to the student's code or built by it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tree {
     /// Nodes, the root first.
     pub nodes: Vec<Node>,
-    /// Every primitive once.
+    /// The index of every primitive, once.
     pub order: Vec<u32>,
 }
 
@@ -206,11 +206,11 @@ pub struct Tree {
 pub struct Node {
     /// Corners `min` and `max`.
     pub bounds: [Xyz; 2],
-    /// What lies below.
+    /// The children or primitives.
     pub kind: NodeKind,
 }
 
-/// What lies below a [`Node`].
+/// The children or primitives of a [`Node`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NodeKind {
     /// Two nodes.
@@ -234,9 +234,9 @@ pub enum NodeKind {
 pub enum SceneSource {
     /// Vertices `p0 p1 p2`, then vertex normals `n0 n1 n2`.
     Triangles(Vec<[Xyz; 6]>),
-    /// A generated mesh: the generator's name and the number of triangles asked for.
+    /// A generated mesh: the generator's name and the requested number of triangles.
     Generated(String, u32),
-    /// The same in a Cornell box.
+    /// A generated mesh in a Cornell box.
     InCornellBox(String, u32),
 }
 
@@ -249,24 +249,24 @@ pub struct TimingWork {
     pub max_leaf_size: u32,
     /// Rays for the tree.
     pub rays: Vec<Ray>,
-    /// How many of them, evenly spread, brute force traces too.
+    /// How many of the rays, at regular intervals, are also traced by brute force.
     pub brute_force_rays: u32,
-    /// How often brute force and tree take turns.
+    /// The number of rounds; each round times the tree, then brute force.
     pub rounds: u32,
 }
 
-/// One test to time, over and over.
+/// A test to time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TestTiming {
-    /// What rays are tested against.
+    /// The shapes to test rays against.
     pub shapes: Shapes,
     /// Each is tested against the next `per_ray` of the shapes.
     pub rays: Vec<Ray>,
-    /// How many shapes belong to a ray.
+    /// The number of shapes that each ray is tested against.
     pub per_ray: u32,
-    /// How often all rays are gone through between two looks at the clock.
+    /// The number of passes over all rays in each round.
     pub passes: u32,
-    /// How often the clock is looked at.
+    /// The number of timed rounds.
     pub rounds: u32,
 }
 

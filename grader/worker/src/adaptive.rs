@@ -1,4 +1,4 @@
-//! Part 5: stopping rules, and pixels whose samples are written down.
+//! Runs Part 5: stopping rules, and pixels with given samples.
 
 use kit::{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
@@ -10,9 +10,9 @@ pub(crate) fn stop(calls: &[StopCall]) -> Vec<StopAnswer> {
 }
 
 pub(crate) fn sure_stop(calls: &[StopCall]) -> Vec<StopAnswer> {
-    answers(calls, |samples, call, asked| {
+    answers(calls, |samples, call, rule_calls| {
         let rule = &mut |samples: &Tally, tolerance| {
-            asked.push((samples.count(), samples.mean(), tolerance));
+            rule_calls.push((samples.count(), samples.mean(), tolerance));
             call.rule
         };
         adaptive::has_surely_converged(samples, call.tolerance, rule)
@@ -30,9 +30,9 @@ fn answers(
         let samples: Tally = runs
             .flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
             .collect();
-        let mut asked = Vec::new();
-        let stop = ask(&samples, call, &mut asked);
-        StopAnswer { stop, asked }
+        let mut rule_calls = Vec::new();
+        let stop = ask(&samples, call, &mut rule_calls);
+        StopAnswer { stop, rule_calls }
     })
     .collect()
 }
@@ -50,7 +50,7 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
     let [x, y] = work.pixel;
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut traced, mut foreign) = (0, 0);
-    let mut looks = Vec::new();
+    let mut rule_calls = Vec::new();
     let estimate = adaptive::raytrace_pixel_adaptive(
         (x, y),
         FilmSize {
@@ -75,7 +75,7 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
             Spectrum::from(radiance)
         },
         &mut |samples, tolerance| {
-            looks.push((
+            rule_calls.push((
                 samples.count(),
                 samples.mean(),
                 samples.variance(),
@@ -91,13 +91,13 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
         points,
         traced,
         foreign,
-        looks,
+        rule_calls,
         radiance: estimate.radiance.to_array(),
         samples: estimate.samples,
     }
 }
 
-/// A ray that tells which point of the film it was made for.
+/// A ray whose origin identifies the film point it was made for.
 fn from_camera(point: Vec2) -> Ray {
     Ray::new(Vec3::new(point.x, point.y, 1.0), Vec3::NEG_Z)
 }

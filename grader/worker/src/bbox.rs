@@ -1,4 +1,4 @@
-//! Part 2, task 2: probes against single boxes.
+//! Runs Part 2, task 2: probes of single boxes.
 
 use crate::convert;
 use wire::work::BoxWork;

@@ -1,5 +1,4 @@
-//! Part 2, tasks 1 and 3: trees built from boxes, and walks through worlds whose answers are
-//! written down.
+//! Runs Part 2, tasks 1 and 3: builds trees, and traverses them in scripted worlds.
 
 use crate::convert;
 use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, World};
@@ -13,7 +12,7 @@ pub(crate) fn build(work: &BuildWork) -> BuildAnswer {
     let tree = bvh::construct_bvh(&bounds, max_leaf_size);
     harness::call(1);
     let again = bvh::construct_bvh(&bounds, max_leaf_size);
-    // The debug form tells NaN from NaN-free trees apart, and finds a tree equal to itself.
+    // The debug text of a tree with NaN equals itself, while the tree does not.
     let repeatable = tree == again || format!("{tree:?}") == format!("{again:?}");
     BuildAnswer {
         tree: wire_tree(&tree),
@@ -33,10 +32,10 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
     each.map(|(i, scripted)| {
         harness::call(i);
         let mut ray = convert::ray(&scripted.ray);
-        let mut world = Script {
+        let mut world = TraverseScript {
             scripted,
             node_of: &node_of,
-            asked: vec![false; scripted.prims.len()],
+            tested: vec![false; scripted.prims.len()],
             counts: Counts::default(),
         };
         let hit = if script.any_hit {
@@ -82,19 +81,19 @@ struct Counts {
     unknown_boxes: u32,
 }
 
-/// A world that looks its answers up. It only cuts them to the ray's range.
-struct Script<'a> {
+/// A world with given test results, which it clips to the ray's range.
+struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
     node_of: &'a HashMap<BoxKey, usize>,
-    asked: Vec<bool>,
+    tested: Vec<bool>,
     counts: Counts,
 }
 
-impl Script<'_> {
+impl TraverseScript<'_> {
     fn prim_t(&mut self, id: PrimId, ray: &Ray) -> Option<f64> {
         let i = id.0 as usize;
         self.counts.prim_tests += 1;
-        if std::mem::replace(&mut self.asked[i], true) {
+        if std::mem::replace(&mut self.tested[i], true) {
             self.counts.repeated_prims += 1;
         }
         let t = self.scripted.prims[i].filter(|&t| ray.in_range(t));
@@ -103,7 +102,7 @@ impl Script<'_> {
     }
 }
 
-impl World for Script<'_> {
+impl World for TraverseScript<'_> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         self.counts.box_tests += 1;
         let Some(&node) = self.node_of.get(&box_key(b)) else {

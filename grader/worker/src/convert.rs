@@ -1,4 +1,4 @@
-//! Between the wire's plain numbers and the kit's types.
+//! Converts between the plain numbers of `wire` and the types of `kit`.
 
 #[cfg(any(feature = "intersect", feature = "bbox", feature = "bvh"))]
 use wire::work::Xyz;

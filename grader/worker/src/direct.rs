@@ -1,9 +1,9 @@
-//! Part 3: matte surfaces, and direct light in worlds that write down what they are asked.
+//! Runs Part 3: matte surfaces, and direct light in worlds that record the traced rays.
 
 use crate::{convert, light, panels};
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};
 use wire::direct::{
-    AskedRay, DirectAnswer, DirectWork, LambertAnswer, LambertProbe, ShadedPoint, Strategy,
+    DirectAnswer, DirectWork, LambertAnswer, LambertProbe, RecordedRay, ShadedPoint, Strategy,
 };
 
 pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
@@ -44,7 +44,7 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
         prim: PrimId(u32::MAX),
     };
     let wo = Vec3::from(point.wo);
-    let mut asked = Vec::new();
+    let mut rays = Vec::new();
     let mut sampler = PixelSampler::new(call, 0, work.seed);
     sampler.get_sample();
     let radiance = match work.strategy {
@@ -55,14 +55,14 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
             wo,
             work.samples,
             &mut sampler,
-            &panels::Script,
+            &panels::ScriptedScattering,
             &mut |ray| {
                 let hit = panels::first_hit(&work.world, ray);
                 let seen = match &hit {
                     Some(hit) => lit.surface(hit).emitted(-ray.d),
                     None => lit.background(ray.d),
                 };
-                asked.push(note(ray, seen, hit.is_some()));
+                rays.push(recorded_ray(ray, seen, hit.is_some()));
                 hit
             },
         ),
@@ -72,22 +72,22 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
             wo,
             work.samples,
             &mut sampler,
-            &panels::Script,
+            &panels::ScriptedScattering,
             &mut |ray| {
                 let blocked = panels::first_hit(&work.world, ray).is_some();
-                asked.push(note(ray, Spectrum::BLACK, blocked));
+                rays.push(recorded_ray(ray, Spectrum::BLACK, blocked));
                 blocked
             },
         ),
     };
     DirectAnswer {
         radiance: radiance.to_array(),
-        asked,
+        rays,
     }
 }
 
-fn note(ray: &Ray, seen: Spectrum, hit: bool) -> AskedRay {
-    AskedRay {
+fn recorded_ray(ray: &Ray, seen: Spectrum, hit: bool) -> RecordedRay {
+    RecordedRay {
         ray: convert::wire_ray(ray),
         seen: seen.to_array(),
         hit,

@@ -1,4 +1,4 @@
-//! Part 4: mirrors and glass, and paths whose every turn is written down.
+//! Runs Part 4: mirrors and glass, scripted paths, and roulette.
 
 use crate::{convert, light};
 use kit::{
@@ -61,12 +61,12 @@ pub(crate) fn paths(paths: &[ScriptedPath]) -> Vec<PathAnswer> {
     let each = paths.iter().enumerate();
     each.map(|(i, path)| {
         harness::call(i);
-        follow(i as u32, path)
+        run_path(i as u32, path)
     })
     .collect()
 }
 
-/// The scene of a path's surfaces: a small triangle each, which nobody intersects.
+/// The scene of a path's surfaces: one triangle each, which is never intersected.
 fn lit_scene(path: &ScriptedPath) -> LitScene {
     let objects: Vec<_> = path
         .steps
@@ -92,12 +92,12 @@ fn facing(step: &Step) -> Triangle {
     }
 }
 
-fn follow(call: u32, path: &ScriptedPath) -> PathAnswer {
+fn run_path(call: u32, path: &ScriptedPath) -> PathAnswer {
     let lit = lit_scene(path);
-    let notes = RefCell::new(PathAnswer::default());
-    let script = Script {
+    let recorded = RefCell::new(PathAnswer::default());
+    let script = PathScript {
         path,
-        notes: &notes,
+        recorded: &recorded,
         at: Cell::new(0),
     };
     let mut sampler = PixelSampler::new(call, 0, path.seed);
@@ -111,36 +111,36 @@ fn follow(call: u32, path: &ScriptedPath) -> PathAnswer {
         &mut |ray| script.trace(ray),
         &mut |surface: &Surface, wo, _: &mut PixelSampler| {
             let prim = surface.prim.0;
-            notes.borrow_mut().direct.push((prim, wo.into()));
+            recorded.borrow_mut().direct.push((prim, wo.into()));
             script.step(prim as usize).direct.into()
         },
         &mut |throughput, bounces, u| {
-            let games = &mut notes.borrow_mut().games;
-            games.push((throughput.to_array(), bounces, u));
+            let calls = &mut recorded.borrow_mut().roulette_calls;
+            calls.push((throughput.to_array(), bounces, u));
             Some(throughput * script.step(script.at.get()).roulette?)
         },
     );
-    let mut answer = notes.take();
+    let mut answer = recorded.take();
     answer.radiance = radiance.to_array();
     answer
 }
 
-/// The turns of a path. It only moves on when a ray is traced.
-struct Script<'a> {
+/// The scripted surfaces of a path. Each traced ray moves to the next one.
+struct PathScript<'a> {
     path: &'a ScriptedPath,
-    notes: &'a RefCell<PathAnswer>,
-    /// The step that was hit last.
+    recorded: &'a RefCell<PathAnswer>,
+    /// The surface that was hit last.
     at: Cell<usize>,
 }
 
-impl Script<'_> {
+impl PathScript<'_> {
     fn step(&self, i: usize) -> &Step {
         &self.path.steps[i.min(self.path.steps.len() - 1)]
     }
 
     fn trace(&self, ray: &kit::Ray) -> Option<Hit> {
-        let rays = &mut self.notes.borrow_mut().rays;
-        // Steps count from 0, and so do rays.
+        let rays = &mut self.recorded.borrow_mut().rays;
+        // Ray `i` hits surface `i`.
         let i = rays.len();
         rays.push(convert::wire_ray(ray));
         let step = self.path.steps.get(i)?;
@@ -156,7 +156,7 @@ impl Script<'_> {
     }
 }
 
-impl Scattering for Script<'_> {
+impl Scattering for PathScript<'_> {
     fn f(&self, _: &Material, _: Vec3, _: Vec3) -> Spectrum {
         Spectrum::BLACK
     }
@@ -168,7 +168,7 @@ impl Scattering for Script<'_> {
     fn sample(&self, _: &Material, wo: Vec3, u: Vec2, choice: f64) -> Option<BsdfSample> {
         let i = self.at.get();
         let numbers: Xyz = [u.x, u.y, choice];
-        let samples = &mut self.notes.borrow_mut().samples;
+        let samples = &mut self.recorded.borrow_mut().samples;
         samples.push((i as u32, wo.into(), numbers));
         let sample = self.step(i).sample?;
         Some(BsdfSample {

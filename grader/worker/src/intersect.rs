@@ -1,4 +1,4 @@
-//! Part 1, tasks 3 and 4: probes against single shapes, rays against all of them.
+//! Runs Part 1, tasks 3 and 4: probes of single shapes, and rays through lists of shapes.
 
 use crate::convert;
 use kit::PrimId;

@@ -1,9 +1,9 @@
-//! Runs cases on a student's stages and writes down what they answered.
+//! Runs cases on a student's stages and records the results.
 //!
-//! The worker says what the code computed and judges nothing: truth is out of its sight, in the
-//! grader. [`run()`] takes a case to its record; a file per stage does the work (`raygen`,
-//! `intersect`, `bbox`, `bvh`, `direct`, `global`, `adaptive`), each behind the cargo feature of
-//! its name. What does not depend on a stage is in [`harness`].
+//! The worker judges nothing: the right results are in the grader, where the student's code cannot
+//! reach them. [`run()`] runs a case and returns its record; a file per stage does the work
+//! (`raygen`, `intersect`, `bbox`, `bvh`, `direct`, `global`, `adaptive`), each behind the cargo
+//! feature of its name. Code that does not depend on a stage is in [`harness`].
 
 #[cfg(feature = "adaptive")]
 mod adaptive;

@@ -1,4 +1,4 @@
-//! What surfaces are made of, and scenes of them.
+//! Converts materials and environment maps, and builds scenes from objects.
 
 use kit::scene::{NamedMaterial, Object};
 use kit::{Environment, Material, Scene, Spectrum, Triangle};
@@ -24,7 +24,7 @@ pub(crate) fn material(m: &wire::light::Material) -> Material {
     }
 }
 
-/// The scene of shapes given by their triangles and material, an object each.
+/// Builds a scene with one object for each list of triangles and its material.
 pub(crate) fn scene(objects: &[(Vec<Triangle>, Material)]) -> Scene {
     let mut scene = Scene::default();
     for (number, (triangles, material)) in (0..).zip(objects) {
@@ -43,9 +43,10 @@ pub(crate) fn scene(objects: &[(Vec<Triangle>, Material)]) -> Scene {
     scene
 }
 
-/// What is seen all around.
+/// Converts an environment map.
 pub(crate) fn environment(around: &Surroundings) -> Environment {
     let width = around.width as usize;
     let texels: Vec<Spectrum> = around.texels.iter().map(|&texel| texel.into()).collect();
-    Environment::new(width, texels.len() / width, texels).expect("the cases hold whole pictures")
+    Environment::new(width, texels.len() / width, texels)
+        .expect("the cases have complete environment maps")
 }

@@ -1,4 +1,4 @@
-//! Rays through whole scenes: all of the student's stages together.
+//! Traces rays through whole scenes with all of the student's stages.
 
 use crate::bvh::kit_tree;
 use crate::convert;
@@ -23,7 +23,7 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
         harness::call(i);
         let mut ray = convert::ray(ray);
         let hit = if work.any_hit {
-            bvh::occludes_bvh(&tree, &ray, &mut world).then_some(SOMETHING)
+            bvh::occludes_bvh(&tree, &ray, &mut world).then_some(ANY_HIT)
         } else {
             bvh::intersect_bvh(&tree, &mut ray, &mut world)
         };
@@ -35,8 +35,8 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
     Ok(answer)
 }
 
-/// What stands for a hit where only whether there is one was asked.
-const SOMETHING: Hit = Hit {
+/// The recorded hit of an any-hit query.
+const ANY_HIT: Hit = Hit {
     t: 0.0,
     p: Vec3::ZERO,
     n: Vec3::Z,
@@ -65,7 +65,8 @@ pub(crate) fn load(source: &SceneSource) -> Result<Scene, String> {
     }
 }
 
-/// A scene, asked through the stages `bbox` and `intersect`; every test is counted.
+/// A scene whose boxes and primitives are tested with the stages `bbox` and `intersect`; it counts
+/// the tests.
 pub(crate) struct SceneWorld<'a> {
     scene: &'a Scene,
     box_tests: u64,
@@ -108,14 +109,14 @@ impl World for SceneWorld<'_> {
     }
 }
 
-/// How long the rays of one round may take through a tree; if they take longer, only the first ones
-/// are traced.
+/// Time limit of tracing the rays of one round through a tree. If they take longer, only the first
+/// rays are traced.
 const TREE_TIME: Duration = Duration::from_millis(700);
 
-/// How many rays are traced between two looks at the clock.
+/// The number of rays between two readings of the clock.
 const BATCH: usize = 64;
 
-/// Times the tree against brute force, in turns, so that a change of the machine's speed meets
+/// Times the tree and brute force in alternation, so that a change of the machine's speed affects
 /// both.
 pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
     let scene = load(&timing.scene)?;
@@ -179,13 +180,13 @@ pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
     Ok(answer)
 }
 
-/// `count` of the rays, evenly spread.
+/// `count` of the rays, at regular intervals.
 fn evenly(rays: &[Ray], count: usize) -> Vec<Ray> {
     let count = count.min(rays.len());
     (0..count).map(|i| rays[i * rays.len() / count]).collect()
 }
 
-/// The closest hit by asking every primitive in order.
+/// The closest hit, by testing every primitive in order.
 fn brute_force(scene: &Scene, ray: &Ray) -> Option<Hit> {
     let mut ray = *ray;
     let mut closest = None;

@@ -1,4 +1,4 @@
-//! Worlds of rectangles and lights, and scattering whose answers are written down.
+//! Worlds of rectangles and lights, and scripted scattering.
 
 use crate::light::{environment, material, scene};
 use kit::scene::NamedLight;
@@ -7,7 +7,7 @@ use kit::{
 };
 use wire::light::{Light, LitWorld, Panel, scripted_f};
 
-/// The world as a scene with its light. Panel `i` is the triangles `2i` and `2i + 1`.
+/// Converts the world to a scene with lights. Panel `i` becomes the triangles `2i` and `2i + 1`.
 pub(crate) fn lit_scene(world: &LitWorld) -> LitScene {
     let panels = world.panels.iter();
     let objects: Vec<_> = panels
@@ -44,8 +44,7 @@ pub(crate) fn first_hit(world: &LitWorld, ray: &Ray) -> Option<Hit> {
     })
 }
 
-/// Both triangles of a panel: the one below its diagonal, and the one above. Their normals are on
-/// its front.
+/// The two triangles of a panel, below and above its diagonal. Their normals point to its front.
 fn halves(panel: &Panel) -> [Triangle; 2] {
     let [a, b, c, d] = panel.corners().map(Vec3::from);
     let halves = if panel.faces > 0.0 {
@@ -91,10 +90,10 @@ fn kit_light(light: &Light) -> kit::Light {
     }
 }
 
-/// Scattering whose answers are written down: matte surfaces by [`scripted_f`], all others black.
-pub(crate) struct Script;
+/// Scripted scattering: [`scripted_f`] for matte surfaces, black for all others.
+pub(crate) struct ScriptedScattering;
 
-impl Scattering for Script {
+impl Scattering for ScriptedScattering {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {
             Material::Diffuse { reflectance } => {

@@ -1,4 +1,4 @@
-//! Part 1, tasks 1 and 2: a camera and a world that write down what they are asked.
+//! Runs Part 1, tasks 1 and 2, with a camera and a world that record their calls.
 
 use crate::convert;
 use kit::{FilmSize, Mat3, PixelSampler, Spectrum, Vec2, Vec3};
@@ -59,7 +59,7 @@ fn pixel(work: &PixelWork, x: u32, y: u32) -> PixelAnswer {
     }
 }
 
-/// A ray that tells which point it was made for.
+/// A ray whose origin identifies the film point it was made for.
 fn camera_stub(point: Vec2) -> kit::Ray {
     kit::Ray {
         o: Vec3::new(point.x, point.y, 2.0),

@@ -1,4 +1,4 @@
-//! From a case to its record.
+//! Runs a case and returns its record.
 
 use wire::{Answer, Case, Record, Work};
 
@@ -7,7 +7,7 @@ pub fn run(index: u32, case: &Case) -> Record {
     harness::run(index, case, dispatch)
 }
 
-/// Calls the stage that `work` is for.
+/// Calls the stage of `work`.
 fn dispatch(work: &Work) -> Result<Answer, String> {
     Ok(match work {
         #[cfg(feature = "raygen")]
@@ -62,7 +62,7 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
         )]
         other => {
             return Err(format!(
-                "this worker was built without the stage that work of the kind {} is for",
+                "this worker was built without the stage for work of the kind {}",
                 other.kind()
             ));
         }

@@ -1,12 +1,12 @@
-//! One test over and over, timed: a loop with nothing else in it.
+//! Times one intersection test, in a loop with nothing else in it.
 
 use crate::convert;
 use std::hint::black_box;
 use std::time::Instant;
 use wire::work::{Shapes, TestTiming};
 
-/// Times the test of the shapes that are given. Of a hit by `test_triangle` and `test_sphere`, `o +
-/// t·d` is computed, too, as the kernels do that they are compared with.
+/// Times the test of the given shapes. For hits of `test_triangle` and `test_sphere` it also
+/// computes `o + t·d`, as the kernels do with which they are compared.
 pub(crate) fn test(timing: &TestTiming) -> Result<Vec<f64>, String> {
     match &timing.shapes {
         #[cfg(feature = "intersect")]

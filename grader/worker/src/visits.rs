@@ -1,4 +1,4 @@
-//! For which boxes a traversal asks: rays through a whole scene, watched.
+//! Records which boxes a traversal tests, for rays through a whole scene.
 
 use crate::bvh::{BoxKey, box_key, kit_tree};
 use crate::convert;
@@ -20,7 +20,7 @@ pub(crate) fn visits(work: &VisitsWork) -> Result<VisitsAnswer, String> {
     let each = work.rays.iter().enumerate();
     let rays = each.map(|(i, ray)| {
         harness::call(i);
-        let mut world = Watched {
+        let mut world = RecordingWorld {
             world: SceneWorld::new(&scene),
             nodes_of: &nodes_of,
             visits: Vec::new(),
@@ -33,15 +33,15 @@ pub(crate) fn visits(work: &VisitsWork) -> Result<VisitsAnswer, String> {
     })
 }
 
-/// A scene that writes down which boxes it is asked for.
-struct Watched<'a> {
+/// A scene that records the box tests.
+struct RecordingWorld<'a> {
     world: SceneWorld<'a>,
     nodes_of: &'a HashMap<BoxKey, Vec<u32>>,
     visits: Vec<Visit>,
 }
 
-impl Watched<'_> {
-    /// The node that has this box; of several, the first that was not asked for yet.
+impl RecordingWorld<'_> {
+    /// The node that has this box; of several, the first that was not tested yet.
     fn node(&self, b: &Aabb) -> Option<u32> {
         let nodes = self.nodes_of.get(&box_key(b))?;
         let is_new = |node: &&u32| !self.visits.iter().any(|visit| visit.node == **node);
@@ -49,7 +49,7 @@ impl Watched<'_> {
     }
 }
 
-impl World for Watched<'_> {
+impl World for RecordingWorld<'_> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         let interval = self.world.hit_box(b, ray);
         if let Some(node) = self.node(b) {

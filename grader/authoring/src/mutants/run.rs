@@ -9,7 +9,7 @@ use grader::grade::grade_tasks;
 use grader::runner::Worker;
 use grader::score::TaskResult;
 use grader::signature::Signature;
-use grader::stage_workers::Workers;
+use grader::stage_workers::StageWorkers;
 use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
@@ -162,9 +162,9 @@ impl VersionsWorker<'_> {
             },
         };
         // The worker links every stage.
-        let workers = Workers {
-            together: Ok(worker.clone()),
-            own: worker,
+        let workers = StageWorkers {
+            whole_scene: Ok(worker.clone()),
+            stage: worker,
         };
         let mut results = grade_tasks(self.course, &[task], specs, &workers, &mut String::new())?;
         let result = results

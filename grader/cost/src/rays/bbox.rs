@@ -2,7 +2,7 @@
 
 use super::{Target, log_uniform, stored_vec};
 use crate::report::{RayFamily, Shape};
-use judge::cases::probes::{Dice, through};
+use judge::cases::probes::{ProbeRng, through};
 use kernels::Precision;
 use kit::{Aabb, Ray, Vec3};
 
@@ -35,14 +35,14 @@ impl Target for Aabb {
         ),
     ];
 
-    fn shape_and_target(dice: &mut Dice) -> (Aabb, Vec3) {
+    fn shape_and_target(dice: &mut ProbeRng) -> (Aabb, Vec3) {
         let b = random_box(dice);
         // Twice as long on each axis: an eighth of the volume, and about half of the rays.
         let target = b.centroid() + b.extent() * dice.in_cube();
         (b, target)
     }
 
-    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Aabb, Ray)> {
+    fn hard_pair(family: RayFamily, dice: &mut ProbeRng) -> Option<(Aabb, Ray)> {
         let mut b = random_box(dice);
         let from = dice.range(2.0, 6.0) * dice.direction();
         let axis = dice.below(3);
@@ -110,16 +110,16 @@ impl Target for Aabb {
     }
 }
 
-fn random_box(dice: &mut Dice) -> Aabb {
+fn random_box(dice: &mut ProbeRng) -> Aabb {
     Aabb::of([dice.in_cube(), dice.in_cube()])
 }
 
-fn corner(b: &Aabb, dice: &mut Dice) -> Vec3 {
+fn corner(b: &Aabb, dice: &mut ProbeRng) -> Vec3 {
     Vec3::from_array([0, 1, 2].map(|axis| dice.one_of(&[b.min, b.max])[axis]))
 }
 
 /// Returns a point in the box, faces included.
-fn inside(b: &Aabb, dice: &mut Dice) -> Vec3 {
+fn inside(b: &Aabb, dice: &mut ProbeRng) -> Vec3 {
     let share = 0.5 * dice.in_cube() + 0.5;
     (b.min + share * b.extent()).clamp(b.min, b.max)
 }

@@ -6,7 +6,7 @@ mod sphere;
 mod triangle;
 
 use super::report::{RayFamily, Shape};
-use judge::cases::probes::{Dice, through};
+use judge::cases::probes::{ProbeRng, through};
 use kernels::{Precision, RayAndShapes};
 use kit::{Ray, Vec3};
 
@@ -24,10 +24,10 @@ pub(crate) trait Target: kernels::shapes::Shape {
     const RAY_FAMILIES: &'static [(RayFamily, &'static str)];
 
     /// Returns an ordinary shape around the origin, and a target point on it or near it.
-    fn shape_and_target(dice: &mut Dice) -> (Self, Vec3);
+    fn shape_and_target(dice: &mut ProbeRng) -> (Self, Vec3);
 
     /// Returns a pair of a family that is specific to this shape.
-    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Self, Ray)>;
+    fn hard_pair(family: RayFamily, dice: &mut ProbeRng) -> Option<(Self, Ray)>;
 
     /// Returns the shape scaled by `scale` about the origin, then translated by `by`.
     fn transformed(&self, scale: f64, by: Vec3) -> Self;
@@ -43,14 +43,14 @@ pub(crate) trait Target: kernels::shapes::Shape {
 /// Returns `count` pairs of a family.
 pub(crate) fn pairs<S: Target>(family: RayFamily, seed: u64, count: usize) -> Vec<(S, Ray)> {
     let name = format!("cost {} {}", S::SHAPE.name(), family.name());
-    let mut dice = Dice::new(&name, seed);
+    let mut dice = ProbeRng::new(&name, seed);
     (0..count)
         .map(|_| S::hard_pair(family, &mut dice).unwrap_or_else(|| common_pair(family, &mut dice)))
         .collect()
 }
 
 /// Returns a pair of a family that is the same for all shapes.
-fn common_pair<S: Target>(family: RayFamily, dice: &mut Dice) -> (S, Ray) {
+fn common_pair<S: Target>(family: RayFamily, dice: &mut ProbeRng) -> (S, Ray) {
     let (shape, target) = S::shape_and_target(dice);
     let o = target + dice.range(2.0, 6.0) * dice.direction();
     let (scale, by) = match family {
@@ -67,13 +67,13 @@ fn common_pair<S: Target>(family: RayFamily, dice: &mut Dice) -> (S, Ray) {
 }
 
 /// Returns a log-uniform number from `10^low` to `10^high`.
-fn log_uniform(dice: &mut Dice, low: f64, high: f64) -> f64 {
+fn log_uniform(dice: &mut ProbeRng, low: f64, high: f64) -> f64 {
     kit::math::pow(10.0, dice.range(low, high))
 }
 
 /// Returns ordinary rays, each with the shapes that it is tested against in the timed loop.
 pub(crate) fn timed_batches<S: Target>(seed: u64, tests: usize) -> Vec<RayAndShapes<S>> {
-    let mut dice = Dice::new(&format!("cost {} times", S::SHAPE.name()), seed);
+    let mut dice = ProbeRng::new(&format!("cost {} times", S::SHAPE.name()), seed);
     (0..tests / S::SHAPES_PER_RAY)
         .map(|_| {
             let ray = through(3.0 * dice.direction(), dice.in_cube());

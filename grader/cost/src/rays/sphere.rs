@@ -2,7 +2,7 @@
 
 use super::{Target, log_uniform, stored_vec};
 use crate::report::{RayFamily, Shape};
-use judge::cases::probes::Dice;
+use judge::cases::probes::ProbeRng;
 use kernels::Precision;
 use kit::{Ray, Sphere, Vec3};
 
@@ -35,13 +35,13 @@ impl Target for Sphere {
         ),
     ];
 
-    fn shape_and_target(dice: &mut Dice) -> (Sphere, Vec3) {
+    fn shape_and_target(dice: &mut ProbeRng) -> (Sphere, Vec3) {
         let s = random_sphere(dice);
         let target = s.center + 1.5 * s.radius * dice.in_cube();
         (s, target)
     }
 
-    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Sphere, Ray)> {
+    fn hard_pair(family: RayFamily, dice: &mut ProbeRng) -> Option<(Sphere, Ray)> {
         let s = random_sphere(dice);
         let distance = dice.range(2.0, 6.0);
         let ray = match family {
@@ -87,7 +87,7 @@ impl Target for Sphere {
     }
 }
 
-fn random_sphere(dice: &mut Dice) -> Sphere {
+fn random_sphere(dice: &mut ProbeRng) -> Sphere {
     Sphere {
         center: dice.in_cube(),
         radius: dice.range(0.2, 1.0),

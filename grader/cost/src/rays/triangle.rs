@@ -2,7 +2,7 @@
 
 use super::{Target, log_uniform, stored_vec};
 use crate::report::{RayFamily, Shape};
-use judge::cases::probes::{Dice, at, through};
+use judge::cases::probes::{ProbeRng, at, through};
 use kernels::Precision;
 use kit::{Ray, Triangle, Vec3};
 
@@ -44,19 +44,19 @@ impl Target for Triangle {
         ),
     ];
 
-    fn shape_and_target(dice: &mut Dice) -> (Triangle, Vec3) {
+    fn shape_and_target(dice: &mut ProbeRng) -> (Triangle, Vec3) {
         let tri = random_triangle(dice);
         let target = at(&tri, hit_or_miss(dice));
         (tri, target)
     }
 
-    fn hard_pair(family: RayFamily, dice: &mut Dice) -> Option<(Triangle, Ray)> {
+    fn hard_pair(family: RayFamily, dice: &mut ProbeRng) -> Option<(Triangle, Ray)> {
         let tri = match family {
             RayFamily::Sliver => sliver(dice),
             RayFamily::Needle => needle(dice),
             _ => random_triangle(dice),
         };
-        let from = |dice: &mut Dice| dice.range(2.0, 6.0) * dice.direction();
+        let from = |dice: &mut ProbeRng| dice.range(2.0, 6.0) * dice.direction();
         let ray = match family {
             RayFamily::Edge => {
                 let along = dice.range(0.0, 1.0);
@@ -113,7 +113,7 @@ impl Target for Triangle {
 
 /// Returns a triangle with vertices in the cube from -1 to 1 and a minimum area, so that no edge is
 /// short and no angle is flat.
-fn random_triangle(dice: &mut Dice) -> Triangle {
+fn random_triangle(dice: &mut ProbeRng) -> Triangle {
     loop {
         let [p0, p1, p2] = [0; 3].map(|_| dice.in_cube());
         let doubled_area = (p1 - p0).cross(p2 - p0).length();
@@ -125,7 +125,7 @@ fn random_triangle(dice: &mut Dice) -> Triangle {
 
 /// Returns the weights of `p1` and `p2` of a point, in the triangle or outside it with equal
 /// probability.
-fn hit_or_miss(dice: &mut Dice) -> [f64; 2] {
+fn hit_or_miss(dice: &mut ProbeRng) -> [f64; 2] {
     let is_inside = |[b1, b2]: [f64; 2]| b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
     let wants_inside = dice.range(0.0, 1.0) < 0.5;
     loop {
@@ -136,7 +136,7 @@ fn hit_or_miss(dice: &mut Dice) -> [f64; 2] {
     }
 }
 
-fn sliver(dice: &mut Dice) -> Triangle {
+fn sliver(dice: &mut ProbeRng) -> Triangle {
     let flat = random_triangle(dice);
     let across = (flat.p1 - flat.p0).cross(flat.n0).normalize();
     let on_edge = flat.p0 + dice.range(0.3, 0.7) * (flat.p1 - flat.p0);
@@ -144,7 +144,7 @@ fn sliver(dice: &mut Dice) -> Triangle {
     Triangle::flat(flat.p0, flat.p1, p2)
 }
 
-fn needle(dice: &mut Dice) -> Triangle {
+fn needle(dice: &mut ProbeRng) -> Triangle {
     let flat = random_triangle(dice);
     let p2 = flat.p1 + log_uniform(dice, -9.0, -3.0) * (flat.p2 - flat.p1);
     Triangle::flat(flat.p0, flat.p1, p2)

@@ -1,31 +1,31 @@
-//! Worlds for traversals, in which every hit is plain to see.
+//! Scenes for traversals, whose hits are known without intersection code.
 //!
-//! A primitive is a box with three plates inside, one across each axis. Rays run along an axis, so
-//! a ray that passes through the box meets the plate across its axis: nothing rounds, and no
-//! intersection code is needed.
+//! A primitive is a box with three plates inside, each perpendicular to one axis. Rays are parallel
+//! to an axis, so a ray through the box hits the plate that is perpendicular to it, and nothing
+//! rounds.
 
-use super::plan::Plan;
+use super::tree_plan::TreePlan;
 use kit::{Aabb, Ray, Vec3};
 use wire::Work;
 use wire::work::{self, ScriptedRay, ScriptedWorld, Tree};
 
-/// A box, and the point in which its three plates meet.
+/// A primitive: a box with three plates, each perpendicular to one axis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cross {
     /// The box.
     pub(crate) bounds: Aabb,
-    /// Inside it.
+    /// The point in which the three plates meet.
     pub(crate) at: Vec3,
 }
 
-/// Crosses in a tree.
-pub(crate) struct World {
+/// Crosses and a tree over them.
+pub(crate) struct CrossScene {
     crosses: Vec<Cross>,
     tree: Tree,
 }
 
 impl Cross {
-    /// With the corners `min` and `max`, and the plates in the middle.
+    /// The box from `min` to `max`, with the plates in the middle.
     pub(crate) fn new(min: Vec3, max: Vec3) -> Cross {
         Cross {
             bounds: Aabb { min, max },
@@ -38,7 +38,7 @@ impl Cross {
         Cross { at, ..self }
     }
 
-    /// The same box with nothing in it.
+    /// The same box without plates: every ray misses it.
     pub(crate) fn without_plates(self) -> Cross {
         self.with_plates(Vec3::NAN)
     }
@@ -50,34 +50,34 @@ impl Cross {
     }
 }
 
-impl World {
-    pub(crate) fn new(crosses: Vec<Cross>, plan: &Plan) -> World {
+impl CrossScene {
+    pub(crate) fn new(crosses: Vec<Cross>, plan: &TreePlan) -> CrossScene {
         let bounds: Vec<Aabb> = crosses.iter().map(|cross| cross.bounds).collect();
-        World {
+        CrossScene {
             tree: plan.tree(&bounds),
             crosses,
         }
     }
 
-    /// Nothing, in a tree without nodes.
-    pub(crate) fn empty() -> World {
-        World {
+    /// No crosses, in a tree without nodes.
+    pub(crate) fn empty() -> CrossScene {
+        CrossScene {
             crosses: Vec::new(),
             tree: Tree::default(),
         }
     }
 
-    /// The closest hits of `rays`.
+    /// The work of finding the closest hits of `rays`.
     pub(crate) fn closest(&self, rays: &[Ray]) -> Work {
         Work::Traverse(self.script(rays, false))
     }
 
-    /// Whether `rays` are blocked.
+    /// The work of finding whether `rays` hit anything.
     pub(crate) fn any(&self, rays: &[Ray]) -> Work {
         Work::Traverse(self.script(rays, true))
     }
 
-    /// Everything that a traversal may ask about `rays`, answered.
+    /// The results of all box and primitive tests that a traversal may make with `rays`.
     pub(crate) fn script(&self, rays: &[Ray], any_hit: bool) -> ScriptedWorld {
         let rays = rays.iter().map(|ray| ScriptedRay {
             ray: wire_ray(ray),
@@ -97,7 +97,8 @@ impl World {
     }
 }
 
-/// The ray from `o` along `axis` (0 for x), with steps of length `step`, forwards or backwards.
+/// The ray from `o` along `axis` (0 for x); `step` is its direction's component on that axis, of
+/// either sign.
 pub(crate) fn along(axis: usize, step: f64, o: Vec3) -> Ray {
     Ray::new(o, step * Vec3::AXES[axis])
 }
@@ -106,11 +107,11 @@ fn axis_of(ray: &Ray) -> usize {
     ray.d.abs().max_position()
 }
 
-/// Where the line of a ray along an axis is inside a box.
+/// The interval in which the line of a ray along an axis is inside a box.
 fn span(b: &Aabb, ray: &Ray) -> Option<[f64; 2]> {
     let axis = axis_of(ray);
-    let beside = |i: usize| i != axis && !(b.min[i] <= ray.o[i] && ray.o[i] <= b.max[i]);
-    if (0..3).any(beside) {
+    let outside = |i: usize| i != axis && !(b.min[i] <= ray.o[i] && ray.o[i] <= b.max[i]);
+    if (0..3).any(outside) {
         return None;
     }
     let [a, b] = [b.min, b.max].map(|corner| (corner[axis] - ray.o[axis]) / ray.d[axis]);

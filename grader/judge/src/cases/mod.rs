@@ -1,17 +1,16 @@
-//! A case, and what the cases of several tasks are made with.
+//! The type of a case, and the tools to make cases that several tasks use.
 //!
-//! `course.toml` lists which cases count and what they are worth; what they do is in the folder of
-//! their task, in `tasks`. Every case is the same on every machine; those that take a seed draw
-//! fresh rays from it.
+//! `course.toml` lists the cases that count and their points; the folder of their task, in `tasks`,
+//! defines them. Every case is the same on every machine; random cases depend on a seed alone.
 
 pub(crate) mod crosses;
-pub(crate) mod plan;
 pub mod probes;
 pub mod recorded;
+pub(crate) mod tree_plan;
 
+use crate::expected_cache::ExpectedCache;
 use crate::tally::Aspect;
 use crate::tasks;
-use crate::truths::Truths;
 use std::sync::Arc;
 use wire::Work;
 
@@ -22,27 +21,27 @@ pub struct Spec {
     pub task: &'static str,
     /// Name, as in `course.toml`.
     pub name: &'static str,
-    /// What is checked, in a sentence for students, and after [`PITFALL`] what a naive formula does
-    /// there: [`checked`] is what is told to who wants no more of a hint.
+    /// What is checked, in a sentence for students; after [`PITFALL`], what a naive formula does
+    /// there. [`checked`] returns the part without the hint.
     pub about: &'static str,
-    /// What the worker does.
+    /// The work of the worker.
     pub work: Work,
     /// Width and height, if the answers are the pixels of a picture, row by row from the bottom
     /// left.
     pub picture: Option<[u32; 2]>,
-    /// Whether the shapes close in on every ray, so that a miss is never right.
+    /// Whether the shapes enclose the origin of every ray, so that a miss is never right.
     pub enclosed: bool,
-    /// The aspects that the case is about and gives its points for; empty: all that its answers
-    /// show. What goes wrong everywhere is then told where it belongs, and not in every case.
+    /// The aspects that the case judges; empty for all aspects of its answers. So a mistake that
+    /// shows in every case is reported only in the cases that are about it.
     pub about_aspects: &'static [Aspect],
-    /// What is right, as far as somebody has asked.
-    pub(crate) truths: Arc<Truths>,
+    /// The exact results, as far as they have been computed.
+    pub(crate) expected_cache: Arc<ExpectedCache>,
 }
 
-/// Where, in the sentence about a case, it goes on with a mistake that is made there.
+/// Separates what a case checks from the mistake that its sentence names.
 pub const PITFALL: &str = " Pitfall: ";
 
-/// What a case checks, of the sentence `about` it: no mistake is named.
+/// The part of the sentence `about` that names no mistake.
 pub fn checked(about: &str) -> &str {
     about
         .split_once(PITFALL)
@@ -50,7 +49,7 @@ pub fn checked(about: &str) -> &str {
 }
 
 impl Spec {
-    /// The case `name` of `task`; `about` is for students. Its answers are not a picture.
+    /// The case `name` of `task`, without a picture; `about` is for students.
     pub(crate) fn new(
         task: &'static str,
         name: &'static str,
@@ -65,11 +64,11 @@ impl Spec {
             picture: None,
             enclosed: false,
             about_aspects: &[],
-            truths: Arc::default(),
+            expected_cache: Arc::default(),
         }
     }
 
-    /// The same case, about these aspects alone.
+    /// The same case, judged on these aspects only.
     pub(crate) fn only(self, about_aspects: &'static [Aspect]) -> Spec {
         Spec {
             about_aspects,
@@ -82,17 +81,17 @@ impl Spec {
         self.task == task && self.name == name
     }
 
-    /// Whether rays go through all stages that hit something, not only through the task's own.
-    pub fn needs_neighbours(&self) -> bool {
-        tasks::asked(&self.work).needs_neighbours()
+    /// Whether the case traces rays through all intersection stages, not only the task's own stage.
+    pub fn needs_all_stages(&self) -> bool {
+        tasks::check_of(&self.work).needs_all_stages()
     }
 
-    /// The case as the worker is given it.
+    /// The case in the form that the worker gets.
     pub fn case(&self) -> wire::Case {
         wire::Case {
             task: self.task.into(),
             name: self.name.into(),
-            limit_ms: tasks::asked(&self.work).limit_ms(),
+            limit_ms: tasks::check_of(&self.work).limit_ms(),
             work: self.work.clone(),
         }
     }
@@ -108,7 +107,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_seed_changes_the_fresh_cases_of_part_1_alone() {
+    fn a_seed_changes_only_the_fresh_cases_of_part_1() {
         // As text, in which NaN equals itself.
         let text = |spec: &Spec| format!("{:?}", spec.work);
         let (all_0, again, all_1) = (all(0), all(0), all(1));
@@ -129,7 +128,7 @@ mod tests {
     fn pictures_have_an_answer_for_each_pixel() {
         for spec in all(0) {
             let Some([w, h]) = spec.picture else { continue };
-            let answers = tasks::asked(&spec.work).calls();
+            let answers = tasks::check_of(&spec.work).calls();
             assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
         }
     }
@@ -137,11 +136,11 @@ mod tests {
     #[test]
     fn what_is_checked_names_no_mistake() {
         for spec in all(0) {
-            let told = checked(spec.about);
-            let name = format!("{} {}: {told}", spec.task, spec.name);
-            assert!(told.len() > 10, "{name}");
+            let shown = checked(spec.about);
+            let name = format!("{} {}: {shown}", spec.task, spec.name);
+            assert!(shown.len() > 10, "{name}");
             for word in ["itfall", "whoever", "instead", "epsilon"] {
-                assert!(!told.contains(word), "{name}");
+                assert!(!shown.contains(word), "{name}");
             }
         }
     }

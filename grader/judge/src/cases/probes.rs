@@ -1,21 +1,21 @@
-//! Making probes: random numbers that are the same everywhere, rays at shapes, and lists of both
-//! for the worker.
+//! Makes probes: random numbers that are the same on every machine, shapes, rays at them, and lists
+//! of both for the worker.
 
 use kit::{PixelSampler, Ray, Sphere, Triangle, Vec3};
 use wire::Work;
 use wire::work::{self, BruteForceWork, Probe, SphereWork, TriangleWork, Xyz};
 
-/// Random numbers that depend on a name and a seed alone.
-pub struct Dice(PixelSampler);
+/// A random number generator whose numbers depend only on a name and a seed.
+pub struct ProbeRng(PixelSampler);
 
-impl Dice {
-    /// The numbers of the case `name`; `seed` is 0 where they are always the same.
-    pub fn new(name: &str, seed: u64) -> Dice {
+impl ProbeRng {
+    /// The generator of the case `name`; `seed` is 0 where its numbers are always the same.
+    pub fn new(name: &str, seed: u64) -> ProbeRng {
         // FNV-1a (Fowler, Noll, Vo): any change of the name changes the numbers.
         let hash = name.bytes().fold(0x811c_9dc5_u32, |hash, byte| {
             (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
         });
-        Dice(PixelSampler::new(hash, 0, seed))
+        ProbeRng(PixelSampler::new(hash, 0, seed))
     }
 
     /// Uniform in [low, high).
@@ -50,7 +50,8 @@ impl Dice {
         }
     }
 
-    /// Weights of `p1` and `p2` of a point inside a triangle, all three at least `margin`.
+    /// Barycentric weights of `p1` and `p2` of a point inside a triangle; all three weights are at
+    /// least `margin`.
     pub fn inside(&mut self, margin: f64) -> [f64; 2] {
         loop {
             let (b1, b2) = (self.range(0.0, 1.0), self.range(0.0, 1.0));
@@ -75,16 +76,16 @@ impl Dice {
         }
     }
 
-    /// The triangle with a normal of its own at each vertex, bent up to 45 degrees away from the
-    /// flat one.
+    /// The triangle with a random normal at each vertex, up to 45 degrees from the geometric
+    /// normal.
     pub(crate) fn with_normals(&mut self, flat: Triangle) -> Triangle {
         let [n0, n1, n2] = [0; 3].map(|_| (flat.n0 + 0.7 * self.direction()).normalize());
         Triangle { n0, n1, n2, ..flat }
     }
 
-    /// A ray of unit direction that meets the plane of `triangle` where the weights of `p1` and
-    /// `p2` are `b`, at `t = distance`, coming from the side of the normal (`side` 1) or the other
-    /// (-1), not more than 65 degrees from the normal.
+    /// A ray of unit direction that crosses the plane of `triangle` where the weights of `p1` and
+    /// `p2` are `b`, at `t = distance`. It comes from the side of the normal (`side` 1) or from the
+    /// other (-1), at most 65 degrees from the normal.
     pub(crate) fn ray_to(
         &mut self,
         triangle: &Triangle,
@@ -105,7 +106,7 @@ impl Dice {
     }
 }
 
-impl Dice {
+impl ProbeRng {
     /// A sphere of radius 0.2 to 5, its centre up to 10 away.
     pub(crate) fn sphere(&mut self) -> Sphere {
         Sphere {
@@ -114,8 +115,8 @@ impl Dice {
         }
     }
 
-    /// A ray of unit direction that passes the centre of `s` at `impact` radii (misses if that is
-    /// over 1), where `t = distance`.
+    /// A ray of unit direction whose closest point to the centre of `s` is at `t = distance`,
+    /// `impact` radii away from the centre (a miss if that is above 1).
     pub fn ray_past(&mut self, s: &Sphere, impact: f64, distance: f64) -> Ray {
         let d = self.direction();
         let aside = loop {
@@ -147,7 +148,7 @@ pub(crate) fn within(ray: Ray, min_t: f64, max_t: f64) -> Ray {
     }
 }
 
-/// Triangles and spheres with rays at them, for the worker.
+/// Triangles or spheres with rays aimed at them, for the worker.
 #[derive(Default)]
 pub(crate) struct Probes {
     triangles: Vec<[Xyz; 6]>,
@@ -156,17 +157,17 @@ pub(crate) struct Probes {
 }
 
 impl Probes {
-    /// Adds a triangle; the rays that follow are aimed at it.
+    /// Adds a triangle; the rays added next are aimed at it.
     pub(crate) fn triangle(&mut self, t: &Triangle) {
         self.triangles.push(wire_triangle(t));
     }
 
-    /// Adds a sphere; the rays that follow are aimed at it.
+    /// Adds a sphere; the rays added next are aimed at it.
     pub(crate) fn sphere(&mut self, s: &Sphere) {
         self.spheres.push((s.center.into(), s.radius));
     }
 
-    /// Adds a ray at the last shape.
+    /// Adds a ray aimed at the last shape.
     pub(crate) fn ray(&mut self, ray: Ray) {
         let shapes = self.triangles.len() + self.spheres.len();
         self.probes.push(Probe {
@@ -175,7 +176,7 @@ impl Probes {
         });
     }
 
-    /// The work on all of them: triangles or spheres, not both.
+    /// The work of testing all rays: against triangles or spheres, not both.
     pub(crate) fn work(self) -> Work {
         let Probes {
             triangles,
@@ -194,7 +195,7 @@ impl Probes {
     }
 }
 
-/// The work of sending rays through a list of shapes.
+/// The work of tracing rays through a list of shapes.
 pub fn brute_force(triangles: &[Triangle], spheres: &[Sphere], rays: &[Ray]) -> Work {
     Work::BruteForce(BruteForceWork {
         triangles: triangles.iter().map(wire_triangle).collect(),
@@ -206,7 +207,7 @@ pub fn brute_force(triangles: &[Triangle], spheres: &[Sphere], rays: &[Ray]) -> 
     })
 }
 
-/// The ray as it crosses to the worker.
+/// Converts a ray to the type of `wire`.
 pub fn wire_ray(ray: &Ray) -> work::Ray {
     work::Ray {
         o: ray.o.into(),
@@ -216,7 +217,7 @@ pub fn wire_ray(ray: &Ray) -> work::Ray {
     }
 }
 
-/// The triangle as it crosses to the worker: vertices, then their normals.
+/// Converts a triangle to the type of `wire`: vertices, then their normals.
 pub fn wire_triangle(t: &Triangle) -> [Xyz; 6] {
     [t.p0, t.p1, t.p2, t.n0, t.n1, t.n2].map(Vec3::into)
 }

@@ -1,15 +1,15 @@
-//! Work that the reference solutions do, recorded so that other solutions can be measured against
-//! it.
+//! Recorded work of the reference solutions, with which other solutions are compared.
 //!
-//! The numbers come out of `cargo grader part2` on the reference; they are the same on every
+//! The numbers are printed by `cargo grader part2` for the reference; they are the same on every
 //! machine.
 
 use serde::Serialize;
 
-/// What a tree over the boxes of a case costs.
+/// The work that a tree over the boxes of a case needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TreeWork {
-    /// Box and primitive tests of an average line through the scene, by the surface area heuristic.
+    /// Expected number of box and primitive tests of a random line through the scene, by the
+    /// surface area heuristic.
     pub cost: f64,
     /// Levels below the root.
     pub depth: u32,
@@ -31,17 +31,17 @@ pub fn tree(case: &str) -> Option<TreeWork> {
     Some(TreeWork { cost, depth })
 }
 
-/// What rays through a tree over a mesh cost.
+/// The work of a ray through a tree over a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RayWork {
-    /// Box tests a ray.
+    /// Box tests per ray.
     pub boxes: f64,
-    /// Primitive tests a ray.
+    /// Primitive tests per ray.
     pub prims: f64,
 }
 
-/// The recorded work of a ray of the table of speedups through a mesh of `size` triangles; NaN for
-/// one that is not in it.
+/// The recorded work of a ray through a mesh of `size` triangles in the table of speedups; NaN for
+/// a mesh that is not in the table.
 pub fn rays(mesh: &str, size: u32) -> RayWork {
     let (boxes, prims) = match (mesh, size) {
         ("smooth", 1_000) => (16.09, 3.62),

@@ -1,4 +1,4 @@
-//! What tests of triangles and spheres have in common.
+//! Assertions that tests of triangles and spheres share.
 
 use super::numbers::{float, vec3};
 use crate::expected::{Expected, ExpectedHit};
@@ -26,7 +26,7 @@ pub(crate) fn sphere_literal((center, radius): &(Xyz, f64)) -> String {
     )
 }
 
-/// What both functions of a shape must answer. `None` where more than one answer scores.
+/// Adds the assertions on both functions of a shape; `None` where more than one answer scores.
 pub(crate) fn asserts(
     text: &mut String,
     expected: &Expected,

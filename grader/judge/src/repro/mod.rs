@@ -1,9 +1,8 @@
-//! The worst answer as a Rust test: to paste into a stage's `tests/` folder, run in a debugger,
-//! keep.
+//! Writes the worst answer as a Rust test, for a stage's `tests/` folder or a debugger.
 //!
-//! It fails on the code that gave the answer and passes on any that earns the points. The body of
-//! the test comes from the check of the case's kind of work; `numbers` and `hits` write what
-//! several of them need.
+//! The test fails on the code that gave the answer and passes on code that earns the points. Its
+//! body comes from the check of the case's kind of work; `numbers` and `hits` are shared between
+//! checks.
 
 pub(crate) mod hits;
 pub(crate) mod numbers;
@@ -14,19 +13,19 @@ use crate::tally::Finding;
 use crate::tasks;
 use std::fmt::Write;
 
-/// A case that lost points, and why.
+/// A case that lost points, and its findings.
 #[derive(Clone, Copy, Debug)]
 pub struct FailedCase<'a> {
     /// Name of the case.
     pub name: &'a str,
-    /// What its points are for.
+    /// The tier of its points.
     pub tier: Tier,
-    /// What is wrong.
+    /// What was judged in it.
     pub findings: &'a [Finding],
 }
 
-/// A test for the worst answer of a task's failed cases, core points first. `None` if no answer
-/// fits in a short test.
+/// Returns a test for the worst answer of a task's failed cases, core points first; `None` if no
+/// answer fits in a short test.
 pub fn worst<'a>(
     failed: impl IntoIterator<Item = FailedCase<'a>>,
     specs: &[Spec],
@@ -36,27 +35,27 @@ pub fn worst<'a>(
     failed.sort_by_key(|case| case.tier == Tier::Robust);
     let found = failed.into_iter().find_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(task, case.name))?;
-        let asked = tasks::asked(&spec.work);
+        let check = tasks::check_of(&spec.work);
         let worst = case
             .findings
             .iter()
             .filter_map(|finding| finding.worst.as_ref().map(|worst| (finding.aspect, worst)));
         worst
-            .filter(|(aspect, _)| asked.repro_shows(*aspect))
+            .filter(|(aspect, _)| check.repro_shows(*aspect))
             .find_map(|(_, worst)| test(spec, case.tier, worst.call as usize))
     });
     found.map(|test| as_file(task, &test))
 }
 
-/// The test as a file of a stage's `tests/` folder, where the compiler asks for a comment at the
-/// top.
+/// Returns the test as a file of a stage's `tests/` folder, with the doc comment at the top that
+/// `missing_docs` requires.
 pub fn as_file(task: &str, test: &str) -> String {
-    format!("//! The worst answer of {task}, as the grader saw it.\n\n{test}")
+    format!("//! The worst answer of {task} in the grader's cases.\n\n{test}")
 }
 
-/// A test for one call of a case.
+/// Returns a test for one call of a case.
 pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
-    let body = tasks::asked(&spec.work).repro(tier, call)?;
+    let body = tasks::check_of(&spec.work).repro(tier, call)?;
     let mut text = format!(
         "/// {}\n#[test]\nfn {}_{call}() {{\n",
         spec.about, spec.name

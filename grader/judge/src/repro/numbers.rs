@@ -1,4 +1,4 @@
-//! Numbers, vectors and rays as Rust writes them.
+//! Writes numbers, vectors and rays as Rust literals.
 
 use std::fmt::Write;
 use wire::work::{Ray, Xyz};
@@ -44,10 +44,12 @@ pub(crate) fn float(number: f64) -> String {
     }
 }
 
-/// The lines that assert that each channel of `what` is within `bound`, a share of the largest
-/// right one.
+/// The lines that assert that each channel of `what` is within `bound` of the right one, relative
+/// to the largest right channel.
 pub(crate) fn same_colour(what: &str, right: Xyz, bound: f64) -> String {
-    let scale = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let scale = right
+        .iter()
+        .fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let [r, g, b] = right.map(float);
     format!(
         "let off = [{what}.r - {r}, {what}.g - {g}, {what}.b - {b}];

@@ -72,7 +72,7 @@ pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
 
 /// The totals of a case and its rows, numbered, by the check of its kind of work.
 fn content(work: &Work, answer: &Answer) -> Option<Content> {
-    let (totals, mut forms) = tasks::asked(work).lines(answer)?;
+    let (totals, mut forms) = tasks::check_of(work).lines(answer)?;
     for (call, (short, full)) in (0..).zip(&mut forms) {
         short.call = call;
         full.call = call;

@@ -1,4 +1,4 @@
-//! Kinds of work that are not judged: times are reported, box tests are drawn.
+//! Kinds of work that are not judged: measured times, and recorded box tests.
 
 use crate::Tier;
 use crate::cases::Spec;
@@ -7,20 +7,20 @@ use crate::tally::Tally;
 use wire::answer::{TimingAnswer, VisitsAnswer};
 use wire::work::{TestTiming, TimingWork, VisitsWork};
 
-/// The student's tree against the student's brute force.
+/// Times the student's tree and the student's brute force.
 pub(crate) struct Timing;
 
-/// One intersection test, over and over.
+/// Times one intersection test.
 pub(crate) struct TimeTest;
 
-/// Which boxes of a tree are tested.
+/// Records which boxes of a tree are tested.
 pub(crate) struct Visits;
 
 impl Check for Timing {
     type Question = TimingWork;
     type Answer = TimingAnswer;
 
-    const NEEDS_NEIGHBOURS: bool = true;
+    const NEEDS_ALL_STAGES: bool = true;
 
     const LIMIT_MS: u64 = LARGE_LIMIT_MS;
 
@@ -65,7 +65,7 @@ impl Check for Visits {
     type Question = VisitsWork;
     type Answer = VisitsAnswer;
 
-    const NEEDS_NEIGHBOURS: bool = true;
+    const NEEDS_ALL_STAGES: bool = true;
 
     fn calls(work: &VisitsWork) -> usize {
         work.rays.len()
@@ -88,7 +88,7 @@ impl Check for Visits {
     }
 }
 
-/// Whether there is a time for each round.
+/// Checks that there is a valid time for each round.
 fn times_fit(rounds: u32, seconds: &[f64]) -> Result<(), String> {
     if seconds.len() != rounds as usize {
         return Err(format!(
@@ -97,7 +97,9 @@ fn times_fit(rounds: u32, seconds: &[f64]) -> Result<(), String> {
         ));
     }
     match seconds.iter().find(|s| !(s.is_finite() && **s >= 0.0)) {
-        Some(wrong) => Err(format!("a round takes {wrong} s")),
+        Some(wrong) => Err(format!(
+            "a round has the time {wrong} s, expected a number of at least 0"
+        )),
         None => Ok(()),
     }
 }

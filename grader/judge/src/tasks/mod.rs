@@ -1,10 +1,9 @@
-//! The tasks: a folder each, with its cases and all that is done with their answers.
+//! The tasks: a folder each, with its cases and the code that judges their answers.
 //!
-//! In a folder, `mod.rs` has the `Check` of the task's kind of work, `cases` what its code is
-//! checked with, `judge` what is right and wrong about an answer, `lines` how a snapshot shows it,
-//! `repro` the Rust test that is pasted. Kinds of work that several tasks have are in folders of
-//! their own: [`brute_force`] (rays through a list of shapes), [`direct_light`], [`scene_hits`].
-//! [`measurements`] are not judged.
+//! In a folder, `mod.rs` has the `Check` of the task's kind of work, `cases` its cases, `judge`
+//! judges an answer, `lines` writes it to a snapshot, `repro` writes a Rust test. Kinds of work
+//! that several tasks share have folders of their own: [`brute_force`] (rays through a list of
+//! shapes), [`direct_light`], [`scene_hits`]. [`measurements`] are not judged.
 
 pub(crate) mod brute_force;
 pub(crate) mod direct_light;
@@ -27,18 +26,18 @@ pub(crate) mod part5_task2;
 pub(crate) mod scene_hits;
 
 use crate::cases::Spec;
-use crate::check::{Asked, Question};
+use crate::check::{CheckedQuestion, ErasedCheck};
 use wire::{Answer, Work};
 
-/// Makes [`asked`] from the list of kinds of work and their checks.
+/// Defines [`check_of`] from the list of kinds of work and their checks.
 macro_rules! checks {
     ($($kind:ident => $check:ty,)*) => {
-        /// A question with the check of its kind.
-        pub(crate) fn asked(work: &Work) -> Box<dyn Asked + '_> {
+        /// Returns the check of a kind of work, with its question.
+        pub(crate) fn check_of(work: &Work) -> Box<dyn ErasedCheck + '_> {
             match work {
-                $(Work::$kind(question) => Box::new(Question::<'_, $check> {
+                $(Work::$kind(question) => Box::new(CheckedQuestion::<'_, $check> {
                     question,
-                    of_kind: |answer| match answer {
+                    answer_of_kind: |answer| match answer {
                         Answer::$kind(answer) => Some(answer),
                         _ => None,
                     },

@@ -1,16 +1,16 @@
-//! Emission, and direct light by looking around at random.
+//! Cases of emission, and of direct light by uniform hemisphere sampling.
 
 use super::direct_light::worlds::{
-    any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, room, wall, work,
+    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, room, wall, work,
 };
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
 use wire::light::{LitWorld, Material, Panel, Surroundings};
 
-/// Estimates of a case about their mean.
+/// The number of estimates in a case about their mean.
 const ESTIMATES: usize = 4000;
 
 /// The cases of `part3.task2`.
@@ -18,74 +18,75 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "glowing_surface",
-            "zero_bounce_radiance is what the surface emits: on its front side, whatever the \
-             angle, and nothing behind, edge-on, or on a surface that does not emit.",
-            work(Strategy::ZeroBounce, LitWorld::default(), glowing(), 0, 0),
+            "zero_bounce_radiance is the radiance that the surface emits: on its front side, at \
+             any angle; and 0 from behind, edge-on, or where the surface does not emit.",
+            work(Strategy::ZeroBounce, LitWorld::default(), emitting(), 0, 0),
         ),
         case(
             "rays_start_at_the_surface",
-            "Every ray starts where Surface::leave puts it, with all of its range. Pitfall: a ray \
-             from the point itself may hit the surface that it leaves.",
-            hemisphere("start", around(0.5), 60, 4),
+            "Every ray starts at the origin that Surface::leave returns, with its whole range. \
+             Pitfall: a ray that starts at the hit point itself may hit the surface again.",
+            hemisphere("start", uniform_environment(0.5), 60, 4),
         )
         .only(&[Origin, Range]),
         case(
             "rays_fill_the_hemisphere",
-            "As many rays as samples, each a unit vector in world space above the surface, and \
-             all of them together even over the hemisphere (a χ² test). A deviation of 24 % is sure \
-             to be seen.",
-            same(around(1.0), floor(), 2000, 4),
+            "One ray a sample, each a unit vector in world space above the surface; together they \
+             are distributed uniformly over the hemisphere (a χ² test). A deviation of 24 % is \
+             always detected.",
+            same(uniform_environment(1.0), floor(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread]),
         case(
             "side_of_the_viewer",
-            "Seen from below, light from below counts: directions are drawn on the side of wo. A \
-             bias of 9 % is sure to be seen. A deviation of 24 % is sure to be seen.",
-            same(around(1.0), ceiling(), 2000, 4),
+            "A surface seen from below scatters light from below: directions are sampled on the \
+             side of wo. A bias of 9 % is always detected. A deviation of 24 % is always \
+             detected.",
+            same(uniform_environment(1.0), ceiling(), 2000, 4),
         )
         .only(&[Rays, Direction, Spread, Mean]),
         case(
             "tilted_surfaces",
-            "Surfaces with normals in all directions: f is asked for local directions, rays are \
-             traced along world ones.",
+            "Surfaces with normals in all directions: f takes local directions, rays have world \
+             directions.",
             hemisphere("tilted", room(), 60, 4),
         )
         .only(&[Direction, Radiance]),
         case(
             "sum_of_what_is_seen",
-            "Given the rays that were asked for, the sum of f · L · |cos θ| · 2π over their \
-             number is known to the last digit: emission only, from the front, and the \
-             background where nothing is hit.",
+            "Given the traced rays, the sum of f · L · |cos θ| · 2π over their number is known \
+             exactly: L is what the front of the hit surface emits, or the background where the \
+             ray misses.",
             hemisphere("sum", room(), 60, 8),
         )
         .only(&[Radiance]),
         case(
             "uniform_environment",
-            "The same light from everywhere: the mean of many estimates is the integral of f \
-             times the cosine. A bias of 6 % is sure to be seen.",
-            same(around(2.0), floor(), ESTIMATES, 4),
+            "The same radiance from every direction: the mean of many estimates is the integral \
+             of f times the cosine. A bias of 6 % is always detected.",
+            same(uniform_environment(2.0), floor(), ESTIMATES, 4),
         )
         .only(&[Mean]),
         case(
             "square_lamp",
-            "A lamp above the floor: the mean of many estimates is its form factor. A bias of \
-             15 % is sure to be seen.",
+            "A lamp above the floor: the mean of many estimates follows from its form factor. A \
+             bias of 15 % is always detected.",
             same(of_panels(vec![lamp(1.0, [5.0; 3])]), floor(), ESTIMATES, 4),
         )
         .only(&[Mean]),
         case(
             "lamp_that_faces_away",
-            "A lamp shines to one side; seen from behind, or behind a wall, it is black.",
-            away(),
+            "A lamp emits on one side; seen from its back, or behind a wall, it adds no light.",
+            facing_away(),
         )
         .only(&[Radiance]),
         case(
             "mirrors_ask_for_nothing",
-            "No random direction is a mirror's or glass's own: they get no light this way, and \
-             cast no ray.",
+            "A mirror or glass scatters no light from a random direction: the estimate is black, \
+             and no ray is traced.",
             work(
                 Strategy::Hemisphere,
-                around(1.0),
+                uniform_environment(1.0),
                 vec![
                     floor_of(Material::Mirror([1.0; 3])),
                     floor_of(Material::Glass(1.5)),
@@ -98,13 +99,19 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Rays, Radiance]),
         case(
             "no_samples",
-            "0 samples are black, not 0 / 0.",
-            work(Strategy::Hemisphere, around(1.0), vec![floor(); 3], 0, 0),
+            "With 0 samples the estimate is black, not 0 / 0.",
+            work(
+                Strategy::Hemisphere,
+                uniform_environment(1.0),
+                vec![floor(); 3],
+                0,
+                0,
+            ),
         )
         .only(&[Rays, Radiance]),
         case(
             "fresh_lamps",
-            "Lamps, points and numbers that differ for each seed.",
+            "Random lamps and points that depend on the seed.",
             fresh(seed),
         ),
     ]
@@ -114,8 +121,8 @@ fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
     Spec::new("part3.task2", name, about, work)
 }
 
-/// Nothing but light from everywhere.
-fn around(radiance: f64) -> LitWorld {
+/// A world with only a constant environment.
+fn uniform_environment(radiance: f64) -> LitWorld {
     LitWorld {
         environment: Some(Surroundings::uniform([
             radiance,
@@ -127,19 +134,19 @@ fn around(radiance: f64) -> LitWorld {
 }
 
 fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work {
-    let mut dice = Dice::new(name, 0);
-    let points = (0..points).map(|_| anywhere(&mut dice)).collect();
+    let mut rng = ProbeRng::new(name, 0);
+    let points = (0..points).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Hemisphere, world, points, samples, 0)
 }
 
-/// Many estimates of the same.
+/// Many estimates at the same point.
 fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> Work {
     let points = vec![point; estimates];
     work(Strategy::Hemisphere, world, points, samples, 1)
 }
 
-fn glowing() -> Vec<ShadedPoint> {
-    let mut dice = Dice::new("glowing", 0);
+fn emitting() -> Vec<ShadedPoint> {
+    let mut rng = ProbeRng::new("glowing", 0);
     let mut points = vec![ShadedPoint {
         // Exactly edge-on.
         wo: [0.6, 0.0, -0.8],
@@ -154,9 +161,9 @@ fn glowing() -> Vec<ShadedPoint> {
     for i in 0..60 {
         let point = ShadedPoint {
             material: materials[i % materials.len()],
-            ..anywhere(&mut dice)
+            ..random_point(&mut rng)
         };
-        let wo = point.wo.map(|x| dice.one_of(&[1.0, 1.0, -1.0]) * x);
+        let wo = point.wo.map(|x| rng.one_of(&[1.0, 1.0, -1.0]) * x);
         points.push(ShadedPoint { wo, ..point });
         points.push(ShadedPoint {
             wo: point.wo.map(|x| -x),
@@ -167,7 +174,7 @@ fn glowing() -> Vec<ShadedPoint> {
     points
 }
 
-fn away() -> Work {
+fn facing_away() -> Work {
     let world = of_panels(vec![
         Panel {
             faces: 1.0,
@@ -184,8 +191,8 @@ fn away() -> Work {
 }
 
 fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_lamps", seed);
-    let lamps = (0..3).map(|_| any_lamp(&mut dice)).collect();
-    let points = (0..60).map(|_| anywhere(&mut dice)).collect();
+    let mut rng = ProbeRng::new("fresh_lamps", seed);
+    let lamps = (0..3).map(|_| random_lamp(&mut rng)).collect();
+    let points = (0..60).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Hemisphere, of_panels(lamps), points, 16, seed)
 }

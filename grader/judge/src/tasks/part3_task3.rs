@@ -1,16 +1,16 @@
-//! Direct light by sampling the lights.
+//! Cases of direct light by sampling the lights.
 
 use super::direct_light::worlds::{
-    any_lamp, anywhere, ceiling, floor, floor_of, lamp, of_panels, unit, wall, work,
+    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, unit, wall, work,
 };
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
 use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 
-/// Estimates of a case about their mean.
+/// The number of estimates in a case about their mean.
 const ESTIMATES: usize = 4000;
 
 /// The cases of `part3.task3`.
@@ -18,61 +18,62 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "point_light",
-            "A point light arrives with its intensity over the squared distance, times f and the \
-             cosine: the answer is exact.",
-            anywhere_lit(vec![point()], Vec::new(), 1),
+            "A point light arrives with its intensity divided by the squared distance, times f \
+             and the cosine: the result is exact.",
+            random_points_lit(vec![point()], Vec::new(), 1),
         )
         .only(&[Radiance]),
         case(
             "spot_light",
-            "A spot shines into its cone alone.",
-            anywhere_lit(vec![spot()], Vec::new(), 1),
+            "A spot light illuminates the inside of its cone only.",
+            random_points_lit(vec![spot()], Vec::new(), 1),
         )
         .only(&[Radiance, Rays]),
         case(
             "sun",
-            "A sun is infinitely far away: so far the shadow ray reaches.",
-            anywhere_lit(vec![sun()], Vec::new(), 1),
+            "A directional light is infinitely far away, and its shadow ray has no end.",
+            random_points_lit(vec![sun()], Vec::new(), 1),
         )
         .only(&[Radiance, Range]),
         case(
             "one_sample_of_a_point",
-            "A light without extent gets one sample, whatever -l says: more would all be the same. \
-             Pitfall: its light is not divided by -l.",
-            anywhere_lit(vec![point(), sun()], Vec::new(), 4),
+            "A light without extent gets one sample, whatever -l is, since all its samples would \
+             be equal. Pitfall: its light is not divided by -l.",
+            random_points_lit(vec![point(), sun()], Vec::new(), 4),
         )
         .only(&[Rays, Radiance]),
         case(
             "shadow_rays",
-            "A shadow ray starts where Surface::leave puts it, goes to the light, and ends just \
-             before it: a lamp does not stand in its own way.",
-            anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 4),
+            "A shadow ray starts at the origin that Surface::leave returns, goes to the light, \
+             and ends just before it, so that a lamp does not block its own light.",
+            random_points_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 4),
         )
         .only(&[Origin, Direction, Range]),
         case(
             "in_the_shadow",
-            "What stands before a light takes it away; what stands behind it does not.",
+            "A wall between the point and a light blocks the light; a wall behind the light does \
+             not.",
             shadows(),
         )
         .only(&[Radiance, Rays]),
         case(
             "lamp_overhead",
-            "A lamp above the floor: f · L · |cos θ| / pdf of each sample, and their mean is the \
-             form factor. A bias of 12 % is sure to be seen.",
+            "A lamp above the floor: each sample is f · L · |cos θ| / pdf, and their mean follows \
+             from the form factor. A bias of 12 % is always detected.",
             same(vec![lamp(1.0, [5.0; 3])], Vec::new(), floor(), 1),
         )
         .only(&[Radiance, Mean]),
         case(
             "several_samples",
-            "With -l 4 a lamp gives the mean of four different samples. A bias of 4 % is sure to be \
-             seen. Pitfall: their sum is four times as bright.",
+            "With -l 4 the light of a lamp is the mean of four different samples. A bias of 4 % \
+             is always detected. Pitfall: their sum is four times as bright.",
             same(vec![lamp(1.5, [5.0; 3])], Vec::new(), floor(), 4),
         )
         .only(&[Rays, Radiance, Spread, Mean]),
         case(
             "many_lights",
-            "The light of all lights is their sum, each averaged by itself.",
-            anywhere_lit(
+            "The result is the sum over all lights, each averaged over its own samples.",
+            random_points_lit(
                 vec![point(), sun(), spot()],
                 vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()],
                 3,
@@ -82,52 +83,53 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "nothing_arrives",
             "A lamp that faces away, a light below the horizon, a point outside the cone: black, \
-             and no shadow ray is cast in vain.",
-            nothing(),
+             and no shadow ray is traced.",
+            no_light(),
         )
         .only(&[Rays, Radiance]),
         case(
             "half_below_the_horizon",
-            "A lamp that reaches below the horizon: samples of its lower part count as 0 in the \
-             mean, they do not drop out of it. A bias of 16 % is sure to be seen.",
+            "A lamp that extends below the horizon: samples of its lower part are 0 and count in \
+             the mean. A bias of 16 % is always detected.",
             same(vec![half_below()], Vec::new(), floor(), 2),
         )
         .only(&[Radiance, Mean]),
         case(
             "sky",
-            "A sky shines from the whole upper half. A bias of 7 % is sure to be seen.",
+            "A sky emits from the whole upper hemisphere. A bias of 7 % is always detected.",
             same(Vec::new(), vec![Light::Sky([1.0, 1.5, 2.0])], floor(), 3),
         )
         .only(&[Radiance, Mean]),
         case(
             "environment",
-            "A picture all around: its directions are drawn by its light, so the density \
-             differs from texel to texel, and L is that of the texel. A bias of 9 % is sure to be \
-             seen.",
-            pictured(),
+            "An environment map: directions are sampled in proportion to its radiance, so the \
+             density differs from texel to texel, and L is the radiance of the texel. A bias of 9 \
+             % is always detected.",
+            environment(),
         )
         .only(&[Origin, Direction, Range, Rays, Radiance, Mean]),
         case(
             "seen_from_below",
-            "Seen from below, only light from below is scattered.",
+            "A surface seen from below scatters only light from below.",
             below(),
         )
         .only(&[Rays, Radiance]),
         case(
             "mirrors_ask_for_nothing",
-            "A mirror or glass scatters no sampled light, and casts no shadow ray.",
+            "A mirror or glass scatters no light from a sampled direction: black, and no shadow \
+             ray is traced.",
             mirrors(),
         )
         .only(&[Rays, Radiance]),
         case(
             "no_samples",
-            "With -l 0 lamps give nothing (and not 0 / 0); points and suns still do.",
-            anywhere_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 0),
+            "With -l 0 lamps add nothing (not 0 / 0); point lights and suns still do.",
+            random_points_lit(vec![point()], vec![lamp(3.0, [2.0; 3])], 0),
         )
         .only(&[Rays, Radiance]),
         case(
             "fresh_lights",
-            "Lights, points and numbers that differ for each seed.",
+            "Random lights and points that depend on the seed.",
             fresh(seed),
         ),
     ]
@@ -177,20 +179,20 @@ fn world(lights: Vec<Light>, panels: Vec<Panel>) -> LitWorld {
     }
 }
 
-/// Points with any normal near the origin.
-fn anywhere_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
-    let mut dice = Dice::new("points under lights", 0);
-    let points = (0..80).map(|_| anywhere(&mut dice)).collect();
+/// Points near the origin with random normals.
+fn random_points_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
+    let mut rng = ProbeRng::new("points under lights", 0);
+    let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, panels), points, samples, 0)
 }
 
-/// Many estimates of the same.
+/// Many estimates at the same point.
 fn same(panels: Vec<Panel>, lights: Vec<Light>, point: ShadedPoint, samples: u32) -> Work {
     let points = vec![point; ESTIMATES];
     work(Strategy::Lights, world(lights, panels), points, samples, 1)
 }
 
-/// A wall shades half of the plane; another is behind the lights.
+/// One wall blocks the lights for half of the plane; another is behind the lights.
 fn shadows() -> Work {
     let half = wall(Panel {
         min: [-9.0, 0.0],
@@ -202,16 +204,16 @@ fn shadows() -> Work {
         max: [9.0; 2],
         ..lamp(3.5, [0.0; 3])
     });
-    let mut dice = Dice::new("shadows", 0);
+    let mut rng = ProbeRng::new("shadows", 0);
     let points = (0..80).map(|_| ShadedPoint {
-        p: [dice.range(-3.0, 3.0), 0.0, dice.range(-3.0, 3.0)],
+        p: [rng.range(-3.0, 3.0), 0.0, rng.range(-3.0, 3.0)],
         ..floor()
     });
     let world = world(vec![point()], vec![lamp(3.0, [4.0; 3]), half, behind]);
     work(Strategy::Lights, world, points.collect(), 4, 0)
 }
 
-fn nothing() -> Work {
+fn no_light() -> Work {
     let up = Panel {
         faces: 1.0,
         ..lamp(2.0, [5.0; 3])
@@ -240,7 +242,7 @@ fn nothing() -> Work {
 }
 
 /// A sunset: bright low in one direction, dim above, dark below.
-fn pictured() -> Work {
+fn environment() -> Work {
     let texel = |x: i32, y: i32| {
         let towards_the_sun = f64::from(if x == 5 { 6 } else { x.min(1) });
         let high = f64::from(4 - y);
@@ -292,13 +294,13 @@ fn mirrors() -> Work {
 }
 
 fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_lights", seed);
-    let lamps = (0..2).map(|_| any_lamp(&mut dice)).collect();
+    let mut rng = ProbeRng::new("fresh_lights", seed);
+    let lamps = (0..2).map(|_| random_lamp(&mut rng)).collect();
     let lights = (0..2).map(|_| Light::Point {
-        position: (4.0 * dice.direction()).into(),
-        intensity: [1.0, 4.0, 9.0].map(|most| dice.range(0.5, most)),
+        position: (4.0 * rng.direction()).into(),
+        intensity: [1.0, 4.0, 9.0].map(|most| rng.range(0.5, most)),
     });
     let lights = lights.collect();
-    let points = (0..80).map(|_| anywhere(&mut dice)).collect();
+    let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, lamps), points, 3, seed)
 }

@@ -1,4 +1,4 @@
-//! Judging rays through a list of shapes.
+//! Judges rays traced through a list of shapes.
 
 use crate::expected::Expected;
 use crate::hits::{Call, expect, record};
@@ -6,7 +6,7 @@ use crate::tally::Tally;
 use wire::answer::HitsAnswer;
 use wire::work::Ray;
 
-/// Judges rays that went through a list of shapes, one `intersect_*` after the other.
+/// Judges the closest hits of rays that were tested against all shapes of a list, in order.
 pub(crate) fn brute_force(
     tally: &mut Tally,
     rays: &[Ray],
@@ -21,7 +21,7 @@ pub(crate) fn brute_force(
         let mut call = Call {
             tally: &mut *tally,
             number,
-            function: "going through all shapes in order",
+            function: "intersect_* on all shapes in order",
             ray,
         };
         record(&mut call, expected, hit.as_ref());

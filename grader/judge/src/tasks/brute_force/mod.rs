@@ -1,4 +1,5 @@
-//! Rays through a list of shapes: pictures and many shapes of `part1.task3` and `part1.task4`.
+//! Rays traced through a list of shapes: the cases of `part1.task3` and `part1.task4` with many
+//! shapes.
 
 mod judge;
 pub(crate) mod pictures;
@@ -14,7 +15,7 @@ use kit::Primitive;
 use wire::answer::HitsAnswer;
 use wire::work::{BruteForceWork, Xyz};
 
-/// `intersect_triangle` and `intersect_sphere`, called in order for all shapes with one ray.
+/// `intersect_triangle` and `intersect_sphere`, called with one ray for all shapes in order.
 pub(crate) struct BruteForce;
 
 impl Check for BruteForce {
@@ -44,7 +45,7 @@ impl Check for BruteForce {
         work: &BruteForceWork,
         answer: &HitsAnswer,
     ) {
-        let expected = spec.truths.of_shapes(spec, tier);
+        let expected = spec.expected_cache.of_shapes(spec, tier);
         judge::brute_force(tally, &work.rays, expected, answer);
     }
 
@@ -65,7 +66,7 @@ impl Check for BruteForce {
     }
 }
 
-/// Whether there is a hit or a miss and a `max_t` for each of so many rays.
+/// Checks that there is a hit or a miss, and a `max_t`, for each of `rays` rays.
 pub(super) fn hits_fit(rays: usize, answer: &HitsAnswer) -> Result<(), String> {
     same_length("hits or misses", answer.hits.len(), rays)?;
     same_length("max_t", answer.max_t.len(), rays)

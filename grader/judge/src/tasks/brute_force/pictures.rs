@@ -9,22 +9,23 @@ use std::f64::consts::TAU;
 /// Width and height of the pictures.
 const SIZE: [u32; 2] = [160, 120];
 
-/// A ring with smooth normals, lying on nothing, and a flat die in its hole.
+/// A torus with smooth normals, and an octahedron with flat faces in its hole.
 pub(crate) fn torus() -> Spec {
     let mut triangles = ring(24, 10);
-    triangles.extend(die(Vec3::new(0.0, 0.35, 0.0), 0.55));
+    triangles.extend(octahedron(Vec3::new(0.0, 0.35, 0.0), 0.55));
     let rays = picture_rays(Vec3::new(1.6, 3.1, 4.2), Vec3::ZERO, 45.0);
     Spec {
         picture: Some(SIZE),
         ..part1_task3::cases::case(
             "picture_of_a_ring",
-            "A smooth ring and a die with flat faces in a picture, coloured by their normals.",
+            "A torus with smooth normals and an octahedron with flat faces, coloured by their \
+             normals.",
             brute_force(&triangles, &[], &rays),
         )
     }
 }
 
-/// Ten balls in a pyramid on a ball as large as the world, with small ones around.
+/// Ten spheres in a pyramid on a large sphere, with small spheres around them.
 pub(crate) fn pile_of_spheres() -> Spec {
     let mut spheres = vec![Sphere {
         center: Vec3::new(0.0, -40.0, 0.0),
@@ -64,7 +65,7 @@ pub(crate) fn pile_of_spheres() -> Spec {
         picture: Some(SIZE),
         ..part1_task4::cases::case(
             "picture_of_spheres",
-            "A pyramid of balls on a ball as large as the world, coloured by their normals.",
+            "A pyramid of spheres on a large sphere, coloured by their normals.",
             brute_force(&[], &spheres, &rays),
         )
     }
@@ -117,7 +118,7 @@ fn ring(around: u32, across: u32) -> Vec<Triangle> {
 }
 
 /// An octahedron around `center` with flat faces.
-fn die(center: Vec3, radius: f64) -> Vec<Triangle> {
+fn octahedron(center: Vec3, radius: f64) -> Vec<Triangle> {
     let signs = [1.0, -1.0];
     let corners = signs.map(|x| signs.map(|y| signs.map(|z| (x, y, z))));
     let face = |(x, y, z): (f64, f64, f64)| {

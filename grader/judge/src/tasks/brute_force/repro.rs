@@ -1,4 +1,4 @@
-//! Tests of rays through a list of shapes.
+//! Rust tests of rays traced through a list of shapes.
 
 use crate::expected::Expected;
 use crate::repro::hits::{hit_asserts, sphere_literal, triangle_literal};
@@ -8,11 +8,11 @@ use kit::Primitive;
 use std::fmt::Write;
 use wire::work::{Ray, Xyz};
 
-/// So many shapes in a ray's way still make a test that one can read.
+/// The largest number of shapes on the line of a ray in a readable test.
 const SHAPES: usize = 6;
 
-/// The first hit among all shapes that the line of a ray meets, in their order. `None` for
-/// triangles and spheres together, and where more than one answer scores.
+/// A test of the closest hit among all shapes that the line of a ray meets, in their order; `None`
+/// for triangles and spheres together, and where more than one answer scores.
 pub(crate) fn first_of(
     tier: Tier,
     triangles: &[[Xyz; 6]],

@@ -1,44 +1,44 @@
-//! Judging direct light: by the rays that an estimate asked for, and what it made of the answers.
+//! Judges estimates of direct light, by the rays that they trace and the sum that they compute.
 //!
-//! An estimate is judged by its own rays, whatever random numbers they came from: given the rays,
-//! the right sum is known to the last digit. That rays are distributed as they should be, and that
-//! the mean is right, is tested apart.
+//! An estimate is judged by its own rays, whatever random numbers it used: given the rays, the
+//! right sum is exact. The distribution of the rays and the mean of the estimates are tested
+//! separately.
 
-use super::lamps::{Part, Place, SKY_PDF, arrives, surroundings};
-use super::mistakes;
-use crate::chance::{self, MANY};
+use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, environment_map, sample_of_delta_light};
+
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Environment, LightSample, Tally as Numbers, Vec3};
+use kit::{Environment, LightSample, Tally as SampleTally, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
-use wire::direct::{AskedRay, DirectAnswer, DirectWork, ShadedPoint, Strategy};
+use wire::direct::{DirectAnswer, DirectWork, RecordedRay, ShadedPoint, Strategy};
 use wire::light::{Light, Material, Panel};
 
-/// How far a sum may be off, as a share: thousands of roundings, or a π with ten digits.
+/// Relative error allowed in a sum: thousands of roundings, or a π with ten digits.
 const SUM_BOUND: f64 = 1e-9;
 
-/// How far an origin may be off, in units: worlds here are ten units large, and the errors of
-/// points 2e-12.
+/// How far an origin may be off, in world units: the worlds are ten units large, and the error
+/// bound of points is 2e-12.
 const ORIGIN_BOUND: f64 = 2e-13;
 
 /// How far a direction may be off.
 const DIRECTION_BOUND: f64 = 1e-6;
 
-/// How far before a light a shadow ray may end, as a share of its length.
+/// The largest gap between the end of a shadow ray and its light, relative to the distance.
 const LONGEST_GAP: f64 = 1e-6;
 
-/// A shadow ray is meant for a light if its range ends so near, as a share of its length.
-const MISSED_BY: f64 = 1e-2;
+/// A shadow ray belongs to a light if its range ends this close to it, relative to the distance.
+const TARGET_BOUND: f64 = 1e-2;
 
 /// Judges every estimate of `work`.
 pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
-        let one = One {
+        let one = Estimate {
             work,
             point,
-            place: Place::of(point),
+            place: ShadingPlace::of(point),
             answer,
             call,
         };
@@ -48,36 +48,36 @@ pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnsw
             Strategy::Lights => one.lights(tally),
         }
     }
-    if work.strategy != Strategy::ZeroBounce && answers.len() >= MANY {
-        by_chance(tally, work, answers);
+    if work.strategy != Strategy::ZeroBounce && answers.len() >= MIN_ESTIMATES {
+        statistics(tally, work, answers);
     }
 }
 
-/// All points of `work` are the same; the estimates differ by chance.
-fn by_chance(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
-    let place = Place::of(&work.points[0]);
+/// Tests the statistics of many estimates; all points of `work` are the same.
+fn statistics(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    let place = ShadingPlace::of(&work.points[0]);
     if work.strategy == Strategy::Hemisphere {
-        let rays = answers.iter().flat_map(|answer| &answer.asked);
+        let rays = answers.iter().flat_map(|answer| &answer.rays);
         let directions: Vec<Option<Vec3>> = rays
-            .map(|asked| Some(place.frame.to_local(asked.ray.d.into())))
+            .map(|recorded| Some(place.frame.to_local(recorded.ray.d.into())))
             .collect();
         let side = place.wo.z.signum();
         let density = |w: Vec3| if w.z * side > 0.0 { 1.0 / TAU } else { 0.0 };
         chance::spread(tally, &directions, density, "uniformly over the hemisphere");
     }
-    let green: Numbers = answers.iter().map(|answer| answer.radiance[1]).collect();
+    let green: SampleTally = answers.iter().map(|answer| answer.radiance[1]).collect();
     chance::mean(tally, "estimates", &green, place.lit_by(&work.world).y);
 }
 
-struct One<'a> {
+struct Estimate<'a> {
     work: &'a DirectWork,
     point: &'a ShadedPoint,
-    place: Place,
+    place: ShadingPlace,
     answer: &'a DirectAnswer,
     call: usize,
 }
 
-impl One<'_> {
+impl Estimate<'_> {
     fn about(&self) -> String {
         format!(
             "Point {:?} with the normal {:?}, {:?}, seen along wo = {:?}, {} samples",
@@ -85,19 +85,22 @@ impl One<'_> {
         )
     }
 
-    /// Judges the sum; a wrong one that a suspect makes of the same rays has its name, whatever the
-    /// rays are.
-    fn radiance(&self, tally: &mut Tally, right: Vec3, suspects: &[(&'static str, Vec3)]) {
+    /// Judges the sum. A wrong sum that equals that of a known mistake for the same rays has the
+    /// mistake's name as its class.
+    fn radiance(&self, tally: &mut Tally, right: Vec3, mistakes: &[(&'static str, Vec3)]) {
         tally.expect(Aspect::Radiance);
         let answered = self.answer.radiance;
         let (aspect, call) = (Aspect::Radiance, self.call);
         let is = |sum: Vec3| numbers::same_colour(answered, sum.into(), SUM_BOUND);
-        let named = suspects.iter().find(|(_, sum)| !is(right) && is(*sum));
+        let named = mistakes.iter().find(|(_, sum)| !is(right) && is(*sum));
         if let Some((name, _)) = named {
             let class = Some(Class::Named(name));
             tally.judge_class(aspect, call, class, 1.0, || {
                 let right = right.to_array();
-                format!("it is {answered:?}, right is {right:?}. {}", self.about())
+                format!(
+                    "your result: {answered:?}; expected: {right:?}. {}",
+                    self.about()
+                )
             });
             return;
         }
@@ -129,18 +132,18 @@ impl One<'_> {
         let wanted = if is_delta { 0 } else { samples };
         self.count(tally, wanted, wanted);
         let mut sum = Vec3::ZERO;
-        let mut suspects = mistakes::LookingAround::default();
+        let mut mistakes = super::mistakes::HemisphereMistakes::default();
         let wrong_side = self.wrong_side();
-        for asked in &self.answer.asked {
-            let d = Vec3::from(asked.ray.d);
-            self.start(tally, asked);
+        for recorded in &self.answer.rays {
+            let d = Vec3::from(recorded.ray.d);
+            self.start(tally, recorded);
             tally.expect(Aspect::Range);
-            let whole = asked.ray.min_t == 0.0 && asked.ray.max_t == f64::INFINITY;
+            let whole = recorded.ray.min_t == 0.0 && recorded.ray.max_t == f64::INFINITY;
             tally.judge(Aspect::Range, self.call, whole, 1.0, || {
                 format!(
-                    "a ray has the range [{:?}, {:?}], right is all of it, [0, inf]. {}",
-                    asked.ray.min_t,
-                    asked.ray.max_t,
+                    "your result: a ray with the range [{:?}, {:?}]; expected: [0, inf]. {}",
+                    recorded.ray.min_t,
+                    recorded.ray.max_t,
                     self.about()
                 )
             });
@@ -154,25 +157,25 @@ impl One<'_> {
             };
             tally.judge_class(Aspect::Direction, self.call, class, 1.0, || {
                 format!(
-                    "a ray goes along d = {}, right is a unit vector on the side of wo. {}",
+                    "your result: a ray along d = {}; expected: a unit vector on the side of wo. {}",
                     show(d),
                     self.about()
                 )
             });
-            sum += self.place.scattered(d) * Vec3::from(asked.seen);
-            suspects.see(&self.place, asked);
+            sum += self.place.scattered(d) * Vec3::from(recorded.seen);
+            mistakes.add(&self.place, recorded);
         }
         self.distinct(tally);
         let share = TAU / f64::from(samples.max(1));
-        self.radiance(tally, sum * share, &suspects.sums(share));
+        self.radiance(tally, sum * share, &mistakes.sums(share));
     }
 
     /// The class of rays that go to the wrong side of the surface.
     fn wrong_side(&self) -> Class {
         let to_viewer = self.place.wo.z;
         let all = |z: &dyn Fn(Vec3) -> f64| {
-            let mut rays = self.answer.asked.iter();
-            rays.all(|asked| z(asked.ray.d.into()) * to_viewer > 0.0)
+            let mut rays = self.answer.rays.iter();
+            rays.all(|recorded| z(recorded.ray.d.into()) * to_viewer > 0.0)
         };
         if all(&|d| -self.place.frame.to_local(d).z) {
             Class::Named("all on the other side")
@@ -187,9 +190,9 @@ impl One<'_> {
         let sources = self.sources();
         let targets: Vec<Option<(usize, f64)>> = self
             .answer
-            .asked
+            .rays
             .iter()
-            .map(|asked| target(&sources, self.place.p, asked))
+            .map(|recorded| target(&sources, self.place.p, recorded))
             .collect();
         let is_delta = matches!(
             self.point.material,
@@ -206,11 +209,11 @@ impl One<'_> {
         };
         self.count(tally, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
-        for (asked, target) in self.answer.asked.iter().zip(&targets) {
-            self.start(tally, asked);
-            self.shadow_ray(tally, asked, target.map(|(_, far)| far));
-            if let (Some((source, far)), false) = (target, asked.hit) {
-                let light = self.brings(&sources[*source], *far, asked.ray.d.into());
+        for (recorded, target) in self.answer.rays.iter().zip(&targets) {
+            self.start(tally, recorded);
+            self.shadow_ray(tally, recorded, target.map(|(_, far)| far));
+            if let (Some((source, far)), false) = (target, recorded.hit) {
+                let light = self.contribution(&sources[*source], *far, recorded.ray.d.into());
                 sum += light;
                 with_distance_twice += if far.is_finite() {
                     light / (far * far)
@@ -223,32 +226,32 @@ impl One<'_> {
         self.radiance(tally, sum, &[("distance twice", with_distance_twice)]);
     }
 
-    /// The lights that shine here.
+    /// The lights whose light can arrive at the point.
     fn sources(&self) -> Vec<Source> {
         let world = &self.work.world;
-        let lights =
-            world
-                .lights
-                .iter()
-                .filter_map(|light| match (arrives(light, self.place.p), light) {
-                    (Some(sample), _) => sample.map(Source::Point),
-                    (None, Light::Sky(radiance)) => Some(Source::Sky((*radiance).into())),
-                    (None, _) => None,
-                });
+        let lights = world.lights.iter().filter_map(|light| {
+            match (sample_of_delta_light(light, self.place.p), light) {
+                (Some(sample), _) => sample.map(Source::Point),
+                (None, Light::Sky(radiance)) => Some(Source::Sky((*radiance).into())),
+                (None, _) => None,
+            }
+        });
         let panels = world
             .panels
             .iter()
             .filter_map(|panel| match panel.material {
-                Material::Emission(radiance) if self.place.sees(panel) != Part::None => {
+                Material::Emission(radiance)
+                    if self.place.visible_part(panel) != VisiblePart::None =>
+                {
                     Some(Source::Lamp(*panel, radiance.into()))
                 }
                 _ => None,
             });
-        let around = surroundings(world).map(Source::Picture);
+        let around = environment_map(world).map(Source::Map);
         lights.chain(around).chain(panels).collect()
     }
 
-    /// How many shadow rays a light gets, at least and at most.
+    /// The smallest and the largest number of shadow rays that a light may get.
     fn rays_to(&self, source: &Source) -> (u32, u32) {
         let samples = self.work.samples;
         match source {
@@ -256,19 +259,21 @@ impl One<'_> {
                 let one = u32::from(self.place.scattered(light.wi) != Vec3::ZERO);
                 (one, one)
             }
-            Source::Lamp(panel, _) if self.place.sees(panel) == Part::All => (samples, samples),
-            Source::Lamp(..) | Source::Sky(_) | Source::Picture(_) => (0, samples),
+            Source::Lamp(panel, _) if self.place.visible_part(panel) == VisiblePart::All => {
+                (samples, samples)
+            }
+            Source::Lamp(..) | Source::Sky(_) | Source::Map(_) => (0, samples),
         }
     }
 
-    /// What an open ray along `d` to a light that is `far` away adds to the estimate.
-    fn brings(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
+    /// The contribution of an unblocked ray along `d` to a light at the distance `far`.
+    fn contribution(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
         let share = 1.0 / f64::from(self.work.samples.max(1));
         let scattered = self.place.scattered(d);
         match source {
             Source::Point(light) => scattered * Vec3::from(light.radiance.to_array()),
             Source::Sky(radiance) => scattered * *radiance * (share / SKY_PDF),
-            Source::Picture(picture) => {
+            Source::Map(picture) => {
                 let radiance = Vec3::from(picture.radiance(d).to_array());
                 scattered * radiance * (share / picture.pdf(d))
             }
@@ -279,36 +284,36 @@ impl One<'_> {
         }
     }
 
-    /// A shadow ray goes to a light that shines here, and ends just before it.
-    fn shadow_ray(&self, tally: &mut Tally, asked: &AskedRay, far: Option<f64>) {
+    /// Judges a shadow ray: it goes to a light that can contribute, and ends just before it.
+    fn shadow_ray(&self, tally: &mut Tally, recorded: &RecordedRay, far: Option<f64>) {
         tally.expect(Aspect::Direction);
         tally.expect(Aspect::Range);
         tally.judge(Aspect::Direction, self.call, far.is_some(), 1.0, || {
             format!(
-                "a shadow ray with d = {:?} and max_t = {:?} ends at no light that shines here. {}",
-                asked.ray.d,
-                asked.ray.max_t,
+                "your result: a shadow ray with d = {:?} and max_t = {:?}; expected: it ends just before a light that contributes here. {}",
+                recorded.ray.d,
+                recorded.ray.max_t,
                 self.about()
             )
         });
-        let in_vain = self.place.scattered(asked.ray.d.into()) == Vec3::ZERO;
-        tally.judge(Aspect::Rays, self.call, !in_vain, 1.0, || {
+        let is_useless = self.place.scattered(recorded.ray.d.into()) == Vec3::ZERO;
+        tally.judge(Aspect::Rays, self.call, !is_useless, 1.0, || {
             format!(
-                "a shadow ray along d = {:?} was in vain: nothing of that light is scattered to wo. {}",
-                asked.ray.d,
+                "your result: a shadow ray along d = {:?}; expected: none, since no light from there is scattered to wo. {}",
+                recorded.ray.d,
                 self.about()
             )
         });
         let Some(far) = far else { return };
-        let gap = (far - asked.ray.max_t) / far;
+        let gap = (far - recorded.ray.max_t) / far;
         let ends_right =
-            far == f64::INFINITY && asked.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
-        let right = asked.ray.min_t == 0.0 && ends_right;
+            far == f64::INFINITY && recorded.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
+        let right = recorded.ray.min_t == 0.0 && ends_right;
         tally.judge(Aspect::Range, self.call, right, 1.0, || {
             format!(
-                "a shadow ray has the range [{:?}, {:?}]; it begins at 0 and ends just before the light, which is {far:?} away. {}",
-                asked.ray.min_t,
-                asked.ray.max_t,
+                "your result: a shadow ray with the range [{:?}, {:?}]; expected: from 0 to just before the light at t = {far:?}. {}",
+                recorded.ray.min_t,
+                recorded.ray.max_t,
                 self.about()
             )
         });
@@ -316,10 +321,10 @@ impl One<'_> {
 
     fn count(&self, tally: &mut Tally, least: u32, most: u32) {
         tally.expect(Aspect::Rays);
-        let asked = self.answer.asked.len();
-        let right = (least as usize..=most as usize).contains(&asked);
-        let (wanted, size) = (f64::from(least), asked as f64 - f64::from(most));
-        let class = (!right).then(|| Class::of_number(asked as f64, wanted));
+        let traced = self.answer.rays.len();
+        let right = (least as usize..=most as usize).contains(&traced);
+        let (wanted, size) = (f64::from(least), traced as f64 - f64::from(most));
+        let class = (!right).then(|| Class::of_number(traced as f64, wanted));
         tally.judge_class(Aspect::Rays, self.call, class, size.abs(), || {
             let right = if least == most {
                 format!("{least}")
@@ -327,39 +332,46 @@ impl One<'_> {
                 format!("{least} to {most}")
             };
             format!(
-                "{asked} rays were asked for, right are {right}. {}",
+                "your result: {traced} rays; expected: {right}. {}",
                 self.about()
             )
         });
     }
 
-    /// Rays start on the surface, off by its error bound.
-    fn start(&self, tally: &mut Tally, asked: &AskedRay) {
+    /// Judges the origin of a ray: the point, offset by its error bound.
+    fn start(&self, tally: &mut Tally, recorded: &RecordedRay) {
         tally.expect(Aspect::Origin);
-        let right = self.place.start(asked.ray.d.into());
-        let off = (Vec3::from(asked.ray.o) - right).length();
+        let right = self.place.start(recorded.ray.d.into());
+        let off = (Vec3::from(recorded.ray.o) - right).length();
         let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
         tally.judge_class(Aspect::Origin, self.call, class, off, || {
             format!(
-                "a ray starts at {}, where Surface::leave puts it is {}. {}",
-                show(asked.ray.o.into()),
+                "your result: a ray with the origin {}; expected: {}, from Surface::leave. {}",
+                show(recorded.ray.o.into()),
                 show(right),
                 self.about()
             )
         });
     }
 
-    /// No random number serves two samples.
+    /// Judges that no two samples use the same random numbers.
     fn distinct(&self, tally: &mut Tally) {
-        let endless = |light: &Light| matches!(light, Light::Directional { .. });
-        let by_design = self.work.world.lights.iter().filter(|l| endless(l)).count() > 1;
-        if self.answer.asked.len() < 2 || by_design {
+        let is_directional = |light: &Light| matches!(light, Light::Directional { .. });
+        let may_repeat = self
+            .work
+            .world
+            .lights
+            .iter()
+            .filter(|l| is_directional(l))
+            .count()
+            > 1;
+        if self.answer.rays.len() < 2 || may_repeat {
             return;
         }
         tally.expect(Aspect::Spread);
-        let bits = |asked: &AskedRay| asked.ray.d.map(f64::to_bits);
-        let different: HashSet<_> = self.answer.asked.iter().map(bits).collect();
-        let (all, different) = (self.answer.asked.len(), different.len());
+        let bits = |recorded: &RecordedRay| recorded.ray.d.map(f64::to_bits);
+        let different: HashSet<_> = self.answer.rays.iter().map(bits).collect();
+        let (all, different) = (self.answer.rays.len(), different.len());
         let right = all == different;
         tally.judge(Aspect::Spread, self.call, right, 1e3, || {
             format!(
@@ -370,29 +382,29 @@ impl One<'_> {
     }
 }
 
-/// A light that shines at a point.
+/// A light whose light can arrive at the point.
 enum Source {
-    /// One without extent, and what arrives from it.
+    /// A light without extent, with its sample.
     Point(LightSample),
     /// A panel and its radiance.
     Lamp(Panel, Vec3),
     /// A sky and its radiance.
     Sky(Vec3),
-    /// A picture all around.
-    Picture(Environment),
+    /// An environment map.
+    Map(Environment),
 }
 
-/// Which light a shadow ray from `p` is meant for, and how far away that is: of those along its way
-/// the one whose distance is nearest to the end of its range.
-fn target(sources: &[Source], p: Vec3, asked: &AskedRay) -> Option<(usize, f64)> {
-    let (d, max_t) = (Vec3::from(asked.ray.d), asked.ray.max_t);
+/// The light to which a shadow ray from `p` belongs, and its distance: of the lights along the ray,
+/// the one closest to the end of its range.
+fn target(sources: &[Source], p: Vec3, recorded: &RecordedRay) -> Option<(usize, f64)> {
+    let (d, max_t) = (Vec3::from(recorded.ray.d), recorded.ray.max_t);
     let along = |source: &Source| match source {
         Source::Point(light) => {
             ((d - light.wi).length() < DIRECTION_BOUND).then_some(light.distance)
         }
-        Source::Lamp(panel, _) => Some(panel.meets(p.into(), asked.ray.d)?.0),
+        Source::Lamp(panel, _) => Some(panel.meets(p.into(), recorded.ray.d)?.0),
         Source::Sky(_) => (d.y >= 0.0).then_some(f64::INFINITY),
-        Source::Picture(picture) => (picture.pdf(d) > 0.0).then_some(f64::INFINITY),
+        Source::Map(picture) => (picture.pdf(d) > 0.0).then_some(f64::INFINITY),
     };
     let off = |far: f64| {
         if far == max_t {
@@ -403,6 +415,6 @@ fn target(sources: &[Source], p: Vec3, asked: &AskedRay) -> Option<(usize, f64)>
     };
     let ways = sources.iter().enumerate();
     ways.filter_map(|(i, source)| Some((i, along(source)?)))
-        .filter(|(_, far)| *far > 0.0 && off(*far) <= MISSED_BY)
+        .filter(|(_, far)| *far > 0.0 && off(*far) <= TARGET_BOUND)
         .min_by(|a, b| off(a.1).total_cmp(&off(b.1)))
 }

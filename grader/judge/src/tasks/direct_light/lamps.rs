@@ -1,4 +1,4 @@
-//! What arrives at a point from the lights of a scripted world.
+//! Computes the light that arrives at a point from the lights of a scripted world.
 
 use kit::{Emitter, Environment, Frame, LightSample, Spectrum, Surface, Vec2, Vec3, math, warp};
 use std::f64::consts::{PI, TAU};
@@ -6,8 +6,8 @@ use wire::direct::ShadedPoint;
 use wire::light::{Light, LitWorld, MEAN_F, Material, Panel, scripted_f};
 use wire::work::Xyz;
 
-/// A point with the local space of its surface.
-pub(crate) struct Place {
+/// A point of a surface, with its local space.
+pub(crate) struct ShadingPlace {
     pub(crate) p: Vec3,
     pub(crate) frame: Frame,
     pub(crate) wo: Vec3,
@@ -15,26 +15,26 @@ pub(crate) struct Place {
     error: f64,
 }
 
-/// Steps of the midpoint rule along each side of a lamp: its error is far below that of any
-/// estimate here.
+/// Steps of the midpoint rule along each side of a lamp: its error is far below that of the tested
+/// estimates.
 const STEPS: u32 = 160;
 
-/// Steps of the midpoint rule along each side of a hemisphere, for pictures whose radiance jumps
-/// from texel to texel.
+/// Steps of the midpoint rule along each side of a hemisphere, for environment maps whose radiance
+/// jumps between texels.
 const SKY_STEPS: u32 = 1024;
 
-/// What is seen all around.
-pub(crate) fn surroundings(world: &LitWorld) -> Option<Environment> {
+/// The environment map of the world, if it has one.
+pub(crate) fn environment_map(world: &LitWorld) -> Option<Environment> {
     let around = world.environment.as_ref()?;
     let texels: Vec<Spectrum> = around.texels.iter().map(|&texel| texel.into()).collect();
     let width = around.width as usize;
     Environment::new(width, texels.len() / width, texels).ok()
 }
 
-impl Place {
-    pub(crate) fn of(point: &ShadedPoint) -> Place {
+impl ShadingPlace {
+    pub(crate) fn of(point: &ShadedPoint) -> ShadingPlace {
         let frame = Frame::around(point.n.into());
-        Place {
+        ShadingPlace {
             p: point.p.into(),
             wo: frame.to_local(point.wo.into()),
             frame,
@@ -57,7 +57,7 @@ impl Place {
         scripted_f(self.reflectance, wo.into(), wi.into()).into()
     }
 
-    /// Where a ray along `d` has to start.
+    /// The right origin of a ray along `d`.
     pub(crate) fn start(&self, d: Vec3) -> Vec3 {
         let material = kit::Material::Diffuse {
             reflectance: kit::Spectrum::BLACK,
@@ -73,25 +73,24 @@ impl Place {
         surface.leave(d).o
     }
 
-    /// Which part of a lamp shines here and is scattered on.
-    pub(crate) fn sees(&self, panel: &Panel) -> Part {
+    /// Which part of a lamp contributes light here.
+    pub(crate) fn visible_part(&self, panel: &Panel) -> VisiblePart {
         let towards = panel.corners().map(|corner| Vec3::from(corner) - self.p);
         let front = Vec3::from(panel.front());
         if towards[0].dot(front) >= 0.0 {
-            return Part::None;
+            return VisiblePart::None;
         }
         let lit = towards
             .iter()
             .filter(|d| self.scattered(d.normalize()) != Vec3::ZERO);
         match lit.count() {
-            0 => Part::None,
-            4 => Part::All,
-            _ => Part::Some,
+            0 => VisiblePart::None,
+            4 => VisiblePart::All,
+            _ => VisiblePart::Some,
         }
     }
 
-    /// The radiance that panels which emit, skies and an environment give, if nothing is in
-    /// between.
+    /// The scattered radiance of all lamps, skies and the environment map, if nothing blocks them.
     pub(crate) fn lit_by(&self, world: &LitWorld) -> Vec3 {
         let lamps = world.panels.iter().map(|panel| self.lit_by_panel(panel));
         let all_around = Vec3::from(self.reflectance) * (MEAN_F * PI);
@@ -99,13 +98,13 @@ impl Place {
             Light::Sky(radiance) => Vec3::from(*radiance),
             _ => Vec3::ZERO,
         });
-        let around = surroundings(world).map(|picture| self.lit_by_picture(&picture));
+        let around = environment_map(world).map(|picture| self.lit_by_environment(&picture));
         lamps.sum::<Vec3>() + all_around * skies.sum::<Vec3>() + around.unwrap_or_default()
     }
 
-    /// `∫ f · L · |cos θ| dω` over the hemisphere, by steps that are even in height and in angle
+    /// `∫ f · L · |cos θ| dω` over the hemisphere, by the midpoint rule in height and in angle
     /// around the normal.
-    fn lit_by_picture(&self, picture: &Environment) -> Vec3 {
+    fn lit_by_environment(&self, picture: &Environment) -> Vec3 {
         let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(SKY_STEPS);
         let cells = (0..SKY_STEPS).flat_map(|i| (0..SKY_STEPS).map(move |j| (i, j)));
         let sum: Vec3 = cells
@@ -142,16 +141,17 @@ impl Place {
     }
 }
 
-/// How much of a lamp.
+/// How much of a lamp contributes light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum VisiblePart {
     None,
     Some,
     All,
 }
 
-/// What a light without extent sends to `p`; `None` for a sky.
-pub(crate) fn arrives(light: &Light, p: Vec3) -> Option<Option<LightSample>> {
+/// The light that arrives at `p` from a light without extent: `None` for a sky, `Some(None)` if no
+/// light arrives.
+pub(crate) fn sample_of_delta_light(light: &Light, p: Vec3) -> Option<Option<LightSample>> {
     let emitter = match *light {
         Light::Point {
             position,
@@ -185,7 +185,7 @@ pub(crate) fn arrives(light: &Light, p: Vec3) -> Option<Option<LightSample>> {
     Some(emitter.sample(p, Vec2::ZERO))
 }
 
-/// Density of directions to a sky.
+/// Density of the directions sampled for a sky.
 pub(crate) const SKY_PDF: f64 = 1.0 / TAU;
 
 #[cfg(test)]
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
     use wire::light::Surroundings;
 
-    fn lit_by_other_half(place: &Place) -> f64 {
+    fn lit_by_other_half(place: &ShadingPlace) -> f64 {
         let picture = Surroundings {
             width: 2,
             texels: vec![[0.0; 3], [2.0; 3], [7.0; 3], [7.0; 3]],
@@ -207,7 +207,7 @@ mod tests {
 
     /// A corner of the lamp is straight above the point (any catalogue of view factors).
     #[test]
-    fn the_sum_over_a_lamp_is_its_form_factor() {
+    fn the_integral_over_a_lamp_matches_its_form_factor() {
         let (a, b) = (0.75_f64, 1.5_f64);
         let lamp = |material| Panel {
             axis: 1,
@@ -218,7 +218,7 @@ mod tests {
             material,
         };
         let place = |wo: Vec3| {
-            Place::of(&ShadedPoint {
+            ShadingPlace::of(&ShadedPoint {
                 p: [0.0; 3],
                 n: [0.0, 1.0, 0.0],
                 error: 0.0,
@@ -236,7 +236,8 @@ mod tests {
             ],
             ..LitWorld::default()
         };
-        // Four lamps around the point: what the stand-in adds to its mean cancels out.
+        // Four lamps around the point: the terms of `scripted_f` that depend on the direction
+        // cancel.
         let around = |u: [f64; 2], v: [f64; 2]| LitWorld {
             panels: vec![Panel {
                 min: [u[0], v[0]],

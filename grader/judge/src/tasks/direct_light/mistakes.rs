@@ -1,13 +1,13 @@
-//! What typical mistakes make of the same rays: whoever draws other rays makes the same mistake in
-//! other numbers.
+//! The sums that common mistakes compute from the same rays. They depend on the rays, so that a
+//! mistake is recognised whatever rays are sampled.
 
-use super::lamps::Place;
+use super::lamps::ShadingPlace;
 use kit::{Spectrum, Vec3};
-use wire::direct::AskedRay;
+use wire::direct::RecordedRay;
 
-/// What an estimate by looking around adds up to if it is wrong in one of these ways.
+/// The sum of a hemisphere estimate for each of several mistakes.
 #[derive(Default)]
-pub(crate) struct LookingAround {
+pub(crate) struct HemisphereMistakes {
     without_cosine: Vec3,
     cosine_of_wo: Vec3,
     swapped: Vec3,
@@ -25,26 +25,26 @@ pub(crate) struct LookingAround {
     rays_to_light: u32,
 }
 
-impl LookingAround {
-    /// Takes in one ray and what it sees.
-    pub(crate) fn see(&mut self, place: &Place, asked: &AskedRay) {
-        let (wo, wi) = (place.wo, place.frame.to_local(asked.ray.d.into()));
-        let seen = Vec3::from(asked.seen);
+impl HemisphereMistakes {
+    /// Adds one ray and the radiance along it.
+    pub(crate) fn add(&mut self, place: &ShadingPlace, recorded: &RecordedRay) {
+        let (wo, wi) = (place.wo, place.frame.to_local(recorded.ray.d.into()));
+        let seen = Vec3::from(recorded.seen);
         let light = place.f(wo, wi) * seen;
         self.without_cosine += light;
         self.cosine_of_wo += light * wo.z.abs();
         self.swapped += place.f(wi, wo) * seen * wi.z.abs();
-        if asked.hit {
+        if recorded.hit {
             self.without_background += light * wi.z.abs();
         }
         self.cosine_twice += light * wi.z * wi.z;
         self.sine += light * (1.0 - wi.z * wi.z).max(0.0).sqrt();
         self.clamped += place.f(wo, wi) * seen.min(Vec3::ONE) * wi.z.abs();
-        let d = Vec3::from(asked.ray.d);
+        let d = Vec3::from(recorded.ray.d);
         self.local += place.f(wo, d) * seen * d.z.abs();
         self.world_wi += place.f(wo, d) * seen * wi.z.abs();
         self.world_up += light * d.y.abs();
-        let luminance = Spectrum::from(asked.seen).luminance();
+        let luminance = Spectrum::from(recorded.seen).luminance();
         self.grey += place.f(wo, wi) * luminance * wi.z.abs();
         self.last = light * wi.z.abs();
         self.right += light * wi.z.abs();
@@ -52,7 +52,7 @@ impl LookingAround {
         self.rays_to_light += u32::from(seen != Vec3::ZERO);
     }
 
-    /// The sums, each ray weighed by `share`, with the names of their mistakes.
+    /// The sums, with `share` as the weight of each ray, and the names of the mistakes.
     pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 13] {
         let of_those = f64::from(self.rays) / f64::from(self.rays_to_light.max(1));
         [

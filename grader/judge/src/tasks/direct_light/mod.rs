@@ -13,7 +13,7 @@ use crate::snapshot::{field, forms, number, vector};
 use crate::tally::Tally;
 use wire::direct::{DirectAnswer, DirectWork};
 
-/// One of the estimates of direct light, called at each point.
+/// A function that estimates direct light, called for each point.
 pub(crate) struct Direct;
 
 impl Check for Direct {
@@ -41,13 +41,13 @@ impl Check for Direct {
             ];
             let short = vec![
                 field("radiance", vector(&answer.radiance)),
-                number("rays", answer.asked.len() as f64),
+                number("rays", answer.rays.len() as f64),
             ];
             let mut full = short.clone();
-            full.extend(answer.asked.iter().take(2).flat_map(|asked| {
+            full.extend(answer.rays.iter().take(2).flat_map(|recorded| {
                 [
-                    field("d", vector(&asked.ray.d)),
-                    number("max_t", asked.ray.max_t),
+                    field("d", vector(&recorded.ray.d)),
+                    number("max_t", recorded.ray.max_t),
                 ]
             }));
             forms(question, short, full)

@@ -1,18 +1,17 @@
-//! Points, lamps and walls.
+//! Points, lamps and walls for cases of direct light.
 
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use kit::Vec3;
 use wire::Work;
 use wire::direct::{DirectWork, ShadedPoint, Strategy};
 use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 use wire::work::Xyz;
 
-/// How far the coordinates of points here may be off: far more than rounding, so that it shows
-/// whether rays leave surfaces by it, and far less than the gap that shadow rays leave before their
-/// light.
+/// The error bound of the points: far larger than rounding, so that a ray's origin shows whether it
+/// is offset by this bound, and far smaller than the gap between a shadow ray's end and its light.
 const POINT_ERROR: f64 = 2e-12;
 
-/// A lamp at the height `at` over the plane of x and z, between -1 and 1 in both, shining down.
+/// A lamp at the height `at` that emits downward, from -1 to 1 along x and z.
 pub(crate) fn lamp(at: f64, radiance: Xyz) -> Panel {
     Panel {
         axis: 1,
@@ -24,7 +23,7 @@ pub(crate) fn lamp(at: f64, radiance: Xyz) -> Panel {
     }
 }
 
-/// The same as a wall that emits nothing.
+/// The same panel, as a wall that does not emit.
 pub(crate) fn wall(panel: Panel) -> Panel {
     Panel {
         material: Material::Diffuse([0.5; 3]),
@@ -60,26 +59,27 @@ pub(crate) fn ceiling() -> ShadedPoint {
     }
 }
 
-/// A matte point within one unit of the origin, with any normal, seen from the side of its normal.
-pub(crate) fn anywhere(dice: &mut Dice) -> ShadedPoint {
-    let n = dice.direction();
+/// A matte point near the origin (0.8 or less along each axis), with a random normal, seen from the
+/// side of its normal.
+pub(crate) fn random_point(rng: &mut ProbeRng) -> ShadedPoint {
+    let n = rng.direction();
     let wo = loop {
-        let wo = dice.direction();
+        let wo = rng.direction();
         if wo.dot(n) > 0.1 {
             break wo;
         }
     };
     ShadedPoint {
-        p: (0.8 * dice.in_cube()).into(),
+        p: (0.8 * rng.in_cube()).into(),
         n: n.into(),
         error: POINT_ERROR,
-        material: Material::Diffuse([0.7, 0.4, 0.2].map(|rho: f64| rho * dice.range(0.5, 1.0))),
+        material: Material::Diffuse([0.7, 0.4, 0.2].map(|rho: f64| rho * rng.range(0.5, 1.0))),
         wo: wo.into(),
     }
 }
 
-/// A room of six panels around the origin, some of which emit, with a hole in its roof through
-/// which the sky is seen.
+/// A room of six panels around the origin, some of which emit, with a hole in the roof that shows
+/// the sky.
 pub(crate) fn room() -> LitWorld {
     let side = |axis: usize, sign: f64, material: Material| Panel {
         axis,
@@ -108,7 +108,7 @@ pub(crate) fn room() -> LitWorld {
                 ..side(2, -1.0, Material::Emission([9.0; 3]))
             },
         ],
-        // Only upwards: whoever looks the wrong way does not see it.
+        // Only rays that go up see it.
         lights: vec![Light::Sky([6.0, 2.0, 1.0])],
         environment: Some(Surroundings::uniform([0.5, 1.0, 2.0])),
     }
@@ -131,7 +131,7 @@ pub(crate) fn work(
     })
 }
 
-/// A world of panels alone.
+/// A world of panels without other lights.
 pub(crate) fn of_panels(panels: Vec<Panel>) -> LitWorld {
     LitWorld {
         panels,
@@ -139,22 +139,22 @@ pub(crate) fn of_panels(panels: Vec<Panel>) -> LitWorld {
     }
 }
 
-/// A lamp in front of the surface at `p`: its place is drawn from `dice`.
-pub(crate) fn any_lamp(dice: &mut Dice) -> Panel {
-    let axis = dice.below(3);
-    let faces = dice.one_of(&[-1.0, 1.0]);
-    let corner = [dice.range(-2.0, 0.0), dice.range(-2.0, 0.0)];
+/// A random lamp that faces the origin.
+pub(crate) fn random_lamp(rng: &mut ProbeRng) -> Panel {
+    let axis = rng.below(3);
+    let faces = rng.one_of(&[-1.0, 1.0]);
+    let corner = [rng.range(-2.0, 0.0), rng.range(-2.0, 0.0)];
     Panel {
         axis,
-        at: -faces * dice.range(1.5, 3.0),
+        at: -faces * rng.range(1.5, 3.0),
         min: corner,
-        max: corner.map(|least| least + dice.range(0.5, 2.0)),
+        max: corner.map(|least| least + rng.range(0.5, 2.0)),
         faces,
-        material: Material::Emission([1.0, 2.0, 3.0].map(|most| dice.range(0.1, most))),
+        material: Material::Emission([1.0, 2.0, 3.0].map(|most| rng.range(0.1, most))),
     }
 }
 
-/// A unit vector from its direction.
+/// The normalised vector.
 pub(crate) fn unit(v: [f64; 3]) -> Xyz {
     Vec3::from(v).normalize().into()
 }

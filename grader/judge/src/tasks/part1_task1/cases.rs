@@ -1,4 +1,4 @@
-//! The sample loop of a pixel.
+//! Cases of the sample loop of a pixel.
 
 use crate::cases::Spec;
 use crate::tally::Aspect::{Calls, Placement, Radiance, Spread};
@@ -10,8 +10,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "center_of_each_pixel",
-            "One sample a pixel goes through its centre, ((x + 0.5) / w, (y + 0.5) / h); the film \
-             is not square. Pitfall: integer division makes every pixel (0, 0).",
+            "With one sample a pixel, the ray goes through the centre of the pixel, ((x + 0.5) / \
+             w, (y + 0.5) / h). The film is not square. Pitfall: integer division gives (0, 0) \
+             for every pixel.",
             work([7, 3], all([7, 3]), 1, PixelWorld::Ramp, 0),
         ),
         case(
@@ -22,7 +23,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Placement]),
         case(
             "large_film",
-            "Corners and centre of a film of 8192 x 4320 pixels.",
+            "The corner pixels and the centre pixel of a film of 8192 x 4320 pixels.",
             work(
                 [8192, 4320],
                 vec![[0, 0], [8191, 0], [0, 4319], [8191, 4319], [4096, 2160]],
@@ -34,27 +35,27 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Placement]),
         case(
             "samples_inside_the_pixel",
-            "16 samples a pixel: each somewhere else, all inside the pixel, spread evenly \
-             over it.",
+            "16 samples a pixel: each at a different point, all inside the pixel, distributed \
+             uniformly over it.",
             work([9, 8], all([9, 8]), 16, PixelWorld::Ramp, 0),
         )
         .only(&[Calls, Placement, Spread]),
         case(
             "fresh_samples",
-            "64 samples a pixel with other random numbers for each seed.",
+            "64 samples a pixel, with random numbers that depend on the seed.",
             work([6, 5], all([6, 5]), 64, PixelWorld::Ramp, seed),
         ),
         case(
             "odd_number_of_samples",
-            "7 samples a pixel: as many rays, and their mean. Pitfall: whoever takes whole rows of \
-             samples, or starts the loop at 1, has another number.",
+            "7 samples a pixel: 7 rays, and their mean. Pitfall: sampling in whole rows of a \
+             grid, or starting the loop at 1, traces another number of rays.",
             work([5, 4], all([5, 4]), 7, PixelWorld::Ramp, 0),
         )
         .only(&[Calls, Radiance]),
         case(
             "bright_light",
-            "Radiance may be far above 1: it is averaged as it comes. Pitfall: a mean of clamped \
-             values is too dark.",
+            "Radiance can be far above 1; the pixel is the mean of the samples as they are. \
+             Pitfall: the mean of clamped samples is too dark.",
             work(
                 [3, 2],
                 all([3, 2]),
@@ -66,8 +67,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "light_and_dark",
-            "Samples are bright and black by turns: the pixel is their mean. Pitfall: neither their \
-             sum nor the last one is.",
+            "Samples alternate between bright and black; the pixel is their mean. Pitfall: it is \
+             neither their sum nor the last sample.",
             work(
                 [3, 2],
                 all([3, 2]),
@@ -79,13 +80,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "no_samples",
-            "No samples: nothing is known, so the pixel is black and says so. Pitfall: their mean is 0 / 0.",
+            "With 0 samples the radiance is black and the sample count is 0. Pitfall: the mean of \
+             no samples is 0 / 0.",
             work([3, 2], all([3, 2]), 0, PixelWorld::Ramp, 0),
         )
         .only(&[Calls, Radiance]),
         case(
             "beyond_the_film",
-            "Pixels beside and above the film: a camera sees there, too.",
+            "Pixels to the right of the film and above it: the same formula applies.",
             work(
                 [4, 3],
                 vec![[4, 0], [0, 3], [9, 7], [400, 300]],
@@ -99,8 +101,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             picture: Some(PICTURE),
             ..case(
                 "picture_of_rings",
-                "A picture of rings with one sample a pixel; the rings in the corners are \
-                 what one sample cannot resolve.",
+                "A picture of concentric rings with one sample a pixel. The rings in the corners \
+                 are aliasing: the true ones are too narrow for one sample a pixel.",
                 work(PICTURE, all(PICTURE), 1, PixelWorld::Rings, 0),
             )
         },

@@ -1,24 +1,24 @@
-//! Judging the sample loop of a pixel.
+//! Judges the sample loop of a pixel.
 //!
-//! How samples spread is judged by z-tests over all pixels of a case, so that every sound way of
-//! sampling passes: independent, jittered, a low-discrepancy set, in any order.
+//! The distribution of samples is judged by z-tests over all pixels of a case, so that every
+//! correct sampler passes: independent, jittered or low-discrepancy samples, in any order.
 
 use crate::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 
-/// How far a point may be off or outside its pixel, in pixels: `x / w` and back rounds a few times,
-/// on a film thousands of pixels wide.
+/// How far a point may be from the centre or outside its pixel, in pixels: dividing by `w` and
+/// multiplying again rounds a few times, on a film thousands of pixels wide.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// How far a radiance may be off, as a part of the brightest sample: a thousand samples are a
-/// thousand roundings.
+/// How far a radiance may be off, relative to the brightest sample: a sum of a thousand samples
+/// rounds a thousand times.
 const RADIANCE_BOUND: f64 = 1e-12;
 
-/// A test fails beyond so many standard deviations: sound independent samples do with probability
-/// 8e-11, at most 1e-9 with the skew of a thousand squares. A mean that is off by a seventh of a
-/// pixel over a thousand samples is sure to be seen.
+/// A test fails beyond this many standard deviations: correct independent samples fail it with a
+/// probability of 8e-11, at most 1e-9 with the skew of a thousand squares. A mean that is off by a
+/// seventh of a pixel over a thousand samples is always detected.
 const SIGMAS: f64 = 6.5;
 
 /// Judges `raytrace_pixel`.
@@ -33,10 +33,10 @@ pub(crate) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer
     }
 }
 
-/// Every sample is one point, one camera ray, one traced ray, counted once.
+/// Each sample is one call of `camera_ray` and one of `trace_ray`, and is counted once.
 fn calls(tally: &mut Tally, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &PixelAnswer) {
     tally.expect(Aspect::Calls);
-    let asked = format!("Pixel ({x}, {y}), ns_aa = {ns_aa}");
+    let input = format!("Pixel ({x}, {y}), ns_aa = {ns_aa}");
     let (points, traced) = (answer.points.len(), answer.traced.len());
     let right = points == ns_aa as usize && traced == ns_aa as usize && answer.samples == ns_aa;
     let off = points.abs_diff(ns_aa as usize) + traced.abs_diff(ns_aa as usize);
@@ -48,24 +48,24 @@ fn calls(tally: &mut Tally, call: usize, [x, y]: [u32; 2], ns_aa: u32, answer: &
     });
     tally.judge_class(Aspect::Calls, call, class, off as f64, || {
         format!(
-            "camera_ray was called {points} times, trace_ray {traced} times, and the estimate says {} samples. {asked}",
+            "your result: {points} calls of camera_ray, {traced} of trace_ray, and {} samples in the estimate; expected: {ns_aa} each. {input}",
             answer.samples
         )
     });
     let foreign = answer.traced.iter().filter(|from| from.is_none()).count();
     tally.judge(Aspect::Calls, call, foreign == 0, foreign as f64, || {
         format!(
-            "trace_ray was given {foreign} rays that camera_ray did not make: hand them on as they are. {asked}"
+            "trace_ray got {foreign} rays that camera_ray did not return: pass each ray on unchanged. {input}"
         )
     });
     let distinct: HashSet<u32> = answer.traced.iter().flatten().copied().collect();
     let repeated = traced - foreign - distinct.len();
     tally.judge(Aspect::Calls, call, repeated == 0, repeated as f64, || {
-        format!("{repeated} of {traced} traced rays went through a point that was traced before. {asked}")
+        format!("{repeated} of {traced} traced rays went through a point that was traced before. {input}")
     });
 }
 
-/// One sample goes through the centre of the pixel, several stay inside it.
+/// A single sample goes through the centre of the pixel; several lie inside it.
 fn placement(
     tally: &mut Tally,
     call: usize,
@@ -84,15 +84,15 @@ fn placement(
             let [x, y] = pixel;
             let [w, h] = work.film;
             let (left, bottom) = (f64::from(x), f64::from(y));
-            let wanted = if work.ns_aa == 1 {
+            let expected = if work.ns_aa == 1 {
                 format!(
-                    "right is the centre of the pixel, ({}, {})",
+                    "the centre of the pixel, ({}, {})",
                     (left + 0.5) / f64::from(w),
                     (bottom + 0.5) / f64::from(h)
                 )
             } else {
                 format!(
-                    "the pixel is from ({}, {}) to ({}, {})",
+                    "a point of the pixel, from ({}, {}) to ({}, {})",
                     left / f64::from(w),
                     bottom / f64::from(h),
                     (left + 1.0) / f64::from(w),
@@ -100,20 +100,20 @@ fn placement(
                 )
             };
             format!(
-                "camera_ray was asked for ({u}, {v}), {wanted}. Pixel ({x}, {y}) of a film of {w} x {h}, ns_aa = {}",
+                "your result: a sample at ({u}, {v}); expected: {expected}. Pixel ({x}, {y}) of a film of {w} x {h}, ns_aa = {}",
                 work.ns_aa
             )
         });
     }
 }
 
-/// The pixel's radiance is the mean of what its samples brought.
+/// The pixel's radiance is the mean of the radiances of its samples.
 fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnswer) {
     tally.expect(Aspect::Radiance);
     let samples = answer.traced_radiance.len() as f64;
     let mean = [0, 1, 2].map(|channel| {
         let sum: f64 = answer.traced_radiance.iter().map(|l| l[channel]).sum();
-        // Of no samples: black.
+        // Without samples: black.
         sum / samples.max(1.0)
     });
     let brightest = |channel: usize| {
@@ -124,23 +124,23 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
     let right = [0, 1, 2].map(|channel| off[channel] <= RADIANCE_BOUND * brightest(channel));
     let worst = off.into_iter().fold(0.0, f64::max);
     let class = right.iter().position(|right| !right).map(|channel| {
-        // A sum for a mean is so many times too much, wherever the samples fell.
+        // A sum in place of the mean has the same class, whatever the samples are.
         Class::of_number(answer.radiance[channel], mean[channel])
     });
     tally.judge_class(Aspect::Radiance, call, class, worst, || {
         format!(
-            "the radiance is {:?}, the mean of the {samples} radiances that trace_ray gave is {mean:?}. Pixel ({x}, {y})",
+            "your result: radiance {:?}; expected: {mean:?}, the mean of the {samples} radiances that trace_ray returned. Pixel ({x}, {y})",
             answer.radiance
         )
     });
 }
 
-/// Where a point of the film lies in its pixel, [0, 1]².
+/// The position of a film point in its pixel, in [0, 1]².
 fn offset(film: [u32; 2], pixel: [u32; 2], point: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|axis| point[axis] * f64::from(film[axis]) - f64::from(pixel[axis]))
 }
 
-/// The samples of a pixel differ, and those of all pixels fill it evenly.
+/// The samples of a pixel differ, and those of all pixels are distributed uniformly.
 fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
     tally.expect(Aspect::Spread);
     for (call, (pixel, answer)) in work.pixels.iter().zip(answers).enumerate() {
@@ -149,7 +149,7 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
         let repeated = all - distinct;
         tally.judge(Aspect::Spread, call, repeated == 0, 1e3, || {
             format!(
-                "only {distinct} of the {all} points of pixel {pixel:?} differ: each sample needs a random place of its own"
+                "only {distinct} of the {all} points of pixel {pixel:?} differ: each sample needs a random point of its own"
             )
         });
     }
@@ -173,22 +173,22 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
         let allowed = slack + SIGMAS * sigma;
         tally.judge(Aspect::Spread, 0, off <= allowed, off / allowed, || {
             format!(
-                "over {} samples {name} is {mean:.4}, of even samples {right:.4} (allowed {allowed:.4} off)",
+                "your result: {name} is {mean:.4} over {} samples; expected: {right:.4} (allowed error {allowed:.4})",
                 offsets.len()
             )
         });
     };
-    // Of a uniform u: mean 1/2, variance 1/12; (u - 1/2)² has variance 1/180, (u - 1/2)(v - 1/2)
-    // has 1/144.
+    // A uniform u has the mean 1/2 and the variance 1/12; (u - 1/2)² has variance 1/180, (u -
+    // 1/2)(v - 1/2) has 1/144.
     for (axis, name) in [(0, "x"), (1, "y")] {
-        let center = format!("the mean place in the pixel along {name}");
+        let center = format!("the mean position in the pixel along {name}");
         test(&center, mean_of(&|o| o[axis]), 0.5, 1.0 / 12.0);
-        let variance = format!("the variance of the place in the pixel along {name}");
+        let variance = format!("the variance of the position in the pixel along {name}");
         let square = mean_of(&|o| (o[axis] - 0.5).powi(2));
         test(&variance, square, 1.0 / 12.0, 1.0 / 180.0);
     }
     let product = mean_of(&|o| (o[0] - 0.5) * (o[1] - 0.5));
-    let name = "the covariance of the places along x and y";
+    let name = "the covariance of the positions along x and y";
     test(name, product, 0.0, 1.0 / 144.0);
 }
 
@@ -208,8 +208,8 @@ mod tests {
         }
     }
 
-    /// What is wrong about a sound loop whose samples are put where `place` says and whose answer
-    /// is then spoilt.
+    /// The aspects that fail for a correct loop whose samples `place` moves and whose answer
+    /// `spoil` changes.
     fn wrong(
         ns_aa: u32,
         place: impl Fn(Vec2) -> Vec2,
@@ -248,27 +248,33 @@ mod tests {
         failed.map(|finding| finding.aspect).collect()
     }
 
-    fn sound(_: &mut PixelAnswer) {}
+    fn unchanged(_: &mut PixelAnswer) {}
 
     #[test]
-    fn sound_sampling_passes() {
+    fn correct_sampling_passes() {
         for ns_aa in [1, 2, 4, 16, 64] {
-            assert_eq!(wrong(ns_aa, |s| s, sound), []);
-            assert_eq!(wrong(ns_aa, |s| 1.0 - s, sound), []);
+            assert_eq!(wrong(ns_aa, |s| s, unchanged), []);
+            assert_eq!(wrong(ns_aa, |s| 1.0 - s, unchanged), []);
         }
     }
 
     #[test]
-    fn samples_in_the_wrong_place_fail() {
+    fn samples_at_wrong_positions_fail() {
         assert_eq!(
-            wrong(16, |s| s - 0.5, sound),
+            wrong(16, |s| s - 0.5, unchanged),
             [Aspect::Placement, Aspect::Spread]
         );
-        assert_eq!(wrong(16, |s| 0.5 * s, sound), [Aspect::Spread]);
-        assert_eq!(wrong(16, |s| s * s, sound), [Aspect::Spread]);
-        assert_eq!(wrong(16, |s| Vec2::new(s.x, s.x), sound), [Aspect::Spread]);
-        assert_eq!(wrong(16, |_| Vec2::splat(0.25), sound), [Aspect::Spread]);
-        assert_eq!(wrong(1, |_| Vec2::ZERO, sound), [Aspect::Placement]);
+        assert_eq!(wrong(16, |s| 0.5 * s, unchanged), [Aspect::Spread]);
+        assert_eq!(wrong(16, |s| s * s, unchanged), [Aspect::Spread]);
+        assert_eq!(
+            wrong(16, |s| Vec2::new(s.x, s.x), unchanged),
+            [Aspect::Spread]
+        );
+        assert_eq!(
+            wrong(16, |_| Vec2::splat(0.25), unchanged),
+            [Aspect::Spread]
+        );
+        assert_eq!(wrong(1, |_| Vec2::ZERO, unchanged), [Aspect::Placement]);
     }
 
     #[test]

@@ -1,11 +1,11 @@
-//! How a snapshot shows the samples of a pixel.
+//! Writes the samples of a pixel to a snapshot.
 
 use crate::snapshot::lines::each;
 use crate::snapshot::{Forms, field, forms, number, vector};
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 
-/// Samples and radiance; on full lines the first points, too.
+/// Sample count and radiance; full lines also have the first points.
 pub(super) fn pixels(work: &PixelWork, answers: &[PixelAnswer]) -> Vec<Forms> {
     each(&work.pixels, answers, |pixel, answer| {
         let question = vec![field("pixel", vector(&pixel.map(f64::from)))];

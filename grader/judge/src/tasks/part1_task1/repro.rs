@@ -1,9 +1,9 @@
-//! Tests of the sample loop.
+//! Rust tests of the sample loop.
 
 use wire::work::PixelWork;
 
-/// One pixel, looked at sample by sample; then, for several samples, how they spread over all
-/// pixels of a film.
+/// A test of each sample of one pixel; if there are several samples, also of their distribution
+/// over all pixels of a film.
 pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2]) -> String {
     let PixelWork {
         film: [w, h],
@@ -16,7 +16,7 @@ pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2]) -> String {
 let film = FilmSize {{ w: {w}, h: {h} }};
 let mut points: Vec<Vec2> = Vec::new();
 let mut traced: Vec<Ray> = Vec::new();
-// By turns dark and brighter than white.
+// Alternates between dark and brighter than white.
 let light = |i: usize| Spectrum::new([0.0, 20.0, 0.25][i % 3], 3.0, 0.4);
 let estimate = raygen::raytrace_pixel(
     {x},
@@ -34,14 +34,14 @@ let estimate = raygen::raytrace_pixel(
     }},
 );
 assert_eq!((points.len(), traced.len(), estimate.samples), ({ns_aa}, {ns_aa}, {ns_aa}));
-assert!(traced.iter().all(|ray| points.contains(&Vec2::new(ray.o.x, ray.o.y))), \"another ray\");
+assert!(traced.iter().all(|ray| points.contains(&Vec2::new(ray.o.x, ray.o.y))), \"a ray that the camera did not return\");
 for (i, ray) in traced.iter().enumerate() {{
     assert!(traced[..i].iter().all(|other| other.o != ray.o), \"a ray was traced twice\");
 }}
 for (i, point) in points.iter().enumerate() {{
     let offset = *point * Vec2::new({w}.0, {h}.0) - Vec2::new({x}.0, {y}.0);
     let off = (offset - 0.5).abs().max_element();
-    assert!(off <= {allowed:?}, \"{{point}} is not where it should be in pixel ({x}, {y})\");
+    assert!(off <= {allowed:?}, \"{{point}} is at the wrong position in pixel ({x}, {y})\");
     assert!(points[..i].iter().all(|other| other != point), \"two samples at {{point}}\");
 }}
 let mean = (0..{ns_aa}).map(light).sum::<Spectrum>() / f64::from({ns_aa});
@@ -57,7 +57,7 @@ assert!(off.iter().all(|off| off.abs() <= 1e-10), \"{{:?}}, the mean is {{mean:?
     }
 }
 
-/// Mean, variance and covariance of the places in the pixel, over a film of 64 x 64.
+/// A test of the mean, variance and covariance of positions in the pixel, over a film of 64 x 64.
 fn spread(ns_aa: u32) -> String {
     format!(
         "let film = FilmSize {{ w: 64, h: 64 }};
@@ -81,11 +81,11 @@ for pixel in 0..64 * 64 {{
 let mean = |f: &dyn Fn(&Vec2) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
 // A regular pattern of {ns_aa} samples may be off by 1/{ns_aa}.
 let slack = 0.02 + 1.0 / {ns_aa}.0;
-assert!((mean(&|o| o.x) - 0.5).abs() <= slack && (mean(&|o| o.y) - 0.5).abs() <= slack, \"off centre\");
+assert!((mean(&|o| o.x) - 0.5).abs() <= slack && (mean(&|o| o.y) - 0.5).abs() <= slack, \"the mean position is not the centre\");
 for variance in [mean(&|o| (o.x - 0.5).powi(2)), mean(&|o| (o.y - 0.5).powi(2))] {{
-    assert!((variance - 1.0 / 12.0).abs() <= slack, \"the variance is {{variance}}, of even samples 1/12\");
+    assert!((variance - 1.0 / 12.0).abs() <= slack, \"the variance is {{variance}}, expected 1/12\");
 }}
-assert!(mean(&|o| (o.x - 0.5) * (o.y - 0.5)).abs() <= slack, \"x and y belong together\");
+assert!(mean(&|o| (o.x - 0.5) * (o.y - 0.5)).abs() <= slack, \"x and y are correlated\");
 "
     )
 }

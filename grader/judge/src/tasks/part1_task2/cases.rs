@@ -1,7 +1,7 @@
-//! Camera rays.
+//! Cases of camera rays.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Origin, Range, UnitLength};
 use kit::{Mat3, Vec3};
 use wire::Work;
@@ -12,14 +12,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "sensor_corners",
-            "A camera without rotation: (0, 0) is the bottom left of the sensor, (1, 1) the \
+            "A camera without rotation: sensor point (0, 0) is the bottom left corner, (1, 1) the \
              top right.",
             vec![camera(Vec3::new(1.0, 2.0, 3.0), Mat3::IDENTITY, 60.0, 40.0)],
             nine_points(),
         ),
         case(
             "fields_of_view",
-            "Each field of view is an angle in degrees and has its own axis; the half extent \
+            "The fields of view are angles in degrees, h_fov across and v_fov up; half the extent \
              of the sensor is tan(fov / 2).",
             fields_of_view(),
             nine_points(),
@@ -27,31 +27,31 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Direction, UnitLength]),
         case(
             "camera_to_world",
-            "Rotated and rolled cameras: c2w takes the direction to world space. Pitfall: its \
-             transpose turns the other way.",
+            "Rotated and rolled cameras: c2w rotates the direction to world space. Pitfall: the \
+             transpose of c2w rotates the other way.",
             rotated(),
             nine_points(),
         )
         .only(&[Direction]),
         case(
             "pinhole",
-            "All rays of a camera start at pos, near the world's origin and far from it, whatever \
-             n_clip is.",
+            "All rays of a camera start at pos, close to the world's origin and far from it, for \
+             any n_clip.",
             positions(),
             grid([3, 3]),
         )
         .only(&[Origin]),
         case(
             "clip_distances",
-            "The range is n_clip to f_clip along the unit ray, the same in the corner as in \
-             the centre.",
+            "The range of the ray is n_clip to f_clip, measured along the unit direction: the \
+             same in the corners as in the centre.",
             clipped(),
             nine_points(),
         )
         .only(&[Range]),
         case(
             "fresh_cameras",
-            "Cameras that differ for each seed.",
+            "Random cameras that depend on the seed.",
             fresh(seed),
             nine_points(),
         ),
@@ -59,7 +59,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             picture: Some(PICTURE),
             ..case(
                 "picture_of_directions",
-                "The directions of all rays of a picture.",
+                "The directions of all rays of a picture, shown as colours.",
                 vec![Camera {
                     h_fov: 80.0,
                     v_fov: 64.0,
@@ -71,8 +71,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         },
         case(
             "extreme_lenses",
-            "Fields of view from a millionth of a degree to 180: directions stay finite and \
-             unit, the centre stays the centre.",
+            "Fields of view from a millionth of a degree to 180 degrees: directions are finite \
+             and have length 1, and the ray of the sensor's centre points straight ahead.",
             extreme_lenses(),
             nine_points(),
         )
@@ -109,7 +109,7 @@ fn camera(pos: Vec3, c2w: Mat3, h_fov: f64, v_fov: f64) -> Camera {
 }
 
 fn placed(pos: Vec3, target: Vec3, up: Vec3) -> Camera {
-    let c2w = kit::Camera::look_at(pos, target, up).expect("the cases look along no up direction");
+    let c2w = kit::Camera::look_at(pos, target, up).expect("no case looks along its up direction");
     camera(pos, c2w, 50.0, 35.0)
 }
 
@@ -117,7 +117,7 @@ fn placed(pos: Vec3, target: Vec3, up: Vec3) -> Camera {
 fn nine_points() -> Vec<[f64; 2]> {
     let ends = [0.0, 0.5, 1.0];
     let mut points: Vec<[f64; 2]> = ends.iter().flat_map(|v| ends.map(|u| [u, *v])).collect();
-    // Off every axis of symmetry.
+    // Points on no axis of symmetry.
     points.extend([[0.2, 0.9], [0.7, 0.3], [0.05, 0.15]]);
     points
 }
@@ -178,22 +178,22 @@ fn clipped() -> Vec<Camera> {
 }
 
 fn fresh(seed: u64) -> Vec<Camera> {
-    let mut dice = Dice::new("fresh_cameras", seed);
+    let mut rng = ProbeRng::new("fresh_cameras", seed);
     let mut one = || {
-        let pos = 10.0 * dice.in_cube();
-        let backward = dice.direction();
+        let pos = 10.0 * rng.in_cube();
+        let backward = rng.direction();
         let up = loop {
-            let up = dice.direction();
+            let up = rng.direction();
             if up.cross(backward).length() > 0.3 {
                 break up;
             }
         };
-        let n_clip = dice.range(0.0, 1.0);
+        let n_clip = rng.range(0.0, 1.0);
         Camera {
-            h_fov: dice.range(5.0, 140.0),
-            v_fov: dice.range(5.0, 140.0),
+            h_fov: rng.range(5.0, 140.0),
+            v_fov: rng.range(5.0, 140.0),
             n_clip,
-            f_clip: n_clip + dice.range(1.0, 1e3),
+            f_clip: n_clip + rng.range(1.0, 1e3),
             ..placed(pos, pos - backward, up)
         }
     };

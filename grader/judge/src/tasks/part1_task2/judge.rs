@@ -1,4 +1,4 @@
-//! Judging camera rays.
+//! Judges camera rays.
 
 use crate::Tier;
 use crate::hits::show;
@@ -10,14 +10,15 @@ use wire::work::{Camera, Ray, Xyz};
 /// enough.
 const DIRECTION_BOUND: f64 = 1e-9;
 
-/// How far it may be off for robust points: a dozen roundings of numbers up to 1.
+/// How far a component of a direction may be off for robust points: a dozen roundings of numbers up
+/// to 1.
 const ROBUST_DIRECTION_BOUND: f64 = 1e-14;
 
 /// How far the length of a direction may be from 1: a few roundings of a square root and a
 /// division.
 const UNIT_BOUND: f64 = 1e-12;
 
-/// How far the origin may be off, as a part of the camera's distance from the world's origin.
+/// How far the origin may be off, relative to the camera's distance from the world's origin.
 const ORIGIN_BOUND: f64 = 1e-12;
 
 /// Judges `generate_ray`, called for every camera and for each of them with every sensor point.
@@ -45,7 +46,7 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     ] {
         tally.expect(aspect);
     }
-    let asked = || {
+    let input = || {
         format!(
             "Sensor point ({}, {}), h_fov = {}, v_fov = {}, pos = {}",
             point[0],
@@ -60,9 +61,9 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     let bound = ORIGIN_BOUND * pos.length();
     tally.judge(Aspect::Origin, call, off <= bound, off, || {
         format!(
-            "generate_ray gives o = {}, right is the camera's pos. {}",
+            "your result: o = {}; expected: the camera's pos. {}",
             show(o),
-            asked()
+            input()
         )
     });
 
@@ -79,19 +80,19 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
     tally.judge_class(Aspect::Direction, call, class, off, || {
         let columns = columns(&camera.c2w);
         format!(
-            "generate_ray gives d = {}, right is {} ({:.3} degrees away). {}, {columns}",
+            "your result: d = {}; expected: {} (angle between them {:.3} degrees). {}, {columns}",
             show(d),
             show(right),
             d.angle_between(right).to_degrees(),
-            asked()
+            input()
         )
     });
     let off = (length - 1.0).abs();
     tally.judge(Aspect::UnitLength, call, off <= UNIT_BOUND, off, || {
         format!(
-            "generate_ray gives d = {} of length {length}, not 1. {}",
+            "your result: d = {} of length {length}; expected: length 1. {}",
             show(d),
-            asked()
+            input()
         )
     });
     for (name, given, right) in [
@@ -102,18 +103,18 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
         let class = (!is_right).then_some(Class::Named(name));
         tally.judge_class(Aspect::Range, call, class, 1.0, || {
             format!(
-                "generate_ray gives t in [{}, {}], right is n_clip to f_clip, [{}, {}]. {}",
+                "your result: t in [{}, {}]; expected: n_clip to f_clip, [{}, {}]. {}",
                 ray.min_t,
                 ray.max_t,
                 camera.n_clip,
                 camera.f_clip,
-                asked()
+                input()
             )
         });
     }
 }
 
-/// The unit direction in world space: the sensor stands one unit in front of the camera, and its
+/// The exact unit direction in world space: the sensor is one unit in front of the camera, and its
 /// half extents are the tangents of half the fields of view.
 fn direction(camera: &Camera, [u, v]: [f64; 2]) -> Vec3 {
     let half = |degrees: f64| math::tan(degrees.to_radians() * 0.5);
@@ -125,9 +126,9 @@ fn direction(camera: &Camera, [u, v]: [f64; 2]) -> Vec3 {
     (x * right + y * up - backward).normalize()
 }
 
-/// How far the direction may turn because the angle is rounded before its tangent is taken: the
-/// relative error of `tan θ` is that of `θ` times `θ (tan θ + cot θ)`, a lot near 90 degrees. `θ`
-/// is rounded 4 times.
+/// The error of the direction due to rounding of the angle before its tangent is taken: the
+/// relative error of `tan θ` is that of `θ` times `θ (tan θ + cot θ)`, which is large near 90
+/// degrees. `θ` is rounded 4 times.
 fn angle_rounding(fov_degrees: f64) -> f64 {
     let half = fov_degrees.to_radians() * 0.5;
     let tan = math::tan(half);
@@ -156,7 +157,7 @@ mod tests {
         }
     }
 
-    /// What is wrong about the right ray after `spoil`.
+    /// The aspects that fail for the right ray after `spoil` has changed it.
     fn wrong(spoil: impl Fn(&mut Ray)) -> Vec<Aspect> {
         let (camera, point) = (camera(), [0.3, 0.8]);
         let mut ray = Ray {
@@ -174,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn each_aspect_is_judged_apart() {
+    fn each_aspect_is_judged_separately() {
         assert_eq!(wrong(|_| {}), []);
         assert_eq!(wrong(|ray| ray.o[1] += 1e-6), [Aspect::Origin]);
         assert_eq!(

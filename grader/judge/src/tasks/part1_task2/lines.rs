@@ -1,10 +1,10 @@
-//! How a snapshot shows camera rays.
+//! Writes camera rays to a snapshot.
 
 use crate::snapshot::lines::{each, ray_fields};
 use crate::snapshot::{Forms, field, forms, number, vector};
 use wire::work::{CameraWork, Ray};
 
-/// The direction; on full lines the whole ray.
+/// The direction; full lines have the whole ray.
 pub(super) fn rays(work: &CameraWork, rays: &[Ray]) -> Vec<Forms> {
     let cameras = 0..work.cameras.len();
     let calls = cameras.flat_map(|camera| work.sensor.iter().map(move |point| (camera, point)));

@@ -1,4 +1,4 @@
-//! Tests of camera rays.
+//! Rust tests of camera rays.
 
 use crate::repro::numbers::{float, vec3};
 use kit::Vec3;

@@ -1,4 +1,4 @@
-//! Judging probes against single triangles.
+//! Judges probes of single triangles.
 
 use crate::expected::Expected;
 use crate::hits::{Call, expect, record};
@@ -99,7 +99,7 @@ mod tests {
         }
     }
 
-    /// What is wrong about the right answer to `ray` after `spoil`.
+    /// The aspects that fail for the right answer to `ray` after `spoil` has changed it.
     fn wrong(ray: Ray, spoil: impl Fn(&mut TriangleAnswer)) -> Vec<Aspect> {
         let mut answer = answer(&ray);
         spoil(&mut answer);
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn each_field_of_a_hit_is_judged_apart() {
+    fn each_field_of_a_hit_is_judged_separately() {
         let inside = ray(1.0, 1.25);
         assert_eq!(wrong(inside, |_| {}), []);
         assert_eq!(wrong(inside, hit(|h| h.prim = 7)), [Primitive]);

@@ -45,7 +45,7 @@ impl Check for Triangles {
         work: &TriangleWork,
         answers: &Vec<TriangleAnswer>,
     ) {
-        let expected = spec.truths.of_shapes(spec, tier);
+        let expected = spec.expected_cache.of_shapes(spec, tier);
         judge::triangles(tally, &work.probes, expected, answers);
     }
 

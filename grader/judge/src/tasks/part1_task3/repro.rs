@@ -1,4 +1,4 @@
-//! Tests of triangles.
+//! Rust tests of triangles.
 
 use crate::repro::hits::{asserts, triangle_literal};
 use crate::repro::numbers::ray;
@@ -6,7 +6,7 @@ use crate::{Tier, convert, truth};
 use std::fmt::Write;
 use wire::work::{Probe, Xyz};
 
-/// Both functions on one probe. `None` where either answer scores.
+/// A test of both functions with one probe; `None` where either answer scores.
 pub(crate) fn triangle(tier: Tier, triangles: &[[Xyz; 6]], probe: &Probe) -> Option<String> {
     let vertices = triangles.get(probe.shape as usize)?;
     let shape = convert::triangle(vertices);

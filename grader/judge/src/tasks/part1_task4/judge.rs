@@ -1,4 +1,4 @@
-//! Judging probes against single spheres.
+//! Judges probes of single spheres.
 
 use crate::expected::Expected;
 use crate::hits::{Call, expect, record};

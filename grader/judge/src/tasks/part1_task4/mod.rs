@@ -45,7 +45,7 @@ impl Check for Spheres {
         work: &SphereWork,
         answers: &Vec<SphereAnswer>,
     ) {
-        let expected = spec.truths.of_shapes(spec, tier);
+        let expected = spec.expected_cache.of_shapes(spec, tier);
         judge::spheres(tally, &work.probes, expected, answers);
     }
 

@@ -1,4 +1,4 @@
-//! Tests of spheres.
+//! Rust tests of spheres.
 
 use crate::repro::hits::{asserts, sphere_literal};
 use crate::repro::numbers::ray;
@@ -6,7 +6,7 @@ use crate::{Tier, convert, truth};
 use std::fmt::Write;
 use wire::work::{Probe, Xyz};
 
-/// Both functions on one probe. `None` where either answer scores.
+/// A test of both functions with one probe; `None` where either answer scores.
 pub(crate) fn sphere(tier: Tier, spheres: &[(Xyz, f64)], probe: &Probe) -> Option<String> {
     let numbers = spheres.get(probe.shape as usize)?;
     let shape = convert::sphere(numbers);

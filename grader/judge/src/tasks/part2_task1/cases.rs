@@ -1,4 +1,4 @@
-//! Building the tree.
+//! Cases of building the tree.
 
 use crate::cases::Spec;
 use kit::{Aabb, PixelSampler, Vec3};
@@ -10,32 +10,34 @@ pub(crate) fn cases() -> Vec<Spec> {
     vec![
         case(
             "no_primitives",
-            "An empty scene: a tree over nothing, not a panic.",
+            "An empty scene: a tree over no primitives, without a panic.",
             Vec::new(),
             4,
         ),
         case(
             "one_primitive",
-            "One primitive and leaves of one: one leaf. Pitfall: `<` instead of `<=` in the leaf's \
-             condition never ends here.",
+            "One primitive and max_leaf_size 1: one leaf. Pitfall: with `<` for `<=` in the \
+             leaf's condition the recursion does not end.",
             vec![cube(Vec3::new(1.0, 2.0, 3.0), 0.5)],
             1,
         ),
         case(
             "two_primitives",
-            "Two primitives and leaves of one: one split, two leaves.",
+            "Two primitives and max_leaf_size 1: one split, two leaves.",
             vec![cube(Vec3::ZERO, 0.5), cube(Vec3::X * 3.0, 0.5)],
             1,
         ),
         case(
             "exactly_max_leaf_size",
-            "max_leaf_size primitives in one place: \"at most\" counts the end, so they may share a leaf, and no split tells them apart.",
+            "max_leaf_size primitives in one place: \"at most\" includes max_leaf_size, so they \
+             may share a leaf. No split point separates them.",
             vec![cube(Vec3::ONE, 0.5); 2],
             2,
         ),
         case(
             "equal_centroids",
-            "Nested boxes with one centre: no split point tells them apart, yet the recursion must end and no leaf may be too large.",
+            "Nested boxes with one centroid: no split point separates them, but the recursion \
+             must end and no leaf may be too large.",
             (1..=50)
                 .map(|i| cube(Vec3::new(4.0, -2.0, 1.0), f64::from(i)))
                 .collect(),
@@ -43,36 +45,38 @@ pub(crate) fn cases() -> Vec<Spec> {
         ),
         case(
             "duplicates_among_others",
-            "Forty copies of one box among others. Pitfall: once the others are split off, one side \
-             of every split is empty.",
+            "Forty copies of one box among other boxes. Pitfall: once the others are split off, \
+             one side of every split is empty.",
             duplicates_among_others(),
             4,
         ),
         case(
             "one_side_empty",
-            "A huge box beside small ones. Pitfall: the middle of the node's box leaves one side of \
-             the split empty.",
+            "A huge box next to small ones. Pitfall: a split at the middle of the node's box \
+             leaves one side empty.",
             one_side_empty(),
             2,
         ),
         case(
             "centroids_on_the_split",
             "A grid whose centroids lie on the split planes: each primitive goes to one side. \
-             Pitfall: with `<` for one side and `>` for the other they are lost.",
+             Pitfall: with `<` for one side and `>` for the other, these primitives are lost.",
             grid(),
             4,
         ),
         case(
             "long_boxes",
-            "Boxes that are long for their distance. Pitfall: splitting by a corner instead of the \
-             centroid peels off one at a time, and boxes around centroids are too small.",
+            "Boxes that are long compared with their distance. Pitfall: splitting by a corner \
+             instead of the centroid separates one box at a time, and boxes around centroids are \
+             too small.",
             long_boxes(),
             4,
         ),
         case(
             "far_from_the_origin",
-            "A cloud of boxes far away: each node's box holds its primitives and no more. Pitfall: \
-             a box that starts at (0, 0, 0) instead of empty reaches back to the origin.",
+            "A cloud of boxes far from the origin: each node's box is the smallest one around its \
+             primitives. Pitfall: a union that starts with (0, 0, 0) instead of the empty box \
+             extends to the origin.",
             cloud(500, Vec3::new(3e3, -5e3, 4e3)),
             4,
         ),
@@ -81,27 +85,28 @@ pub(crate) fn cases() -> Vec<Spec> {
         strip_case("strip_along_z", 2),
         case(
             "large_mesh",
-            "The boxes of a terrain of 100,000 triangles: the time grows as n log n, or the time limit ends it.",
+            "The boxes of a terrain of 100,000 triangles: a build in O(n log n) ends within the \
+             time limit.",
             terrain(),
             4,
         ),
         case(
             "leaf_size_0",
-            "Leaves of at most 0 primitives: that counts as 1. Pitfall: a recursion that never ends.",
+            "max_leaf_size 0 counts as 1. Pitfall: a recursion that does not end.",
             cloud(20, Vec3::ZERO),
             0,
         ),
         case(
             "halving_distances",
-            "Each box half as far as the one before. Pitfall: midpoint splits peel them off one by \
-             one, a thousand levels deep.",
+            "Each box at half the distance of the one before. Pitfall: midpoint splits separate \
+             one box at a time, a thousand levels deep.",
             (0..1000).map(halving).collect(),
             1,
         ),
         case(
             "thin_boxes",
-            "Boxes without extent on one axis, nearly none on another. Pitfall: a division by the \
-             extent finds no bin.",
+            "Boxes with no extent along one axis and nearly none along another. Pitfall: a \
+             division by the extent gives no valid bin.",
             thin_boxes(),
             2,
         ),
@@ -113,13 +118,14 @@ pub(crate) fn cases() -> Vec<Spec> {
         ),
         case(
             "nan_and_empty_boxes",
-            "Boxes of broken primitives among sound ones: they keep their place in the order and spoil no other box.",
+            "NaN boxes and empty boxes among valid ones: each primitive is in the order once, and \
+             the other boxes stay valid.",
             broken_boxes(),
             2,
         ),
         case(
             "infinite_boxes",
-            "Boxes without end on an axis: their centroid is NaN or infinite.",
+            "Boxes that are infinite along an axis: their centroid is NaN or infinite.",
             infinite_boxes(),
             2,
         ),
@@ -162,7 +168,8 @@ fn one_side_empty() -> Vec<Aabb> {
     small.chain([huge]).collect()
 }
 
-/// Unit cubes on the points of a grid, 9 a side: every middle is a centroid, again and again.
+/// Unit cubes on the points of a grid, 9 a side: the midpoint of each node is a centroid, at
+/// several levels.
 fn grid() -> Vec<Aabb> {
     let side = || (-4..=4).map(f64::from);
     let points = side().flat_map(|x| side().flat_map(move |y| side().map(move |z| (x, y, z))));
@@ -171,9 +178,8 @@ fn grid() -> Vec<Aabb> {
         .collect()
 }
 
-/// Box `i` reaches from just beyond `i / 2` to `3i / 2` along x, and another set likewise against
-/// it. Of all boxes up to `k` only the last ones lie beyond the middle, `k / 2`, with their nearer
-/// corner.
+/// Box `i` extends from just beyond `i / 2` to `3i / 2` along x; a second set is its mirror image.
+/// Of the boxes up to `k`, only the last ones have their nearer corner beyond the middle, `k / 2`.
 fn long_boxes() -> Vec<Aabb> {
     let along_x = (0..300).map(|i| {
         let i = f64::from(i);
@@ -202,16 +208,16 @@ fn cloud(n: u32, center: Vec3) -> Vec<Aabb> {
 fn strip_case(name: &'static str, axis: usize) -> Spec {
     case(
         name,
-        "A strip of boxes, in no order. Pitfall: only splits along the longest axis get anywhere.",
+        "A strip of boxes, in random order. Pitfall: only splits along the longest axis separate them.",
         strip(axis),
         4,
     )
 }
 
-/// 256 boxes one behind the other along an axis, a little out of line, in no order.
+/// 256 boxes one behind the other along an axis, with small random offsets, in permuted order.
 fn strip(axis: usize) -> Vec<Aabb> {
     let mut sampler = PixelSampler::new(axis as u32, 0, 2);
-    // 91 has no divisor in common with 256, so every place comes once.
+    // 91 and 256 have no common divisor, so every position comes once.
     (0..256_u32)
         .map(|i| {
             let mut center = random_point(&mut sampler);

@@ -1,7 +1,6 @@
-//! Judging a tree: whether it is one, holds everything, and saves work.
+//! Judges a tree: its structure, its bounds and the work that it needs.
 //!
-//! The tree comes from code under test: nothing about it is taken for granted, neither that its
-//! indices point somewhere nor that it has an end.
+//! The tree comes from code under test: indices may be out of range, and nodes may form a cycle.
 
 use crate::cases::recorded::TreeWork;
 use crate::tally::{Aspect, Class, Tally};
@@ -9,16 +8,16 @@ use kit::{Aabb, Vec3};
 use wire::answer::BuildAnswer;
 use wire::work::{Node, NodeKind, Tree, Xyz};
 
-/// A tree may cost this many times what the reference's costs. Median and midpoint splits differ by
-/// less than 1.5, a surface area heuristic gains; the wrong axis or loose boxes cost many times as
-/// much.
+/// The cost of a tree may be this many times that of the reference. Median and midpoint splits
+/// differ by less than 1.5, and a surface area heuristic is cheaper; splits along the wrong axis or
+/// loose boxes cost many times as much.
 const COST_FACTOR: f64 = 2.0;
 
-/// A tree may be this many times as deep as the reference's: a leaf of one more level costs nobody
-/// anything, a list costs all.
+/// A tree may be this many times as deep as the reference's: a few more levels cost little, but a
+/// list as deep as its length costs all the gain.
 const DEPTH_FACTOR: u32 = 4;
 
-/// Judges what `construct_bvh` made of `bounds`; its work where some is recorded.
+/// Judges the tree that `construct_bvh` built over `bounds`; its cost only if one is `recorded`.
 pub(crate) fn build(
     tally: &mut Tally,
     bounds: &[[Xyz; 2]],
@@ -39,56 +38,56 @@ pub(crate) fn build(
     }
     let repeatable = answer.repeatable;
     tally.judge(Aspect::Repeatable, 0, repeatable, 1.0, || {
-        "building twice from the same boxes gave two trees: does the order of a hash map or a random number decide?".into()
+        "your results: two different trees from the same boxes; expected: the same tree. Does it depend on the order of a hash map or on a random number?".into()
     });
     let tree = &answer.tree;
     let walk = match walk(tree, bounds.len()) {
         Ok(walk) => walk,
         Err(fault) => {
             let class = Some(Class::Named(fault.name));
-            tally.judge_class(Aspect::Structure, 0, class, 1.0, || fault.says);
+            tally.judge_class(Aspect::Structure, 0, class, 1.0, || fault.message);
             return;
         }
     };
     tally.judge(Aspect::Structure, 0, true, 0.0, String::new);
-    let held = held_boxes(tree, &walk, bounds);
-    judge_bounds(tally, tree, &held);
+    let tight = tight_boxes(tree, &walk, bounds);
+    judge_bounds(tally, tree, &tight);
     judge_leaves(tally, tree, bounds.len(), max_leaf_size);
     if let Some(recorded) = recorded {
-        judge_work(tally, tree, &walk, &held, recorded);
+        judge_work(tally, tree, &walk, &tight, recorded);
     }
 }
 
-/// Why what was built is no tree over the primitives.
+/// Why the nodes do not form a tree over the primitives.
 struct Fault {
-    /// For comparing with others.
+    /// The name of its class.
     name: &'static str,
     /// For people.
-    says: String,
+    message: String,
 }
 
 impl Fault {
-    fn new(name: &'static str, says: String) -> Fault {
-        Fault { name, says }
+    fn new(name: &'static str, message: String) -> Fault {
+        Fault { name, message }
     }
 }
 
-/// The nodes in an order in which parents come before their children, and how deep each is (the
-/// root is at 0).
+/// The nodes in an order in which parents come before their children, and the depth of each node (0
+/// for the root).
 struct Walk {
     parents_first: Vec<usize>,
     depth: Vec<u32>,
 }
 
-/// Goes through the tree once, and says what is wrong with it if it is none or does not hold each
-/// primitive once.
+/// Traverses the tree once. The error is the first fault: the nodes do not form a tree, or its
+/// leaves do not hold each primitive once.
 fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     let mut walk = Walk {
         parents_first: Vec::new(),
         depth: vec![0; tree.nodes.len()],
     };
     let mut reached = vec![false; tree.nodes.len()];
-    let mut placed_by = vec![None; tree.order.len()];
+    let mut leaf_of = vec![None; tree.order.len()];
     if tree.nodes.is_empty() && primitives > 0 {
         return Err(Fault::new(
             "no nodes",
@@ -113,7 +112,7 @@ fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
                         return Err(Fault::new(
                             "no such child",
                             format!(
-                                "node {at} names the child {child}, but the tree has {} nodes",
+                                "node {at} has the child {child}, but the tree has {} nodes",
                                 tree.nodes.len()
                             ),
                         ));
@@ -122,20 +121,20 @@ fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
                     next.push(child);
                 }
             }
-            NodeKind::Leaf { first, count } => take_run(&mut placed_by, at, first, count)?,
+            NodeKind::Leaf { first, count } => take_run(&mut leaf_of, at, first, count)?,
         }
     }
     if let Some(lost) = reached.iter().position(|reached| !reached) {
         return Err(Fault::new(
             "unreachable",
-            format!("node {lost} is below no other: it cannot be reached from node 0"),
+            format!("node {lost} is no child of any node: it cannot be reached from node 0"),
         ));
     }
-    if let Some(place) = placed_by.iter().position(Option::is_none) {
+    if let Some(place) = leaf_of.iter().position(Option::is_none) {
         return Err(Fault::new(
             "in no leaf",
             format!(
-                "no leaf holds order[{place}] (primitive {}): no ray will ever find it",
+                "no leaf holds order[{place}] (primitive {}): no ray is tested against it",
                 tree.order[place]
             ),
         ));
@@ -144,16 +143,11 @@ fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     Ok(walk)
 }
 
-/// Notes that the leaf `at` holds `order[first .. first + count]`.
-fn take_run(
-    placed_by: &mut [Option<usize>],
-    at: usize,
-    first: u32,
-    count: u32,
-) -> Result<(), Fault> {
+/// Records that the leaf `at` holds `order[first .. first + count]`.
+fn take_run(leaf_of: &mut [Option<usize>], at: usize, first: u32, count: u32) -> Result<(), Fault> {
     let (first, count) = (first as usize, count as usize);
-    let length = placed_by.len();
-    let run = placed_by.get_mut(first..first + count).ok_or_else(|| {
+    let length = leaf_of.len();
+    let run = leaf_of.get_mut(first..first + count).ok_or_else(|| {
         Fault::new(
             "beyond order",
             format!(
@@ -175,7 +169,7 @@ fn take_run(
     Ok(())
 }
 
-/// Whether `order` names each of the primitives once.
+/// Checks that `order` has each of the primitives once.
 fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
     let mut seen = vec![false; primitives];
     for &id in order {
@@ -206,19 +200,19 @@ fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
                     "lost"
                 },
                 format!(
-                    "{lost} of {primitives} primitives are lost, primitive {id} for one: does every one go left or right, also a centroid that lies on the split?"
+                    "{lost} of {primitives} primitives are in no leaf, for example primitive {id}: does each go left or right, even if its centroid lies on the split?"
                 ),
             ))
         }
     }
 }
 
-/// For each node the smallest box around the primitives below it.
-fn held_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
-    let mut held = vec![Aabb::EMPTY; tree.nodes.len()];
+/// For each node, the smallest box around the primitives below it.
+fn tight_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
+    let mut tight = vec![Aabb::EMPTY; tree.nodes.len()];
     for &at in walk.parents_first.iter().rev() {
-        held[at] = match tree.nodes[at].kind {
-            NodeKind::Interior { left, right } => held[left as usize].union(held[right as usize]),
+        tight[at] = match tree.nodes[at].kind {
+            NodeKind::Interior { left, right } => tight[left as usize].union(tight[right as usize]),
             NodeKind::Leaf { first, count } => tree.order
                 [first as usize..first as usize + count as usize]
                 .iter()
@@ -227,7 +221,7 @@ fn held_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
                 .fold(Aabb::EMPTY, Aabb::union),
         };
     }
-    held
+    tight
 }
 
 fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
@@ -237,12 +231,12 @@ fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
     }
 }
 
-fn judge_bounds(tally: &mut Tally, tree: &Tree, held: &[Aabb]) {
-    for (at, (node, held)) in tree.nodes.iter().zip(held).enumerate() {
+fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb]) {
+    for (at, (node, tight)) in tree.nodes.iter().zip(tight).enumerate() {
         let given = aabb(&node.bounds);
-        let right = given.contains(held);
-        let missing = (given.min - held.min)
-            .max(held.max - given.max)
+        let right = given.contains(tight);
+        let missing = (given.min - tight.min)
+            .max(tight.max - given.max)
             .max_element();
         let class = (!right).then_some(Class::Named(match node.kind {
             _ if at == 0 => "root",
@@ -251,9 +245,9 @@ fn judge_bounds(tally: &mut Tally, tree: &Tree, held: &[Aabb]) {
         }));
         tally.judge_class(Aspect::Bounds, 0, class, missing, || {
             format!(
-                "node {at} has the box {}, but the primitives below it reach over {}",
+                "node {at}: your result: the box {}; expected: a box that contains the primitives below it, {}",
                 show(&given),
-                show(held)
+                show(tight)
             )
         });
     }
@@ -295,23 +289,23 @@ fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size
             f64::from(count),
             || {
                 if for_nothing {
-                    return format!("leaf {at} holds nothing: every ray that meets it is asked in vain");
+                    return format!("leaf {at} is empty: expected at least one primitive");
                 }
-                format!("leaf {at} holds {count} primitives, max_leaf_size is {max_leaf_size}: when one side of a split is empty, split in another way, for example in two equal halves")
+                format!("leaf {at} holds {count} primitives, max_leaf_size is {max_leaf_size}: if one side of a split is empty, split in another way, for example into two halves of equal size")
             },
         );
     }
 }
 
-/// What a tree costs: the box and primitive tests that a random line through the scene has to make,
-/// by the surface area heuristic (Goldsmith and Salmon, "Automatic creation of object hierarchies
-/// for ray tracing", 1987): a line that meets the scene meets a convex box inside with the ratio of
-/// their areas.
+/// Judges the cost of a tree: the expected number of box and primitive tests of a random line
+/// through the scene, by the surface area heuristic (Goldsmith and Salmon, "Automatic creation of
+/// object hierarchies for ray tracing", 1987): a line that hits the scene's box hits a convex box
+/// inside it with a probability equal to the ratio of their areas.
 ///
-/// Areas are those of the nodes' own boxes, over that of the scene's true one, so that loose boxes
-/// cost.
-fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, held: &[Aabb], recorded: TreeWork) {
-    let scene = held.first().map_or(0.0, Aabb::surface_area);
+/// The areas are those of the nodes' boxes relative to the tight box of the scene, so that loose
+/// boxes increase the cost.
+fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recorded: TreeWork) {
+    let scene = tight.first().map_or(0.0, Aabb::surface_area);
     let tests = |node: &Node| match node.kind {
         NodeKind::Interior { .. } => 2.0,
         NodeKind::Leaf { count, .. } => f64::from(count),
@@ -323,16 +317,16 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, held: &[Aabb], record
         .sum();
     let cheap = cost <= COST_FACTOR * recorded.cost;
     let ratio = cost / recorded.cost;
-    let why = looseness(tree, held);
+    let why = cause_of_cost(tree, tight);
     let class = (!cheap).then_some(Class::Named(why));
     tally.judge_class(Aspect::Work, 0, class, ratio, || {
         format!(
-            "a line through this tree makes {cost:.1} tests on average, through the reference's {:.1} (up to {COST_FACTOR} times that is fine): is each node split along its longest axis, and is its box no larger than needed?",
+            "your result: {cost:.1} tests per random line; the reference: {:.1} (up to {COST_FACTOR} times that passes). Is each node split along its longest axis, and is its box as small as possible?",
             recorded.cost
         )
     });
     if !cheap && why == COSTLY_SPLITS {
-        // How much they cost tells them from each other.
+        // The cost tells different mistakes apart.
         let class = Class::of_size(ratio);
         tally.judge_class(Aspect::Work, 0, Some(class), ratio, String::new);
     }
@@ -341,22 +335,22 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, held: &[Aabb], record
     let class = (!flat).then_some(Class::Named("deep"));
     tally.judge_class(Aspect::Work, 0, class, f64::from(depth) / f64::from(recorded.depth), || {
         format!(
-            "the tree is {depth} levels deep, the reference's {} (up to {DEPTH_FACTOR} times that is fine): do the splits leave a fair share on both sides?",
+            "your result: a depth of {depth} levels; the reference: {} (up to {DEPTH_FACTOR} times that passes). Does each split leave several primitives on both sides?",
             recorded.depth
         )
     });
 }
 
-/// What costs in a tree whose boxes are as small as they can be.
+/// The cause of a high cost in a tree whose boxes are tight.
 const COSTLY_SPLITS: &str = "costly splits";
 
-/// What costs in a tree: boxes that are larger than what they hold, or how it was split.
-fn looseness(tree: &Tree, held: &[Aabb]) -> &'static str {
-    let boxes = || tree.nodes.iter().map(|node| aabb(&node.bounds)).zip(held);
-    let to_origin = |held: &Aabb| held.grown_by(Vec3::ZERO);
-    if boxes().all(|(given, held)| given == *held) {
+/// The cause of a high cost: loose boxes or bad splits.
+fn cause_of_cost(tree: &Tree, tight: &[Aabb]) -> &'static str {
+    let boxes = || tree.nodes.iter().map(|node| aabb(&node.bounds)).zip(tight);
+    let to_origin = |tight: &Aabb| tight.grown_by(Vec3::ZERO);
+    if boxes().all(|(given, tight)| given == *tight) {
         COSTLY_SPLITS
-    } else if boxes().all(|(given, held)| given == to_origin(held)) {
+    } else if boxes().all(|(given, tight)| given == to_origin(tight)) {
         "boxes that reach to the origin"
     } else {
         "loose boxes"
@@ -375,8 +369,8 @@ mod tests {
         [[6.0, 0.0, 0.0], [7.0, 1.0, 1.0]],
     ];
 
-    /// What the tree of [`right`] costs: 2 for the root, 2 leaves of 2 that fill 14/30 of its area
-    /// each.
+    /// The cost of the tree of [`right`]: 2 for the root, and 2 leaves of 2 primitives with 14/30
+    /// of its area each.
     const COST: TreeWork = TreeWork {
         cost: 2.0 + 2.0 * 2.0 * 14.0 / 30.0,
         depth: 1,
@@ -419,30 +413,30 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_tree_is_not_judged_further() {
-        let is_none = |change: fn(&mut Tree)| {
+    fn a_faulty_structure_fails() {
+        let fails = |change: fn(&mut Tree)| {
             let mut tree = right();
             change(&mut tree);
             assert!(failed(tree).contains(&Aspect::Structure));
         };
-        is_none(|tree| tree.nodes.clear());
-        is_none(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 1 });
-        is_none(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 0, right: 1 });
-        is_none(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 9 });
-        is_none(|tree| tree.nodes.push(leaf(0, 0, 0.0, 1.0)));
-        is_none(|tree| tree.nodes[2] = leaf(1, 2, 4.0, 7.0));
-        is_none(|tree| tree.nodes[2] = leaf(2, 1, 4.0, 7.0));
-        is_none(|tree| tree.nodes[2] = leaf(2, u32::MAX, 4.0, 7.0));
-        is_none(|tree| tree.order[3] = 0);
-        is_none(|tree| tree.order[3] = 4);
-        is_none(|tree| {
+        fails(|tree| tree.nodes.clear());
+        fails(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 1 });
+        fails(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 0, right: 1 });
+        fails(|tree| tree.nodes[0].kind = NodeKind::Interior { left: 1, right: 9 });
+        fails(|tree| tree.nodes.push(leaf(0, 0, 0.0, 1.0)));
+        fails(|tree| tree.nodes[2] = leaf(1, 2, 4.0, 7.0));
+        fails(|tree| tree.nodes[2] = leaf(2, 1, 4.0, 7.0));
+        fails(|tree| tree.nodes[2] = leaf(2, u32::MAX, 4.0, 7.0));
+        fails(|tree| tree.order[3] = 0);
+        fails(|tree| tree.order[3] = 4);
+        fails(|tree| {
             tree.order.pop();
             tree.nodes[2] = leaf(2, 1, 4.0, 7.0);
         });
     }
 
     #[test]
-    fn a_box_must_hold_what_is_below() {
+    fn a_box_must_contain_the_primitives_below() {
         let mut tree = right();
         tree.nodes[1] = leaf(0, 2, 0.5, 2.5);
         assert_eq!(failed(tree), [Aspect::Bounds]);

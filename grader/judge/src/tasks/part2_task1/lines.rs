@@ -1,9 +1,9 @@
-//! How a snapshot shows a tree.
+//! Writes a tree to a snapshot.
 
 use crate::snapshot::{Forms, field, forms, vector};
 use wire::work::{NodeKind, Tree};
 
-/// What is below each node; on full lines its box, too.
+/// The children or primitives of each node; full lines also have its box.
 pub(super) fn nodes(tree: &Tree) -> Vec<Forms> {
     let nodes = tree.nodes.iter();
     nodes

@@ -24,7 +24,7 @@ impl Check for Build {
         2
     }
 
-    /// Any tree fits: whether it is one over the primitives is judged, node by node.
+    /// Any answer fits: the structure of the tree is judged.
     fn fits(_: &BuildWork, _: &BuildAnswer) -> Result<(), String> {
         Ok(())
     }
@@ -43,7 +43,7 @@ impl Check for Build {
         repro::over(&work.bounds, work.max_leaf_size)
     }
 
-    /// The test does not count what the tree costs.
+    /// The test does not compute the cost of the tree.
     fn repro_shows(aspect: Aspect) -> bool {
         aspect != Aspect::Work
     }

@@ -1,14 +1,15 @@
-//! Tests of trees.
+//! Rust tests of trees.
 
 use crate::repro::numbers::vec3;
 use std::fmt::Write;
 use wire::work::Xyz;
 
-/// So many boxes still make a test that one can read.
+/// The largest number of boxes in a readable test.
 const BOXES: usize = 60;
 
-/// That what is built over a few boxes is a tree, holds each primitive once in leaves that are
-/// small enough, and that its boxes hold what is below them. Not what it costs.
+/// A test that the tree over a few boxes has a valid structure, each primitive once, leaves of at
+/// most `max_leaf_size` primitives, and boxes that contain the primitives below. The cost is not
+/// tested.
 pub(crate) fn over(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> Option<String> {
     if bounds.len() > BOXES {
         return None;
@@ -28,22 +29,22 @@ pub(crate) fn over(bounds: &[[Xyz; 2]], max_leaf_size: u32) -> Option<String> {
         text =
             String::from("use kit::{Aabb, Bvh, NodeKind};\nlet bounds: Vec<Aabb> = Vec::new();\n");
     }
-    let most = max_leaf_size.max(1);
+    let largest = max_leaf_size.max(1);
     let _ = write!(
         text,
         "
-/// The primitives below a node, which its box must hold.
+/// The primitives below a node; asserts that its box contains them.
 fn below(tree: &Bvh, bounds: &[Aabb], node: u32) -> Vec<u32> {{
     let node = &tree.nodes[node as usize];
     let ids: Vec<u32> = match node.kind {{
         NodeKind::Interior {{ left, right }} => [below(tree, bounds, left), below(tree, bounds, right)].concat(),
         NodeKind::Leaf {{ first, count }} => {{
-            assert!((1..={most}).contains(&count), \"a leaf of {{count}}\");
+            assert!((1..={largest}).contains(&count), \"a leaf of {{count}}\");
             tree.leaf(first, count).iter().map(|id| id.0).collect()
         }}
     }};
     for &id in &ids {{
-        assert!(node.bounds.contains(&bounds[id as usize]), \"{{:?}} does not hold primitive {{id}}\", node.bounds);
+        assert!(node.bounds.contains(&bounds[id as usize]), \"{{:?}} does not contain primitive {{id}}\", node.bounds);
     }}
     ids
 }}
@@ -52,8 +53,8 @@ let tree = bvh::construct_bvh(&bounds, {max_leaf_size});
 let mut ids = if tree.nodes.is_empty() {{ Vec::new() }} else {{ below(&tree, &bounds, 0) }};
 ids.sort_unstable();
 assert_eq!(ids, (0..bounds.len() as u32).collect::<Vec<u32>>());
-assert_eq!(tree.order.len(), bounds.len(), \"order names each primitive once\");
-assert_eq!(bvh::construct_bvh(&bounds, {max_leaf_size}), tree, \"the same boxes, another tree\");
+assert_eq!(tree.order.len(), bounds.len(), \"order must have each primitive once\");
+assert_eq!(bvh::construct_bvh(&bounds, {max_leaf_size}), tree, \"two builds over the same boxes differ\");
 "
     );
     Some(text)

@@ -1,4 +1,4 @@
-//! Rays and boxes.
+//! Cases of rays and boxes.
 
 use crate::cases::Spec;
 use crate::cases::crosses::wire_ray;
@@ -11,104 +11,109 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     let mut cases = vec![
         case(
             "all_octants",
-            "Rays from every corner of the sky through a box. Pitfall: where d is negative the ray \
-             meets the max plane first.",
+            "Rays from all eight octants through a box. Pitfall: where d is negative, the ray \
+             crosses the max plane first.",
             octants(),
         ),
         case(
             "miss_on_one_axis",
-            "Rays inside two of the three slabs, but beside the box on the third. Pitfall: all \
-             three axes must agree before anything is returned.",
+            "Rays inside two of the three slabs, but outside the third. Pitfall: all three axes \
+             must be tested before anything is returned.",
             beside_on_one_axis(),
         ),
         case(
             "behind",
-            "Boxes behind the origin: the line meets them, at t < 0 only.",
+            "Boxes behind the ray's origin: the line crosses them at t < 0 only.",
             behind(),
         ),
         case(
             "origin_inside",
-            "The ray starts inside: a hit, whose interval starts at min_t.",
+            "The ray starts inside the box: a hit, whose interval starts at min_t.",
             inside(),
         ),
         case(
             "along_an_axis_inside",
-            "Rays parallel to an axis between the planes of the other two: d is 0 there, which is no miss.",
+            "Rays parallel to an axis, inside the slabs of the other two: d is 0 there, and the \
+             ray hits.",
             along_axes(true),
         ),
         case(
             "along_an_axis_beside",
-            "Rays parallel to an axis beside the box: where d is 0 the origin decides.",
+            "Rays parallel to an axis, outside the box: on an axis where d is 0, the origin \
+             decides.",
             along_axes(false),
         ),
         case(
             "clipped",
-            "Ranges that end before the box, begin behind it or cut it: the interval is cut to min_t..max_t.",
+            "Ranges that end before the box, start behind it or cut it: the interval is clipped \
+             to min_t..=max_t.",
             clipped(),
         ),
         case(
             "any_length_of_d",
-            "Directions of other lengths than 1: t counts lengths of d.",
+            "Directions whose length is not 1: t is in units of the length of d.",
             scaled_directions(),
         ),
         case(
             "flat_box_crossed",
-            "Boxes without depth, as walls have, crossed by rays: entry and exit are the same t, and a hit.",
+            "Boxes without depth, such as those of walls: a ray that crosses one enters and \
+             leaves at the same t, which is a hit.",
             flat_crossed(),
         ),
         case(
             "near_misses",
-            "Rays that pass the box at a millionth of its size, at scales from 1e-6 to 1e6. \
-             Pitfall: padding by an epsilon makes hits of them.",
+            "Rays that pass the box at a millionth of its size, for sizes from 1e-6 to 1e6. \
+             Pitfall: padding by an epsilon turns these misses into hits.",
             near_misses(),
         ),
         case(
             "fresh_random",
-            "Random boxes and rays, fresh for each seed.",
+            "Random boxes and rays that depend on the seed.",
             random(seed),
         ),
         case(
             "origin_on_a_face",
-            "The origin on a plane of the box and the ray along it. Pitfall: 0 / 0 is NaN, and a \
-             comparison with NaN is false.",
+            "The origin lies on a plane of the box and the ray runs along that plane. Pitfall: 0 \
+             / 0 is NaN, and comparisons with NaN are false.",
             on_faces(),
         ),
         case(
             "flat_box_in_its_plane",
-            "Rays inside the plane of a flat box: faces count, so it is hit.",
+            "Rays inside the plane of a flat box: faces belong to the box, so the ray hits.",
             flat_in_plane(),
         ),
         case(
             "corners_and_edges",
-            "Rays aimed at corners and edges: rounding may make a hit of a miss, never a miss of a hit, or the picture has holes.",
+            "Rays aimed at corners and edges: rounding may turn a miss into a hit, but never a \
+             hit into a miss, which would be a hole in the picture.",
             corners_and_edges(seed),
         ),
         case(
             "point_box",
-            "A box of a single point: hit by a ray right through it.",
+            "A box that is a single point: a ray exactly through it hits.",
             point_boxes(),
         ),
         case(
             "empty_box",
-            "The box that holds nothing (min > max), and a range that holds nothing (min_t > \
-             max_t): both are a miss. Pitfall: sorting a box's two planes turns it inside out, into \
-             one that holds everything, and a comparison with each end alone does not notice an \
-             empty range.",
+            "An empty box (min > max) and an empty range (min_t > max_t): both are a miss. \
+             Pitfall: sorting the two planes of an axis turns an empty box into a large one, and \
+             comparing with each end of the range alone does not detect that the range is empty.",
             empty_boxes(),
         ),
         case(
             "infinite_box",
-            "Boxes without end on some axes. Pitfall: inf - inf and 0 * inf are NaN.",
+            "Boxes that are infinite along some axes. Pitfall: inf - inf and 0 * inf are NaN.",
             infinite_boxes(),
         ),
         case(
             "not_a_number",
-            "NaN in the box or the ray, and d = 0 outside the box: no hit.",
+            "NaN in the box or the ray, and d = 0 outside the box: a miss.",
             not_numbers(),
         ),
         case(
             "denormal_direction",
-            "A component of d so small that 1 / d overflows: not parallel, only nearly so.",
+            "A component of d so small that 1 / d overflows: the ray is nearly parallel, but not \
+             parallel.",
             denormal(),
         ),
     ];
@@ -130,13 +135,13 @@ fn case(name: &'static str, about: &'static str, probes: Vec<(Aabb, Ray)>) -> Sp
     Spec::new("part2.task2", name, about, work)
 }
 
-/// An unsymmetrical box, with no face on a round number.
+/// An asymmetric box, with no face at an integer.
 const BOX: Aabb = Aabb {
     min: Vec3::new(-1.3, 0.7, -2.1),
     max: Vec3::new(1.9, 2.4, -0.4),
 };
 
-/// A box of round numbers.
+/// A box with integer coordinates.
 const ROUND: Aabb = Aabb {
     min: Vec3::new(-1.0, -2.0, 1.0),
     max: Vec3::new(3.0, 2.0, 2.0),
@@ -192,7 +197,7 @@ fn beside_on_one_axis() -> Vec<(Aabb, Ray)> {
     for axis in 0..3 {
         for side in [-1.0, 1.0] {
             for corner in signs() {
-                // Flies nearly at right angles to `axis`, a little outside the slab all the time.
+                // Nearly perpendicular to `axis`, and a little outside the slab.
                 let mut o = BOX.centroid() + corner * Vec3::splat(6.0);
                 let mut target = BOX.centroid() - corner * Vec3::new(0.2, 0.1, 0.3);
                 let outside = BOX.centroid()[axis] + side * 0.5 * BOX.extent()[axis];
@@ -342,8 +347,7 @@ fn flat_crossed() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Rays parallel to a face, at right angles to one axis, that pass at a millionth of the box's
-/// size.
+/// Rays perpendicular to one axis that pass a face at a millionth of the box's size.
 fn near_misses() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for scale in [1e-6, 1.0, 1e6] {
@@ -381,8 +385,8 @@ fn random(seed: u64) -> Vec<(Aabb, Ray)> {
     (0..2000).map(one).collect()
 }
 
-/// Origins on a plane of the box, on either side of its middle and beside it, and rays along that
-/// plane; the zeros of `d` of both signs.
+/// Rays along a plane of the box, with origins before, in, behind and beside its face; the zeros of
+/// `d` have both signs.
 fn on_faces() -> Vec<(Aabb, Ray)> {
     let mut probes = Vec::new();
     for (axis, sign) in directions() {
@@ -422,8 +426,8 @@ fn flat_in_plane() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// Aims at every corner and at the middle of every edge: first in whole numbers, where nothing
-/// rounds, then from anywhere.
+/// Rays aimed at every corner and at the midpoint of every edge: first with integer coordinates,
+/// where nothing rounds, then with random origins.
 fn corners_and_edges(seed: u64) -> Vec<(Aabb, Ray)> {
     let mut sampler = PixelSampler::new(1, 2, seed);
     let mut probes = Vec::new();
@@ -488,7 +492,7 @@ fn empty_boxes() -> Vec<(Aabb, Ray)> {
     let of_boxes = boxes
         .into_iter()
         .flat_map(|b| rays.iter().map(move |ray| (b, *ray)));
-    // Of a range between these ends, turned round, both lie inside the box.
+    // Both ends of these ranges lie inside the box.
     let of_ranges = signs().map(|d| Ray {
         min_t: 8.0,
         max_t: 7.9,
@@ -544,14 +548,14 @@ fn not_numbers() -> Vec<(Aabb, Ray)> {
         let (mut low, mut high) = (ROUND, ROUND);
         low.min[axis] = f64::NAN;
         high.max[axis] = f64::NAN;
-        let (mut from_nowhere, mut to_nowhere) = (ray, ray);
-        from_nowhere.o[axis] = f64::NAN;
-        to_nowhere.d[axis] = f64::NAN;
+        let (mut nan_origin, mut nan_direction) = (ray, ray);
+        nan_origin.o[axis] = f64::NAN;
+        nan_direction.d[axis] = f64::NAN;
         probes.extend([
             (low, ray),
             (high, ray),
-            (ROUND, from_nowhere),
-            (ROUND, to_nowhere),
+            (ROUND, nan_origin),
+            (ROUND, nan_direction),
         ]);
     }
     probes.push((ROUND, Ray::new(ray.o, Vec3::ZERO)));
@@ -575,7 +579,7 @@ fn denormal() -> Vec<(Aabb, Ray)> {
     probes
 }
 
-/// A box as a camera sees it: the nearer it is entered, the brighter.
+/// A box seen by a camera: the nearer the ray enters it, the brighter.
 fn picture() -> Spec {
     const SIZE: [u32; 2] = [64, 48];
     let eye = Vec3::new(3.1, 4.3, 5.2);
@@ -592,7 +596,7 @@ fn picture() -> Spec {
         picture: Some(SIZE),
         ..case(
             "picture",
-            "A box seen by a camera, bright where the ray enters it soon.",
+            "A box seen by a camera: the nearer the ray enters it, the brighter the pixel.",
             probes.collect(),
         )
     }

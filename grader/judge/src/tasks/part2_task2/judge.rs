@@ -1,4 +1,4 @@
-//! Judging where rays are inside boxes.
+//! Judges the intervals of rays inside boxes.
 
 use crate::Tier;
 use crate::convert;
@@ -8,11 +8,10 @@ use kit::{Aabb, Interval, Vec3};
 use oracle::{self, BoxJudgement, KernelClass};
 use wire::work::{Probe, Xyz};
 
-/// Judges the answers of `intersect_bbox` by the exact oracle.
+/// Judges the results of `intersect_bbox` by the exact oracle.
 ///
-/// A box test serves a tree: a hit it does not see is a hole in the picture, a hit that is none
-/// costs a test. So a false miss is always wrong, and a false hit only if the ray misses by more
-/// than rounding.
+/// In a tree, a false miss of a box is a hole in the picture, a false hit only costs time. So a
+/// false miss is always wrong, and a false hit only if the ray misses by more than rounding errors.
 pub(crate) fn boxes(
     tally: &mut Tally,
     tier: Tier,
@@ -49,12 +48,12 @@ pub(crate) fn boxes(
                     .ends
                     .map_or([f64::NAN; 2], |(near, far)| [near.to_f64(), far.to_f64()]);
                 format!(
-                    "intersect_bbox says miss; the ray is inside from t = {from} to t = {to}. {}",
+                    "your result: miss; expected: inside from t = {from} to t = {to}. {}",
                     about()
                 )
             }
             Some([from, to]) => format!(
-                "intersect_bbox says inside from t = {from} to t = {to}; the ray misses. {}",
+                "your result: inside from t = {from} to t = {to}; expected: miss. {}",
                 about()
             ),
         });
@@ -70,7 +69,7 @@ pub(crate) fn boxes(
         tally.judge(Aspect::Interval, call, end.is_none(), off, || {
             let (which, given, right) = end.unwrap_or(("", from, from));
             format!(
-                "intersect_bbox gives an interval that {which}s at t = {given}, right is t = {right}. {}",
+                "your result: the interval {which}s at t = {given}; expected: t = {right}. {}",
                 about()
             )
         });
@@ -120,9 +119,9 @@ mod tests {
         assert_eq!(failed(beside, Some([2.0, 3.0])), [Aspect::Decision]);
     }
 
-    /// The ray touches an edge: the reference may not lose it, not even by a bit.
+    /// A ray in the plane of a face must not be missed.
     #[test]
-    fn an_edge_is_never_missed() {
+    fn a_ray_in_a_face_is_never_missed() {
         let along_the_face = Ray {
             o: [1.0, 0.5, -2.0],
             ..THROUGH

@@ -1,4 +1,4 @@
-//! `part2.task2`: where rays are inside boxes.
+//! `part2.task2`: intervals of rays inside boxes.
 
 pub(crate) mod cases;
 mod judge;

@@ -1,4 +1,4 @@
-//! Tests of boxes.
+//! Rust tests of boxes.
 
 use crate::Tier;
 use crate::convert;
@@ -8,11 +8,12 @@ use oracle::{self, KernelClass};
 use std::fmt::Write;
 use wire::work::{Probe, Xyz};
 
-/// How far an end of the interval may be off in a pasted test, relative to it: far above the
-/// grader's bound, far below any mistake.
+/// Relative error that a test allows at an end of the interval: far above the grader's bound, far
+/// below the effect of a mistake.
 const END_ERROR: f64 = 1e-12;
 
-/// Hit or miss, and where the interval begins and ends. `None` where either answer scores.
+/// A test of hit or miss, and of the start and end of the interval; `None` where either answer
+/// scores.
 pub(crate) fn interval(tier: Tier, boxes: &[[Xyz; 2]], probe: &Probe) -> Option<String> {
     let [min, max] = *boxes.get(probe.shape as usize)?;
     let b = Aabb {

@@ -1,22 +1,22 @@
-//! Walking the tree.
+//! Cases of traversing the tree.
 
 use crate::cases::Spec;
-use crate::cases::crosses::{Cross, World, along};
-use crate::cases::plan::Plan;
+use crate::cases::crosses::{Cross, CrossScene, along};
+use crate::cases::tree_plan::TreePlan;
 use kit::{PixelSampler, Ray, Vec3};
 use wire::Work;
 use wire::work::NodeKind;
 
-/// The cases of `part2.task3` in worlds of their own; none of them needs another task.
+/// The cases of `part2.task3` with scripted worlds; none of them needs another task.
 pub(crate) fn cases() -> Vec<Spec> {
-    let mut cases = by_hand();
-    cases.extend(at_random());
+    let mut cases = hand_written();
+    cases.extend(random());
     cases.extend(counted());
     cases.extend(deep());
     cases
 }
 
-/// Whether the tests that a case makes are counted.
+/// Whether a case judges the number of box and primitive tests.
 pub(crate) fn counts_work(case: &str) -> bool {
     ["nearer_first", "stops_at_first_hit"].contains(&case)
 }
@@ -30,12 +30,12 @@ fn block(x0: f64, x1: f64) -> Cross {
     Cross::new(Vec3::new(x0, -1.0, -1.0), Vec3::new(x1, 1.0, 1.0))
 }
 
-/// The same box, its plate across x at `x`.
+/// The same box, with the plate perpendicular to x at `x`.
 fn block_with_plate(x0: f64, x1: f64, x: f64) -> Cross {
     block(x0, x1).with_plates(Vec3::new(x, 0.0, 0.0))
 }
 
-/// Rays along x, forwards and backwards and with steps of 1 and 2, at different heights.
+/// Rays along x, in both directions, with |d| of 1, 2 and 0.5, at different heights.
 fn through_blocks() -> Vec<Ray> {
     let mut rays = Vec::new();
     for y in [0.0, 0.5, -0.75, 1.5] {
@@ -52,108 +52,113 @@ fn through_blocks() -> Vec<Ray> {
     rays
 }
 
-fn leaf(ids: &[u32]) -> Plan {
-    Plan::Leaf(ids.to_vec())
+fn leaf(ids: &[u32]) -> TreePlan {
+    TreePlan::Leaf(ids.to_vec())
 }
 
-fn by_hand() -> Vec<Spec> {
-    let one_leaf = World::new(
+fn hand_written() -> Vec<Spec> {
+    let one_leaf = CrossScene::new(
         vec![block(0.0, 1.0), block(3.0, 4.0), block(6.0, 7.0)],
         &leaf(&[0, 1, 2]),
     );
-    let siblings = World::new(
+    let siblings = CrossScene::new(
         vec![
             block(0.0, 1.0),
             Cross::new(Vec3::new(4.0, 0.25, -1.0), Vec3::new(5.0, 2.0, 1.0)),
             block(8.0, 9.0),
         ],
-        &Plan::split(Plan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
+        &TreePlan::split(TreePlan::split(leaf(&[0]), leaf(&[1])), leaf(&[2])),
     );
-    let box_in_box = World::new(
+    let box_in_box = CrossScene::new(
         vec![
             block_with_plate(0.0, 20.0, 19.0),
             block_with_plate(8.0, 12.0, 9.0),
         ],
-        &Plan::split(leaf(&[0]), leaf(&[1])),
+        &TreePlan::split(leaf(&[0]), leaf(&[1])),
     );
-    let reversed = World::new(
+    let reversed = CrossScene::new(
         vec![
             block_with_plate(0.0, 4.0, 3.0),
             block_with_plate(0.0, 4.0, 1.0),
             block(6.0, 7.0),
         ],
-        &Plan::split(leaf(&[0, 1]), leaf(&[2])),
+        &TreePlan::split(leaf(&[0, 1]), leaf(&[2])),
     );
-    let flat = World::new(
+    let flat = CrossScene::new(
         vec![block(1.0, 1.0), block(5.0, 5.0), block(9.0, 9.0)],
-        &Plan::split(leaf(&[0]), Plan::split(leaf(&[1]), leaf(&[2]))),
+        &TreePlan::split(leaf(&[0]), TreePlan::split(leaf(&[1]), leaf(&[2]))),
     );
-    let twins = World::new(
+    let twins = CrossScene::new(
         vec![
             block(0.0, 2.0),
             block(0.0, 2.0),
             block(-1.0, 3.0),
             block(7.0, 9.0),
         ],
-        &Plan::split(leaf(&[3, 0]), Plan::split(leaf(&[2]), leaf(&[1]))),
+        &TreePlan::split(leaf(&[3, 0]), TreePlan::split(leaf(&[2]), leaf(&[1]))),
     );
     vec![
         case(
             "empty_tree",
             "A tree without nodes: every ray misses.",
-            World::empty().closest(&through_blocks()),
+            CrossScene::empty().closest(&through_blocks()),
         ),
         case(
             "one_leaf",
-            "A root that is a leaf of three.",
+            "The root is a leaf of three primitives.",
             one_leaf.closest(&through_blocks()),
         ),
         case(
             "both_children",
-            "Hits on the left, on the right and on both sides. Pitfall: one child alone, or `||` \
-             between the two, loses some.",
+            "Hits in the left child, in the right child and in both. Pitfall: visiting one child \
+             only, or combining both with `||`, loses hits.",
             siblings.closest(&through_blocks()),
         ),
         case(
             "box_in_box",
-            "The box that the ray enters first holds the farther hit. Pitfall: the first hit found \
-             is not the closest.",
+            "The box that the ray enters first contains the farther hit. Pitfall: the first hit \
+             found is not the closest.",
             box_in_box.closest(&through_blocks()),
         ),
         case(
             "leaf_in_any_order",
-            "A leaf whose farther primitive comes first: all of a leaf is asked.",
+            "A leaf whose farther primitive comes first: all primitives of a leaf are tested.",
             reversed.closest(&through_blocks()),
         ),
         case(
             "flat_boxes",
-            "Boxes without depth, as walls have: their interval is a single t, with min == max.",
+            "Boxes without depth, such as those of walls: their interval is a single t, with min \
+             == max.",
             flat.closest(&through_blocks()),
         ),
         case(
             "ties",
-            "Primitives in one place, in one leaf and in two: any of them, at their t.",
+            "Primitives in the same place, in one leaf and in two: any of them is right, at their \
+             t.",
             twins.closest(&through_blocks()),
         ),
         case(
             "clipped_rays",
-            "Ranges that begin or end before, between and behind the hits: what is out of range does not count, and a miss leaves max_t alone.",
+            "Ranges that start or end before, between and behind the hits: hits out of range do \
+             not count, and a miss does not change max_t.",
             siblings.closest(&clipped()),
         ),
         case(
             "clipped_rays_any_hit",
-            "The same question for any hit.",
+            "The same rays, traced for any hit.",
             siblings.any(&clipped()),
         ),
         case(
             "range_ends",
-            "Ranges that begin or end exactly at a hit in a flat box: both ends count, for the box too.",
+            "Ranges that start or end exactly at a hit in a flat box: both ends count, for boxes \
+             too.",
             flat.closest(&range_ends()),
         ),
         case(
             "rounded_boxes",
-            "Boxes that begin a few units in the last place behind their primitive, as rounding has \
-             it. Pitfall: skipping them against max_t without slack loses the closest hit.",
+            "Boxes whose interval starts a few units in the last place behind the hit inside, \
+             because of rounding. Pitfall: culling them against max_t without slack loses the \
+             closest hit.",
             rounded_boxes(),
         ),
     ]
@@ -205,7 +210,7 @@ fn range_ends() -> Vec<Ray> {
     rays
 }
 
-/// Pairs of primitives 2 ulp apart; the box of the nearer one comes out 6 ulp behind it.
+/// Pairs of primitives 2 ulp apart; the box interval of the nearer one starts 6 ulp behind it.
 fn rounded_boxes() -> Work {
     const NEARER: [u32; 2] = [0, 3];
     let wall = |y: f64, half: f64| {
@@ -214,16 +219,16 @@ fn rounded_boxes() -> Work {
             Vec3::new(1.0, y + half, 1.0),
         )
     };
-    let world = World::new(
+    let world = CrossScene::new(
         vec![
             wall(0.0, 1.0),
             wall(0.0, 0.75),
             wall(4.0, 0.75),
             wall(4.0, 1.0),
         ],
-        &Plan::split(
-            Plan::split(leaf(&[0]), leaf(&[1])),
-            Plan::split(leaf(&[2]), leaf(&[3])),
+        &TreePlan::split(
+            TreePlan::split(leaf(&[0]), leaf(&[1])),
+            TreePlan::split(leaf(&[2]), leaf(&[3])),
         ),
     );
     let from = |x: f64, step: f64| [0.0, 4.0].map(|y| along(0, step, Vec3::new(x, y, 0.0)));
@@ -260,25 +265,26 @@ fn rounded_boxes() -> Work {
     Work::Traverse(script)
 }
 
-fn at_random() -> Vec<Spec> {
+fn random() -> Vec<Spec> {
     let (world, rays) = random_world(60, 600);
     vec![
         case(
             "random_trees",
-            "Crowded boxes in a tree that pairs them at random, so that siblings overlap everywhere: the closest of all hits.",
+            "Overlapping boxes in a tree of random pairs, so that siblings overlap everywhere: \
+             the closest of all hits.",
             world.closest(&rays),
         ),
         case(
             "random_trees_any_hit",
-            "The same rays: any hit exactly where there is a closest one.",
+            "The same rays: there is any hit exactly where there is a closest hit.",
             world.any(&rays),
         ),
     ]
 }
 
-/// Boxes on a grid of halves, some flat, in a tree that joins random pairs from the leaves up; rays
-/// along all axes through cell middles, where nothing touches.
-fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
+/// Boxes with integer coordinates, some flat, in a tree that joins random pairs from the leaves up;
+/// rays along all axes through the centres of cells, where no ray touches a box edge.
+fn random_world(boxes: u32, rays: u32) -> (CrossScene, Vec<Ray>) {
     let mut sampler = PixelSampler::new(boxes, rays, 3);
     let mut whole = |n: f64| (n * sampler.next_1d()).floor();
     let mut crosses = Vec::new();
@@ -291,11 +297,11 @@ fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
         let inside = Vec3::new(whole(5.0), whole(5.0), whole(5.0)) / 4.0;
         crosses.push(Cross::new(min, min + size).with_plates(min + size * inside));
     }
-    let mut plans: Vec<Plan> = (0..boxes / 2).map(|i| leaf(&[2 * i + 1, 2 * i])).collect();
+    let mut plans: Vec<TreePlan> = (0..boxes / 2).map(|i| leaf(&[2 * i + 1, 2 * i])).collect();
     while plans.len() > 1 {
         let left = plans.swap_remove(whole(plans.len() as f64) as usize);
         let right = plans.swap_remove(whole(plans.len() as f64) as usize);
-        plans.push(Plan::split(left, right));
+        plans.push(TreePlan::split(left, right));
     }
     let rays = (0..rays).map(|i| {
         let o = Vec3::new(whole(24.0), whole(24.0), whole(24.0)) + 0.5;
@@ -313,20 +319,22 @@ fn random_world(boxes: u32, rays: u32) -> (World, Vec<Ray>) {
         }
     });
     let rays = rays.collect();
-    (World::new(crosses, &plans.remove(0)), rays)
+    (CrossScene::new(crosses, &plans.remove(0)), rays)
 }
 
 fn counted() -> Vec<Spec> {
     vec![
         case(
             "nearer_first",
-            "Layers behind layers: after a hit, boxes beyond max_t are skipped. Left child first is fine, nearer child first is better. Pitfall: the farther child first, or every box, is too much.",
+            "Layers behind layers: after a hit, boxes beyond max_t are culled. Visiting the left \
+             child first is accepted, the nearer child first makes fewer tests. Pitfall: visiting \
+             the farther child first, or every node, makes too many tests.",
             layers(),
         ),
         case(
             "stops_at_first_hit",
-            "A crowd of overlapping boxes, most of them hit: a shadow ray stops at the first.",
-            crowd(),
+            "Many overlapping boxes, most of them hit: a shadow ray stops at the first hit.",
+            overlapping_boxes(),
         ),
     ]
 }
@@ -347,7 +355,7 @@ fn layers() -> Work {
             crosses.push(Cross::new(min, min + size));
         }
         let ids: Vec<u32> = (first..first + LAYERS).collect();
-        stacks.push(Plan::halves(&ids, 1));
+        stacks.push(TreePlan::halves(&ids, 1));
         for i in 0..16 {
             let mut start =
                 corner + 0.5 + f64::from(i % 4) * Vec3::AXES[(axis + 2) % 3] + f64::from(i / 4);
@@ -357,13 +365,13 @@ fn layers() -> Work {
             rays.push(along(axis, -1.0, start));
         }
     }
-    let plan = stacks.into_iter().reduce(Plan::split);
+    let plan = stacks.into_iter().reduce(TreePlan::split);
     let plan = plan.unwrap_or_else(|| leaf(&[]));
-    World::new(crosses, &plan).closest(&rays)
+    CrossScene::new(crosses, &plan).closest(&rays)
 }
 
-/// Boxes that all reach from end to end along x, with their plates anywhere inside.
-fn crowd() -> Work {
+/// Boxes that all extend from end to end along x, with their plates at random positions inside.
+fn overlapping_boxes() -> Work {
     let mut sampler = PixelSampler::new(0, 0, 4);
     let crosses: Vec<Cross> = (0..256)
         .map(|i| {
@@ -383,15 +391,15 @@ fn crowd() -> Work {
             }
         })
         .collect();
-    World::new(crosses, &Plan::halves(&ids, 1)).any(&rays)
+    CrossScene::new(crosses, &TreePlan::halves(&ids, 1)).any(&rays)
 }
 
 fn deep() -> Vec<Spec> {
     vec![
         case(
             "deep_tree",
-            "A tree of 48 levels whose last leaf holds the hit. Pitfall: a stack of 32 nodes is too \
-             small.",
+            "A tree of 48 levels with the only hit in the last leaf. Pitfall: a stack of 32 nodes \
+             is too small.",
             chains(48),
         ),
         case(
@@ -402,10 +410,10 @@ fn deep() -> Vec<Spec> {
     ]
 }
 
-/// Four chains, one above the other: from level to level the rest of the chain is the left child or
-/// the right one, nearer than its sibling, a leaf, or farther. Whichever child a traversal prefers,
-/// in one of them all leaves wait on its stack until it comes to the end, and the only hit is in
-/// the last of them.
+/// Four chains, one above the other: at each level, one child is a leaf and the other the rest of
+/// the chain, on the left or on the right, nearer or farther than the leaf. Whichever child a
+/// traversal visits first, in one of the chains all leaves are on its stack before it reaches the
+/// end, and the only hit is in the last one it visits.
 fn chains(levels: u32) -> Work {
     let mut crosses = Vec::new();
     let mut chains = Vec::new();
@@ -427,8 +435,8 @@ fn chains(levels: u32) -> Work {
             });
             plan = Some(match (plan, rest_on_left) {
                 (None, _) => leaf(&[id]),
-                (Some(rest), true) => Plan::split(rest, leaf(&[id])),
-                (Some(rest), false) => Plan::split(leaf(&[id]), rest),
+                (Some(rest), true) => TreePlan::split(rest, leaf(&[id])),
+                (Some(rest), false) => TreePlan::split(leaf(&[id]), rest),
             });
         }
         chains.extend(plan);
@@ -438,7 +446,7 @@ fn chains(levels: u32) -> Work {
     }
     let plan = chains
         .into_iter()
-        .reduce(Plan::split)
+        .reduce(TreePlan::split)
         .unwrap_or_else(|| leaf(&[]));
-    World::new(crosses, &plan).closest(&rays)
+    CrossScene::new(crosses, &plan).closest(&rays)
 }

@@ -1,4 +1,4 @@
-//! Judging a walk through a tree in a world whose answers are written down.
+//! Judges a traversal of a tree in a scripted world, whose test results are given.
 
 use crate::hits;
 use crate::tally::{Aspect, Class, Tally};
@@ -6,12 +6,12 @@ use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
 use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
 
-/// A traversal may make this many times the tests of one that takes children as they come, from
-/// left to right or from right to left, on rays of which half run one way and half the other. Going
-/// farther-first or everywhere makes twice as many.
+/// A traversal may make this many times the tests of one that visits children in a fixed order,
+/// averaged over left to right and right to left. Half of the rays go one way and half the other.
+/// Visiting the farther child first, or every node, makes twice as many tests.
 const WORK_FACTOR: f64 = 1.5;
 
-/// Judges the answers of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
+/// Judges the results of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
 /// tests.
 pub(crate) fn traverse(
     tally: &mut Tally,
@@ -28,7 +28,7 @@ pub(crate) fn traverse(
     }
     if counts_work {
         tally.expect(Aspect::Work);
-        // Whoever does not find the hits is soon done.
+        // A traversal that misses hits makes fewer tests.
         if tally.is_right(Aspect::Decision) {
             work(tally, world, answers);
         }
@@ -54,25 +54,29 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
     let decided = right.is_some() == answer.hit.is_some();
     let class = hits::decision_class(decided, answer.hit.is_some());
     tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let said = match right {
-            Some((id, t)) => format!("intersect_bvh says miss; primitive {id} is hit at t = {t}"),
-            None => "intersect_bvh says hit; nothing is hit".into(),
+        let results = match right {
+            Some((id, t)) => format!("your result: miss; expected: primitive {id} at t = {t}"),
+            None => "your result: hit; expected: miss".into(),
         };
-        format!("{said}.{} {}", asked(answer), hits::show_ray(&scripted.ray))
+        format!(
+            "{results}.{} {}",
+            odd_tests(answer),
+            hits::show_ray(&scripted.ray)
+        )
     });
     if let (Some((id, t)), Some((given_t, given))) = (right, answer.hit) {
         let off = (given_t - t).abs();
         tally.judge(Aspect::T, call, given_t == t, off, || {
             format!(
-                "intersect_bvh gives primitive {given} at t = {given_t}; the closest is primitive {id} at t = {t}.{} {}",
-                asked(answer),
+                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}.{} {}",
+                odd_tests(answer),
                 hits::show_ray(&scripted.ray)
             )
         });
         let is_there = in_range(scripted).any(|(id, at)| id == given && at == t);
         tally.judge(Aspect::Primitive, call, is_there, 1.0, || {
             format!(
-                "intersect_bvh gives primitive {given}; at t = {t} is primitive {id}. {}",
+                "your result: primitive {given}; expected: primitive {id} at t = {t}. {}",
                 hits::show_ray(&scripted.ray)
             )
         });
@@ -93,41 +97,47 @@ fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Traverse
     let decided = blocker.is_some() == answer.hit.is_some();
     let class = hits::decision_class(decided, answer.hit.is_some());
     tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let said = match blocker {
+        let results = match blocker {
             Some((id, t)) => {
-                format!("occludes_bvh says no; primitive {id} is in the way at t = {t}")
+                format!(
+                    "your result: not occluded; expected: occluded by primitive {id} at t = {t}"
+                )
             }
-            None => "occludes_bvh says yes; nothing is in the way".into(),
+            None => "your result: occluded; expected: not occluded".into(),
         };
-        format!("{said}.{} {}", asked(answer), hits::show_ray(&scripted.ray))
+        format!(
+            "{results}.{} {}",
+            odd_tests(answer),
+            hits::show_ray(&scripted.ray)
+        )
     });
 }
 
-/// What is odd about the questions, if anything.
-fn asked(answer: &TraverseAnswer) -> String {
+/// A sentence about unexpected tests of the traversal, if it made any.
+fn odd_tests(answer: &TraverseAnswer) -> String {
     if answer.unknown_boxes > 0 {
         return format!(
-            " It asked for {} boxes that are no node's: ask with the node's own bounds.",
+            " It tested {} boxes that are no node's bounds: pass the bounds of the node to hit_box.",
             answer.unknown_boxes
         );
     }
     if answer.repeated_prims > 0 {
         return format!(
-            " It asked {} primitives more than once.",
+            " It tested {} primitives more than once.",
             answer.repeated_prims
         );
     }
     String::new()
 }
 
-/// Tests of many rays.
+/// The number of tests of many rays.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tests {
     boxes: u64,
     prims: u64,
 }
 
-/// Judges the number of tests, for the rays along each axis apart.
+/// Judges the number of tests, separately for the rays along each axis.
 fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let function = if world.any_hit {
         "occludes_bvh"
@@ -135,37 +145,39 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         "intersect_bvh"
     };
     let orders = [
-        left_to_right(&world.tree, false),
-        left_to_right(&world.tree, true),
+        depth_first(&world.tree, false),
+        depth_first(&world.tree, true),
     ];
-    let mut by_axis: BTreeMap<usize, Made> = BTreeMap::new();
+    let mut by_axis: BTreeMap<usize, AxisTotal> = BTreeMap::new();
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let axis = kit::Vec3::from(scripted.ray.d).abs().max_position();
-        let made = by_axis.entry(axis).or_insert_with(|| Made::since(call));
-        made.tests.boxes += u64::from(answer.box_tests);
-        made.tests.prims += u64::from(answer.prim_tests);
-        made.hits += u64::from(answer.prim_hits);
-        made.could_hit += in_range(scripted).count() as u64;
+        let total = by_axis
+            .entry(axis)
+            .or_insert_with(|| AxisTotal::since(call));
+        total.tests.boxes += u64::from(answer.box_tests);
+        total.tests.prims += u64::from(answer.prim_tests);
+        total.hits += u64::from(answer.prim_hits);
+        total.could_hit += in_range(scripted).count() as u64;
         for order in &orders {
             let tests = plain_tests(world, order, scripted);
-            made.twice_plain.boxes += tests.boxes;
-            made.twice_plain.prims += tests.prims;
+            total.twice_plain.boxes += tests.boxes;
+            total.twice_plain.prims += tests.prims;
         }
     }
-    for made in by_axis.into_values() {
-        let Made {
+    for total in by_axis.into_values() {
+        let AxisTotal {
             call,
             tests,
             twice_plain,
             ..
-        } = made;
+        } = total;
         let mut count = |what: &str, tests: u64, twice_plain: u64| {
             let plain = twice_plain as f64 / 2.0;
             let times = tests as f64 / plain;
-            let class = (times > WORK_FACTOR).then(|| made.why(times));
+            let class = (times > WORK_FACTOR).then(|| total.why(times));
             tally.judge_class(Aspect::Work, call, class, times, || {
                 format!(
-                    "{function} makes {tests} {what} tests where taking children as they come makes {plain:.0} (up to {WORK_FACTOR} times that is fine). {}",
+                    "your result: {function} makes {tests} {what} tests; visiting children in a fixed order makes {plain:.0} (up to {WORK_FACTOR} times that passes). {}",
                     hits::show_ray(&world.rays[call].ray)
                 )
             });
@@ -174,28 +186,28 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         count("primitive", tests.prims, twice_plain.prims);
         tally.judge(Aspect::Work, call, tests.boxes > 0, f64::INFINITY, || {
             format!(
-                "{function} never asks about a box: ask world.hit_box before going below a node"
+                "{function} makes no box test: call world.hit_box before visiting the children of a node"
             )
         });
     }
 }
 
-/// What was made of all rays along an axis.
-struct Made {
-    /// The first of them.
+/// The totals over all rays along one axis.
+struct AxisTotal {
+    /// The first of these rays.
     call: usize,
     tests: Tests,
-    /// What taking children as they come makes of them, from the left and from the right together.
+    /// The tests of a traversal in a fixed order: the sum over left to right and right to left.
     twice_plain: Tests,
-    /// Primitives that were hit when they were asked for.
+    /// Primitive tests that were hits.
     hits: u64,
     /// Primitives that are hit in the rays' ranges.
     could_hit: u64,
 }
 
-impl Made {
-    fn since(call: usize) -> Made {
-        Made {
+impl AxisTotal {
+    fn since(call: usize) -> AxisTotal {
+        AxisTotal {
             call,
             tests: Tests::default(),
             twice_plain: Tests::default(),
@@ -204,25 +216,26 @@ impl Made {
         }
     }
 
-    /// The class of too many tests: going to the farther child first, or on after a hit, finds all
-    /// that is hit; not cutting boxes off at a hit finds no more than the nearest.
+    /// The class of too many tests. A traversal that visits the farther child first, or does not
+    /// stop at a hit, finds nearly all hits; one that does not cull boxes at max_t finds only the
+    /// nearest.
     fn why(&self, times: f64) -> Class {
         match self.hits as f64 / self.could_hit.max(1) as f64 {
-            ALL_FROM.. => Class::Named("finds all that is hit"),
-            MANY_FROM.. => Class::Named("finds much of what is hit"),
+            ALL_HITS_SHARE.. => Class::Named("finds all that is hit"),
+            MANY_HITS_SHARE.. => Class::Named("finds much of what is hit"),
             _ => Class::of_size(times),
         }
     }
 }
 
-/// From this share on, all of what is hit was found,
-const ALL_FROM: f64 = 0.9;
+/// From this share of hits on, the class is "finds all that is hit".
+const ALL_HITS_SHARE: f64 = 0.9;
 
-/// from this one on, much of it.
-const MANY_FROM: f64 = 0.25;
+/// From this share of hits on, the class is "finds much of what is hit".
+const MANY_HITS_SHARE: f64 = 0.25;
 
-/// All nodes, each before what is below it, left before right or `mirrored`.
-fn left_to_right(tree: &Tree, mirrored: bool) -> Vec<usize> {
+/// All nodes in depth-first order, left before right, or right before left if `mirrored`.
+fn depth_first(tree: &Tree, mirrored: bool) -> Vec<usize> {
     let mut order = Vec::new();
     let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
     while let Some(at) = next.pop() {
@@ -239,10 +252,9 @@ fn left_to_right(tree: &Tree, mirrored: bool) -> Vec<usize> {
     order
 }
 
-/// The tests that a traversal makes which takes the nodes in this `order` and skips what is out of
-/// range: no walk is needed to count them. A node is entered exactly if its box is met before the
-/// closest hit among all primitives that come earlier in the order; for any hit, if none of those
-/// is a hit.
+/// The number of tests of a traversal that visits the nodes in this `order` and culls those out of
+/// range. A node is entered exactly if its box is hit before the closest hit among all primitives
+/// earlier in the order; for any hit, if none of those is hit.
 fn plain_tests(world: &ScriptedWorld, order: &[usize], scripted: &ScriptedRay) -> Tests {
     let tree = &world.tree;
     let mut tests = Tests { boxes: 1, prims: 0 };
@@ -285,8 +297,7 @@ mod tests {
         }
     }
 
-    /// What code answers that asks all primitives: right, with `box_tests` and `prim_tests` each
-    /// ray.
+    /// The right answers, with `box_tests` and `prim_tests` for each ray.
     fn right(world: &ScriptedWorld, box_tests: u32, prim_tests: u32) -> Vec<TraverseAnswer> {
         let each = world.rays.iter();
         each.map(|scripted| {
@@ -331,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn the_farther_hit_loses_t() {
+    fn the_farther_hit_fails_t() {
         let world = script("box_in_box");
         let mut answers = right(&world, 9, 9);
         let (scripted, answer) = (&world.rays[0], &mut answers[0]);
@@ -345,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_that_keeps_its_range_loses_only_that() {
+    fn an_unchanged_max_t_fails_only_ray_after() {
         let world = script("both_children");
         let mut answers = right(&world, 9, 9);
         for (scripted, answer) in world.rays.iter().zip(&mut answers) {
@@ -354,9 +365,9 @@ mod tests {
         assert_eq!(failed(&world, &answers, false), [Aspect::RayAfter]);
     }
 
-    /// 256 layers have 511 nodes; half of the rays should see few of them.
+    /// 256 layers have 511 nodes; half of the rays need to test few of them.
     #[test]
-    fn going_everywhere_or_nowhere_loses_work() {
+    fn testing_every_box_or_none_fails_work() {
         let world = script("nearer_first");
         assert_eq!(failed(&world, &right(&world, 270, 130), true), []);
         assert_eq!(
@@ -371,7 +382,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_found_on_the_way_tells_why_too_much_is_asked() {
+    fn the_number_of_hits_gives_the_class_of_too_many_tests() {
         let world = script("nearer_first");
         let class = |prim_hits: u32| {
             let mut answers = right(&world, 511, 256);

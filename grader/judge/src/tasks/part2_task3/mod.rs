@@ -1,5 +1,5 @@
-//! `part2.task3`: walking the tree in worlds whose answers are given. Whole scenes are in
-//! [`super::scene_hits`].
+//! `part2.task3`: traversing the tree in scripted worlds, whose test results are given. Whole
+//! scenes are in [`super::scene_hits`].
 
 pub(crate) mod cases;
 mod judge;
@@ -56,7 +56,7 @@ impl Check for Traverse {
     }
 
     fn repro(_: Tier, world: &ScriptedWorld, call: usize) -> Option<String> {
-        repro::walk(world, call)
+        repro::traversal(world, call)
     }
 
     /// The test does not count box and primitive tests.

@@ -1,24 +1,25 @@
-//! Tests of walks through small trees.
+//! Rust tests of traversals of small trees.
 
 use crate::repro::numbers::{float, ray, vec3};
 use std::fmt::Write;
 use wire::work::{NodeKind, ScriptedRay, ScriptedWorld, Tree};
 
-/// So many nodes still make a test that one can read.
+/// The largest number of nodes in a readable test.
 const NODES: usize = 40;
 
-/// A world that knows its answers by heart, as the grader's own does.
-const BY_HEART: &str = "\
-/// For each node where the line of the ray is inside its box, for each primitive at which t it is met.
-struct ByHeart {
+/// A world with given test results, the same as the grader's.
+const WORLD: &str = "\
+/// For each node the interval in which the line of the ray is inside its box; for each primitive
+/// the t of its hit.
+struct ScriptedWorldTest {
     boxes: Vec<Aabb>,
     spans: Vec<Option<[f64; 2]>>,
     prims: Vec<Option<f64>>,
 }
 
-impl World for ByHeart {
+impl World for ScriptedWorldTest {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
-        let node = self.boxes.iter().rposition(|known| known == b).expect(\"a node's own box\");
+        let node = self.boxes.iter().rposition(|bounds| bounds == b).expect(\"the bounds of a node\");
         let [min, max] = self.spans[node]?;
         let (min, max) = (min.max(ray.min_t), max.min(ray.max_t));
         (min <= max).then_some(Interval { min, max })
@@ -36,8 +37,8 @@ impl World for ByHeart {
 }
 ";
 
-/// The closest hit, or whether there is any, of one ray. Not how many questions it takes.
-pub(crate) fn walk(world: &ScriptedWorld, call: usize) -> Option<String> {
+/// A test of the closest hit or of any hit of one ray. The number of tests is not checked.
+pub(crate) fn traversal(world: &ScriptedWorld, call: usize) -> Option<String> {
     let scripted = world.rays.get(call)?;
     if world.tree.nodes.len() > NODES {
         return None;
@@ -45,12 +46,12 @@ pub(crate) fn walk(world: &ScriptedWorld, call: usize) -> Option<String> {
     let mut text = String::from(
         "use kit::{Aabb, Bvh, BvhNode, Hit, Interval, NodeKind, PrimId, Ray, Vec2, Vec3, World};\n\n",
     );
-    text.push_str(BY_HEART);
+    text.push_str(WORLD);
     text.push('\n');
     tree(&mut text, &world.tree);
     let _ = writeln!(
         text,
-        "let mut world = ByHeart {{\n    boxes: tree.nodes.iter().map(|node| node.bounds).collect(),\n    \
+        "let mut world = ScriptedWorldTest {{\n    boxes: tree.nodes.iter().map(|node| node.bounds).collect(),\n    \
          spans: {},\n    prims: {},\n}};",
         list(&scripted.spans, |[min, max]| format!(
             "[{}, {}]",

@@ -1,7 +1,7 @@
-//! Matte surfaces: value, density, samples.
+//! Cases of matte surfaces: value, density and samples of the BSDF.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Bsdf, Decision, Pdf, SampleRecord, SampledDirection, Spread};
 use kit::Vec3;
 use wire::Work;
@@ -12,80 +12,81 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "value",
-            "f of two directions above the surface is reflectance / π, the same for all of them. \
-             Pitfall: without the π a white wall gives back three times what it gets.",
-            probes("value", 0, 200, |dice| (above(dice), above(dice))),
+            "For two directions above the surface, f is reflectance / π, whatever the directions \
+             are. Pitfall: without the division by π a white wall reflects three times the light \
+             that it receives.",
+            probes("value", 0, 200, |rng| (above(rng), above(rng))),
         )
         .only(&[Bsdf]),
         case(
             "both_sides",
-            "Both directions below the surface are on one side, too. One above and one below: \
-             black, and density 0, since nothing passes through.",
-            probes("both_sides", 0, 200, |dice| {
-                let (wo, wi) = (above(dice), above(dice));
-                (dice.one_of(&[-wo, wo]), dice.one_of(&[-wi, wi]))
+            "Two directions below the surface are on the same side, too. With one above and one \
+             below, f is black and the density 0: no light passes through.",
+            probes("both_sides", 0, 200, |rng| {
+                let (wo, wi) = (above(rng), above(rng));
+                (rng.one_of(&[-wo, wo]), rng.one_of(&[-wi, wi]))
             }),
         )
         .only(&[Bsdf, Pdf]),
         case(
             "density",
-            "The density is |cos θ| / π of wi. Pitfall: that of wo is another, and so is 1 / 2π.",
-            probes("density", 0, 200, |dice| (above(dice), above(dice))),
+            "The density is |cos θ| / π of wi. Pitfall: the density of wo is a different one, and \
+             so is 1 / 2π.",
+            probes("density", 0, 200, |rng| (above(rng), above(rng))),
         )
         .only(&[Pdf]),
         case(
             "in_the_plane",
-            "A direction in the plane of the surface, z = 0, is on no side: f is black, the \
-             density 0, and from there nothing is sampled.",
-            probes("in_the_plane", 0, 40, |dice| {
-                let flat = dice.one_of(&[Vec3::X, Vec3::NEG_Y, Vec3::new(0.6, -0.8, 0.0)]);
-                let other = above(dice);
-                dice.one_of(&[(flat, other), (other, flat)])
+            "A direction in the plane of the surface, z = 0, is on neither side: f is black, the \
+             density is 0, and no direction is sampled.",
+            probes("in_the_plane", 0, 40, |rng| {
+                let flat = rng.one_of(&[Vec3::X, Vec3::NEG_Y, Vec3::new(0.6, -0.8, 0.0)]);
+                let other = above(rng);
+                rng.one_of(&[(flat, other), (other, flat)])
             }),
         )
         .only(&[Bsdf, Pdf, Decision]),
         case(
             "sampled_directions",
-            "Many samples: unit vectors on the side of wo, as dense as the cosine to the normal (a \
-             χ² test over 512 cells). A deviation of 24 % is sure to be seen. Pitfall: a radius of u \
-             instead of its root crowds them at the normal.",
-            probes("sampled_directions", 0, 16_000, |dice| {
-                let wo = above(dice);
-                (dice.one_of(&[wo, -wo]), wo)
+            "Many samples: unit vectors on the side of wo, with a density proportional to the \
+             cosine to the normal (a χ² test over 512 cells). A deviation of 24 % is always \
+             detected. Pitfall: a radius of u instead of its square root concentrates them around \
+             the normal.",
+            probes("sampled_directions", 0, 16_000, |rng| {
+                let wo = above(rng);
+                (rng.one_of(&[wo, -wo]), wo)
             }),
         )
         .only(&[SampledDirection, Spread]),
         case(
             "seen_from_below",
-            "wo is below the surface: so is the sampled direction.",
-            probes("seen_from_below", 0, 100, |dice| {
-                (-above(dice), -above(dice))
-            }),
+            "wo is below the surface, and so is the sampled direction.",
+            probes("seen_from_below", 0, 100, |rng| (-above(rng), -above(rng))),
         )
         .only(&[SampledDirection, SampleRecord]),
         case(
             "record_of_the_sample",
-            "A sample carries f and the density of its own direction, and is no delta: \
-             f · cos θ / pdf is the reflectance for every sample.",
-            probes("record_of_the_sample", 0, 200, |dice| {
-                (above(dice), above(dice))
+            "A sample has the f and the density of its own direction, and delta is false: f · cos \
+             θ / pdf is the reflectance for every sample.",
+            probes("record_of_the_sample", 0, 200, |rng| {
+                (above(rng), above(rng))
             }),
         )
         .only(&[SampleRecord]),
         case(
             "fresh_directions",
-            "Directions and numbers that differ for each seed. A deviation of 40 % is sure to be \
-             seen.",
-            probes("fresh_directions", seed, 4000, |dice| {
-                let (wo, wi) = (above(dice), above(dice));
-                (dice.one_of(&[wo, -wo]), dice.one_of(&[wi, -wi]))
+            "Random directions and numbers that depend on the seed. A deviation of 40 % is always \
+             detected.",
+            probes("fresh_directions", seed, 4000, |rng| {
+                let (wo, wi) = (above(rng), above(rng));
+                (rng.one_of(&[wo, -wo]), rng.one_of(&[wi, -wi]))
             }),
         ),
         case(
             "corners_of_the_square",
-            "u at the corners of the unit square: the direction and f / pdf stay finite. Pitfall: 1 \
-             - x² - y² rounds to 0 or below at the rim, the density to 0, and f / pdf to infinity; \
-             the height is the root of 1 - u, which is exact.",
+            "u at the corners of the unit square: the direction and f / pdf are finite. Pitfall: \
+             1 - x² - y² rounds to 0 or below at the rim, so that the density is 0 and f / pdf \
+             infinite; the height is the square root of 1 - u, which is exact.",
             corners(),
         )
         .only(&[SampledDirection, SampleRecord]),
@@ -96,10 +97,10 @@ fn case(name: &'static str, about: &'static str, probes: Vec<LambertProbe>) -> S
     Spec::new("part3.task1", name, about, Work::Lambert(probes))
 }
 
-/// A unit direction above the surface, not too flat.
-fn above(dice: &mut Dice) -> Vec3 {
+/// A unit direction above the surface, not near its plane.
+fn above(rng: &mut ProbeRng) -> Vec3 {
     loop {
-        let d = dice.direction();
+        let d = rng.direction();
         if d.z > 0.05 {
             return d;
         }
@@ -110,16 +111,16 @@ fn probes(
     name: &str,
     seed: u64,
     count: usize,
-    mut directions: impl FnMut(&mut Dice) -> (Vec3, Vec3),
+    mut directions: impl FnMut(&mut ProbeRng) -> (Vec3, Vec3),
 ) -> Vec<LambertProbe> {
-    let mut dice = Dice::new(name, seed);
+    let mut rng = ProbeRng::new(name, seed);
     let probe = |_| {
-        let (wo, wi) = directions(&mut dice);
+        let (wo, wi) = directions(&mut rng);
         LambertProbe {
-            reflectance: [dice.range(0.1, 1.0), dice.range(0.1, 1.0), 0.0],
+            reflectance: [rng.range(0.1, 1.0), rng.range(0.1, 1.0), 0.0],
             wo: wo.into(),
             wi: wi.into(),
-            u: [dice.range(0.0, 1.0), dice.range(0.0, 1.0)],
+            u: [rng.range(0.0, 1.0), rng.range(0.0, 1.0)],
         }
     };
     (0..count).map(probe).collect()

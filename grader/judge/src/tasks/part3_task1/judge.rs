@@ -1,6 +1,6 @@
-//! Judging matte surfaces.
+//! Judges matte surfaces.
 
-use crate::chance::{self, MANY};
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers::{self, same_colour};
 use crate::tally::{Aspect, Class, Tally};
@@ -9,15 +9,15 @@ use std::f64::consts::PI;
 use wire::direct::{LambertAnswer, LambertProbe};
 use wire::work::Xyz;
 
-/// A handful of roundings, and room for a π with ten digits.
+/// Relative error that is allowed: a few roundings, and a π with ten digits.
 pub(crate) const BOUND: f64 = 1e-9;
 
-/// Judges the three functions.
+/// Judges `lambert_f`, `lambert_pdf` and `lambert_sample`.
 pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         one(tally, call, probe, answer);
     }
-    if probes.len() < MANY {
+    if probes.len() < MIN_ESTIMATES {
         return;
     }
     for side in [1.0, -1.0] {
@@ -26,7 +26,7 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
             .filter(|(probe, _)| probe.wo[2] * side > 0.0)
             .map(|(_, answer)| answer.sample.map(|sample| sample.wi.into()))
             .collect();
-        if directions.len() >= MANY {
+        if directions.len() >= MIN_ESTIMATES {
             let density = |w: Vec3| (w.z * side).max(0.0) / PI;
             chance::spread(tally, &directions, density, "by the cosine to the normal");
         }
@@ -48,36 +48,37 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         tally.expect(aspect);
     }
     let (wo, wi) = (Vec3::from(probe.wo), Vec3::from(probe.wi));
-    let asked = || format!("wo = {}, wi = {}", show(wo), show(wi));
+    let input = || format!("wo = {}, wi = {}", show(wo), show(wi));
     let share = probe.reflectance.map(|rho| rho / PI);
-    // How much of it is on the side of the viewer: 0 below and in the plane of the surface.
-    let seen = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
+    // |cos θ| of a direction on the side of the viewer; 0 on the other side and in the plane of the
+    // surface.
+    let cosine_of = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
     let (right_f, right_pdf) = right(probe);
     numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
         format!(
             "lambert_f: reflectance = {:?}, {}",
             probe.reflectance,
-            asked()
+            input()
         )
     });
     let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
     numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
-        format!("lambert_pdf: {}", asked())
+        format!("lambert_pdf: {}", input())
     });
 
-    let drawn = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
+    let sample_input = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);
         tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-            format!("there is no sample, and should be one. {}", drawn())
+            format!("your result: None; expected: a sample. {}", sample_input())
         });
         return;
     };
     let class = (wo.z == 0.0).then_some(Class::FalseHit);
     tally.judge_class(Aspect::Decision, call, class, 1.0, || {
         format!(
-            "there is a sample; in the plane of the surface nothing leaves. {}",
-            drawn()
+            "your result: a sample; expected: None, since wo lies in the plane of the surface. {}",
+            sample_input()
         )
     });
     if wo.z == 0.0 {
@@ -90,44 +91,48 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let class = if off.is_nan() || off > BOUND {
         Some(Class::WrongLength)
     } else {
-        (seen(drawn_wi) == 0.0).then_some(Class::Negated)
+        (cosine_of(drawn_wi) == 0.0).then_some(Class::Negated)
     };
     tally.judge_class(Aspect::SampledDirection, call, class, off, || {
         format!(
-            "wi = {} has length {}; right is a unit vector on the side of wo. {}",
+            "your result: wi = {} of length {}; expected: a unit vector on the side of wo. {}",
             show(drawn_wi),
             drawn_wi.length(),
-            drawn()
+            sample_input()
         )
     });
-    // Whoever draws other directions makes the same mistake in other numbers: the kind has a name.
+    // The same mistake gives other numbers for other sampled directions, so known mistakes have a
+    // name.
     let f = sample.f;
-    let cosine = seen(drawn_wi);
+    let cosine = cosine_of(drawn_wi);
     let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-    let suspects = [
+    let known_mistakes = [
         ("f times the cosine", share.map(|channel| channel * cosine)),
         ("f over the cosine", share.map(|channel| channel / cosine)),
         ("f without pi", probe.reflectance),
         ("f without the reflectance", [1.0 / PI; 3]),
     ];
     let is = |right: Xyz| same_colour(f, right, BOUND);
-    let named = suspects
+    let named = known_mistakes
         .iter()
         .find(|(_, wrong)| is(*wrong) && !is(share))
         .map(|(name, _)| Class::Named(name));
     if named.is_some() {
         tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
-            format!("f = {f:?}, right is {share:?}. f of {}", drawn())
+            format!(
+                "your result: f = {f:?}; expected: {share:?}. {}",
+                sample_input()
+            )
         });
     } else {
         numbers::colour(tally, Aspect::SampleRecord, call, f, share, BOUND, || {
-            format!("f of {}", drawn())
+            format!("f of {}", sample_input())
         });
     }
     let right = cosine / PI;
-    // Near the horizon the sample may know its height better than its z says.
+    // Near the horizon the density may be computed from a more precise cosine than wi.z.
     let bound = BOUND + 1e-15 / right.max(1e-300);
-    let suspects = [
+    let known_mistakes = [
         ("pdf 1", 1.0),
         ("pdf of uniform directions", 0.5 / PI),
         ("pdf without pi", cosine),
@@ -136,26 +141,29 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
         ("pdf negative", -right),
     ];
     let pdf = sample.pdf;
-    let named = suspects
+    let named = known_mistakes
         .iter()
         .find(|(_, wrong)| (pdf - wrong).abs() <= BOUND && (right - wrong).abs() > bound)
         .map(|(name, _)| Class::Named(name));
     if named.is_some() {
         tally.judge_class(Aspect::SampleRecord, call, named, 1.0, || {
-            format!("pdf = {pdf:?}, right is {right:?}. {}", drawn())
+            format!(
+                "your result: pdf = {pdf:?}; expected: {right:?}. {}",
+                sample_input()
+            )
         });
     } else {
         numbers::number(tally, Aspect::SampleRecord, call, pdf, right, bound, || {
-            format!("pdf of {}", drawn())
+            format!("pdf of {}", sample_input())
         });
     }
     let usable = sample.pdf > 0.0 && !sample.delta;
     tally.judge(Aspect::SampleRecord, call, usable, 1.0, || {
         format!(
-            "pdf = {}, delta = {}; a sample that is drawn has a density above 0, and a matte surface no delta. {}",
+            "your result: pdf = {}, delta = {}; expected: a pdf above 0, and delta = false for a matte surface. {}",
             sample.pdf,
             sample.delta,
-            drawn()
+            sample_input()
         )
     });
 }

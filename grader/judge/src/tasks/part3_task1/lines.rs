@@ -1,10 +1,10 @@
-//! How a snapshot shows matte surfaces.
+//! Writes results for matte surfaces to a snapshot.
 
 use crate::snapshot::lines::sample;
 use crate::snapshot::{Forms, field, forms, number, vector};
 use wire::direct::{LambertAnswer, LambertProbe};
 
-/// Value, density and the direction that was drawn; on full lines all of the sample.
+/// Value, density and the sampled direction; full lines have all fields of the sample.
 pub(super) fn lambert(probe: &LambertProbe, answer: &LambertAnswer) -> Forms {
     let question = vec![
         field("reflectance", vector(&probe.reflectance)),

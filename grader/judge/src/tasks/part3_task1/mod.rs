@@ -45,7 +45,7 @@ impl Check for Lambert {
         Some(repro::matte(probes.get(call)?))
     }
 
-    /// The test makes one call: nothing that only many show.
+    /// The test makes one call, which shows nothing about statistics of many.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Spread | Aspect::Mean)
     }

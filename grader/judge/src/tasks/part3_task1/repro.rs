@@ -1,11 +1,12 @@
-//! Tests of matte surfaces.
+//! Rust tests of matte surfaces.
 
 use super::judge;
 use crate::repro::numbers::{float, same_colour, spectrum, vec3};
 use std::fmt::Write;
 use wire::direct::LambertProbe;
 
-/// Value, density, and what a sample says of itself. Not how many samples are distributed.
+/// A test of value, density and the fields of one sample. The distribution of samples is not
+/// tested.
 pub(crate) fn matte(probe: &LambertProbe) -> String {
     let (f, pdf) = judge::right(probe);
     let bound = judge::BOUND;
@@ -40,7 +41,7 @@ let sample = direct::lambert_sample(reflectance, wo, Vec2::new({}, {}));
     );
     let _ = write!(
         text,
-        "let sample = sample.expect(\"something leaves\");
+        "let sample = sample.expect(\"expected a sample\");
 assert!((sample.wi.length() - 1.0).abs() <= {bound:?}, \"{{}} is not unit\", sample.wi);
 assert!(sample.wi.z * wo.z > 0.0, \"{{}} is not on the side of wo\", sample.wi);
 let f = sample.f;

@@ -1,7 +1,7 @@
-//! Mirrors, refraction and glass.
+//! Cases of mirrors, refraction and glass.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Bsdf, Decision, Fresnel, Mean, Pdf, SampledDirection};
 use kit::Vec3;
 use wire::Work;
@@ -10,7 +10,7 @@ use wire::global::SpecularCall::{
 };
 use wire::work::Xyz;
 
-/// Tints that tell the channels apart.
+/// Tints whose channels differ.
 const TINT: Xyz = [1.0, 0.5, 0.25];
 const OTHER_TINT: Xyz = [0.2, 0.6, 0.9];
 
@@ -22,10 +22,10 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "mirror",
-            "A mirror turns wo by half a turn around the normal, on both sides; the share \
-             reflectance arrives, so f carries 1 / |cos θ|.",
-            calls("mirror", 0, 100, |dice| {
-                let wo = any_side(dice);
+            "A mirror reflects wo about the normal, on both sides of the surface; the share \
+             `reflectance` of the light arrives, so f contains 1 / |cos θ|.",
+            calls("mirror", 0, 100, |rng| {
+                let wo = any_side(rng);
                 vec![
                     Reflect { wo },
                     Mirror {
@@ -37,7 +37,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "edge_on",
-            "wo in the plane of the surface comes from no side: no sample, no direction, and no \
+            "wo in the plane of the surface is on neither side: no sample, no direction, and no \
              division by 0.",
             edge_on(),
         )
@@ -45,21 +45,21 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "snells_law",
             "sin θi = η · sin θo on the other side of the normal and of the surface: η is 1 / ior \
-             on the way in, ior on the way out.",
-            calls("snells_law", 0, 100, |dice| {
-                let ior = dice.one_of(&INDICES);
-                let wo = away_from_critical(dice, ior);
+             where light enters, ior where it leaves.",
+            calls("snells_law", 0, 100, |rng| {
+                let ior = rng.one_of(&INDICES);
+                let wo = away_from_critical(rng, ior);
                 vec![Refract { wo, ior }]
             }),
         ),
         case(
             "total_internal_reflection",
-            "From inside beyond the critical angle nothing passes: refract has no direction, glass \
-             reflects all, whatever the choice.",
-            calls("total_internal_reflection", 0, 60, |dice| {
-                let ior = dice.one_of(&[1.33, 1.5, 2.4]);
-                let sine = dice.range(1.02 / ior, 0.999);
-                let turn = dice.range(0.0, 6.0);
+            "From inside, beyond the critical angle, no light is transmitted: refract returns \
+             None, and glass reflects all light for any choice.",
+            calls("total_internal_reflection", 0, 60, |rng| {
+                let ior = rng.one_of(&[1.33, 1.5, 2.4]);
+                let sine = rng.range(1.02 / ior, 0.999);
+                let turn = rng.range(0.0, 6.0);
                 let height = (1.0 - sine * sine).sqrt();
                 let wo = [sine * turn.cos(), sine * turn.sin(), -height];
                 vec![
@@ -69,37 +69,40 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                         ior,
                         wo,
                     },
-                    glass(ior, wo, dice.range(0.0, 1.0)),
+                    glass(ior, wo, rng.range(0.0, 1.0)),
                 ]
             }),
         ),
         case(
             "no_boundary",
-            "An index of 1 is no boundary: light goes straight on and nothing is reflected.",
-            calls("no_boundary", 0, 60, |dice| {
-                let (ior, wo) = (1.0, any_side(dice));
+            "An index of 1 is no boundary: light passes straight through and nothing is \
+             reflected.",
+            calls("no_boundary", 0, 60, |rng| {
+                let (ior, wo) = (1.0, any_side(rng));
                 let (cos_i, eta) = (wo[2].abs(), 1.0);
                 vec![
                     Refract { wo, ior },
                     Share { cos_i, eta },
-                    glass(ior, wo, dice.range(0.01, 1.0)),
+                    glass(ior, wo, rng.range(0.01, 1.0)),
                 ]
             }),
         )
         .only(&[Decision, SampledDirection, Fresnel, Bsdf]),
         case(
             "fresnel",
-            "Fresnel's share from head-on (0.04 for glass) to grazing (1), into the denser side and \
-             out of it. Pitfall: Schlick's formula is near it, and not it.",
+            "The Fresnel reflectance from normal incidence (0.04 for glass) to grazing incidence \
+             (1), into the denser material and out of it. Pitfall: Schlick's formula is only an \
+             approximation.",
             shares(),
         ),
         case(
             "squeezed_light",
-            "Radiance that enters a denser material is squeezed into a narrower cone: \
-             transmittance · η² arrives, with η the index of the side of wo over the other.",
-            calls("squeezed_light", 0, 80, |dice| {
-                let ior = dice.one_of(&INDICES);
-                let wo = away_from_critical(dice, ior);
+            "Radiance that enters a denser material is compressed into a narrower cone: \
+             transmittance · η² arrives, where η is the index on the side of wo over the index on \
+             the other side.",
+            calls("squeezed_light", 0, 80, |rng| {
+                let ior = rng.one_of(&INDICES);
+                let wo = away_from_critical(rng, ior);
                 vec![Refraction {
                     transmittance: TINT,
                     ior,
@@ -110,11 +113,11 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf, Decision]),
         case(
             "either_way",
-            "Glass reflects if choice < F and refracts else; the pdf is F or 1 - F, and it is in \
-             f, too, so that each way counts in full once it is chosen.",
-            calls("either_way", 0, 80, |dice| {
-                let ior = dice.one_of(&[1.33, 1.5, 2.4]);
-                let wo = away_from_critical(dice, ior);
+            "Glass reflects if choice < F and refracts otherwise; the pdf is F or 1 - F, and f \
+             contains it as a factor, so that the chosen direction has its full weight.",
+            calls("either_way", 0, 80, |rng| {
+                let ior = rng.one_of(&[1.33, 1.5, 2.4]);
+                let wo = away_from_critical(rng, ior);
                 [0.0, 0.003, 0.3, 0.999]
                     .map(|choice| glass(ior, wo, choice))
                     .to_vec()
@@ -123,17 +126,17 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Bsdf, Pdf, SampledDirection]),
         case(
             "how_often",
-            "Over many choices glass reflects as often as Fresnel says. A bias of 25 % is sure to \
-             be seen.",
-            how_often(),
+            "Over many choices, the share of reflections is the Fresnel reflectance. A bias of 25 \
+             % is always detected.",
+            many_choices(),
         )
         .only(&[Mean]),
         case(
             "fresh_boundaries",
-            "Directions and indices that differ for each seed.",
-            calls("fresh_boundaries", seed, 60, |dice| {
-                let ior = dice.range(1.1, 2.5);
-                let wo = away_from_critical(dice, ior);
+            "Random directions and indices that depend on the seed.",
+            calls("fresh_boundaries", seed, 60, |rng| {
+                let ior = rng.range(1.1, 2.5);
+                let wo = away_from_critical(rng, ior);
                 let (cos_i, eta) = (wo[2].abs(), if wo[2] > 0.0 { 1.0 / ior } else { ior });
                 vec![
                     Reflect { wo },
@@ -144,15 +147,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                         ior,
                         wo,
                     },
-                    glass(ior, wo, dice.range(0.0, 1.0)),
+                    glass(ior, wo, rng.range(0.0, 1.0)),
                 ]
             }),
         ),
         case(
             "nearly_grazing",
-            "Light that comes in almost along the surface. Pitfall: 1 - cos² rounds to 1, and the \
-             few digits that the cosine has are lost on the way; η² cos² + (1 - η)(1 + η) keeps \
-             them.",
+            "Light at nearly grazing incidence. Pitfall: 1 - cos² rounds to 1, and the digits of \
+             the cosine are lost; η² cos² + (1 - η)(1 + η) keeps them.",
             grazing(),
         )
         .only(&[Decision, SampledDirection, Fresnel]),
@@ -167,10 +169,10 @@ fn calls(
     name: &str,
     seed: u64,
     rounds: usize,
-    mut round: impl FnMut(&mut Dice) -> Vec<SpecularCall>,
+    mut round: impl FnMut(&mut ProbeRng) -> Vec<SpecularCall>,
 ) -> Vec<SpecularCall> {
-    let mut dice = Dice::new(name, seed);
-    (0..rounds).flat_map(|_| round(&mut dice)).collect()
+    let mut rng = ProbeRng::new(name, seed);
+    (0..rounds).flat_map(|_| round(&mut rng)).collect()
 }
 
 fn glass(ior: f64, wo: Xyz, choice: f64) -> SpecularCall {
@@ -183,20 +185,20 @@ fn glass(ior: f64, wo: Xyz, choice: f64) -> SpecularCall {
     }
 }
 
-/// A direction on either side, not too flat.
-fn any_side(dice: &mut Dice) -> Xyz {
+/// A direction on either side of the surface, not near its plane.
+fn any_side(rng: &mut ProbeRng) -> Xyz {
     loop {
-        let wo = dice.direction();
+        let wo = rng.direction();
         if wo.z.abs() > 0.05 {
             return wo.into();
         }
     }
 }
 
-/// A direction on either side at which light passes, and not near the angle where it stops to.
-fn away_from_critical(dice: &mut Dice, ior: f64) -> Xyz {
+/// A direction on either side that is transmitted, away from the critical angle.
+fn away_from_critical(rng: &mut ProbeRng, ior: f64) -> Xyz {
     loop {
-        let wo = any_side(dice);
+        let wo = any_side(rng);
         let n = if wo[2] > 0.0 { ior } else { 1.0 / ior };
         let sine = Vec3::new(wo[0], wo[1], 0.0).length();
         if sine < 0.98 * n {
@@ -224,7 +226,7 @@ fn edge_on() -> Vec<SpecularCall> {
             ]
         })
     });
-    // One that does pass, so that a function which never answers does not.
+    // A direction that is transmitted, so that a function which always returns None does not pass.
     let passes = Refract {
         wo: [0.0, 0.6, 0.8],
         ior: 1.5,
@@ -240,10 +242,10 @@ fn shares() -> Vec<SpecularCall> {
         .collect()
 }
 
-fn how_often() -> Vec<SpecularCall> {
+fn many_choices() -> Vec<SpecularCall> {
     let wo = Vec3::new(0.9, 0.1, 0.25).normalize().into();
-    calls("how_often", 0, 8000, |dice| {
-        vec![glass(1.5, wo, dice.range(0.0, 1.0))]
+    calls("how_often", 0, 8000, |rng| {
+        vec![glass(1.5, wo, rng.range(0.0, 1.0))]
     })
 }
 

@@ -1,26 +1,26 @@
-//! Judging mirrors, refraction and glass.
+//! Judges mirrors, refraction and glass.
 
 use crate::Tier;
-use crate::chance::{self, MANY};
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Tally as Numbers, Vec3};
+use kit::{Tally as SampleTally, Vec3};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::light::BsdfSample;
 use wire::work::Xyz;
 
-/// What core points forgive: a hundred-millionth. Probes stay away from where formulas lose more.
+/// The error that core points allow. Core probes avoid directions where formulas lose more digits.
 const CORE_BOUND: f64 = 1e-9;
 
-/// What robust points forgive, where nothing cancels.
+/// The error that robust points allow, where no digits cancel.
 const ROBUST_BOUND: f64 = 1e-13;
 
-/// A boundary seen from `wo`: what Snell and Fresnel say of it.
+/// A boundary seen from `wo`: Snell's law and Fresnel's equations.
 struct Boundary {
     /// Cosine to the normal, on the side of `wo`.
     cos: f64,
-    /// Index of the other side over that of this one.
+    /// Index of the other side over that of the side of `wo`.
     n: f64,
     /// `n` times the cosine on the other side; `None` under total internal reflection.
     g: Option<f64>,
@@ -41,8 +41,8 @@ impl Boundary {
         Boundary::new(wo[2].abs(), n)
     }
 
-    /// Fresnel's share as Cook and Torrance write it ("A reflectance model for computer graphics",
-    /// 1982).
+    /// The Fresnel reflectance in the form of Cook and Torrance ("A reflectance model for computer
+    /// graphics", 1982).
     fn reflected(&self) -> f64 {
         let (Some(g), c) = (self.g, self.cos) else {
             return 1.0;
@@ -52,14 +52,15 @@ impl Boundary {
         0.5 * (apart / together).powi(2) * (1.0 + swing * swing)
     }
 
-    /// The direction on the other side.
+    /// The refracted direction.
     fn refracted(&self, wo: Xyz) -> Option<Vec3> {
         let height = self.g? / self.n;
         let wi = [-wo[0] / self.n, -wo[1] / self.n, -height.copysign(wo[2])];
         Some(Vec3::from(wi))
     }
 
-    /// How far results may be off: near the critical angle the root magnifies each rounding.
+    /// How far results may be off: near the critical angle the square root magnifies rounding
+    /// errors.
     fn bound(&self, tier: Tier) -> f64 {
         let g = self.g.unwrap_or(1.0).max(1e-12);
         let magnified =
@@ -72,24 +73,24 @@ impl Boundary {
     }
 }
 
-/// Judges calls of all these functions.
+/// Judges calls of all functions of the task.
 pub(crate) fn specular(
     tally: &mut Tally,
     tier: Tier,
     calls: &[SpecularCall],
     answers: &[SpecularAnswer],
 ) {
-    for (call, (asked, answer)) in calls.iter().zip(answers).enumerate() {
-        one(tally, tier, call, asked, answer);
+    for (call, (input, answer)) in calls.iter().zip(answers).enumerate() {
+        one(tally, tier, call, input, answer);
     }
-    if calls.len() >= MANY {
+    if calls.len() >= MIN_ESTIMATES {
         frequency(tally, calls, answers);
     }
 }
 
-/// The function that a call is of.
-pub(crate) fn function(asked: &SpecularCall) -> &'static str {
-    match asked {
+/// The name of the function that is called.
+pub(crate) fn function(input: &SpecularCall) -> &'static str {
+    match input {
         SpecularCall::Fresnel { .. } => "fresnel_dielectric",
         SpecularCall::Reflect { .. } => "reflect",
         SpecularCall::Refract { .. } => "refract",
@@ -99,10 +100,10 @@ pub(crate) fn function(asked: &SpecularCall) -> &'static str {
     }
 }
 
-/// Whether an answer has the form that the function of the call gives.
-pub(crate) fn is_answer_to(asked: &SpecularCall, answer: &SpecularAnswer) -> bool {
+/// Whether an answer has the type that the function of the call returns.
+pub(crate) fn is_answer_to(input: &SpecularCall, answer: &SpecularAnswer) -> bool {
     matches!(
-        (asked, answer),
+        (input, answer),
         (SpecularCall::Fresnel { .. }, SpecularAnswer::Share(_))
             | (
                 SpecularCall::Reflect { .. } | SpecularCall::Refract { .. },
@@ -117,9 +118,9 @@ pub(crate) fn is_answer_to(asked: &SpecularCall, answer: &SpecularAnswer) -> boo
     )
 }
 
-/// What is right, and how far an answer may be from it.
+/// The exact result of a call.
 pub(crate) enum Right {
-    /// The share of light that is reflected.
+    /// The Fresnel reflectance.
     Share(f64),
     /// A direction, if there is one.
     Direction(Option<Vec3>),
@@ -127,8 +128,8 @@ pub(crate) enum Right {
     Sample(Option<BsdfSample>),
 }
 
-/// The right answer to a call; for core points this much off is forgiven.
-pub(crate) fn right(tier: Tier, asked: &SpecularCall) -> (Right, f64) {
+/// The exact result of a call, and how far an answer may be from it.
+pub(crate) fn right(tier: Tier, input: &SpecularCall) -> (Right, f64) {
     let sample = |wi: Vec3, pdf: f64, arrives: Vec3| BsdfSample {
         wi: wi.into(),
         f: (arrives * pdf / wi.z.abs()).into(),
@@ -136,8 +137,9 @@ pub(crate) fn right(tier: Tier, asked: &SpecularCall) -> (Right, f64) {
         delta: true,
     };
     let mirrored = |wo: Xyz| Vec3::new(-wo[0], -wo[1], wo[2]);
-    let squeezed = |boundary: &Boundary, tint: Xyz| Vec3::from(tint) / (boundary.n * boundary.n);
-    match *asked {
+    let refracted_radiance =
+        |boundary: &Boundary, tint: Xyz| Vec3::from(tint) / (boundary.n * boundary.n);
+    match *input {
         SpecularCall::Fresnel { cos_i, eta } => {
             let boundary = Boundary::new(cos_i, 1.0 / eta);
             (Right::Share(boundary.reflected()), boundary.bound(tier))
@@ -159,7 +161,7 @@ pub(crate) fn right(tier: Tier, asked: &SpecularCall) -> (Right, f64) {
             wo,
         } => {
             let boundary = Boundary::seen_from(wo, ior);
-            let arrives = squeezed(&boundary, transmittance);
+            let arrives = refracted_radiance(&boundary, transmittance);
             let right = boundary.refracted(wo).map(|wi| sample(wi, 1.0, arrives));
             (Right::Sample(right), boundary.bound(tier))
         }
@@ -177,7 +179,7 @@ pub(crate) fn right(tier: Tier, asked: &SpecularCall) -> (Right, f64) {
             } else if choice < share {
                 Some(sample(mirrored(wo), share, reflectance.into()))
             } else {
-                let arrives = squeezed(&boundary, transmittance);
+                let arrives = refracted_radiance(&boundary, transmittance);
                 let wi = boundary.refracted(wo);
                 wi.map(|wi| sample(wi, 1.0 - share, arrives))
             };
@@ -186,32 +188,32 @@ pub(crate) fn right(tier: Tier, asked: &SpecularCall) -> (Right, f64) {
     }
 }
 
-fn one(tally: &mut Tally, tier: Tier, call: usize, asked: &SpecularCall, answer: &SpecularAnswer) {
-    tally.answers_of(function(asked));
-    match (right(tier, asked), answer) {
+fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer: &SpecularAnswer) {
+    tally.answers_of(function(input));
+    match (right(tier, input), answer) {
         ((Right::Share(right), bound), SpecularAnswer::Share(share)) => {
             tally.expect(Aspect::Fresnel);
             let off = (share - right).abs();
             let class = (off.is_nan() || off > bound).then(|| Class::of_number(*share, right));
             tally.judge_class(Aspect::Fresnel, call, class, off, || {
-                format!("it is {share:?}, right is {right:?}. {asked:?}")
+                format!("your result: {share:?}; expected: {right:?}. {input:?}")
             });
         }
         ((Right::Direction(right), bound), SpecularAnswer::Direction(wi)) => {
-            way(tally, call, asked, *wi, right, bound);
+            optional_direction(tally, call, input, *wi, right, bound);
         }
         ((Right::Sample(right), bound), SpecularAnswer::Sample(sample)) => {
-            record(tally, call, asked, sample.as_ref(), right, bound);
+            record(tally, call, input, sample.as_ref(), right, bound);
         }
-        _ => debug_assert!(false, "`fits` has let {answer:?} to {asked:?} pass"),
+        _ => debug_assert!(false, "`fits` accepted {answer:?} for {input:?}"),
     }
 }
 
-/// Judges a direction that may not exist.
-fn way(
+/// Judges a direction, which may be `None`.
+fn optional_direction(
     tally: &mut Tally,
     call: usize,
-    asked: &SpecularCall,
+    input: &SpecularCall,
     answered: Option<Xyz>,
     right: Option<Vec3>,
     bound: f64,
@@ -223,33 +225,32 @@ fn way(
         _ => None,
     };
     tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let right = right.map_or("no direction at all".into(), show);
-        format!("the answer is {answered:?}, right is {right}. {asked:?}")
+        let right = right.map_or("no direction".into(), show);
+        format!("your result: {answered:?}; expected: {right}. {input:?}")
     });
     if let Some(right) = right {
         tally.expect(Aspect::SampledDirection);
         if let Some(answered) = answered {
             let aspect = Aspect::SampledDirection;
             numbers::direction(tally, aspect, call, answered, right, bound, || {
-                format!("{asked:?}")
+                format!("{input:?}")
             });
         }
     }
 }
 
-/// Judges a sample that may not exist: its direction, its probability, and the light that arrives
-/// by it.
+/// Judges a sample, which may be `None`: its direction, its probability and its weight.
 fn record(
     tally: &mut Tally,
     call: usize,
-    asked: &SpecularCall,
+    input: &SpecularCall,
     answered: Option<&BsdfSample>,
     right: Option<BsdfSample>,
     bound: f64,
 ) {
     let direction = |sample: &BsdfSample| Vec3::from(sample.wi);
     let wi = answered.map(|sample| sample.wi);
-    way(tally, call, asked, wi, right.as_ref().map(direction), bound);
+    optional_direction(tally, call, input, wi, right.as_ref().map(direction), bound);
     let Some(right) = right else { return };
     tally.expect(Aspect::Pdf);
     tally.expect(Aspect::Bsdf);
@@ -259,11 +260,11 @@ fn record(
     let class = class.or((!answered.delta).then_some(Class::Wrong));
     tally.judge_class(Aspect::Pdf, call, class, off, || {
         format!(
-            "pdf = {:?} and delta = {}, right are {:?} and true. {asked:?}",
+            "your result: pdf = {:?}, delta = {}; expected: pdf = {:?}, delta = true. {input:?}",
             answered.pdf, answered.delta, right.pdf
         )
     });
-    // The light that arrives, f · |cos θ| / pdf: what a path multiplies by.
+    // The weight f · |cos θ| / pdf, by which a path multiplies its throughput.
     let arrives = |sample: &BsdfSample| sample.f.map(|f| f * sample.wi[2].abs() / sample.pdf);
     let (right, bound) = (arrives(&right), weight_bound(bound, right.pdf));
     numbers::colour(
@@ -273,22 +274,21 @@ fn record(
         arrives(answered),
         right,
         bound,
-        || format!("f · |cos| / pdf of {asked:?}, f = {:?}", answered.f),
+        || format!("f · |cos| / pdf of {input:?}, f = {:?}", answered.f),
     );
 }
 
-/// How far the light that arrives by a sample may be off, as a share, where its other numbers may
-/// be off by `bound`.
+/// Relative error allowed in the weight of a sample whose other numbers may be off by `bound`.
 pub(crate) fn weight_bound(bound: f64, pdf: f64) -> f64 {
     bound / pdf.max(1e-3)
 }
 
-/// How often glass reflects, over many choices at the same place.
+/// Tests how often glass reflects, over many choices for the same direction.
 fn frequency(tally: &mut Tally, calls: &[SpecularCall], answers: &[SpecularAnswer]) {
     let Some(&SpecularCall::Glass { ior, wo, .. }) = calls.first() else {
         return;
     };
-    let reflected: Numbers = answers
+    let reflected: SampleTally = answers
         .iter()
         .map(|answer| match answer {
             SpecularAnswer::Sample(Some(sample)) if sample.wi[2] * wo[2] > 0.0 => 1.0,
@@ -304,7 +304,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_boundary_knows_its_textbook_values() {
+    fn boundaries_match_textbook_values() {
         let head_on = Boundary::new(1.0, 1.5).reflected();
         assert!((head_on - 0.04).abs() < 1e-15);
         assert_eq!(Boundary::new(0.0, 1.5).reflected(), 1.0);

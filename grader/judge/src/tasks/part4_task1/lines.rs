@@ -1,11 +1,11 @@
-//! How a snapshot shows mirrors and glass.
+//! Writes results for mirrors and glass to a snapshot.
 
 use crate::snapshot::lines::sample;
 use crate::snapshot::{Forms, field, forms, number, vector};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::work::Xyz;
 
-/// A share, a direction or a sample.
+/// A reflectance, a direction or a sample.
 pub(super) fn specular(call: &SpecularCall, answer: &SpecularAnswer) -> Forms {
     let wo = |wo: Xyz| field("wo", vector(&wo));
     let question = match *call {

@@ -12,7 +12,7 @@ use crate::snapshot::lines::each;
 use crate::tally::{Aspect, Tally};
 use wire::global::{SpecularAnswer, SpecularCall};
 
-/// The functions of mirrors and glass, one a call.
+/// The functions of mirrors and glass; each call is of one of them.
 pub(crate) struct Specular;
 
 impl Check for Specular {
@@ -28,7 +28,7 @@ impl Check for Specular {
         let mut pairs = calls.iter().zip(answers);
         match pairs.position(|(call, answer)| !judge::is_answer_to(call, answer)) {
             Some(call) => Err(format!(
-                "call {call} is of {}, which does not answer {:?}",
+                "call {call} is of {}, which does not return {:?}",
                 judge::function(&calls[call]),
                 answers[call]
             )),
@@ -54,7 +54,7 @@ impl Check for Specular {
         Some(repro::smooth(tier, calls.get(call)?))
     }
 
-    /// The test makes one call: nothing that only many show.
+    /// The test makes one call, which shows nothing about statistics of many.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Spread | Aspect::Mean)
     }

@@ -1,14 +1,14 @@
-//! Tests of mirrors and glass.
+//! Rust tests of mirrors and glass.
 
 use super::judge;
 use crate::Tier;
 use crate::repro::numbers::{float, same_colour, spectrum, vec3};
 use wire::global::SpecularCall;
 
-/// One call of one of the functions of mirrors and glass.
-pub(crate) fn smooth(tier: Tier, asked: &SpecularCall) -> String {
-    let (right, bound) = judge::right(tier, asked);
-    let arguments = match *asked {
+/// A test of one call.
+pub(crate) fn smooth(tier: Tier, input: &SpecularCall) -> String {
+    let (right, bound) = judge::right(tier, input);
+    let arguments = match *input {
         SpecularCall::Fresnel { cos_i, eta } => format!("{}, {}", float(cos_i), float(eta)),
         SpecularCall::Reflect { wo } => vec3(wo),
         SpecularCall::Refract { wo, ior } => format!("{}, {}", vec3(wo), float(ior)),
@@ -35,7 +35,7 @@ pub(crate) fn smooth(tier: Tier, asked: &SpecularCall) -> String {
             float(choice)
         ),
     };
-    let call = format!("global::{}({arguments})", judge::function(asked));
+    let call = format!("global::{}({arguments})", judge::function(input));
     let near = |what: &str, right: String| {
         format!("assert!(({what} - {right}).length() <= {bound:?}, \"{{}}\", {what});\n")
     };
@@ -48,7 +48,7 @@ pub(crate) fn smooth(tier: Tier, asked: &SpecularCall) -> String {
             format!("use kit::Vec3;\nassert_eq!({call}, None);\n")
         }
         judge::Right::Direction(Some(wi)) => {
-            let found = match asked {
+            let found = match input {
                 SpecularCall::Reflect { .. } => "",
                 _ => ".expect(\"there is a direction\")",
             };
@@ -59,20 +59,20 @@ pub(crate) fn smooth(tier: Tier, asked: &SpecularCall) -> String {
         }
         judge::Right::Sample(Some(sample)) => {
             let share = sample.wi[2].abs() / sample.pdf;
-            let arrives = sample.f.map(|f| f * share);
+            let weight = sample.f.map(|f| f * share);
             let weight_bound = judge::weight_bound(bound, sample.pdf);
             format!(
                 "use kit::{{Spectrum, Vec3}};
 let sample = {call}.expect(\"there is a sample\");
 {}assert!((sample.pdf - {}).abs() <= {bound:?}, \"pdf = {{}}\", sample.pdf);
 assert!(sample.delta);
-// The light that arrives by it: f · |cos θ| / pdf.
-let arrives = sample.weight();
+// The weight of the sample: f · |cos θ| / pdf.
+let weight = sample.weight();
 {}
 ",
                 near("sample.wi", vec3(sample.wi)),
                 float(sample.pdf),
-                same_colour("arrives", arrives, weight_bound)
+                same_colour("weight", weight, weight_bound)
             )
         }
     }

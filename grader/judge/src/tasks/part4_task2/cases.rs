@@ -1,7 +1,7 @@
-//! Paths whose every turn is written down.
+//! Cases of scripted paths, whose surfaces and samples are given.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{
     Direction, Origin, Questions, Radiance, Rays, SampledDirection, Spread, Throughput,
 };
@@ -16,40 +16,41 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "depth_0",
-            "-m 0 shows what emits and nothing else: direct light is not even asked for.",
+            "-m 0 shows emitted light only: direct light is not computed.",
             every(&["D", "L", "B", "M L", ""], &[0]),
         )
         .only(&[Radiance, Rays, Questions]),
         case(
             "depth_1",
-            "-m 1 adds the direct light of the first surface, and goes nowhere from there.",
+            "-m 1 adds the direct light of the first surface; the path ends there.",
             every(&["D D", "L", "M L", "G D", ""], &[1]),
         )
         .only(&[Radiance, Rays, Questions]),
         case(
             "geometric_series",
-            "Matte surfaces that each send on half of the light and get 1 of it directly: 1, 1.5, \
-             1.75, ... with each ray of depth.",
+            "Matte surfaces that each scatter half of the light and receive 1 as direct light: 1, \
+             1.5, 1.75, ... as the depth grows.",
             series(),
         )
         .only(&[Radiance, Rays]),
         case(
             "depth",
-            "A path has at most -m rays, the first one counted.",
+            "A path has at most -m rays, including the first.",
             every(&["D D D D D D"], &[2, 3, 4, 5, 6, 9]),
         )
         .only(&[Radiance, Rays]),
         case(
             "lamp_met_by_chance",
-            "A matte surface got the lamp's light as direct light already, and then a ray meets the \
-             lamp by chance: it counts once. Pitfall: adding what it emits there counts it again.",
+            "A matte surface has received the lamp's light as direct light when a sampled ray \
+             hits the lamp: the lamp counts once. Pitfall: adding the emitted light there counts \
+             it twice.",
             every(&["D L", "D D L", "M D L"], &[2, 3, 5]),
         )
         .only(&[Radiance]),
         case(
             "lamp_in_a_mirror",
-            "Mirrors and glass get no direct light: what is seen in them counts where it emits, on \
-             the front of a lamp and not on its back.",
+            "Mirrors and glass get no direct light: a lamp seen in them adds the light that it \
+             emits, on its front and not on its back.",
             every(
                 &["M L", "G L", "M M L", "D M L", "G G L", "M B"],
                 &[2, 3, 5],
@@ -58,54 +59,54 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         case(
             "sky_in_a_mirror",
-            "The background counts where the eye sees it, first hand or in a mirror, and not after \
+            "The background counts where the eye sees it, directly or in a mirror, but not after \
              a matte surface.",
             every(&["", "M", "G G", "D", "D M", "M D"], &[0, 1, 2, 3, 5]),
         )
         .only(&[Radiance, Rays]),
         case(
             "direct_light",
-            "Direct light is asked for once at each surface but mirrors and glass, towards the \
+            "Direct light is computed once at each surface except mirrors and glass; wo is the \
              unit world direction back along the ray.",
             every(&["D M D D", "G G D", "M D L"], &[1, 2, 4, 7]),
         )
         .only(&[Questions]),
         case(
             "rays_leave_the_surface",
-            "Each ray starts where Surface::leave puts it, on the side that it goes to, and goes \
-             along the sample's direction in world space.",
+            "Each ray starts at the origin that Surface::leave returns, on the side to which it \
+             goes, along the sample's direction in world space.",
             every(&["D G G D", "M M M", "G D"], &[5]),
         )
         .only(&[Origin, Direction]),
         case(
             "drawn_directions",
-            "Scattering::sample is asked with wo in local space, and every random number serves \
-             once.",
+            "Scattering::sample gets wo in local space, and every random number is used once.",
             every(&["D D D", "M G D D"], &[5]),
         )
         .only(&[SampledDirection, Spread]),
         case(
             "throughput",
-            "Roulette hears of the product of all f · |cos θ| / pdf, the new one among them, and \
-             of 1, 2, ... bounces; what it answers is the throughput from there on.",
-            lucky(),
+            "Roulette gets the product of all f · |cos θ| / pdf, including that of the new \
+             bounce, and the number of bounces, 1, 2, ...; the throughput that it returns is used \
+             from there on.",
+            with_roulette(),
         )
         .only(&[Throughput, Radiance]),
         case(
             "roulette_ends_the_path",
-            "Where roulette says None the path ends with what it has.",
+            "Where roulette returns None, the path ends with the radiance it has so far.",
             ended(|step| step.roulette = None),
         )
         .only(&[Radiance, Rays]),
         case(
             "no_direction",
-            "Where no direction can be drawn the path ends with what it has.",
+            "Where no direction can be sampled, the path ends with the radiance it has so far.",
             ended(|step| step.sample = None),
         )
         .only(&[Radiance, Rays]),
         case(
             "fresh_paths",
-            "Paths that differ for each seed.",
+            "Random paths that depend on the seed.",
             fresh(seed),
         ),
     ]
@@ -115,13 +116,13 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
     Spec::new("part4.task2", name, about, Work::Paths(paths))
 }
 
-/// A path over the surfaces that `letters` names: D for matte, M for a mirror, G for glass, L for a
-/// lamp, B for the back of one.
-fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
-    let first = dice.direction();
+/// A path over the surfaces in `letters`: D for matte, M for a mirror, G for glass, L for a lamp, B
+/// for the back of one.
+fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
+    let first = rng.direction();
     let mut d = first;
     let steps = letters.split_whitespace().map(|letter| {
-        let step = step(letter, d, dice);
+        let step = step(letter, d, rng);
         if let Some(sample) = step.sample {
             d = Frame::around(step.n.into()).to_world(sample.wi.into());
         }
@@ -130,7 +131,7 @@ fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     ScriptedPath {
         steps: steps.collect(),
         ray: Ray {
-            o: dice.in_cube().into(),
+            o: rng.in_cube().into(),
             d: first.into(),
             min_t: 0.5,
             max_t: 100.0,
@@ -141,19 +142,18 @@ fn path(letters: &str, max_depth: u32, dice: &mut Dice) -> ScriptedPath {
     }
 }
 
-/// A surface that is met along `d` from the side of its normal; glass from either side, the back of
-/// a lamp from the other.
-fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
-    let mut n = dice.direction();
+/// A surface that is hit along `d` on its front; glass on either side, "B" on its back.
+fn step(letter: &str, d: Vec3, rng: &mut ProbeRng) -> Step {
+    let mut n = rng.direction();
     while n.dot(d).abs() < 0.2 {
-        n = dice.direction();
+        n = rng.direction();
     }
-    let from_behind = letter == "B" || letter == "G" && dice.below(2) == 0;
+    let from_behind = letter == "B" || letter == "G" && rng.below(2) == 0;
     if from_behind != (n.dot(d) > 0.0) {
         n = -n;
     }
     let wo = Frame::around(n).to_local(-d);
-    let share = |dice: &mut Dice| [0.9, 0.8, 0.7].map(|most| dice.range(0.3, most));
+    let share = |rng: &mut ProbeRng| [0.9, 0.8, 0.7].map(|most| rng.range(0.3, most));
     let delta = |wi: Vec3, f: Xyz| BsdfSample {
         wi: wi.into(),
         f: f.map(|f| f / wi.z.abs()),
@@ -162,19 +162,19 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
     };
     let (material, sample) = match letter {
         "M" => {
-            let tint = share(dice);
+            let tint = share(rng);
             let wi = Vec3::new(-wo.x, -wo.y, wo.z);
             (Material::Mirror(tint), Some(delta(wi, tint)))
         }
-        "G" => (Material::Glass(1.5), Some(delta(-wo, share(dice)))),
+        "G" => (Material::Glass(1.5), Some(delta(-wo, share(rng)))),
         "L" | "B" => {
-            let radiance = [5.0, 4.0, 3.0].map(|most| dice.range(1.0, most));
+            let radiance = [5.0, 4.0, 3.0].map(|most| rng.range(1.0, most));
             (Material::Emission(radiance), None)
         }
         _ => {
-            let tint = share(dice);
+            let tint = share(rng);
             let wi = loop {
-                let wi = dice.direction();
+                let wi = rng.direction();
                 if wi.z > 0.2 {
                     break wi;
                 }
@@ -182,7 +182,7 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
             let sample = BsdfSample {
                 wi: wi.into(),
                 f: tint.map(|tint| 0.3 * tint),
-                pdf: dice.range(0.2, 0.6),
+                pdf: rng.range(0.2, 0.6),
                 delta: false,
             };
             (Material::Diffuse(tint), Some(sample))
@@ -190,35 +190,35 @@ fn step(letter: &str, d: Vec3, dice: &mut Dice) -> Step {
     };
     let is_lamp = matches!(material, Material::Emission(_));
     Step {
-        p: (3.0 * dice.in_cube()).into(),
+        p: (3.0 * rng.in_cube()).into(),
         n: n.into(),
         material,
         direct: if is_lamp {
             [0.0; 3]
         } else {
-            [1.0, 2.0, 3.0].map(|most| dice.range(0.1, most))
+            [1.0, 2.0, 3.0].map(|most| rng.range(0.1, most))
         },
         sample,
         roulette: Some(1.0),
     }
 }
 
-/// Each kind of path at each depth, three times.
+/// Each kind of path with each depth, three times.
 fn every(kinds: &[&str], depths: &[u32]) -> Vec<ScriptedPath> {
-    let mut dice = Dice::new(&kinds.join("/"), 0);
+    let mut rng = ProbeRng::new(&kinds.join("/"), 0);
     let pairs = kinds
         .iter()
         .flat_map(|kind| depths.iter().map(move |depth| (kind, *depth)));
     pairs
         .flat_map(|pair| [pair; 3])
-        .map(|(kind, depth)| path(kind, depth, &mut dice))
+        .map(|(kind, depth)| path(kind, depth, &mut rng))
         .collect()
 }
 
 fn series() -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("geometric_series", 0);
+    let mut rng = ProbeRng::new("geometric_series", 0);
     let half = |depth: u32| {
-        let mut path = path("D D D D D D D D D D D D", depth, &mut dice);
+        let mut path = path("D D D D D D D D D D D D", depth, &mut rng);
         for step in &mut path.steps {
             step.direct = [1.0; 3];
             if let Some(sample) = &mut step.sample {
@@ -231,27 +231,27 @@ fn series() -> Vec<ScriptedPath> {
     (1..=10).map(half).collect()
 }
 
-/// Paths on which roulette makes the survivors brighter.
-fn lucky() -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("lucky", 0);
-    let mut lucky = |letters: &str| {
-        let mut path = path(letters, 7, &mut dice);
+/// Paths whose throughput roulette increases.
+fn with_roulette() -> Vec<ScriptedPath> {
+    let mut rng = ProbeRng::new("lucky", 0);
+    let mut with_roulette = |letters: &str| {
+        let mut path = path(letters, 7, &mut rng);
         for step in &mut path.steps {
-            step.roulette = Some(dice.range(1.0, 3.0));
+            step.roulette = Some(rng.range(1.0, 3.0));
         }
         path
     };
     ["D D D D", "M D G D D", "D M L", "G G D D D"]
         .iter()
-        .flat_map(|letters| [lucky(letters), lucky(letters)])
+        .flat_map(|letters| [with_roulette(letters), with_roulette(letters)])
         .collect()
 }
 
 /// Paths that `end` ends at one of their surfaces.
 fn ended(end: impl Fn(&mut Step)) -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("ended", 0);
+    let mut rng = ProbeRng::new("ended", 0);
     let ended = (0..12).map(|i| {
-        let mut path = path("D M D G D", 7, &mut dice);
+        let mut path = path("D M D G D", 7, &mut rng);
         end(&mut path.steps[i % 5]);
         path
     });
@@ -259,15 +259,15 @@ fn ended(end: impl Fn(&mut Step)) -> Vec<ScriptedPath> {
 }
 
 fn fresh(seed: u64) -> Vec<ScriptedPath> {
-    let mut dice = Dice::new("fresh_paths", seed);
+    let mut rng = ProbeRng::new("fresh_paths", seed);
     let fresh = (0..60).map(|_| {
-        let letters: Vec<&str> = (0..dice.below(7))
-            .map(|_| dice.one_of(&["D", "D", "M", "G", "L", "B"]))
+        let letters: Vec<&str> = (0..rng.below(7))
+            .map(|_| rng.one_of(&["D", "D", "M", "G", "L", "B"]))
             .collect();
-        let depth = dice.below(8) as u32;
+        let depth = rng.below(8) as u32;
         ScriptedPath {
             seed,
-            ..path(&letters.join(" "), depth, &mut dice)
+            ..path(&letters.join(" "), depth, &mut rng)
         }
     });
     fresh.collect()

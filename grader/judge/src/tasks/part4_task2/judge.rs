@@ -1,4 +1,4 @@
-//! Judging paths: which rays were traced, what neighbours were asked, and the sum of the light.
+//! Judges paths: the traced rays, the calls of other functions, and the radiance.
 
 use super::throughput;
 use crate::hits::show;
@@ -10,30 +10,30 @@ use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::{BsdfSample, Material};
 use wire::work::Ray;
 
-/// How far a sum may be off, as a share; a few roundings a bounce.
+/// Relative error allowed in a sum: a few roundings per bounce.
 pub(crate) const SUM_BOUND: f64 = 1e-11;
 
 /// How far a direction or an origin may be off.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// What the script of a path makes of it.
+/// The right results for a scripted path.
 pub(crate) struct Right {
-    /// How many surfaces are met.
+    /// The number of surfaces that are hit.
     pub(crate) surfaces: usize,
-    /// Whether one more ray goes on and meets nothing.
+    /// Whether one more ray is traced, which hits nothing.
     leaves: bool,
-    /// Directions of the rays, surface after surface, and of the one that leaves.
+    /// The directions of the rays to each surface, and of the last ray, which misses.
     pub(crate) directions: Vec<Vec3>,
-    /// By what factor counts what each of these rays sees.
+    /// The throughput of each of these rays.
     pub(crate) weights: Vec<Vec3>,
 }
 
-/// The factor by which light counts that comes in by `sample`.
+/// The weight of `sample`, f · |cos θ| / pdf.
 pub(crate) fn factor(sample: &BsdfSample) -> Vec3 {
     Vec3::from(sample.f) * sample.wi[2].abs() / sample.pdf
 }
 
-/// How a path goes on behind a surface: the direction drawn, and the factor of roulette.
+/// The sampled direction and the factor of roulette where a path continues.
 fn goes_on(step: &Step) -> Option<(BsdfSample, f64)> {
     step.sample.zip(step.roulette)
 }
@@ -41,16 +41,18 @@ fn goes_on(step: &Step) -> Option<(BsdfSample, f64)> {
 impl Right {
     fn of(path: &ScriptedPath) -> Right {
         let most = path.max_depth.max(1) as usize;
-        let turns: Vec<(BsdfSample, f64)> = path.steps.iter().map_while(goes_on).collect();
-        let surfaces = path.steps.len().min(turns.len() + 1).min(most);
-        let leaves = turns.len() == path.steps.len() && most > path.steps.len();
-        let drawn = path.steps.iter().zip(&turns);
+        let bounces: Vec<(BsdfSample, f64)> = path.steps.iter().map_while(goes_on).collect();
+        let surfaces = path.steps.len().min(bounces.len() + 1).min(most);
+        let leaves = bounces.len() == path.steps.len() && most > path.steps.len();
+        let drawn = path.steps.iter().zip(&bounces);
         let behind = drawn
             .map(|(step, (sample, _))| Frame::around(step.n.into()).to_world(sample.wi.into()));
-        let weights = turns.iter().scan(Vec3::ONE, |weight, (sample, lucky)| {
-            *weight *= factor(sample) * *lucky;
-            Some(*weight)
-        });
+        let weights = bounces
+            .iter()
+            .scan(Vec3::ONE, |weight, (sample, roulette)| {
+                *weight *= factor(sample) * *roulette;
+                Some(*weight)
+            });
         Right {
             surfaces,
             leaves,
@@ -59,7 +61,7 @@ impl Right {
         }
     }
 
-    /// What the light adds up to.
+    /// The right radiance of the path.
     fn radiance(&self, path: &ScriptedPath) -> Vec3 {
         let ways = self.directions.iter().zip(&self.weights).enumerate();
         ways.map(|(i, (d, weight))| {
@@ -76,7 +78,7 @@ impl Right {
         .sum()
     }
 
-    /// What one surface sends back along `d`.
+    /// The radiance that one surface emits and scatters back along `d`.
     fn sent(&self, path: &ScriptedPath, step: &Step, d: Vec3, eye_sees: bool) -> Vec3 {
         let emitted = match step.material {
             Material::Emission(radiance) if eye_sees && d.dot(step.n.into()) < 0.0 => {
@@ -138,14 +140,17 @@ fn rays(
     about: &impl Fn() -> String,
 ) {
     tally.expect(Aspect::Rays);
-    let (asked, wanted) = (
+    let (traced, wanted) = (
         answer.rays.len(),
         right.surfaces + usize::from(right.leaves),
     );
-    let class = (asked != wanted).then(|| Class::of_size(asked as f64 - wanted as f64));
-    let off = asked.abs_diff(wanted) as f64;
+    let class = (traced != wanted).then(|| Class::of_size(traced as f64 - wanted as f64));
+    let off = traced.abs_diff(wanted) as f64;
     tally.judge_class(Aspect::Rays, call, class, off, || {
-        format!("{asked} rays were traced, right are {wanted}. {}", about())
+        format!(
+            "your result: {traced} rays; expected: {wanted}. {}",
+            about()
+        )
     });
     for (i, ray) in answer.rays.iter().enumerate().take(wanted) {
         tally.expect(Aspect::Direction);
@@ -167,12 +172,12 @@ fn rays(
         tally.judge_class(Aspect::Origin, call, class, 1.0, || {
             let from = i
                 .checked_sub(1)
-                .map_or("it is handed on as it is".into(), |i| {
+                .map_or("the first ray, unchanged".into(), |i| {
                     let p = show(path.steps[i].p.into());
-                    format!("it leaves {p} by Surface::leave, with all of its range")
+                    format!("an origin that Surface::leave returns at {p}, and the whole range")
                 });
             format!(
-                "ray {i} starts at {} with t in [{:?}, {:?}]; {from}. {}",
+                "your result: ray {i} starts at {} with t in [{:?}, {:?}]; expected: {from}. {}",
                 show(ray.o.into()),
                 ray.min_t,
                 ray.max_t,
@@ -182,7 +187,7 @@ fn rays(
     }
 }
 
-/// What is wrong with how a ray leaves a surface.
+/// The class of a ray with a wrong origin or range; `None` if both are right.
 fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     let (n, d) = (Vec3::from(step.n), Vec3::from(ray.d));
     let off = Vec3::from(ray.o) - Vec3::from(step.p);
@@ -193,7 +198,7 @@ fn leaves(ray: &Ray, step: &Step) -> Option<Class> {
     (off.dot(n) * d.dot(n) <= 0.0).then_some(Class::Negated)
 }
 
-/// Direct light is asked for once at every surface that is not smooth.
+/// Judges the calls of `direct`: one at every surface except mirrors and glass.
 fn direct(
     tally: &mut Tally,
     call: usize,
@@ -220,14 +225,14 @@ fn direct(
         });
     tally.judge(Aspect::Questions, call, same, 1.0, || {
         format!(
-            "direct was asked for (surface, wo) {:?}, right are {wanted:?}. {}",
+            "your calls of direct: (surface, wo) {:?}; expected: {wanted:?}. {}",
             answer.direct,
             about()
         )
     });
 }
 
-/// Directions are drawn in local space, with numbers that serve once.
+/// Judges the calls of `sample`: `wo` is in local space, and each random number is used once.
 fn draws(
     tally: &mut Tally,
     call: usize,
@@ -252,12 +257,12 @@ fn draws(
     }
     tally.expect(Aspect::Spread);
     let drawn = answer.samples.iter().flat_map(|(_, _, numbers)| *numbers);
-    let played = answer.games.iter().map(|(_, _, u)| *u);
-    let all: Vec<u64> = drawn.chain(played).map(f64::to_bits).collect();
+    let roulette = answer.roulette_calls.iter().map(|(_, _, u)| *u);
+    let all: Vec<u64> = drawn.chain(roulette).map(f64::to_bits).collect();
     let different = all.iter().collect::<BTreeSet<_>>().len();
     tally.judge(Aspect::Spread, call, different == all.len(), 1.0, || {
         format!(
-            "only {different} of {} random numbers differ: each serves once. {}",
+            "only {different} of {} random numbers differ: use each once. {}",
             all.len(),
             about()
         )

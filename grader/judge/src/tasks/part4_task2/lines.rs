@@ -1,9 +1,9 @@
-//! How a snapshot shows a path.
+//! Writes a path to a snapshot.
 
 use crate::snapshot::{Forms, field, forms, number, vector};
 use wire::global::{PathAnswer, ScriptedPath};
 
-/// Radiance, rays and games of roulette; on full lines the first throughputs, too.
+/// Radiance, number of rays and of calls of roulette; full lines also have the first throughputs.
 pub(super) fn path(path: &ScriptedPath, answer: &PathAnswer) -> Forms {
     let question = vec![
         number("max_depth", f64::from(path.max_depth)),
@@ -13,10 +13,10 @@ pub(super) fn path(path: &ScriptedPath, answer: &PathAnswer) -> Forms {
     let short = vec![
         field("radiance", vector(&answer.radiance)),
         number("rays", answer.rays.len() as f64),
-        number("games", answer.games.len() as f64),
+        number("games", answer.roulette_calls.len() as f64),
     ];
     let mut full = short.clone();
-    let throughputs = answer.games.iter().take(2);
+    let throughputs = answer.roulette_calls.iter().take(2);
     full.extend(throughputs.map(|(throughput, _, _)| field("throughput", vector(throughput))));
     forms(question, short, full)
 }

@@ -1,4 +1,4 @@
-//! Judging what roulette hears on a path.
+//! Judges the arguments with which a path calls roulette.
 
 use super::judge::{Right, SUM_BOUND, factor};
 use crate::numbers::same_colour;
@@ -7,22 +7,21 @@ use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::BsdfSample;
 
-/// What roulette hears: throughput, bounces, random number.
-type Game = ([f64; 3], u32, f64);
+/// The arguments of a call of roulette: throughput, bounces, random number.
+type RouletteCall = ([f64; 3], u32, f64);
 
-/// A bounce of a path: the throughput on the way to the surface, what was drawn there, the local
-/// `wo`.
+/// A bounce of a path: the throughput before it, the sample, and the local `wo`.
 struct Bounce<'a> {
     before: Vec3,
     sample: &'a BsdfSample,
     wo: Vec3,
 }
 
-/// What roulette is told of after a bounce.
-type Told = fn(&Bounce<'_>) -> Vec3;
+/// Computes a throughput after a bounce.
+type Throughput = fn(&Bounce<'_>) -> Vec3;
 
-/// Throughputs that typical mistakes tell roulette of.
-const SUSPECTS: [(&str, Told); 8] = [
+/// The throughputs that common mistakes compute.
+const KNOWN_MISTAKES: [(&str, Throughput); 8] = [
     ("before the bounce", |bounce| bounce.before),
     ("the weight alone", |bounce| factor(bounce.sample)),
     ("the weight added", |bounce| {
@@ -49,7 +48,7 @@ fn f(bounce: &Bounce<'_>) -> Vec3 {
     bounce.sample.f.into()
 }
 
-/// Roulette hears of the throughput with the new bounce in it.
+/// Judges the calls of roulette: each has the throughput after the new bounce.
 pub(crate) fn judge(
     tally: &mut Tally,
     call: usize,
@@ -58,7 +57,7 @@ pub(crate) fn judge(
     right: &Right,
     about: &impl Fn() -> String,
 ) {
-    // The last surface that the depth allows sends no ray on, and neither does one that draws no
+    // No ray continues from the last surface that the depth allows, nor from one without a sampled
     // direction.
     let most = (path.max_depth as usize)
         .saturating_sub(1)
@@ -79,15 +78,15 @@ pub(crate) fn judge(
         .map(|bounce| bounce.before * factor(bounce.sample))
         .collect();
     tally.expect(Aspect::Throughput);
-    let off = answer.games.len().abs_diff(wanted.len()) as f64;
+    let off = answer.roulette_calls.len().abs_diff(wanted.len()) as f64;
     let class = match off == 0.0 {
-        true => misheard(path, &answer.games, &bounces, &wanted),
+        true => class_of_calls(path, &answer.roulette_calls, &bounces, &wanted),
         false => Some(Class::of_size(1.0 + off)),
     };
     tally.judge_class(Aspect::Throughput, call, class, 1.0 + off, || {
         format!(
-            "roulette was asked with (throughput, bounces, u) {:?}, right are the throughputs {wanted:?} after 1, 2, ... bounces. {}",
-            answer.games,
+            "your calls of roulette: (throughput, bounces, u) {:?}; expected: the throughputs {wanted:?} after 1, 2, ... bounces. {}",
+            answer.roulette_calls,
             about()
         )
     });
@@ -97,25 +96,25 @@ fn local(step: &Step, d: Vec3) -> Vec3 {
     Frame::around(step.n.into()).to_local(d)
 }
 
-/// What is wrong about as many games as there should be, by the first that is.
-fn misheard(
+/// The class of the first wrong call, where the number of calls is right; `None` if all are right.
+fn class_of_calls(
     path: &ScriptedPath,
-    games: &[Game],
+    calls: &[RouletteCall],
     bounces: &[Bounce<'_>],
     wanted: &[Vec3],
 ) -> Option<Class> {
-    let is = |game: &Game, right: Vec3| same_colour(game.0, right.into(), SUM_BOUND);
-    let throughputs = games.iter().zip(bounces).zip(wanted);
+    let is = |game: &RouletteCall, right: Vec3| same_colour(game.0, right.into(), SUM_BOUND);
+    let throughputs = calls.iter().zip(bounces).zip(wanted);
     for ((game, bounce), right) in throughputs {
         if is(game, *right) {
             continue;
         }
-        let mut suspects = SUSPECTS.iter();
-        let named = suspects.find(|(_, wrong)| is(game, wrong(bounce)));
+        let mut known_mistakes = KNOWN_MISTAKES.iter();
+        let named = known_mistakes.find(|(_, wrong)| is(game, wrong(bounce)));
         return Some(named.map_or(Class::Wrong, |(name, _)| Class::Named(name)));
     }
     let counts = |bounces_at: &dyn Fn(u32) -> u32| {
-        let mut numbered = (1..).zip(games);
+        let mut numbered = (1..).zip(calls);
         numbered.all(|(number, game)| game.1 == bounces_at(number))
     };
     if counts(&|number| number) {

@@ -1,13 +1,13 @@
-//! Russian roulette.
+//! Cases of Russian roulette.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Mean, Survival, Throughput};
 use wire::Work;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
-/// A dim throughput, in binary fractions.
+/// A dim throughput, exact in binary.
 const DIM: Xyz = [0.25, 0.125, 0.0625];
 
 /// The cases of `part4.task3`.
@@ -15,13 +15,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "first_bounces",
-            "The first three bounces are free: the path goes on as it is, however dim.",
+            "Up to the third bounce a path continues unchanged, however dim it is.",
             work(&[DIM, [0.9, 0.01, 0.5], [3.0, 0.5, 0.0]], &[0, 1, 2, 3]),
         ),
         case(
             "survivors",
-            "From the fourth bounce on the path lives if u < q, where q is the largest channel, \
-             and counts 1 / q times as much for those who do not.",
+            "From the fourth bounce on a path continues if u < q, where q is the largest channel \
+             of the throughput, and its throughput is divided by q.",
             work(
                 &[DIM, [0.1, 0.9, 0.5], [0.0, 0.0, 0.5], [0.02, 0.01, 0.0]],
                 &[4, 5, 17, 1000],
@@ -29,26 +29,27 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "bright_paths",
-            "A path that counts 1 or more always goes on, as it is: q is no more than 1.",
+            "A path whose largest channel is 1 or more always continues unchanged: q is at most \
+             1.",
             work(&[[1.0; 3], [0.2, 1.5, 0.1], [7.0, 8.0, 9.0]], &[4, 30]),
         ),
         case(
             "black_paths",
-            "A black path ends at once, even in the first bounces: nothing it finds can be seen.",
+            "A black path ends at once, also in the first bounces: it cannot add light.",
             work(&[[0.0; 3]], &[0, 1, 3, 4, 50]),
         )
         .only(&[Survival]),
         case(
             "mean_of_many",
-            "Over many games the mean throughput is what it was before: the picture gets neither \
-             darker nor brighter. A bias of 19 % is sure to be seen.",
-            many(0, "mean_of_many", 12_000),
+            "Over many calls the mean throughput is the throughput before: the picture gets \
+             neither darker nor brighter. A bias of 19 % is always detected.",
+            random_numbers(0, "mean_of_many", 12_000),
         )
         .only(&[Mean]),
         case(
             "fresh_games",
-            "Games that differ for each seed.",
-            many(seed, "fresh_games", 1000),
+            "Random numbers u that depend on the seed.",
+            random_numbers(seed, "fresh_games", 1000),
         )
         .only(&[Survival, Throughput]),
     ]
@@ -58,7 +59,7 @@ fn case(name: &'static str, about: &'static str, work: RouletteWork) -> Spec {
     Spec::new("part4.task3", name, about, Work::Roulette(work))
 }
 
-/// Each throughput after each number of bounces, with numbers all over [0, 1).
+/// Each throughput after each number of bounces, with numbers u spread over [0, 1).
 fn work(throughputs: &[Xyz], bounces: &[u32]) -> RouletteWork {
     let paths = throughputs
         .iter()
@@ -72,10 +73,10 @@ fn work(throughputs: &[Xyz], bounces: &[u32]) -> RouletteWork {
     }
 }
 
-fn many(seed: u64, name: &str, games: u32) -> RouletteWork {
-    let mut dice = Dice::new(name, seed);
+fn random_numbers(seed: u64, name: &str, count: u32) -> RouletteWork {
+    let mut rng = ProbeRng::new(name, seed);
     RouletteWork {
         paths: vec![(DIM, 4), ([0.6, 0.3, 0.1], 9)],
-        numbers: (0..games).map(|_| dice.range(0.0, 1.0)).collect(),
+        numbers: (0..count).map(|_| rng.range(0.0, 1.0)).collect(),
     }
 }

@@ -1,33 +1,33 @@
-//! Judging Russian roulette.
+//! Judges Russian roulette.
 
-use crate::chance::{self, MANY};
+use crate::chance::{self, MIN_ESTIMATES};
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::Tally as Numbers;
+use kit::Tally as SampleTally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;
 
-/// Bounces that every path makes before it plays.
+/// The number of bounces before roulette may end a path.
 const FREE_BOUNCES: u32 = 3;
 
-/// A division and its rounding.
+/// Relative error allowed: the rounding of a division.
 pub(crate) const BOUND: f64 = 1e-12;
 
-/// Judges each game, and over many of them their mean.
+/// Judges each call, and the mean of many.
 pub(crate) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option<Xyz>]) {
-    let games = answers.chunks(work.numbers.len().max(1));
-    for (path, (&(throughput, bounces), answers)) in work.paths.iter().zip(games).enumerate() {
+    let by_path = answers.chunks(work.numbers.len().max(1));
+    for (path, (&(throughput, bounces), answers)) in work.paths.iter().zip(by_path).enumerate() {
         for (i, (u, answer)) in work.numbers.iter().zip(answers).enumerate() {
             let call = path * work.numbers.len() + i;
             one(tally, call, throughput, bounces, *u, *answer);
         }
         let channel = (0..3).find(|&c| throughput[c] > 0.0);
-        if let (Some(channel), true) = (channel, answers.len() >= MANY) {
+        if let (Some(channel), true) = (channel, answers.len() >= MIN_ESTIMATES) {
             let counts = answers.iter().map(|a| a.map_or(0.0, |t| t[channel]));
-            let numbers: Numbers = counts.collect();
+            let numbers: SampleTally = counts.collect();
             chance::mean(
                 tally,
-                "throughputs, 0 for paths that ended,",
+                "throughputs (0 for paths that end)",
                 &numbers,
                 throughput[channel],
             );
@@ -35,8 +35,8 @@ pub(crate) fn roulette(tally: &mut Tally, work: &RouletteWork, answers: &[Option
     }
 }
 
-/// The probability with which a path goes on.
-fn chance(throughput: Xyz, bounces: u32) -> f64 {
+/// The probability that a path continues.
+fn survival_probability(throughput: Xyz, bounces: u32) -> f64 {
     let brightest = throughput.into_iter().fold(0.0, f64::max);
     match bounces {
         0..=FREE_BOUNCES if brightest > 0.0 => 1.0,
@@ -44,9 +44,9 @@ fn chance(throughput: Xyz, bounces: u32) -> f64 {
     }
 }
 
-/// The throughput to go on with, if the path does.
+/// The throughput of a path that continues; `None` if it ends.
 pub(crate) fn right(throughput: Xyz, bounces: u32, u: f64) -> Option<Xyz> {
-    let chance = chance(throughput, bounces);
+    let chance = survival_probability(throughput, bounces);
     (u < chance).then(|| throughput.map(|channel| channel / chance))
 }
 
@@ -61,13 +61,13 @@ fn one(tally: &mut Tally, call: usize, throughput: Xyz, bounces: u32, u: f64, an
     };
     tally.judge_class(Aspect::Survival, call, class, 1.0, || {
         format!(
-            "{} gives {answer:?}; the path goes on with the probability {:?}, here {}",
+            "{}: your result: {answer:?}; the path continues with the probability {:?}; expected: {}",
             about(),
-            chance(throughput, bounces),
+            survival_probability(throughput, bounces),
             if right.is_some() {
-                "it does"
+                "it continues"
             } else {
-                "it does not"
+                "it ends"
             }
         )
     });

@@ -57,10 +57,10 @@ impl Check for Roulette {
     }
 
     fn repro(_: Tier, work: &RouletteWork, call: usize) -> Option<String> {
-        repro::game(work, call)
+        repro::call(work, call)
     }
 
-    /// The test makes one call: nothing that only many show.
+    /// The test makes one call, which shows nothing about statistics of many.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Spread | Aspect::Mean)
     }

@@ -1,11 +1,11 @@
-//! Tests of Russian roulette.
+//! Rust tests of Russian roulette.
 
 use super::judge;
 use crate::repro::numbers::{float, same_colour, spectrum};
 use wire::global::RouletteWork;
 
-/// One game.
-pub(crate) fn game(work: &RouletteWork, call: usize) -> Option<String> {
+/// A test of one call.
+pub(crate) fn call(work: &RouletteWork, call: usize) -> Option<String> {
     let &(throughput, bounces) = work.paths.get(call / work.numbers.len().max(1))?;
     let u = *work.numbers.get(call % work.numbers.len().max(1))?;
     let call = format!(
@@ -16,7 +16,7 @@ pub(crate) fn game(work: &RouletteWork, call: usize) -> Option<String> {
     Some(match judge::right(throughput, bounces, u) {
         None => format!("use kit::Spectrum;\nassert_eq!({call}, None);\n"),
         Some(right) => format!(
-            "use kit::Spectrum;\nlet throughput = {call}.expect(\"the path goes on\");\n{}\n",
+            "use kit::Spectrum;\nlet throughput = {call}.expect(\"the path continues\");\n{}\n",
             same_colour("throughput", right, judge::BOUND)
         ),
     })

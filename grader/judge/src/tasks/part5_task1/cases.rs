@@ -1,7 +1,7 @@
-//! The cases: when a pixel has had enough samples, and pixels that stop then.
+//! Cases of the stopping rule, and of pixels that stop by it.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Calls, Placement, Questions, Radiance};
 use wire::Work;
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
@@ -12,32 +12,34 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         rule(
             "spread_against_the_mean",
-            "1.96 · σ / √n <= tolerance · μ, tried a hundredth to both sides of where it turns: \
-             σ is the root of the variance, and n stands under a root.",
-            near_the_turn("spread_against_the_mean", 0, 0.01),
+            "1.96 · σ / √n <= tolerance · μ, tested with tolerances 1 % below and above the one \
+             where the result changes: σ is the square root of the variance, and n is under a \
+             square root.",
+            near_the_threshold("spread_against_the_mean", 0, 0.01),
         ),
         rule(
             "confidence",
-            "1.96 is for 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 %, and 2 is rounded.",
-            near_the_turn("confidence", 0, 0.001),
+            "The factor 1.96 is for a confidence of 95 %. Pitfall: 1.645 is for 90 %, 2.58 for 99 \
+             %, and 2 is rounded.",
+            near_the_threshold("confidence", 0, 0.001),
         ),
         rule(
             "samples_all_alike",
-            "Samples that are all the same have no spread: one look is enough, even with a \
-             tolerance of 0. No samples are never enough.",
-            alike(),
+            "Equal samples have a variance of 0: they are enough, even with a tolerance of 0. No \
+             samples are never enough.",
+            equal_samples(),
         ),
         pixel(
             "samples_and_mean",
-            "A rule that never says yes: all -s samples are taken, each through camera_ray and \
-             trace_ray, and averaged over their number.",
+            "A stopping rule that always returns false: all -s samples are taken, each with one \
+             call of camera_ray and trace_ray, and averaged over their number.",
             (0..6).map(|i| of(i, 9 + 7 * i, 4, never())).collect(),
         )
         .only(&[Calls, Radiance]),
         pixel(
             "batches",
-            "The rule is asked after each batch, about all samples so far, and the loop stops when \
-             it says yes.",
+            "The stopping rule is called after each batch, with all samples so far, and the loop \
+             stops when it returns true.",
             (0..8)
                 .map(|i| of(i, 100, 3 + i, StopRule::From(u64::from(10 * i + 1))))
                 .collect(),
@@ -45,8 +47,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Questions]),
         pixel(
             "mean_of_what_was_taken",
-            "A pixel that stops early divides by the samples that it took. Pitfall: dividing by -s \
-             makes it too dark.",
+            "A pixel that stops early divides by the number of samples taken. Pitfall: dividing \
+             by -s makes it too dark.",
             (1..6)
                 .map(|i| of(i, 640, 8, StopRule::From(u64::from(8 * i))))
                 .collect(),
@@ -54,8 +56,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance]),
         pixel(
             "odd_budgets",
-            "No samples are black, not 0 / 0; a batch of 0 counts as 1; the last batch may be a \
-             short one.",
+            "0 samples are black, not 0 / 0; a batch of 0 counts as 1; the last batch may be \
+             shorter.",
             vec![
                 of(0, 0, 4, never()),
                 of(1, 5, 0, StopRule::From(3)),
@@ -67,8 +69,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Radiance]),
         pixel(
             "luminance",
-            "The rule hears of luminances, in which green counts most, and of the tolerance as it \
-             was given.",
+            "The stopping rule gets luminances, in which green has the largest weight, and the \
+             tolerance unchanged.",
             (0..6)
                 .map(|i| AdaptivePixel {
                     stream: colours("luminance", i),
@@ -79,19 +81,19 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Questions]),
         pixel(
             "places_in_the_pixel",
-            "Each sample goes through a place of its own inside the pixel.",
+            "Each sample goes through a point of its own inside the pixel.",
             (0..6).map(|i| of(i, 64, 16, never())).collect(),
         )
         .only(&[Placement]),
         pixel(
             "exact_counts",
-            "With your own rule a pixel stops at an exact number of samples.",
+            "With your own stopping rule a pixel stops at an exact number of samples.",
             exact("exact_counts", 0),
         )
         .only(&[Calls, Radiance]),
         pixel(
             "fresh_pixels",
-            "Pixels whose samples differ for each seed.",
+            "Pixels with random samples that depend on the seed.",
             exact("fresh_pixels", seed),
         ),
     ]
@@ -117,28 +119,29 @@ pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
     }
 }
 
-/// Samples of two values, with tolerances just below and just above where the rule turns.
-fn near_the_turn(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
-    let mut dice = Dice::new(name, seed);
+/// Random samples, with tolerances just below and just above the one where the rule's result
+/// changes.
+fn near_the_threshold(name: &str, seed: u64, share: f64) -> Vec<StopCall> {
+    let mut rng = ProbeRng::new(name, seed);
     let calls = (0..60).flat_map(|_| {
-        let (few, many) = (1 + dice.below(40) as u32, 1 + dice.below(400) as u32);
+        let (few, many) = (1 + rng.below(40) as u32, 1 + rng.below(400) as u32);
         let runs = vec![
-            (few, dice.range(2.0, 9.0)),
-            (many, dice.range(0.1, 1.0)),
-            (few, dice.range(0.0, 0.5)),
+            (few, rng.range(2.0, 9.0)),
+            (many, rng.range(0.1, 1.0)),
+            (few, rng.range(0.0, 0.5)),
         ];
-        let turn = turn(&runs);
+        let threshold = threshold(&runs);
         [1.0 - share, 1.0 + share].map(|factor| StopCall {
-            tolerance: turn * factor,
+            tolerance: threshold * factor,
             ..call(runs.clone(), false)
         })
     });
     calls.collect()
 }
 
-/// The tolerance from which on the rule says yes: 1.96 standard errors over the mean, from plain
-/// sums.
-fn turn(runs: &[(u32, f64)]) -> f64 {
+/// The smallest tolerance for which the rule returns true: 1.96 standard errors over the mean,
+/// computed from plain sums.
+fn threshold(runs: &[(u32, f64)]) -> f64 {
     let over = |f: &dyn Fn(f64) -> f64| -> f64 {
         runs.iter().map(|&(count, x)| f64::from(count) * f(x)).sum()
     };
@@ -148,7 +151,7 @@ fn turn(runs: &[(u32, f64)]) -> f64 {
     1.96 * (variance / n).sqrt() / mean
 }
 
-fn alike() -> Vec<StopCall> {
+fn equal_samples() -> Vec<StopCall> {
     let of = |runs: Vec<(u32, f64)>, tolerance: f64| StopCall {
         tolerance,
         ..call(runs, false)
@@ -164,7 +167,7 @@ fn alike() -> Vec<StopCall> {
     ]
 }
 
-/// A pixel of its own for each `i`.
+/// A different pixel for each `i`.
 fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
     AdaptivePixel {
         film: [7, 5],
@@ -180,23 +183,23 @@ fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
 
 /// Colours that differ from each other, dark and bright.
 fn colours(name: &str, i: u32) -> Vec<Xyz> {
-    let mut dice = Dice::new(name, u64::from(i));
-    let colours = (0..13).map(|_| [0.0; 3].map(|_: f64| dice.range(0.0, 1.0).powi(3) * 20.0));
+    let mut rng = ProbeRng::new(name, u64::from(i));
+    let colours = (0..13).map(|_| [0.0; 3].map(|_: f64| rng.range(0.0, 1.0).powi(3) * 20.0));
     colours.collect()
 }
 
-/// Pixels of all sorts that stop by the plain rule, clearly so: nowhere near where it turns.
+/// Random pixels that stop by the plain rule.
 fn exact(name: &str, seed: u64) -> Vec<AdaptivePixel> {
-    let mut dice = Dice::new(name, seed);
+    let mut rng = ProbeRng::new(name, seed);
     let pixels = (0..24).map(|i| {
-        let noise = dice.one_of(&[0.0, 0.1, 0.5, 2.0]);
-        let base = dice.range(0.2, 2.0);
-        let stream = (0..64).map(|_| [base + noise * dice.range(0.0, 1.0).powi(4); 3]);
+        let noise = rng.one_of(&[0.0, 0.1, 0.5, 2.0]);
+        let base = rng.range(0.2, 2.0);
+        let stream = (0..64).map(|_| [base + noise * rng.range(0.0, 1.0).powi(4); 3]);
         AdaptivePixel {
             stream: stream.collect(),
-            tolerance: dice.one_of(&[0.02, 0.05, 0.2]),
+            tolerance: rng.one_of(&[0.02, 0.05, 0.2]),
             seed,
-            ..of(i, 512, dice.one_of(&[5, 16, 32]), StopRule::Plain)
+            ..of(i, 512, rng.one_of(&[5, 16, 32]), StopRule::Plain)
         }
     });
     pixels.collect()

@@ -1,30 +1,30 @@
-//! Judging the stopping rule and pixels that stop by one.
+//! Judges the stopping rule, and pixels that stop by a rule.
 
 use super::placement;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Spectrum, Tally as Numbers};
+use kit::{Spectrum, Tally as SampleTally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 use wire::work::Xyz;
 
-/// How far means and variances may be off, as a share: they are sums of thousands of numbers.
+/// Relative error allowed in means and variances: they are sums of thousands of numbers.
 const BOUND: f64 = 1e-9;
 
-/// Half of the middle 95 % of a normal distribution, in standard deviations.
+/// Half the width of the 95 % confidence interval of a normal distribution, in standard deviations.
 const CONFIDENCE: f64 = 1.96;
 
-/// Whether the interval around the mean is narrow enough, with both sides squared.
-fn is_narrow(samples: &Numbers, tolerance: f64) -> bool {
+/// Whether the confidence interval of the mean is narrow enough; both sides are squared.
+fn is_narrow(samples: &SampleTally, tolerance: f64) -> bool {
     let (n, wanted) = (samples.count() as f64, tolerance * samples.mean());
     n > 0.0 && n * wanted * wanted >= CONFIDENCE * CONFIDENCE * samples.variance()
 }
 
-/// What the plain rule should say.
+/// The right result of the plain rule.
 pub(crate) fn converged(call: &StopCall) -> bool {
     is_narrow(&samples(call), call.tolerance)
 }
 
-pub(crate) fn samples(call: &StopCall) -> Numbers {
+pub(crate) fn samples(call: &StopCall) -> SampleTally {
     let runs = call.runs.iter();
     runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
         .collect()
@@ -53,13 +53,13 @@ pub(crate) fn verdict(
     tally.judge_class(Aspect::Stop, i, class, 1.0, || {
         let samples = samples(call);
         format!(
-            "it says {}, right is {right}: {} samples with the mean {} and the standard error {}, tolerance {}, where the plain rule says {}",
+            "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}; the plain rule returns {}",
             answer.stop,
             samples.count(),
             samples.mean(),
             samples.standard_error(),
             call.tolerance,
-            if call.rule { "yes" } else { "no" }
+            call.rule
         )
     });
 }
@@ -71,26 +71,26 @@ pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[Adap
     }
 }
 
-/// The samples that a sound loop takes, and the looks at the rule on the way.
-pub(crate) fn sound(work: &AdaptivePixel) -> (u32, Vec<Numbers>) {
-    let mut taken = Numbers::default();
-    let mut looks = Vec::new();
-    let endless = work.stream.iter().cycle().zip(1..=work.ns_aa);
-    for (radiance, count) in endless {
+/// The number of samples that a correct loop takes, and the samples at each call of the rule.
+pub(crate) fn right_samples(work: &AdaptivePixel) -> (u32, Vec<SampleTally>) {
+    let mut taken = SampleTally::default();
+    let mut rule_calls = Vec::new();
+    let samples = work.stream.iter().cycle().zip(1..=work.ns_aa);
+    for (radiance, count) in samples {
         taken.push(Spectrum::from(*radiance).luminance());
         if !count.is_multiple_of(work.batch.max(1)) {
             continue;
         }
-        looks.push(taken);
+        rule_calls.push(taken);
         let enough = match work.rule {
             StopRule::From(least) => taken.count() >= least,
             StopRule::Plain => is_narrow(&taken, work.tolerance),
         };
         if enough {
-            return (count, looks);
+            return (count, rule_calls);
         }
     }
-    (work.ns_aa, looks)
+    (work.ns_aa, rule_calls)
 }
 
 /// The mean of the first so many samples.
@@ -110,24 +110,24 @@ fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &Adaptive
             work.pixel, work.ns_aa, work.batch, work.tolerance
         )
     };
-    let (samples, looks) = sound(work);
+    let (samples, rule_calls) = right_samples(work);
     let counts = [answer.samples, answer.traced, answer.points.len() as u32];
     let right = counts == [samples; 3] && answer.foreign == 0;
     let class = (!right).then(|| Class::of_number(f64::from(answer.samples), f64::from(samples)));
     let off = f64::from(answer.samples) - f64::from(samples);
     tally.judge_class(Aspect::Calls, call, class, off.abs(), || {
         format!(
-            "the estimate says {} samples, trace_ray was called {} times ({} of them with rays that camera_ray did not make), camera_ray {} times; right are {samples} each. {}",
+            "your result: {} samples in the estimate, {} calls of trace_ray ({} of them with rays that camera_ray did not return), {} of camera_ray; expected: {samples} each. {}",
             answer.samples, answer.traced, answer.foreign, counts[2], about()
         )
     });
     let (aspect, mean) = (Aspect::Radiance, mean(work, samples));
     numbers::colour(tally, aspect, call, answer.radiance, mean, BOUND, about);
-    questions(tally, call, work, answer, &looks, &about);
+    questions(tally, call, work, answer, &rule_calls, &about);
     placement::judge(tally, call, work, answer, &about);
 }
 
-/// Which number of each sample the rule heard of instead of its luminance, if it is one of these.
+/// The number of each sample that the rule got instead of the luminance, if it is one of these.
 fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<&'static str> {
     type Number = fn(&Xyz) -> f64;
     const NUMBERS: [(&str, Number); 6] = [
@@ -144,50 +144,54 @@ fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<
     ];
     let is = |number: &&(&str, Number)| {
         let stream = work.stream.iter().cycle().take(asked.0 as usize);
-        let mean = stream.map(number.1).collect::<Numbers>().mean();
+        let mean = stream.map(number.1).collect::<SampleTally>().mean();
         (asked.1 - mean).abs() <= BOUND * mean.abs()
     };
     NUMBERS.iter().find(is).map(|(name, _)| *name)
 }
 
-/// After each batch the rule hears of all luminances so far. At the last sample it makes no
-/// difference.
+/// Judges the calls of the rule: after each batch, with all luminances so far. A call after the
+/// last possible sample is optional.
 fn questions(
     tally: &mut Tally,
     call: usize,
     work: &AdaptivePixel,
     answer: &AdaptiveAnswer,
-    looks: &[Numbers],
+    rule_calls: &[SampleTally],
     about: &impl Fn() -> String,
 ) {
-    let needless = looks
+    let last_is_optional = rule_calls
         .last()
-        .is_some_and(|look| look.count() == u64::from(work.ns_aa));
-    let least = looks.len() - usize::from(needless);
-    let enough = (least..=looks.len()).contains(&answer.looks.len());
+        .is_some_and(|at_call| at_call.count() == u64::from(work.ns_aa));
+    let least = rule_calls.len() - usize::from(last_is_optional);
+    let enough = (least..=rule_calls.len()).contains(&answer.rule_calls.len());
     let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= BOUND * scale;
-    let same = |(asked, right): (&(u64, f64, f64, f64), &Numbers)| {
+    let same = |(asked, right): (&(u64, f64, f64, f64), &SampleTally)| {
         let square = right.mean() * right.mean() + right.variance();
         asked.0 == right.count()
             && near(asked.1, right.mean(), right.mean().abs())
             && near(asked.2, right.variance(), square)
             && asked.3 == work.tolerance
     };
-    let right = enough && answer.looks.iter().zip(looks).all(same);
-    let off = answer.looks.len().abs_diff(looks.len());
+    let right = enough && answer.rule_calls.iter().zip(rule_calls).all(same);
+    let off = answer.rule_calls.len().abs_diff(rule_calls.len());
     let class = (!right).then(|| {
-        let misheard = answer.looks.iter().zip(looks).find(|pair| !same(*pair));
-        let number = misheard.and_then(|(asked, _)| another_number(work, asked));
+        let wrong = answer
+            .rule_calls
+            .iter()
+            .zip(rule_calls)
+            .find(|pair| !same(*pair));
+        let number = wrong.and_then(|(asked, _)| another_number(work, asked));
         number.map_or(Class::of_size(1.0 + off as f64), Class::Named)
     });
     tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {
-        let show = |n: &Numbers| (n.count(), n.mean(), n.variance(), work.tolerance);
-        let wanted: Vec<_> = looks.iter().take(4).map(show).collect();
-        let asked: Vec<_> = answer.looks.iter().take(4).collect();
+        let show = |n: &SampleTally| (n.count(), n.mean(), n.variance(), work.tolerance);
+        let wanted: Vec<_> = rule_calls.iter().take(4).map(show).collect();
+        let called: Vec<_> = answer.rule_calls.iter().take(4).collect();
         format!(
-            "stop was asked {} times, first with (count, mean, variance, tolerance) {asked:?}; right are {} times, first {wanted:?}. {}",
-            answer.looks.len(),
-            looks.len(),
+            "your result: {} calls of the rule, first with (count, mean, variance, tolerance) {called:?}; expected: {} calls, first {wanted:?}. {}",
+            answer.rule_calls.len(),
+            rule_calls.len(),
             about()
         )
     });

@@ -1,9 +1,9 @@
-//! How a snapshot shows stopping rules, and pixels that stop by one.
+//! Writes stopping rules, and pixels that stop by a rule, to a snapshot.
 
 use crate::snapshot::{Fields, Forms, Value, field, forms, number, vector};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 
-/// Whether to stop, and how often another rule was asked.
+/// The result of a rule, and how often it called another rule.
 pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
     let runs = call.runs.iter().take(4);
     let mut question: Fields = runs
@@ -12,12 +12,12 @@ pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
     question.push(number("tolerance", call.tolerance));
     let answer = vec![
         number("stop", f64::from(u8::from(answer.stop))),
-        number("asked", answer.asked.len() as f64),
+        number("asked", answer.rule_calls.len() as f64),
     ];
     forms(question, answer.clone(), answer)
 }
 
-/// Samples, radiance and looks at the rule; on full lines the first looks.
+/// Samples, radiance and number of calls of the rule; full lines have the first calls.
 pub(super) fn pixel(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> Forms {
     let question = vec![
         field("pixel", vector(&work.pixel.map(f64::from))),
@@ -28,12 +28,12 @@ pub(super) fn pixel(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> Forms {
     let short = vec![
         number("samples", f64::from(answer.samples)),
         field("radiance", vector(&answer.radiance)),
-        number("looks", answer.looks.len() as f64),
+        number("looks", answer.rule_calls.len() as f64),
     ];
     let mut full = short.clone();
     full.extend(
         answer
-            .looks
+            .rule_calls
             .iter()
             .take(2)
             .map(|&(count, mean, variance, _)| {

@@ -1,4 +1,4 @@
-//! `part5.task1`: when a pixel has had enough samples.
+//! `part5.task1`: the stopping rule of adaptive sampling, and pixels that stop by it.
 
 pub(crate) mod cases;
 pub(crate) mod judge;
@@ -13,7 +13,7 @@ use crate::snapshot::lines::each;
 use crate::tally::Tally;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 
-/// `has_converged`, one a call.
+/// `has_converged`, called for each question.
 pub(crate) struct Stop;
 
 impl Check for Stop {

@@ -1,4 +1,4 @@
-//! Judging where in a pixel samples lie.
+//! Judges the positions of samples in a pixel.
 
 use crate::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
@@ -7,16 +7,16 @@ use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
 /// How far a point may be outside its pixel, in pixels.
 const PLACE_BOUND: f64 = 1e-9;
 
-/// Where in the pixel in that column of a film of that width a point lies, if 0 to 1 is inside;
-/// rows and heights alike.
+/// Computes the position of a film point in the pixel at column `at` of a film of width `size`; 0
+/// to 1 is inside. The same for rows and heights.
 type Place = fn(point: f64, at: f64, size: f64) -> f64;
 
 fn right(point: f64, at: f64, size: f64) -> f64 {
     point * size - at
 }
 
-/// How typical mistakes place points.
-const SUSPECTS: [(&str, Place); 4] = [
+/// The positions that common mistakes compute.
+const KNOWN_MISTAKES: [(&str, Place); 4] = [
     ("half a pixel off", |point, at, size| {
         point * size - at + 0.5
     }),
@@ -29,7 +29,7 @@ const SUSPECTS: [(&str, Place); 4] = [
     }),
 ];
 
-/// Samples lie inside the pixel, each in a place of its own.
+/// Judges that samples lie inside the pixel, at different points.
 pub(crate) fn judge(
     tally: &mut Tally,
     call: usize,
@@ -52,13 +52,13 @@ pub(crate) fn judge(
     let all = answer.points.len();
     let outside = all - inside(right, [x, y], [w, h]);
     let class = (outside > 0).then(|| {
-        let mut suspects = SUSPECTS.iter();
+        let mut known_mistakes = KNOWN_MISTAKES.iter();
         if inside(right, [x, y], [h, w]) == all {
             Class::Named("sizes swapped")
         } else if inside(right, [x, h - 1.0 - y], [w, h]) == all {
             Class::Named("rows from the top")
         } else if let Some((name, _)) =
-            suspects.find(|(_, place)| inside(*place, [x, y], [w, h]) == all)
+            known_mistakes.find(|(_, place)| inside(*place, [x, y], [w, h]) == all)
         {
             Class::Named(name)
         } else {

@@ -1,14 +1,14 @@
-//! Tests of the stopping rule, and of pixels that stop by one.
+//! Rust tests of the stopping rule, and of pixels that stop by a rule.
 
 use super::judge;
 use crate::repro::numbers::{float, spectrum};
 use std::fmt::Write;
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
 
-/// So many different samples still make a test that one can read.
+/// The largest number of different samples in a readable test.
 const SAMPLES: usize = 40;
 
-/// What the plain rule says.
+/// A test of the plain rule.
 pub(crate) fn plain(call: &StopCall) -> Option<String> {
     let mut text = String::from("use kit::Tally;\n");
     samples(&mut text, call)?;
@@ -21,7 +21,7 @@ pub(crate) fn plain(call: &StopCall) -> Option<String> {
     Some(text)
 }
 
-/// Adds the lines that define `samples`. `None` if they are too many to read.
+/// Adds the lines that define `samples`; `None` if there are too many to read.
 pub(crate) fn samples(text: &mut String, call: &StopCall) -> Option<()> {
     let runs = call.runs.iter();
     let runs: Vec<String> = runs
@@ -37,12 +37,13 @@ let samples: Tally = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, c
     (runs.len() <= SAMPLES).then_some(())
 }
 
-/// How many samples a pixel takes, where they lie, what the rule hears and what the mean is.
+/// A test of the number of samples of a pixel, their positions, the calls of the rule, and the
+/// mean.
 pub(crate) fn pixel(work: &AdaptivePixel) -> Option<String> {
     if work.stream.len() > SAMPLES {
         return None;
     }
-    let (samples, looks) = judge::sound(work);
+    let (samples, rule_calls) = judge::right_samples(work);
     let stream: Vec<String> = work.stream.iter().map(|light| spectrum(*light)).collect();
     let rule = match work.rule {
         StopRule::From(least) => format!("samples.count() >= {least}"),
@@ -51,16 +52,16 @@ pub(crate) fn pixel(work: &AdaptivePixel) -> Option<String> {
     let [x, y] = work.pixel;
     let [w, h] = work.film;
     let [r, g, b] = judge::mean(work, samples).map(float);
-    // At the last sample a look makes no difference.
-    let heard: Vec<String> = looks
+    // A call after the last possible sample is optional.
+    let rule_args: Vec<String> = rule_calls
         .iter()
-        .filter(|look| look.count() < u64::from(work.ns_aa))
-        .map(|look| format!("({}, {})", look.count(), float(look.mean())))
+        .filter(|at_call| at_call.count() < u64::from(work.ns_aa))
+        .map(|at_call| format!("({}, {})", at_call.count(), float(at_call.mean())))
         .collect();
     Some(format!(
         "use kit::{{Budget, FilmSize, PixelSampler, Ray, Spectrum, Tally, Vec2, Vec3}};
 let light = [{}];
-let (mut points, mut traced, mut heard) = (Vec::new(), Vec::new(), Vec::new());
+let (mut points, mut traced, mut rule_args) = (Vec::new(), Vec::new(), Vec::new());
 let estimate = adaptive::raytrace_pixel_adaptive(
     ({x}, {y}),
     FilmSize {{ w: {w}, h: {h} }},
@@ -76,7 +77,7 @@ let estimate = adaptive::raytrace_pixel_adaptive(
     }},
     &mut |samples: &Tally, tolerance: f64| {{
         assert_eq!(tolerance, {tolerance});
-        heard.push((samples.count(), samples.mean()));
+        rule_args.push((samples.count(), samples.mean()));
         {rule}
     }},
 );
@@ -89,10 +90,10 @@ for (i, point) in points.iter().enumerate() {{
     assert!(!points[..i].contains(point), \"two samples at {{point}}\");
 }}
 let right: Vec<(u64, f64)> = vec![{}];
-heard.retain(|(count, _)| *count < {ns_aa});
-assert_eq!(heard.len(), right.len(), \"looks at the rule: {{heard:?}}\");
-for ((count, mean), (right_count, right_mean)) in heard.iter().zip(&right) {{
-    assert!(count == right_count && (mean - right_mean).abs() <= 1e-9 * right_mean.abs(), \"{{heard:?}}\");
+rule_args.retain(|(count, _)| *count < {ns_aa});
+assert_eq!(rule_args.len(), right.len(), \"calls of the rule: {{rule_args:?}}\");
+for ((count, mean), (right_count, right_mean)) in rule_args.iter().zip(&right) {{
+    assert!(count == right_count && (mean - right_mean).abs() <= 1e-9 * right_mean.abs(), \"{{rule_args:?}}\");
 }}
 let off = [estimate.radiance.r - {r}, estimate.radiance.g - {g}, estimate.radiance.b - {b}];
 assert!(off.iter().all(|off| off.abs() <= 1e-9), \"{{:?}}\", estimate.radiance);
@@ -100,7 +101,7 @@ assert!(off.iter().all(|off| off.abs() <= 1e-9), \"{{:?}}\", estimate.radiance);
         stream.join(", "),
         work.batch,
         work.seed,
-        heard.join(", "),
+        rule_args.join(", "),
         ns_aa = work.ns_aa,
         tolerance = float(work.tolerance),
     ))

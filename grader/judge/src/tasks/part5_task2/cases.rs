@@ -1,7 +1,7 @@
-//! The cases: when a pixel has surely had enough samples.
+//! Cases of the stopping rule that waits for enough samples.
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::Stop;
 use crate::tasks::part5_task1::cases::call;
 use wire::Work;
@@ -12,17 +12,17 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         sure(
             "few_samples",
-            "The spread of few samples is a guess: before the 256th the answer is no, whatever the \
-             plain rule says.",
+            "The variance of few samples is unreliable: before the 256th sample the result is \
+             false, whatever the plain rule returns.",
             [1, 2, 32, 64, 128, 200, 254, 255, 256, 257, 300, 4096]
                 .map(|n| call(vec![(n, 1.0)], true))
                 .into(),
         ),
         sure(
             "black_is_never_enough",
-            "Black samples: however many they are, the answer is no. Pitfall: they have no spread, \
-             and 0 <= 0; but a lamp that one sample in a thousand finds leaves most pixels black \
-             for long.",
+            "Only black samples: the result is false, however many they are. Pitfall: their \
+             variance is 0, and 0 <= 0; but a lamp that one sample in a thousand finds leaves \
+             most pixels black for long.",
             [32, 255, 256, 1000, 100_000]
                 .map(|n| call(vec![(n, 0.0)], true))
                 .into(),
@@ -30,7 +30,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Stop]),
         sure(
             "a_little_light",
-            "One dim sample among many black ones is not black: the plain rule decides.",
+            "One dim sample among many black ones: the samples are not all black, and the plain \
+             rule decides.",
             vec![
                 call(vec![(255, 0.0), (1, 1e-9)], true),
                 call(vec![(255, 0.0), (1, 1e-9)], false),
@@ -40,13 +41,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         sure(
             "the_plain_rule_decides",
-            "After enough samples with light the answer is the plain rule's, asked with the same \
-             samples and the same tolerance.",
-            decided("the_plain_rule_decides", 0),
+            "After enough samples with light, the result is that of the plain rule, called with \
+             the same samples and the same tolerance.",
+            decided_by_the_plain_rule("the_plain_rule_decides", 0),
         ),
         sure(
             "fireflies",
-            "A firefly among few samples: bright, and still too few.",
+            "One very bright sample (a firefly): with fewer than 256 samples the result is still \
+             false.",
             vec![
                 call(vec![(31, 0.0), (1, 1000.0)], true),
                 call(vec![(254, 0.01), (1, 1e6)], true),
@@ -56,8 +58,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         sure(
             "fresh_rules",
-            "Samples that differ for each seed.",
-            decided("fresh_rules", seed),
+            "Random samples that depend on the seed.",
+            decided_by_the_plain_rule("fresh_rules", seed),
         ),
     ]
 }
@@ -66,14 +68,14 @@ fn sure(name: &'static str, about: &'static str, calls: Vec<StopCall>) -> Spec {
     Spec::new("part5.task2", name, about, Work::SureStop(calls))
 }
 
-fn decided(name: &str, seed: u64) -> Vec<StopCall> {
-    let mut dice = Dice::new(name, seed);
+fn decided_by_the_plain_rule(name: &str, seed: u64) -> Vec<StopCall> {
+    let mut rng = ProbeRng::new(name, seed);
     let calls = (0..60).map(|i| StopCall {
-        tolerance: dice.range(0.01, 0.3),
+        tolerance: rng.range(0.01, 0.3),
         ..call(
             vec![
-                (dice.below(400) as u32, dice.range(0.0, 1.0)),
-                (1 + dice.below(400) as u32, dice.range(0.0, 5.0)),
+                (rng.below(400) as u32, rng.range(0.0, 1.0)),
+                (1 + rng.below(400) as u32, rng.range(0.0, 5.0)),
             ],
             i % 3 != 0,
         )

@@ -1,4 +1,4 @@
-//! `part5.task2`: a stopping rule that waits until the plain one can be trusted.
+//! `part5.task2`: a stopping rule that waits until the plain rule is reliable.
 
 pub(crate) mod cases;
 mod judge;
@@ -12,7 +12,7 @@ use crate::tally::Tally;
 use crate::tasks::part5_task1::lines;
 use wire::adaptive::{StopAnswer, StopCall};
 
-/// `has_surely_converged`, one a call.
+/// `has_surely_converged`, called for each question.
 pub(crate) struct SureStop;
 
 impl Check for SureStop {
@@ -42,6 +42,6 @@ impl Check for SureStop {
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {
-        repro::mended(questions.get(call)?)
+        repro::waiting_rule(questions.get(call)?)
     }
 }

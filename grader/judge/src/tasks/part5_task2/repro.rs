@@ -1,4 +1,4 @@
-//! Tests of the stopping rule that waits.
+//! Rust tests of the stopping rule that waits.
 
 use super::judge;
 use crate::repro::numbers::float;
@@ -6,28 +6,28 @@ use crate::tasks::part5_task1::repro::samples;
 use std::fmt::Write;
 use wire::adaptive::StopCall;
 
-/// What the mended rule says and asks.
-pub(crate) fn mended(call: &StopCall) -> Option<String> {
-    let (tolerance, may_ask) = (float(call.tolerance), judge::may_ask(call));
+/// A test of the result of the waiting rule, and of its calls of the plain rule.
+pub(crate) fn waiting_rule(call: &StopCall) -> Option<String> {
+    let (tolerance, plain_decides) = (float(call.tolerance), judge::plain_decides(call));
     let mut text = String::from("use kit::Tally;\n");
     samples(&mut text, call)?;
     let _ = write!(
         text,
-        "let mut asked = Vec::new();
+        "let mut rule_args = Vec::new();
 let mut rule = |samples: &Tally, tolerance: f64| {{
-    asked.push((samples.count(), samples.mean(), tolerance));
+    rule_args.push((samples.count(), samples.mean(), tolerance));
     {}
 }};
 let stop = adaptive::has_surely_converged(&samples, {tolerance}, &mut rule);
 assert_eq!(stop, {});
 let right = (samples.count(), samples.mean(), {tolerance});
-assert!(asked.iter().all(|asked| *asked == right), \"{{asked:?}}\");
+assert!(rule_args.iter().all(|rule_args| *rule_args == right), \"{{rule_args:?}}\");
 ",
         call.rule,
-        may_ask && call.rule
+        plain_decides && call.rule
     );
-    if may_ask {
-        text.push_str("assert!(!asked.is_empty(), \"the rule has the last word\");\n");
+    if plain_decides {
+        text.push_str("assert!(!rule_args.is_empty(), \"expected a call of the plain rule\");\n");
     }
     Some(text)
 }

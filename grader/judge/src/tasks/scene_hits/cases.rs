@@ -1,22 +1,23 @@
-//! Rays through whole meshes, with all of the student's stages together.
+//! Cases of rays through whole meshes, traced with all of the student's stages.
 
 use crate::cases::Spec;
 use crate::cases::crosses::wire_ray;
-use crate::cases::plan::along_a_curve;
+use crate::cases::tree_plan::along_morton_curve;
 use crate::scene::load;
 use kit::{Ray, Triangle, Vec3};
 use wire::Work;
 use wire::work::{SceneSource, SceneWork};
 
-/// The cases of `part2.task3` that need box and primitive tests as well. The tree is given: nobody
-/// loses points for a right walk through a wrong one.
+/// The cases of `part2.task3` that need box and primitive tests as well. The tree is given, so that
+/// a wrong tree costs no points for a right traversal.
 pub(crate) fn cases() -> Vec<Spec> {
     vec![
         Spec {
             picture: Some(PICTURE),
             ..case(
                 "mesh_in_cornell_box",
-                "A smooth mesh of 1,500 triangles in a Cornell box, with all of your stages: the closest hit of every pixel, as all primitives in turn would give it.",
+                "A smooth mesh of 1,500 triangles in a Cornell box, traced with all of your \
+                 stages: for every pixel the closest hit of all primitives.",
                 cornell(),
                 through_the_front(),
                 false,
@@ -24,14 +25,16 @@ pub(crate) fn cases() -> Vec<Spec> {
         },
         case(
             "shadow_rays_in_cornell_box",
-            "Rays from the floor and the walls of the same box to points of its light: is anything in between?",
+            "Shadow rays from the floor and the walls of the same box to points of its light: \
+             whether a primitive blocks them.",
             cornell(),
             to_the_light(),
             true,
         ),
         case(
             "rays_on_the_grid",
-            "A mesh with whole numbers for coordinates, and rays straight through its vertices and edges and along the faces of its boxes: no holes.",
+            "A mesh with integer coordinates, and rays exactly through its vertices and edges and \
+             along the faces of its boxes: no holes.",
             SceneSource::Triangles(steps().iter().map(wire_triangle).collect()),
             down_the_grid(),
             false,
@@ -39,7 +42,7 @@ pub(crate) fn cases() -> Vec<Spec> {
     ]
 }
 
-/// Leaves of the trees: the assignment's program takes four, too.
+/// The largest leaf of the trees, as in the assignment's program.
 const MAX_LEAF_SIZE: usize = 4;
 
 fn case(
@@ -50,7 +53,7 @@ fn case(
     any_hit: bool,
 ) -> Spec {
     let work = Work::SceneHits(SceneWork {
-        tree: along_a_curve(&load(&scene).primitive_bounds(), MAX_LEAF_SIZE),
+        tree: along_morton_curve(&load(&scene).primitive_bounds(), MAX_LEAF_SIZE),
         scene,
         rays: rays.iter().map(wire_ray).collect(),
         any_hit,
@@ -65,7 +68,7 @@ fn cornell() -> SceneSource {
 /// Width and height of the picture.
 const PICTURE: [u32; 2] = [72, 54];
 
-/// From an eye before the box through points spread evenly over its open front.
+/// Rays from an eye in front of the box through a regular grid of points on its open front.
 fn through_the_front() -> Vec<Ray> {
     let eye = Vec3::new(0.1, 0.8, 4.0);
     let [w, h] = PICTURE;
@@ -79,8 +82,8 @@ fn through_the_front() -> Vec<Ray> {
         .collect()
 }
 
-/// From points just inside the floor and the walls to points just below the light; `d` reaches all
-/// the way.
+/// Rays from points just inside the floor and the walls to points just below the light; t = 1 is at
+/// the light.
 fn to_the_light() -> Vec<Ray> {
     let mut rays = Vec::new();
     for i in 0..20_u32 {
@@ -102,10 +105,10 @@ fn to_the_light() -> Vec<Ray> {
     rays
 }
 
-/// Cells a side of the grid.
+/// Cells along each side of the grid.
 const SIDE: i32 = 12;
 
-/// A height field over a grid, with whole numbers for heights; flat in places.
+/// A height field over a grid, with integer heights; flat in places.
 fn steps() -> Vec<Triangle> {
     let vertex = |i: i32, j: i32| {
         let height = (i / 3 + j / 4) % 3;
@@ -121,8 +124,8 @@ fn steps() -> Vec<Triangle> {
         .collect()
 }
 
-/// Straight down and straight up through all vertices and the middles of all edges, and level along
-/// the grid's lines.
+/// Vertical rays through all vertices and midpoints of edges, and horizontal rays along the lines
+/// of the grid.
 fn down_the_grid() -> Vec<Ray> {
     let mut rays = Vec::new();
     for i in 0..=2 * SIDE {

@@ -1,4 +1,4 @@
-//! Judging rays through a whole scene.
+//! Judges rays through a whole scene.
 
 use crate::Tier;
 use crate::hits;
@@ -9,7 +9,7 @@ use oracle::verdict::{Judgement, KernelClass};
 use wire::answer::{Hit, HitsAnswer};
 use wire::work::Ray;
 
-/// Judges closest hits, or where `any_hit` whether there is one.
+/// Judges closest hits, or, if `any_hit`, whether there is a hit.
 pub(crate) fn hits(
     tally: &mut Tally,
     tier: Tier,
@@ -63,17 +63,17 @@ fn one(
         ClosestJudgement::FalseHit | ClosestJudgement::FalseMiss
     );
     let right = || match truth.nearest {
-        Some((id, t)) => format!("primitive {} is hit at t = {}", id.0, t.to_f64()),
-        None => "nothing is hit".to_string(),
+        Some((id, t)) => format!("primitive {} at t = {}", id.0, t.to_f64()),
+        None => "miss".to_string(),
     };
     let class = hits::decision_class(decided, given.is_some());
     tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let says = match given {
+        let result = match given {
             Some((id, t)) => format!("primitive {} at t = {t}", id.0),
             None => "miss".into(),
         };
         format!(
-            "intersect_bvh says {says}; {}. {}",
+            "your result: {result}; expected: {}. {}",
             right(),
             hits::show_ray(ray)
         )
@@ -84,7 +84,7 @@ fn one(
     let is_first = judgement != ClosestJudgement::WrongPrimitive;
     tally.judge(Aspect::Primitive, call, is_first, 1.0, || {
         format!(
-            "intersect_bvh gives primitive {} at t = {t}; {}. {}",
+            "your result: primitive {} at t = {t}; expected: {}. {}",
             id.0,
             right(),
             hits::show_ray(ray)
@@ -97,7 +97,7 @@ fn one(
         };
         tally.judge(Aspect::T, call, judgement.scores(), off, || {
             format!(
-                "intersect_bvh gives t = {t}; {}. {}",
+                "your result: t = {t}; expected: {}. {}",
                 right(),
                 hits::show_ray(ray)
             )
@@ -117,25 +117,28 @@ fn blocked(
     let right = truth.judge_any(kernel, answer);
     let class = hits::decision_class(right, answer);
     tally.judge_class(Aspect::Decision, call, class, 1.0, || {
-        let (says, is) = match truth.nearest {
+        let (result, right) = match truth.nearest {
             Some((id, t)) => (
-                "no",
-                format!("primitive {} is in the way at t = {}", id.0, t.to_f64()),
+                "not occluded",
+                format!("occluded by primitive {} at t = {}", id.0, t.to_f64()),
             ),
-            None => ("yes", "nothing is in the way".to_string()),
+            None => ("occluded", "not occluded".to_string()),
         };
-        format!("occludes_bvh says {says}; {is}. {}", hits::show_ray(ray))
+        format!(
+            "your result: {result}; expected: {right}. {}",
+            hits::show_ray(ray)
+        )
     });
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::truths;
+    use crate::scene::closest_hits;
     use crate::tally::Finding;
     use wire::work::SceneSource;
 
-    /// Two walls across x, at 1 and at 2.
+    /// Two walls perpendicular to x, at 1 and at 2.
     fn walls() -> SceneSource {
         let wall = |x: f64| {
             let [a, b, c] = [[x, -4.0, -4.0], [x, 4.0, -4.0], [x, 0.0, 4.0]];
@@ -167,7 +170,7 @@ mod tests {
             prim_tests: 1,
         };
         let mut tally = Tally::default();
-        let truths = truths(&walls(), &[RAY]);
+        let truths = closest_hits(&walls(), &[RAY]);
         hits(&mut tally, Tier::Core, &truths, &[RAY], any_hit, &answer);
         let findings = tally.into_findings();
         let failed = findings.iter().filter(|finding| !finding.passed());
@@ -183,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn something_is_in_the_way() {
+    fn any_hit_must_find_a_hit() {
         assert_eq!(failed(Some((0, 0.0)), true), []);
         assert_eq!(failed(None, true), [Aspect::Decision]);
     }

@@ -1,4 +1,4 @@
-//! Rays through whole scenes with all of the student's stages: cases of `part2.task3`.
+//! Rays traced through whole scenes with all of the student's stages: cases of `part2.task3`.
 
 pub(crate) mod cases;
 mod judge;
@@ -21,7 +21,7 @@ impl Check for SceneHits {
     type Question = SceneWork;
     type Answer = HitsAnswer;
 
-    const NEEDS_NEIGHBOURS: bool = true;
+    const NEEDS_ALL_STAGES: bool = true;
 
     fn calls(work: &SceneWork) -> usize {
         work.rays.len()
@@ -32,7 +32,7 @@ impl Check for SceneHits {
     }
 
     fn judge(tally: &mut Tally, spec: &Spec, tier: Tier, work: &SceneWork, answer: &HitsAnswer) {
-        let truths = spec.truths.of_scene(&work.scene, &work.rays);
+        let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
         judge::hits(tally, tier, truths, &work.rays, work.any_hit, answer);
     }
 

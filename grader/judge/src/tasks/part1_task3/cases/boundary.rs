@@ -1,4 +1,5 @@
-//! Edges, ends of the range and planes in short integers: textbook formulas do not round them.
+//! Edges, ends of the range and planes with small integer coordinates, which textbook formulas do
+//! not round.
 
 use crate::cases::probes::{Probes, within};
 use kit::{Ray, Triangle, Vec3};
@@ -93,7 +94,7 @@ pub(super) fn parallel() -> Work {
                 probes.ray(Ray::new(o, on_axes(axis, dx, dy, 0.0)));
             }
         }
-        // One that it does hit, so that a kernel which never hits does not pass.
+        // A hit, so that a kernel which always misses does not pass.
         let o = on_axes(axis, 2.0, 2.0, 7.0);
         probes.ray(Ray::new(o, on_axes(axis, 0.0, 0.0, -1.0)));
     }

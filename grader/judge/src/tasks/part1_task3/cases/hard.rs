@@ -1,5 +1,5 @@
-//! Triangles: what textbook kernels get wrong. [`closed`] meshes leak, [`scale`] and angle cost
-//! digits, and [`odd`] input finds whoever did not think of it.
+//! Cases of triangles that textbook kernels fail: [`closed`] meshes with gaps, [`scale`] and angles
+//! that cost digits, and [`odd`] input.
 
 use super::{case, closed, odd, scale};
 use crate::cases::Spec;
@@ -12,9 +12,9 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             enclosed: true,
             ..case(
                 "shared_edges",
-                "Rays from inside a closed mesh, aimed at its edges and vertices: one of the faces \
-                 must be hit. Pitfall: Möller-Trumbore rounds each face differently and lets about \
-                 one such ray in ten out.",
+                "Rays from inside a closed mesh, aimed at its edges and vertices: one of the \
+                 faces is hit. Pitfall: Möller-Trumbore rounds differently for each face, and \
+                 about one such ray in ten misses all of them.",
                 closed::shared_edges(),
             )
             .only(&[Decision])
@@ -23,16 +23,17 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             enclosed: true,
             ..case(
                 "needle_and_pancake",
-                "The same in closed meshes a million times as long as wide, and as wide as thick. \
-                 Pitfall: no epsilon on t or on the determinant keeps them closed.",
+                "The same in closed meshes a million times as long as wide, and a million times \
+                 as wide as thick. Pitfall: no epsilon on t or on the determinant closes the \
+                 gaps.",
                 closed::needle_and_pancake(),
             )
             .only(&[Decision])
         },
         case(
             "tiny_and_huge",
-            "Whole scenes from 1e-30 to 1e30 in size. Pitfall: a determinant below an absolute \
-             epsilon is no reason to miss.",
+            "Scenes from 1e-30 to 1e30 in size. Pitfall: a determinant below an absolute epsilon \
+             does not mean a miss.",
             scale::tiny_and_huge(),
         )
         .only(&[Decision, T, Barycentrics]),
@@ -44,62 +45,62 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Decision, T, Barycentrics, Position]),
         case(
             "far_from_the_world_origin",
-            "Triangles a million away from the world's origin. Pitfall: products of such large \
-             coordinates keep few digits; subtract the ray's origin first, multiply then.",
+            "Triangles at a distance of a million from the world's origin. Pitfall: products of \
+             such large coordinates lose digits; subtract the ray's origin before you multiply.",
             scale::far_from_the_world_origin(),
         )
         .only(&[Decision, T, Barycentrics, Position]),
         case(
             "grazing",
-            "Rays that meet the plane at a ten-thousandth of a radian and less.",
+            "Rays at small angles to the plane, from a hundredth of a radian down to a millionth.",
             scale::grazing(),
         )
         .only(&[Decision, T]),
         case(
             "a_million_away",
-            "Hits at t = 1e6: the hit point is still the one on the surface. Pitfall: o + t d \
-             drifts off the surface; a mix of the vertices stays on it, but moves along it where \
-             its weights are rounded.",
+            "Hits at t = 1e6: the hit point lies on the surface. Pitfall: rounding moves o + t d \
+             off the surface; the weighted sum of the vertices stays on it, but rounding of the \
+             weights moves it along the surface.",
             scale::a_million_away(),
         )
         .only(&[Position, T]),
         case(
             "origin_on_the_plane",
-            "The ray starts on the triangle: t = 0 counts if min_t <= 0, and not otherwise.",
+            "The ray starts on the triangle: t = 0 counts exactly if min_t <= 0.",
             odd::origin_on_the_plane(),
         )
         .only(&[Decision]),
         case(
             "exact_slants",
-            "Slanted rays through edges and vertices of slanted triangles, all in small \
-             integers: they count, and what is beside them does not.",
+            "Slanted rays through edges and vertices of slanted triangles, with small integer \
+             coordinates: they hit, and rays beside the triangle miss.",
             odd::exact_slants(),
         )
         .only(&[Decision]),
         case(
             "by_a_hair",
-            "Rays a billionth of the triangle's size and less inside its edges and outside. \
-             Pitfall: an epsilon on the weights is too coarse.",
+            "Rays that pass an edge, inside or outside, at a billionth of the triangle's size or \
+             less. Pitfall: an epsilon on the weights is too coarse.",
             scale::by_a_hair(),
         )
         .only(&[Decision]),
         case(
             "not_a_number",
-            "NaN in the ray or in a vertex, d = 0, min_t > max_t: a miss. Pitfall: comparisons with \
-             NaN are false; write tests so that NaN fails them.",
+            "NaN in the ray or in a vertex, d = 0, min_t > max_t: a miss. Pitfall: comparisons \
+             with NaN are false; write each test so that NaN fails it.",
             odd::not_a_number(),
         )
         .only(&[Decision]),
         case(
             "cancelling_normals",
-            "Vertex normals that cancel: n is still finite and of length 1 (the geometric \
-             normal will do).",
+            "Vertex normals that cancel: n is still finite and of length 1 (the geometric normal \
+             is accepted).",
             odd::cancelling_normals(),
         )
         .only(&[Normal]),
         case(
             "fresh_hard_triangles",
-            "Slivers, grazing rays, all scales and offsets, differing for each seed.",
+            "Random slivers and grazing rays, of all sizes and offsets, that depend on the seed.",
             scale::fresh(seed),
         ),
     ]

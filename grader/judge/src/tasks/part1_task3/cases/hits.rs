@@ -1,42 +1,42 @@
-//! Triangles that are hit somewhere inside.
+//! Rays that hit triangles in the interior.
 
-use crate::cases::probes::{Dice, Probes, brute_force, through, within};
+use crate::cases::probes::{ProbeRng, Probes, brute_force, through, within};
 use kit::{Ray, Triangle};
 use wire::Work;
 
-/// Large enough to stay inside the triangle for every sound kernel.
+/// The smallest barycentric weight of a target: large enough that every correct kernel hits.
 pub(super) const MARGIN: f64 = 0.02;
 
 pub(super) fn from_side(name: &str, side: f64) -> Work {
-    let mut dice = Dice::new(name, 0);
+    let mut rng = ProbeRng::new(name, 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let triangle = dice.triangle();
+        let triangle = rng.triangle();
         probes.triangle(&triangle);
         for _ in 0..8 {
-            let (b, distance) = (dice.inside(MARGIN), dice.range(0.5, 20.0));
-            probes.ray(dice.ray_to(&triangle, b, side, distance));
+            let (b, distance) = (rng.inside(MARGIN), rng.range(0.5, 20.0));
+            probes.ray(rng.ray_to(&triangle, b, side, distance));
         }
     }
     probes.work()
 }
 
 pub(super) fn length_of_direction() -> Work {
-    let mut dice = Dice::new("length_of_direction", 0);
+    let mut rng = ProbeRng::new("length_of_direction", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let triangle = dice.triangle();
+        let triangle = rng.triangle();
         probes.triangle(&triangle);
         for length in [0.05, 0.25, 0.7, 1.5, 3.0, 40.0] {
-            let (b, distance) = (dice.inside(MARGIN), dice.range(0.5, 20.0));
-            let side = dice.one_of(&[1.0, -1.0]);
-            let ray = dice.ray_to(&triangle, b, side, distance);
+            let (b, distance) = (rng.inside(MARGIN), rng.range(0.5, 20.0));
+            let side = rng.one_of(&[1.0, -1.0]);
+            let ray = rng.ray_to(&triangle, b, side, distance);
             let longer = Ray {
                 d: length * ray.d,
                 ..ray
             };
             probes.ray(longer);
-            // In range only if t counts lengths of d.
+            // In range only if t is in units of the length of d.
             let t = distance / length;
             probes.ray(within(longer, 0.9 * t, 1.1 * t));
         }
@@ -45,14 +45,14 @@ pub(super) fn length_of_direction() -> Work {
 }
 
 pub(super) fn interpolated_normals() -> Work {
-    let mut dice = Dice::new("interpolated_normals", 0);
+    let mut rng = ProbeRng::new("interpolated_normals", 0);
     let mut probes = Probes::default();
     for i in 0..30 {
-        let mut triangle = dice.triangle();
-        // Normals up to 80 degrees apart: what is mixed and not normalised is a quarter too short.
-        triangle.n1 = (triangle.n1 + 0.8 * dice.direction()).normalize();
+        let mut triangle = rng.triangle();
+        // Normals up to 80 degrees apart: their weighted sum is up to a quarter too short.
+        triangle.n1 = (triangle.n1 + 0.8 * rng.direction()).normalize();
         if i % 3 == 0 {
-            // Files have triangles whose vertices go round the other way than their normals say.
+            // Files contain triangles whose winding contradicts their normals.
             std::mem::swap(&mut triangle.p1, &mut triangle.p2);
         }
         probes.triangle(&triangle);
@@ -65,8 +65,8 @@ pub(super) fn interpolated_normals() -> Work {
             [0.5, 0.2],
         ] {
             for side in [1.0, -1.0] {
-                let distance = dice.range(0.5, 20.0);
-                probes.ray(dice.ray_to(&triangle, b, side, distance));
+                let distance = rng.range(0.5, 20.0);
+                probes.ray(rng.ray_to(&triangle, b, side, distance));
             }
         }
     }
@@ -74,24 +74,24 @@ pub(super) fn interpolated_normals() -> Work {
 }
 
 pub(super) fn close_up() -> Work {
-    let mut dice = Dice::new("close_up", 0);
+    let mut rng = ProbeRng::new("close_up", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let triangle = dice.triangle();
+        let triangle = rng.triangle();
         probes.triangle(&triangle);
         for distance in [1e-4, 3e-4, 1e-3, 3e-3, 1e-2] {
-            let (b, side) = (dice.inside(MARGIN), dice.one_of(&[1.0, -1.0]));
-            probes.ray(dice.ray_to(&triangle, b, side, distance));
+            let (b, side) = (rng.inside(MARGIN), rng.one_of(&[1.0, -1.0]));
+            probes.ray(rng.ray_to(&triangle, b, side, distance));
         }
     }
     probes.work()
 }
 
-/// A heap of triangles, and rays through it from all around.
-fn heap(dice: &mut Dice, triangles: usize, rays: usize) -> Work {
+/// A heap of triangles, and rays through it from all directions.
+fn heap(rng: &mut ProbeRng, triangles: usize, rays: usize) -> Work {
     let triangles: Vec<Triangle> = (0..triangles)
         .map(|_| {
-            let (t, offset) = (dice.triangle(), 1.2 * dice.in_cube());
+            let (t, offset) = (rng.triangle(), 1.2 * rng.in_cube());
             Triangle {
                 p0: t.p0 + offset,
                 p1: t.p1 + offset,
@@ -102,19 +102,19 @@ fn heap(dice: &mut Dice, triangles: usize, rays: usize) -> Work {
         .collect();
     let rays: Vec<Ray> = (0..rays)
         .map(|_| {
-            let (o, target) = (6.0 * dice.direction(), 1.5 * dice.in_cube());
+            let (o, target) = (6.0 * rng.direction(), 1.5 * rng.in_cube());
             let ray = through(o, target);
-            let max_t = dice.one_of(&[f64::INFINITY, f64::INFINITY, 6.0]);
-            within(ray, dice.one_of(&[0.0, 0.0, 5.0]), max_t)
+            let max_t = rng.one_of(&[f64::INFINITY, f64::INFINITY, 6.0]);
+            within(ray, rng.one_of(&[0.0, 0.0, 5.0]), max_t)
         })
         .collect();
     brute_force(&triangles, &[], &rays)
 }
 
 pub(super) fn nearest_of_many() -> Work {
-    heap(&mut Dice::new("nearest_of_many", 0), 40, 600)
+    heap(&mut ProbeRng::new("nearest_of_many", 0), 40, 600)
 }
 
 pub(super) fn fresh(seed: u64) -> Work {
-    heap(&mut Dice::new("fresh_triangles", seed), 40, 400)
+    heap(&mut ProbeRng::new("fresh_triangles", seed), 40, 400)
 }

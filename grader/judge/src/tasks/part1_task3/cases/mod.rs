@@ -1,5 +1,5 @@
-//! Triangles. Here is what a textbook kernel in `f64` gets right, from [`hits`] over [`misses`] to
-//! [`boundary`]; [`hard`] has what such kernels get wrong.
+//! Cases of triangles. A textbook kernel in `f64` passes those here, from [`hits`], [`misses`] and
+//! [`boundary`]; it fails those in [`hard`].
 
 mod boundary;
 mod closed;
@@ -21,94 +21,93 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     let core = vec![
         case(
             "front_face",
-            "Rays that meet the side towards which the normal points.",
+            "Rays that hit the side to which the normal points.",
             hits::from_side("front_face", 1.0),
         ),
         case(
             "back_face",
-            "Rays that meet the other side: walls and open meshes have two. Normals stay as \
-             they are.",
+            "Rays that hit the other side: a triangle has two sides. Normals stay as they are.",
             hits::from_side("back_face", -1.0),
         ),
         case(
             "beside_the_triangle",
-            "Rays that pass each edge on the outside, from far off to a hundred-thousandth of \
-             the triangle's size. A miss leaves max_t alone.",
+            "Rays that pass outside each edge, at distances from three times the triangle's size \
+             down to a hundred-thousandth of it. A miss does not change max_t.",
             misses::beside(),
         )
         .only(&[Decision, RayAfter]),
         case(
             "behind_the_origin",
-            "The triangle lies behind the ray: t would be negative.",
+            "The triangle is behind the ray's origin: t is negative.",
             misses::behind(),
         )
         .only(&[Decision, RayAfter]),
         case(
             "range",
-            "Only min_t <= t <= max_t counts, whatever min_t is; a hit sets max_t, a miss \
-             does not.",
+            "Only min_t <= t <= max_t counts, for any min_t; a hit sets max_t, a miss does not \
+             change it.",
             misses::range(),
         )
         .only(&[Decision, RayAfter]),
         case(
             "range_ends",
-            "t is exactly min_t or exactly max_t: both ends count. The next float beyond does \
-             not.",
+            "t is exactly min_t or exactly max_t: both ends count. The next float beyond an end \
+             does not.",
             boundary::range_ends(),
         )
         .only(&[Decision]),
         case(
             "edges_and_vertices",
-            "Rays exactly through edges and vertices, in small integers: they count as hits. \
-             Pitfall: strict comparisons leave cracks between neighbours.",
+            "Rays exactly through edges and vertices, with small integer coordinates: they hit. \
+             Pitfall: strict comparisons leave cracks between adjacent triangles.",
             boundary::edges_and_vertices(),
         )
         .only(&[Decision]),
         case(
             "parallel_rays",
             "Rays parallel to the triangle, above it and inside its plane: all miss. Pitfall: \
-             dividing by their determinant, 0, makes NaN, and NaN passes every test that asks for < \
-             and >.",
+             dividing by the determinant, 0, gives NaN, and a test that rejects values by < and > \
+             does not reject NaN.",
             boundary::parallel(),
         )
         .only(&[Decision, RayAfter]),
         case(
             "no_area",
-            "Triangles that are a line or a point: always a miss.",
+            "Triangles that are a segment or a point: always a miss.",
             boundary::no_area(),
         )
         .only(&[Decision]),
         case(
             "length_of_direction",
-            "d need not have length 1: t counts lengths of d, so a d twice as long makes t \
-             half as large.",
+            "d need not have length 1: t is in units of the length of d, so that doubling d \
+             halves t.",
             hits::length_of_direction(),
         )
         .only(&[Decision, T, Position, RayAfter]),
         case(
             "interpolated_normals",
-            "Every vertex has a normal of its own: n mixes them by the barycentric weights \
-             and has length 1, on both sides the same.",
+            "Each vertex has a normal of its own: n is their sum weighted by the barycentric \
+             weights, scaled to length 1, and the same on both sides.",
             hits::interpolated_normals(),
         )
         .only(&[Normal, GeometricNormal, Barycentrics]),
         case(
             "close_up",
-            "Hits from 0.0001 to 0.01 away: min_t says where to begin. Pitfall: a minimal t of \
-             one's own makes holes close to the camera.",
+            "Hits at distances from 0.0001 to 0.01: the range starts at min_t. Pitfall: a lower \
+             bound on t of your own leaves holes close to the camera.",
             hits::close_up(),
         )
         .only(&[Decision, T]),
         case(
             "nearest_of_many",
-            "A ray through a heap of triangles in any order: max_t must shorten with every \
-             hit and only with hits.",
+            "A ray through a heap of triangles in arbitrary order: each hit shortens max_t, and \
+             nothing else changes it.",
             hits::nearest_of_many(),
         )
         .only(&[Decision, Primitive, T, RayAfter]),
         case(
             "fresh_triangles",
-            "Triangles and rays that differ for each seed.",
+            "Random triangles and rays that depend on the seed.",
             hits::fresh(seed),
         ),
         pictures::torus(),

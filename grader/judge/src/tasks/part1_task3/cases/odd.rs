@@ -1,6 +1,6 @@
-//! Rays that start on the triangle, exact slants, NaN, and normals that cancel.
+//! Rays that start on the triangle, slanted triangles in integers, NaN, and normals that cancel.
 
-use crate::cases::probes::{Dice, Probes, at, within};
+use crate::cases::probes::{ProbeRng, Probes, at, within};
 use kit::{Ray, Triangle, Vec3};
 use wire::Work;
 
@@ -39,11 +39,11 @@ pub(super) fn origin_on_the_plane() -> Work {
 }
 
 pub(super) fn exact_slants() -> Work {
-    let mut dice = Dice::new("exact_slants", 0);
+    let mut rng = ProbeRng::new("exact_slants", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        // Even corners: the middles of the edges are integers, too.
-        let mut corner = || (8.0 * dice.in_cube()).round() * 2.0;
+        // Even coordinates: the midpoints of the edges are integers, too.
+        let mut corner = || (8.0 * rng.in_cube()).round() * 2.0;
         let t = Triangle::flat(corner(), corner(), corner());
         if t.n0 == Vec3::ZERO {
             continue;
@@ -55,16 +55,16 @@ pub(super) fn exact_slants() -> Work {
             (t.p2 + t.p0) / 2.0,
         ];
         for target in [t.p0, t.p1, t.p2].into_iter().chain(middles) {
-            let d = dice.one_of(&[
+            let d = rng.one_of(&[
                 Vec3::new(1.0, 2.0, -4.0),
                 Vec3::new(-2.0, 1.0, 1.0),
                 Vec3::new(3.0, -4.0, 1.0),
                 Vec3::new(-1.0, -1.0, -1.0),
             ]);
-            let o = target - dice.one_of(&[1.0, 2.0, 3.0, 5.0]) * d;
+            let o = target - rng.one_of(&[1.0, 2.0, 3.0, 5.0]) * d;
             probes.ray(Ray::new(o, d));
-            // An eighth beside.
-            probes.ray(Ray::new(o + (8.0 * dice.direction()).round() / 64.0, d));
+            // Moved by up to an eighth.
+            probes.ray(Ray::new(o + (8.0 * rng.direction()).round() / 64.0, d));
         }
     }
     probes.work()
@@ -117,19 +117,19 @@ pub(super) fn not_a_number() -> Work {
 }
 
 pub(super) fn cancelling_normals() -> Work {
-    let mut dice = Dice::new("cancelling_normals", 0);
+    let mut rng = ProbeRng::new("cancelling_normals", 0);
     let mut probes = Probes::default();
     let mut aim = |t: Triangle, targets: &[[f64; 2]]| {
         probes.triangle(&t);
         for b in targets {
             for side in [1.0, -1.0] {
-                probes.ray(dice.ray_to(&t, *b, side, 4.0));
+                probes.ray(rng.ray_to(&t, *b, side, 4.0));
             }
         }
     };
     for t in in_coordinate_planes() {
-        // Opposite normals at both ends of an edge cancel in its middle; here just inside of it,
-        // too.
+        // Opposite normals at both ends of an edge cancel at its midpoint; for this triangle also
+        // at points inside it.
         let opposite = Triangle { n1: -t.n0, ..t };
         aim(
             opposite,

@@ -1,7 +1,8 @@
-//! Large and small, thin and far, at a slant and by a hair: where digits are lost.
+//! Triangles and rays that cost digits: large and small, thin and far, at small angles and close to
+//! edges.
 
 use super::hits::MARGIN;
-use crate::cases::probes::{Dice, Probes, at, through};
+use crate::cases::probes::{ProbeRng, Probes, at, through};
 use kit::{Ray, Triangle, Vec3};
 use wire::Work;
 
@@ -23,71 +24,72 @@ fn shifted(t: &Triangle, offset: Vec3) -> Triangle {
     }
 }
 
-/// Rays at a triangle, most of them inside.
-fn shots(dice: &mut Dice, probes: &mut Probes, t: &Triangle, size: f64, count: usize) {
+/// Adds rays aimed at a triangle; three in four hit it.
+fn probe(rng: &mut ProbeRng, probes: &mut Probes, t: &Triangle, size: f64, count: usize) {
     probes.triangle(t);
     for i in 0..count {
         let b = match i % 4 {
-            3 => [dice.range(-1.0, -0.01), dice.range(0.0, 1.0)],
-            _ => dice.inside(MARGIN),
+            3 => [rng.range(-1.0, -0.01), rng.range(0.0, 1.0)],
+            _ => rng.inside(MARGIN),
         };
-        let (side, distance) = (dice.one_of(&[1.0, -1.0]), size * dice.range(0.5, 20.0));
-        probes.ray(dice.ray_to(t, b, side, distance));
+        let (side, distance) = (rng.one_of(&[1.0, -1.0]), size * rng.range(0.5, 20.0));
+        probes.ray(rng.ray_to(t, b, side, distance));
     }
 }
 
 pub(super) fn tiny_and_huge() -> Work {
-    let mut dice = Dice::new("tiny_and_huge", 0);
+    let mut rng = ProbeRng::new("tiny_and_huge", 0);
     let mut probes = Probes::default();
     for scale in [1e-30, 1e-15, 1e-9, 1e-6, 1e-4, 1e6, 1e15, 1e30] {
         for _ in 0..5 {
-            let t = scaled(&dice.triangle(), scale);
-            shots(&mut dice, &mut probes, &t, scale, 8);
+            let t = scaled(&rng.triangle(), scale);
+            probe(&mut rng, &mut probes, &t, scale, 8);
         }
     }
     probes.work()
 }
 
-/// A triangle of length 1 and width `width`, turned anyhow.
-fn sliver(dice: &mut Dice, width: f64) -> Triangle {
-    let along = dice.direction();
+/// A triangle of length 1 and width `width`, in a random orientation.
+fn sliver(rng: &mut ProbeRng, width: f64) -> Triangle {
+    let along = rng.direction();
     let across = along.any_orthonormal_vector();
-    let p0 = dice.in_cube();
+    let p0 = rng.in_cube();
     let flat = Triangle::flat(
         p0,
         p0 + along,
-        p0 + dice.range(0.1, 0.9) * along + width * across,
+        p0 + rng.range(0.1, 0.9) * along + width * across,
     );
-    dice.with_normals(flat)
+    rng.with_normals(flat)
 }
 
 pub(super) fn slivers() -> Work {
-    let mut dice = Dice::new("slivers", 0);
+    let mut rng = ProbeRng::new("slivers", 0);
     let mut probes = Probes::default();
     for width in [1e-3, 1e-4, 1e-5, 1e-6] {
         for _ in 0..8 {
-            let t = sliver(&mut dice, width);
-            shots(&mut dice, &mut probes, &t, 1.0, 8);
+            let t = sliver(&mut rng, width);
+            probe(&mut rng, &mut probes, &t, 1.0, 8);
         }
     }
     probes.work()
 }
 
 pub(super) fn far_from_the_world_origin() -> Work {
-    let mut dice = Dice::new("far_from_the_world_origin", 0);
+    let mut rng = ProbeRng::new("far_from_the_world_origin", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let t = shifted(&dice.triangle(), 1e6 * dice.direction());
-        shots(&mut dice, &mut probes, &t, 1.0, 8);
+        let t = shifted(&rng.triangle(), 1e6 * rng.direction());
+        probe(&mut rng, &mut probes, &t, 1.0, 8);
     }
     probes.work()
 }
 
-/// A ray at the point `b` of the triangle's plane, at the angle `angle` to the plane.
-fn grazing_ray(dice: &mut Dice, t: &Triangle, b: [f64; 2], angle: f64, distance: f64) -> Ray {
+/// A ray through the point `b` of the triangle's plane, at an angle of about `angle` radians to the
+/// plane.
+fn grazing_ray(rng: &mut ProbeRng, t: &Triangle, b: [f64; 2], angle: f64, distance: f64) -> Ray {
     let normal = (t.p1 - t.p0).cross(t.p2 - t.p0).normalize();
-    let along = dice.direction().reject_from_normalized(normal).normalize();
-    let side = dice.one_of(&[1.0, -1.0]);
+    let along = rng.direction().reject_from_normalized(normal).normalize();
+    let side = rng.one_of(&[1.0, -1.0]);
     through(
         at(t, b) + distance * (along + side * angle * normal),
         at(t, b),
@@ -95,15 +97,15 @@ fn grazing_ray(dice: &mut Dice, t: &Triangle, b: [f64; 2], angle: f64, distance:
 }
 
 pub(super) fn grazing() -> Work {
-    let mut dice = Dice::new("grazing", 0);
+    let mut rng = ProbeRng::new("grazing", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let t = dice.triangle();
+        let t = rng.triangle();
         probes.triangle(&t);
         for angle in [1e-2, 1e-3, 1e-4, 1e-6] {
             for _ in 0..2 {
-                let (b, distance) = (dice.inside(0.1), dice.range(2.0, 10.0));
-                probes.ray(grazing_ray(&mut dice, &t, b, angle, distance));
+                let (b, distance) = (rng.inside(0.1), rng.range(2.0, 10.0));
+                probes.ray(grazing_ray(&mut rng, &t, b, angle, distance));
             }
         }
     }
@@ -111,26 +113,26 @@ pub(super) fn grazing() -> Work {
 }
 
 pub(super) fn a_million_away() -> Work {
-    let mut dice = Dice::new("a_million_away", 0);
+    let mut rng = ProbeRng::new("a_million_away", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let t = dice.triangle();
-        shots(&mut dice, &mut probes, &t, 1e5, 8);
+        let t = rng.triangle();
+        probe(&mut rng, &mut probes, &t, 1e5, 8);
     }
     probes.work()
 }
 
 pub(super) fn by_a_hair() -> Work {
-    let mut dice = Dice::new("by_a_hair", 0);
+    let mut rng = ProbeRng::new("by_a_hair", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let t = dice.triangle();
+        let t = rng.triangle();
         probes.triangle(&t);
         for hair in [1e-9, -1e-9, 1e-11, -1e-11, 1e-13, -1e-13] {
-            let along = dice.range(0.1, 0.8);
+            let along = rng.range(0.1, 0.8);
             for b in [[hair, along], [along, hair], [along, 1.0 - along - hair]] {
-                let (side, distance) = (dice.one_of(&[1.0, -1.0]), dice.range(0.5, 5.0));
-                probes.ray(dice.ray_to(&t, b, side, distance));
+                let (side, distance) = (rng.one_of(&[1.0, -1.0]), rng.range(0.5, 5.0));
+                probes.ray(rng.ray_to(&t, b, side, distance));
             }
         }
     }
@@ -138,22 +140,22 @@ pub(super) fn by_a_hair() -> Work {
 }
 
 pub(super) fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_hard_triangles", seed);
+    let mut rng = ProbeRng::new("fresh_hard_triangles", seed);
     let mut probes = Probes::default();
     for i in 0..60 {
-        let scale = dice.one_of(&[1e-9, 1e-3, 1.0, 1e3, 1e9]);
+        let scale = rng.one_of(&[1e-9, 1e-3, 1.0, 1e3, 1e9]);
         let t = match i % 3 {
-            0 => sliver(&mut dice, 1e-5),
-            _ => dice.triangle(),
+            0 => sliver(&mut rng, 1e-5),
+            _ => rng.triangle(),
         };
         let t = scaled(
-            &shifted(&t, dice.one_of(&[0.0, 10.0, 1e4]) * dice.direction()),
+            &shifted(&t, rng.one_of(&[0.0, 10.0, 1e4]) * rng.direction()),
             scale,
         );
-        shots(&mut dice, &mut probes, &t, scale, 6);
+        probe(&mut rng, &mut probes, &t, scale, 6);
         if i % 3 == 1 {
-            let b = dice.inside(0.1);
-            probes.ray(grazing_ray(&mut dice, &t, b, 1e-4, 5.0 * scale));
+            let b = rng.inside(0.1);
+            probes.ray(grazing_ray(&mut rng, &t, b, 1e-4, 5.0 * scale));
         }
     }
     probes.work()

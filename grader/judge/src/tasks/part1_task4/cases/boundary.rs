@@ -1,5 +1,5 @@
-//! Tangents, ends of the range and rays abreast of the centre in short integers: the formula does
-//! not round them.
+//! Tangents, ends of the range and rays that start closest to the centre, with small integer
+//! coordinates, which the formula does not round.
 
 use crate::cases::probes::{Probes, within};
 use kit::{Ray, Sphere, Vec3};
@@ -15,8 +15,8 @@ const ALONG_AXES: [Vec3; 6] = [
     Vec3::NEG_Z,
 ];
 
-/// Through the centre of spheres whose radius is a power of two: so the roots are exact for who
-/// divides by it, too.
+/// Rays through the centre of spheres whose radius is a power of two: the roots are exact even
+/// after a division by the radius.
 pub(super) fn range_ends() -> Work {
     let mut probes = Probes::default();
     for radius in [0.5, 1.0, 8.0] {
@@ -25,15 +25,16 @@ pub(super) fn range_ends() -> Work {
     probes.work()
 }
 
-/// Beside the centre: 3, 4, 5. The ray passes the centre at 3, the roots are 4 before and behind.
+/// Rays beside the centre, with the triangle 3, 4, 5: at a distance of 3 from the centre, the roots
+/// are 4 before and behind the closest point.
 pub(super) fn range_ends_beside_the_center() -> Work {
     let mut probes = Probes::default();
     at_the_ends(&mut probes, 5.0, &[(0.0, 5.0), (3.0, 4.0), (4.0, 3.0)]);
     probes.work()
 }
 
-/// Rays that pass the centre at some distance and so have half a chord, with ranges that end at the
-/// roots.
+/// Adds rays with ranges that end at the roots, for each distance from the centre and the half
+/// chord there.
 fn at_the_ends(probes: &mut Probes, radius: f64, distance_and_half: &[(f64, f64)]) {
     let s = Sphere {
         center: Vec3::new(3.0, -2.0, 5.0),
@@ -74,7 +75,7 @@ pub(super) fn tangent() -> Work {
                 let o = s.center + radius * aside - 8.0 * d;
                 probes.ray(Ray::new(o, d));
                 probes.ray(Ray::new(o, 2.0 * d));
-                // A 64th beside the rim, and inside of it.
+                // 1/64 outside the silhouette, and 1/64 inside.
                 probes.ray(Ray::new(o + aside / 64.0, d));
                 probes.ray(Ray::new(o - aside / 64.0, d));
             }

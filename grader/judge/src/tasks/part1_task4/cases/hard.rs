@@ -1,8 +1,8 @@
-//! Spheres: where the quadratic formula loses its digits.
+//! Cases of spheres where the quadratic formula loses its digits.
 
 use super::{boundary, case};
 use crate::cases::Spec;
-use crate::cases::probes::{Dice, Probes, within};
+use crate::cases::probes::{ProbeRng, Probes, within};
 use crate::tally::Aspect::{Decision, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::Work;
@@ -12,50 +12,51 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "far_away",
-            "Spheres a thousand to a million radii away. Pitfall: b * b and 4ac are so large that \
-             their difference keeps no digit; take it as r * r - |f - (f.d / d.d) d|^2 instead.",
+            "Spheres at distances of a thousand to a million radii. Pitfall: b * b and 4ac are so \
+             large that no digit of their difference is correct; use r * r - |f - (f.d / d.d) \
+             d|^2 instead.",
             far_away(),
         )
         .only(&[Decision, T]),
         case(
             "ground_sphere",
-            "A sphere of radius 1e5 as the ground, the ray close above it. Pitfall: -b and the root \
-             cancel; divide c by the root that adds up.",
+            "A sphere of radius 1e5 as the ground, with rays that start close above it. Pitfall: \
+             -b and the square root cancel; compute the root in which they add up, and divide c \
+             by it.",
             ground(),
         )
         .only(&[Decision, T]),
         case(
             "on_the_surface",
-            "Rays that leave the sphere from its surface, with a small min_t: outward they \
-             miss, inward they hit the other side, not where they start.",
+            "Rays that start on the surface, with a small min_t: outward they miss; inward they \
+             hit the far side, not the point where they start.",
             on_the_surface(),
         )
         .only(&[Decision, T]),
         case(
             "by_a_hair",
-            "Rays a millionth of the radius and less inside the rim and outside, from up to a \
-             thousand radii away.",
+            "Rays that pass the silhouette, inside or outside, at a millionth of the radius or \
+             less, from up to a thousand radii away.",
             by_a_hair(),
         )
         .only(&[Decision]),
         case(
             "hit_point_on_the_sphere",
             "Hits from far away: the hit point lies on the sphere. Pitfall: o + t d is off by the \
-             rounding of t; scale the way from the centre to p back to the radius.",
+             rounding of t; scale the vector from the centre to p to the length of the radius.",
             hit_point_on_the_sphere(),
         )
         .only(&[Position, Normal]),
         case(
             "sphere_without_size",
-            "Radius 0: a miss unless the ray goes exactly through the centre, and no NaN \
-             normal.",
+            "Radius 0: a miss unless the ray goes exactly through the centre; no normal is NaN.",
             without_size(),
         )
         .only(&[Decision, Normal]),
         case(
             "range_ends_beside_the_center",
-            "A root is exactly min_t or exactly max_t, in small integers beside the centre. \
-             Pitfall: a division by the radius rounds it away.",
+            "A root is exactly min_t or exactly max_t, with small integer coordinates and rays \
+             that pass beside the centre. Pitfall: a division by the radius rounds the root.",
             boundary::range_ends_beside_the_center(),
         )
         .only(&[Decision, T]),
@@ -68,28 +69,28 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "not_a_number",
             "NaN in the ray or the sphere, d = 0, min_t > max_t, a negative radius: a miss. \
-             Pitfall: comparisons with NaN are false; write tests so that NaN fails them.",
+             Pitfall: comparisons with NaN are false; write each test so that NaN fails it.",
             not_a_number(),
         )
         .only(&[Decision]),
         case(
             "fresh_hard_spheres",
-            "Far and near, large and small, through the middle and at the rim, differing for \
-             each seed.",
+            "Random spheres, far and near, large and small, hit in the middle and at the \
+             silhouette, that depend on the seed.",
             fresh(seed),
         ),
     ]
 }
 
 fn far_away() -> Work {
-    let mut dice = Dice::new("far_away", 0);
+    let mut rng = ProbeRng::new("far_away", 0);
     let mut probes = Probes::default();
     for _ in 0..12 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for radii in [1e3, 1e4, 1e5, 1e6] {
             for impact in [0.1, 0.5, 0.9, 0.99, 1.01, 1.1] {
-                probes.ray(dice.ray_past(&s, impact, radii * s.radius));
+                probes.ray(rng.ray_past(&s, impact, radii * s.radius));
             }
         }
     }
@@ -97,7 +98,7 @@ fn far_away() -> Work {
 }
 
 fn ground() -> Work {
-    let mut dice = Dice::new("ground_sphere", 0);
+    let mut rng = ProbeRng::new("ground_sphere", 0);
     let mut probes = Probes::default();
     let s = Sphere {
         center: Vec3::new(0.0, -1e5, 0.0),
@@ -105,11 +106,11 @@ fn ground() -> Work {
     };
     probes.sphere(&s);
     for _ in 0..150 {
-        let target = Vec3::new(dice.range(-20.0, 20.0), 0.0, dice.range(-20.0, 20.0));
+        let target = Vec3::new(rng.range(-20.0, 20.0), 0.0, rng.range(-20.0, 20.0));
         let o = Vec3::new(
-            dice.range(-1.0, 1.0),
-            dice.range(0.01, 3.0),
-            dice.range(-1.0, 1.0),
+            rng.range(-1.0, 1.0),
+            rng.range(0.01, 3.0),
+            rng.range(-1.0, 1.0),
         );
         probes.ray(Ray::new(o, (target - o).normalize()));
     }
@@ -117,16 +118,16 @@ fn ground() -> Work {
 }
 
 fn on_the_surface() -> Work {
-    let mut dice = Dice::new("on_the_surface", 0);
+    let mut rng = ProbeRng::new("on_the_surface", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for _ in 0..6 {
-            let normal = dice.direction();
+            let normal = rng.direction();
             let o = s.center + s.radius * normal;
             let d = loop {
-                let d = dice.direction();
+                let d = rng.direction();
                 if d.dot(normal).abs() > 0.2 {
                     break d;
                 }
@@ -134,7 +135,7 @@ fn on_the_surface() -> Work {
             probes.ray(within(Ray::new(o, d), 1e-9, f64::INFINITY));
         }
     }
-    // In integers: the root at the origin is exactly 0, and counts if min_t is 0.
+    // With integer coordinates the root at the origin is exactly 0, and counts if min_t is 0.
     let s = Sphere {
         center: Vec3::new(1.0, 2.0, -3.0),
         radius: 4.0,
@@ -151,14 +152,14 @@ fn on_the_surface() -> Work {
 }
 
 fn by_a_hair() -> Work {
-    let mut dice = Dice::new("by_a_hair spheres", 0);
+    let mut rng = ProbeRng::new("by_a_hair spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for (hair, radii) in [(1e-6, 1e3), (1e-8, 100.0), (1e-10, 10.0), (1e-12, 2.0)] {
             for impact in [1.0 - hair, 1.0 + hair] {
-                probes.ray(dice.ray_past(&s, impact, radii * s.radius));
+                probes.ray(rng.ray_past(&s, impact, radii * s.radius));
             }
         }
     }
@@ -166,15 +167,15 @@ fn by_a_hair() -> Work {
 }
 
 fn hit_point_on_the_sphere() -> Work {
-    let mut dice = Dice::new("hit_point_on_the_sphere", 0);
+    let mut rng = ProbeRng::new("hit_point_on_the_sphere", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for radii in [10.0, 1e3, 1e5] {
             for _ in 0..2 {
-                let impact = dice.range(0.0, 0.9);
-                probes.ray(dice.ray_past(&s, impact, radii * s.radius));
+                let impact = rng.range(0.0, 0.9);
+                probes.ray(rng.ray_past(&s, impact, radii * s.radius));
             }
         }
     }
@@ -182,7 +183,7 @@ fn hit_point_on_the_sphere() -> Work {
 }
 
 fn without_size() -> Work {
-    let mut dice = Dice::new("sphere_without_size", 0);
+    let mut rng = ProbeRng::new("sphere_without_size", 0);
     let mut probes = Probes::default();
     for center in [Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO] {
         let s = Sphere {
@@ -196,8 +197,8 @@ fn without_size() -> Work {
             probes.ray(Ray::new(center - 4.0 * axis + 0.5, axis));
         }
         for _ in 0..20 {
-            let o = center + 5.0 * dice.direction();
-            let target = center + 0.1 * dice.direction();
+            let o = center + 5.0 * rng.direction();
+            let target = center + 0.1 * rng.direction();
             probes.ray(Ray::new(o, (target - o).normalize()));
         }
     }
@@ -205,19 +206,19 @@ fn without_size() -> Work {
 }
 
 fn tiny_and_huge() -> Work {
-    let mut dice = Dice::new("tiny_and_huge spheres", 0);
+    let mut rng = ProbeRng::new("tiny_and_huge spheres", 0);
     let mut probes = Probes::default();
     for scale in [1e-30, 1e-15, 1e-9, 1e-6, 1e6, 1e15, 1e30] {
         for _ in 0..5 {
-            let s = dice.sphere();
+            let s = rng.sphere();
             let s = Sphere {
                 center: scale * s.center,
                 radius: scale * s.radius,
             };
             probes.sphere(&s);
             for impact in [0.0, 0.3, 0.9, 1.1] {
-                let distance = s.radius * dice.range(-0.5, 5.0);
-                probes.ray(dice.ray_past(&s, impact, distance));
+                let distance = s.radius * rng.range(-0.5, 5.0);
+                probes.ray(rng.ray_past(&s, impact, distance));
             }
         }
     }
@@ -267,21 +268,21 @@ fn not_a_number() -> Work {
 }
 
 fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_hard_spheres", seed);
+    let mut rng = ProbeRng::new("fresh_hard_spheres", seed);
     let mut probes = Probes::default();
     for _ in 0..50 {
-        let scale = dice.one_of(&[1e-9, 1e-3, 1.0, 1e3, 1e9]);
-        let s = dice.sphere();
+        let scale = rng.one_of(&[1e-9, 1e-3, 1.0, 1e3, 1e9]);
+        let s = rng.sphere();
         let s = Sphere {
             center: scale * s.center,
             radius: scale * s.radius,
         };
         probes.sphere(&s);
         for _ in 0..6 {
-            let hair = dice.one_of(&[0.5, 0.1, 1e-3, 1e-6, -1e-6, -1e-3]);
-            let radii = dice.one_of(&[0.1, 1.5, 10.0, 1e3, 1e5]);
-            let ray = dice.ray_past(&s, 1.0 - hair, radii * s.radius);
-            let d = dice.one_of(&[0.125, 1.0, 3.0]) * ray.d;
+            let hair = rng.one_of(&[0.5, 0.1, 1e-3, 1e-6, -1e-6, -1e-3]);
+            let radii = rng.one_of(&[0.1, 1.5, 10.0, 1e3, 1e5]);
+            let ray = rng.ray_past(&s, 1.0 - hair, radii * s.radius);
+            let d = rng.one_of(&[0.125, 1.0, 3.0]) * ray.d;
             probes.ray(Ray { d, ..ray });
         }
     }

@@ -1,38 +1,38 @@
-//! Rays through spheres, past them, from inside them and away from them.
+//! Rays through spheres, beside them, from inside them and away from them.
 
-use crate::cases::probes::{Dice, Probes, brute_force, through, within};
+use crate::cases::probes::{ProbeRng, Probes, brute_force, through, within};
 use kit::{Ray, Sphere};
 use wire::Work;
 
 pub(super) fn head_on() -> Work {
-    let mut dice = Dice::new("head_on", 0);
+    let mut rng = ProbeRng::new("head_on", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for _ in 0..8 {
-            let (impact, distance) = (dice.range(0.0, 0.9), s.radius * dice.range(1.1, 5.0));
-            probes.ray(dice.ray_past(&s, impact, distance));
+            let (impact, distance) = (rng.range(0.0, 0.9), s.radius * rng.range(1.1, 5.0));
+            probes.ray(rng.ray_past(&s, impact, distance));
         }
     }
     probes.work()
 }
 
 pub(super) fn around_the_rim() -> Work {
-    let mut dice = Dice::new("around_the_rim", 0);
+    let mut rng = ProbeRng::new("around_the_rim", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for impact in [
             0.95, 0.99, 0.999, 0.9999, 1.0001, 1.001, 1.01, 1.05, 1.3, 2.5,
         ] {
-            let distance = s.radius * dice.range(1.1, 5.0);
-            let ray = dice.ray_past(&s, impact, distance);
+            let distance = s.radius * rng.range(1.1, 5.0);
+            let ray = rng.ray_past(&s, impact, distance);
             probes.ray(within(
                 ray,
                 0.0,
-                dice.one_of(&[f64::INFINITY, 4.0 * distance]),
+                rng.one_of(&[f64::INFINITY, 4.0 * distance]),
             ));
         }
     }
@@ -40,45 +40,45 @@ pub(super) fn around_the_rim() -> Work {
 }
 
 pub(super) fn origin_inside() -> Work {
-    let mut dice = Dice::new("origin_inside", 0);
+    let mut rng = ProbeRng::new("origin_inside", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for _ in 0..8 {
-            let o = s.center + dice.range(0.0, 0.95) * s.radius * dice.direction();
-            probes.ray(Ray::new(o, dice.direction()));
+            let o = s.center + rng.range(0.0, 0.95) * s.radius * rng.direction();
+            probes.ray(Ray::new(o, rng.direction()));
         }
-        probes.ray(Ray::new(s.center, dice.direction()));
+        probes.ray(Ray::new(s.center, rng.direction()));
     }
     probes.work()
 }
 
 pub(super) fn behind() -> Work {
-    let mut dice = Dice::new("behind_the_origin spheres", 0);
+    let mut rng = ProbeRng::new("behind_the_origin spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for _ in 0..6 {
-            let (impact, distance) = (dice.range(0.0, 0.95), s.radius * dice.range(1.1, 5.0));
-            let ray = dice.ray_past(&s, impact, distance);
+            let (impact, distance) = (rng.range(0.0, 0.95), s.radius * rng.range(1.1, 5.0));
+            let ray = rng.ray_past(&s, impact, distance);
             probes.ray(Ray { d: -ray.d, ..ray });
         }
-        // One that it does hit, so that a kernel which never hits does not pass.
-        probes.ray(dice.ray_past(&s, 0.5, 2.0 * s.radius));
+        // A hit, so that a kernel which always misses does not pass.
+        probes.ray(rng.ray_past(&s, 0.5, 2.0 * s.radius));
     }
     probes.work()
 }
 
 pub(super) fn range() -> Work {
-    let mut dice = Dice::new("range spheres", 0);
+    let mut rng = ProbeRng::new("range spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
-        let (impact, middle) = (dice.range(0.0, 0.8), s.radius * dice.range(1.5, 5.0));
-        let ray = dice.ray_past(&s, impact, middle);
+        let (impact, middle) = (rng.range(0.0, 0.8), s.radius * rng.range(1.5, 5.0));
+        let ray = rng.ray_past(&s, impact, middle);
         let half = s.radius * (1.0 - impact * impact).sqrt();
         let (near, far) = (middle - half, middle + half);
         for (min_t, max_t) in [
@@ -94,27 +94,28 @@ pub(super) fn range() -> Work {
         ] {
             probes.ray(within(ray, min_t, max_t));
         }
-        // Both roots are behind the origin, and before a min_t that is farther back still.
+        // Both roots are behind the origin, and below a negative min_t.
         probes.ray(within(Ray { d: -ray.d, ..ray }, -0.9 * near, 5.0));
     }
     probes.work()
 }
 
 pub(super) fn length_of_direction() -> Work {
-    let mut dice = Dice::new("length_of_direction spheres", 0);
+    let mut rng = ProbeRng::new("length_of_direction spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for length in [0.05, 0.25, 0.7, 1.5, 3.0, 40.0] {
-            let (impact, distance) = (dice.range(0.0, 0.9), s.radius * dice.range(1.1, 5.0));
-            let ray = dice.ray_past(&s, impact, distance);
+            let (impact, distance) = (rng.range(0.0, 0.9), s.radius * rng.range(1.1, 5.0));
+            let ray = rng.ray_past(&s, impact, distance);
             let longer = Ray {
                 d: length * ray.d,
                 ..ray
             };
             probes.ray(longer);
-            // From the middle of the sphere on: in range only if t counts lengths of d.
+            // The range starts in the middle of the sphere: the hit is in range only if t is in
+            // units of the length of d.
             let middle = distance / length;
             probes.ray(within(
                 longer,
@@ -126,39 +127,39 @@ pub(super) fn length_of_direction() -> Work {
     probes.work()
 }
 
-/// Spheres in a heap, and rays through it from all around.
-pub(super) fn heap(dice: &mut Dice, rays: usize) -> Work {
+/// A heap of spheres, and rays through it from all directions.
+pub(super) fn heap(rng: &mut ProbeRng, rays: usize) -> Work {
     let spheres: Vec<Sphere> = (0..30)
         .map(|_| Sphere {
-            center: 2.0 * dice.in_cube(),
-            radius: dice.range(0.1, 0.7),
+            center: 2.0 * rng.in_cube(),
+            radius: rng.range(0.1, 0.7),
         })
         .collect();
     let rays: Vec<Ray> = (0..rays)
         .map(|_| {
-            let from = dice.one_of(&[6.0, 6.0, 1.0]);
-            let ray = through(from * dice.direction(), 1.5 * dice.in_cube());
-            let max_t = dice.one_of(&[f64::INFINITY, f64::INFINITY, 6.0]);
-            within(ray, dice.one_of(&[0.0, 0.0, 5.0]), max_t)
+            let from = rng.one_of(&[6.0, 6.0, 1.0]);
+            let ray = through(from * rng.direction(), 1.5 * rng.in_cube());
+            let max_t = rng.one_of(&[f64::INFINITY, f64::INFINITY, 6.0]);
+            within(ray, rng.one_of(&[0.0, 0.0, 5.0]), max_t)
         })
         .collect();
     brute_force(&[], &spheres, &rays)
 }
 
 pub(super) fn fresh(seed: u64) -> Work {
-    let mut dice = Dice::new("fresh_spheres", seed);
+    let mut rng = ProbeRng::new("fresh_spheres", seed);
     let mut probes = Probes::default();
     for _ in 0..50 {
-        let s = dice.sphere();
+        let s = rng.sphere();
         probes.sphere(&s);
         for _ in 0..6 {
-            let (impact, distance) = (dice.range(0.0, 1.5), s.radius * dice.range(-3.0, 5.0));
-            let ray = dice.ray_past(&s, impact, distance);
-            let d = dice.range(0.2, 5.0) * ray.d;
+            let (impact, distance) = (rng.range(0.0, 1.5), s.radius * rng.range(-3.0, 5.0));
+            let ray = rng.ray_past(&s, impact, distance);
+            let d = rng.range(0.2, 5.0) * ray.d;
             probes.ray(within(
                 Ray { d, ..ray },
-                dice.range(0.0, 1.0),
-                dice.range(1.0, 30.0),
+                rng.range(0.0, 1.0),
+                rng.range(1.0, 30.0),
             ));
         }
     }

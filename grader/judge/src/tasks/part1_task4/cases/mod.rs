@@ -1,12 +1,12 @@
-//! Spheres. Here is what the quadratic formula in `f64` gets right, [`hits`] and [`boundary`];
-//! [`hard`] is where it loses its digits.
+//! Cases of spheres. The quadratic formula in `f64` passes those here, from [`hits`] and
+//! [`boundary`]; in [`hard`] it loses its digits.
 
 mod boundary;
 mod hard;
 mod hits;
 
 use crate::cases::Spec;
-use crate::cases::probes::Dice;
+use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Decision, GeometricNormal, Normal, Position, Primitive, RayAfter, T};
 use crate::tasks::brute_force::pictures;
 use wire::Work;
@@ -16,75 +16,75 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     let core = vec![
         case(
             "head_on",
-            "Rays through spheres of all sizes and places: b is 2 f.d with f = o - center, c \
-             is f.f - r * r.",
+            "Rays through spheres of many sizes and positions: with f = o - center, b is 2 f.d \
+             and c is f.f - r * r.",
             hits::head_on(),
         ),
         case(
             "around_the_rim",
-            "Rays just inside the rim hit, those just outside miss. Pitfall: a radius that is not \
-             squared, or half of b, moves the rim.",
+            "Rays just inside the silhouette hit, rays just outside miss. Pitfall: a radius that \
+             is not squared, or half of b, moves the silhouette.",
             hits::around_the_rim(),
         )
         .only(&[Decision, T, RayAfter]),
         case(
             "origin_inside",
-            "The ray starts inside: the smaller root is behind it, the larger one is the hit, \
-             whether it looks at the centre or away from it.",
+            "The ray starts inside the sphere: the smaller root is negative, the larger one is \
+             the hit, whatever the direction.",
             hits::origin_inside(),
         )
         .only(&[Decision, T, Normal, GeometricNormal]),
         case(
             "behind_the_origin",
-            "The sphere lies behind the ray: both roots are negative.",
+            "The sphere is behind the ray's origin: both roots are negative.",
             hits::behind(),
         )
         .only(&[Decision, RayAfter]),
         case(
             "range",
-            "The smaller root in min_t..max_t is the hit; if min_t cuts off the smaller one, \
-             the larger one may still count. A hit sets max_t, a miss does not.",
+            "The smaller root in min_t..=max_t is the hit; if the smaller root is below min_t, \
+             the larger one may still count. A hit sets max_t, a miss does not change it.",
             hits::range(),
         )
         .only(&[Decision, T, RayAfter]),
         case(
             "range_ends",
-            "A root is exactly min_t or exactly max_t: both ends count. The next float beyond \
-             does not.",
+            "A root is exactly min_t or exactly max_t: both ends count. The next float beyond an \
+             end does not.",
             boundary::range_ends(),
         )
         .only(&[Decision, T]),
         case(
             "tangent",
-            "Rays that touch the sphere in one point, in small integers: the discriminant is \
-             exactly 0, and that is a hit.",
+            "Rays that touch the sphere in one point, with small integer coordinates: the \
+             discriminant is exactly 0, which is a hit.",
             boundary::tangent(),
         )
         .only(&[Decision]),
         case(
             "length_of_direction",
-            "d need not have length 1: t counts lengths of d. Pitfall: a is d.d, not 1, and the \
-             whole numerator is divided by 2a.",
+            "d need not have length 1: t is in units of the length of d. Pitfall: a is d.d, not \
+             1, and the whole numerator is divided by 2a.",
             hits::length_of_direction(),
         )
         .only(&[Decision, T, Position]),
         case(
             "abreast",
-            "The ray starts where it is nearest to the centre: b is 0, one root is negative, \
-             the other positive.",
+            "The ray starts where it is closest to the centre: b is 0, and of the two roots one \
+             is negative, the other positive.",
             boundary::abreast(),
         )
         .only(&[Decision, T]),
         case(
             "nearest_of_many",
-            "A ray through a heap of spheres in any order: max_t must shorten with every hit \
-             and only with hits.",
-            hits::heap(&mut Dice::new("nearest_of_many spheres", 0), 600),
+            "A ray through a heap of spheres in arbitrary order: each hit shortens max_t, and \
+             nothing else changes it.",
+            hits::heap(&mut ProbeRng::new("nearest_of_many spheres", 0), 600),
         )
         .only(&[Decision, Primitive, T, RayAfter]),
         case(
             "fresh_spheres",
-            "Spheres and rays that differ for each seed.",
+            "Random spheres and rays that depend on the seed.",
             hits::fresh(seed),
         ),
         pictures::pile_of_spheres(),

@@ -1,77 +1,72 @@
-//! Trees to walk, drawn by hand or along a curve.
+//! Trees for traversals, written by hand or built along a Morton curve.
 
 use kit::{Aabb, Vec3};
 use wire::work::{Node, NodeKind, Tree};
 
-/// A tree as it is drawn on paper.
-pub(crate) enum Plan {
+/// The shape of a tree: which primitives are in which leaf.
+pub(crate) enum TreePlan {
     /// A leaf with these primitives.
     Leaf(Vec<u32>),
     /// Two children, left and right.
-    Split(Box<Plan>, Box<Plan>),
+    Split(Box<TreePlan>, Box<TreePlan>),
 }
 
-impl Plan {
-    pub(crate) fn split(left: Plan, right: Plan) -> Plan {
-        Plan::Split(Box::new(left), Box::new(right))
+impl TreePlan {
+    pub(crate) fn split(left: TreePlan, right: TreePlan) -> TreePlan {
+        TreePlan::Split(Box::new(left), Box::new(right))
     }
 
-    /// Leaves of at most so many primitives, and each half of `ids` below a child of its own.
-    pub(crate) fn halves(ids: &[u32], max_leaf_size: usize) -> Plan {
+    /// A balanced tree: splits `ids` into halves until at most `max_leaf_size` are left.
+    pub(crate) fn halves(ids: &[u32], max_leaf_size: usize) -> TreePlan {
         if ids.len() <= max_leaf_size {
-            return Plan::Leaf(ids.to_vec());
+            return TreePlan::Leaf(ids.to_vec());
         }
         let (low, high) = ids.split_at(ids.len() / 2);
-        Plan::split(
-            Plan::halves(low, max_leaf_size),
-            Plan::halves(high, max_leaf_size),
+        TreePlan::split(
+            TreePlan::halves(low, max_leaf_size),
+            TreePlan::halves(high, max_leaf_size),
         )
     }
 
-    /// The tree; primitive `i` has the box `bounds[i]`.
+    /// Builds the tree; primitive `i` has the box `bounds[i]`.
     pub(crate) fn tree(&self, bounds: &[Aabb]) -> Tree {
         let mut tree = Tree::default();
-        tree.nodes.push(unfinished());
-        grow(&mut tree, 0, self, bounds);
+        tree.nodes.push(placeholder());
+        build(&mut tree, 0, self, bounds);
         tree
     }
 }
 
-/// A tree over boxes, with leaves of at most so many: halves of a list that is sorted along a curve
-/// through all cells of a grid, so that neighbours in the list are neighbours in space (Morton
-/// 1966; Lauterbach and others, "Fast BVH construction on GPUs", 2009).
-pub(crate) fn along_a_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
+/// A balanced tree over boxes that are sorted along a Morton curve, so that neighbours in the list
+/// are close in space (Morton 1966; Lauterbach and others, "Fast BVH construction on GPUs", 2009).
+pub(crate) fn along_morton_curve(bounds: &[Aabb], max_leaf_size: usize) -> Tree {
     let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
     let mut ids: Vec<u32> = (0..bounds.len() as u32).collect();
-    ids.sort_by_key(|&id| place(&all, bounds[id as usize].centroid()));
-    Plan::halves(&ids, max_leaf_size).tree(bounds)
+    ids.sort_by_key(|&id| morton_code(&all, bounds[id as usize].centroid()));
+    TreePlan::halves(&ids, max_leaf_size).tree(bounds)
 }
 
-/// Where a point comes on the curve: the digits of its cell's three coordinates, shuffled.
-fn place(all: &Aabb, p: Vec3) -> u32 {
-    const DIGITS: u32 = 10;
+/// The Morton code of a point: the interleaved bits of its cell's three coordinates.
+fn morton_code(all: &Aabb, p: Vec3) -> u32 {
+    const BITS: u32 = 10;
     let share = (p - all.min) / all.extent().max(Vec3::splat(f64::MIN_POSITIVE));
-    let cell = share
-        .to_array()
-        .map(|s| (s * f64::from(1 << DIGITS)) as u32);
-    let digits = (0..DIGITS)
-        .rev()
-        .flat_map(|digit| cell.map(|c| c >> digit & 1));
-    digits.fold(0, |place, digit| place << 1 | digit)
+    let cell = share.to_array().map(|s| (s * f64::from(1 << BITS)) as u32);
+    let bits = (0..BITS).rev().flat_map(|bit| cell.map(|c| c >> bit & 1));
+    bits.fold(0, |code, bit| code << 1 | bit)
 }
 
-/// Holds a node's place until what is below it is known.
-fn unfinished() -> Node {
+/// A placeholder for a node whose subtree is not built yet.
+fn placeholder() -> Node {
     Node {
         bounds: [[0.0; 3]; 2],
         kind: NodeKind::Leaf { first: 0, count: 0 },
     }
 }
 
-/// Writes `plan` into place `at` of the tree; gives its box.
-fn grow(tree: &mut Tree, at: usize, plan: &Plan, prims: &[Aabb]) -> Aabb {
+/// Writes `plan` to node `at` of the tree and returns its box.
+fn build(tree: &mut Tree, at: usize, plan: &TreePlan, prims: &[Aabb]) -> Aabb {
     let (bounds, kind) = match plan {
-        Plan::Leaf(ids) => {
+        TreePlan::Leaf(ids) => {
             let first = tree.order.len() as u32;
             tree.order.extend(ids);
             let boxes = ids.iter().map(|&id| prims[id as usize]);
@@ -81,11 +76,11 @@ fn grow(tree: &mut Tree, at: usize, plan: &Plan, prims: &[Aabb]) -> Aabb {
             };
             (boxes.fold(Aabb::EMPTY, Aabb::union), kind)
         }
-        Plan::Split(left, right) => {
+        TreePlan::Split(left, right) => {
             let children = tree.nodes.len();
-            tree.nodes.extend([unfinished(), unfinished()]);
+            tree.nodes.extend([placeholder(), placeholder()]);
             let bounds =
-                grow(tree, children, left, prims).union(grow(tree, children + 1, right, prims));
+                build(tree, children, left, prims).union(build(tree, children + 1, right, prims));
             let kind = NodeKind::Interior {
                 left: children as u32,
                 right: children as u32 + 1,
@@ -104,7 +99,7 @@ fn grow(tree: &mut Tree, at: usize, plan: &Plan, prims: &[Aabb]) -> Aabb {
 mod tests {
     use super::*;
 
-    /// The primitives below a node, in order; its box is around theirs.
+    /// The primitives below a node, in order. Checks that its box is the smallest around theirs.
     fn below(tree: &Tree, bounds: &[Aabb], node: usize, max_leaf_size: u32) -> Vec<u32> {
         let ids: Vec<u32> = match tree.nodes[node].kind {
             NodeKind::Leaf { first, count } => {
@@ -125,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn along_a_curve_neighbours_share_leaves() {
+    fn along_morton_curve_neighbours_share_leaves() {
         // The cells of a grid of 8 a side, from last to first.
         let bounds: Vec<Aabb> = (0..512_i32)
             .rev()
@@ -137,7 +132,7 @@ mod tests {
                 }
             })
             .collect();
-        let tree = along_a_curve(&bounds, 8);
+        let tree = along_morton_curve(&bounds, 8);
         let mut ids = below(&tree, &bounds, 0, 8);
         ids.sort_unstable();
         assert_eq!(ids, (0..512).collect::<Vec<u32>>());

@@ -1,0 +1,42 @@
+//! Stores the exact results of a case. The exact oracle is slow and many versions of the code are
+//! judged by the same results, so they are computed once, at first use.
+
+use super::expected::Expected;
+use super::scene;
+use crate::Tier;
+use crate::cases::Spec;
+use crate::tasks;
+use oracle::closest::Closest;
+use std::sync::OnceLock;
+use wire::work::{Ray, SceneSource};
+
+/// The exact results of a case, as far as they have been computed.
+#[derive(Debug, Default)]
+pub(crate) struct ExpectedCache {
+    scene: OnceLock<Vec<Closest>>,
+    core: OnceLock<Vec<Expected>>,
+    robust: OnceLock<Vec<Expected>>,
+}
+
+impl ExpectedCache {
+    /// The exact closest hit of each ray in a whole scene.
+    pub(super) fn of_scene(&self, source: &SceneSource, rays: &[Ray]) -> &[Closest] {
+        self.scene.get_or_init(|| scene::closest_hits(source, rays))
+    }
+
+    /// The results that score for each probe or ray of `spec`, the case of this cache; empty for
+    /// cases that are about neither single shapes nor a list of shapes.
+    pub(super) fn of_shapes(&self, spec: &Spec, tier: Tier) -> &[Expected] {
+        let results = match tier {
+            Tier::Core => &self.core,
+            Tier::Robust => &self.robust,
+        };
+        results.get_or_init(|| expected(spec, tier))
+    }
+}
+
+/// The results that score for each probe or ray of a case about single shapes or a list of shapes;
+/// empty for other cases.
+pub fn expected(spec: &Spec, tier: Tier) -> Vec<Expected> {
+    tasks::check_of(&spec.work).expected(tier, spec.enclosed)
+}

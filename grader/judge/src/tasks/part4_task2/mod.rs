@@ -72,7 +72,7 @@ mod tests {
         };
         let surfaces = paths[0].steps.len();
         assert_eq!(fits(surfaces - 1), Ok(()));
-        let why = format!("call 0 names surface {surfaces}, but there are only {surfaces}");
+        let why = format!("call 0 has the surface index {surfaces}, expected one below {surfaces}");
         assert_eq!(fits(surfaces), Err(why));
     }
 }

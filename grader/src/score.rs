@@ -116,7 +116,7 @@ impl CaseResult {
 /// miss, without which the others mean little, and work, which is the purpose of a BVH.
 fn earned_fraction(findings: &[Finding]) -> f64 {
     let weight = |finding: &Finding| match finding.aspect {
-        Aspect::Decision | Aspect::Work => (findings.len() - 1).max(1),
+        Aspect::HitOrMiss | Aspect::Work => (findings.len() - 1).max(1),
         _ => 1,
     };
     let total: usize = findings.iter().map(weight).sum();

@@ -24,7 +24,7 @@ pub(crate) struct Call<'a> {
 
 /// Counts the aspects that the right answer has.
 pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
-    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::HitOrMiss);
     tally.expect(Aspect::RayAfter);
     if expected.decision() != HitOrMiss::Hit {
         return;
@@ -82,7 +82,7 @@ impl Call<'_> {
             HitOrMiss::Miss => answered.is_none(),
         };
         let class = decision_class(right, answered.is_some());
-        self.judge_class(Aspect::Decision, class, 1.0, |function| match answered {
+        self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
                 format!("{function}: your result: miss; expected: hit at t = {t:?}")
@@ -259,7 +259,7 @@ impl Call<'_> {
     /// The two functions must agree on hit or miss, also where either scores.
     pub(crate) fn agrees_with(&mut self, test: &str, test_hits: bool, hits: bool) {
         let name = |hit: bool| if hit { "hit" } else { "miss" };
-        self.judge(Aspect::Decision, test_hits == hits, 0.5, |function| {
+        self.judge(Aspect::HitOrMiss, test_hits == hits, 0.5, |function| {
             format!(
                 "your results: {test} returns a {}, {function} a {}; expected: the same from both",
                 name(test_hits),

@@ -26,7 +26,9 @@ pub enum Aspect {
     /// The range of a camera ray.
     Range,
     /// Hit or miss.
-    Decision,
+    // Reports and signatures have had this name from the start.
+    #[serde(rename = "decision")]
+    HitOrMiss,
     /// The index of the primitive.
     Primitive,
     /// Distance along the ray.
@@ -89,7 +91,7 @@ impl Aspect {
             Aspect::Direction => "ray direction",
             Aspect::UnitLength => "unit length",
             Aspect::Range => "min_t and max_t",
-            Aspect::Decision => "hit or miss",
+            Aspect::HitOrMiss => "hit or miss",
             Aspect::Primitive => "primitive",
             Aspect::T => "t",
             Aspect::Barycentrics => "barycentric weights",

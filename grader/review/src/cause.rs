@@ -62,7 +62,7 @@ impl Cause {
     ) -> Cause {
         let is_hit = !actual.is_miss();
         let is_wrong = |aspects: &[Aspect]| aspects.iter().any(|aspect| wrong.contains(aspect));
-        if golden_hits.is_some_and(|hits| hits != is_hit) || is_wrong(&[Aspect::Decision]) {
+        if golden_hits.is_some_and(|hits| hits != is_hit) || is_wrong(&[Aspect::HitOrMiss]) {
             return if is_hit {
                 Cause::FalseHit
             } else {
@@ -136,7 +136,7 @@ mod tests {
         assert_eq!(cause(Some(false), &hit, &[], false), Cause::FalseHit);
         assert_eq!(cause(Some(true), &miss, &[], false), Cause::FalseMiss);
         assert_eq!(
-            cause(None, &miss, &[Aspect::Decision], false),
+            cause(None, &miss, &[Aspect::HitOrMiss], false),
             Cause::FalseMiss
         );
         let wrong = [Aspect::Normal, Aspect::T];

@@ -34,7 +34,7 @@ impl SignatureKey {
         let key = SignatureKey {
             case: self.case.clone(),
             side: Side::Aspect {
-                aspect: Aspect::Decision,
+                aspect: Aspect::HitOrMiss,
                 function: self.side.function().map(str::to_string),
                 fault: None,
             },

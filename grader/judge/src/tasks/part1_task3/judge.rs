@@ -138,12 +138,12 @@ mod tests {
         let inside = ray(1.0, 1.25);
         let shift = |a: &mut TriangleAnswer| a.test.iter_mut().for_each(|[t, ..]| *t += 1e-9);
         assert_eq!(wrong(inside, shift), [T]);
-        assert_eq!(wrong(inside, |a| a.test = None), [Decision]);
+        assert_eq!(wrong(inside, |a| a.test = None), [HitOrMiss]);
         let miss = |a: &mut TriangleAnswer| {
             a.hit = None;
             a.ray_after = ray(1.0, 1.25);
         };
-        assert_eq!(wrong(inside, miss), [Decision]);
+        assert_eq!(wrong(inside, miss), [HitOrMiss]);
     }
 
     #[test]
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(wrong(beside, |a| a.ray_after.max_t = 2.0), [RayAfter]);
         assert_eq!(
             wrong(beside, |a| a.test = Some([2.0, 0.5, 0.5])),
-            [Decision]
+            [HitOrMiss]
         );
     }
 }

@@ -28,7 +28,7 @@ pub(crate) fn boxes(
         let b = Aabb { min, max };
         let verdict = oracle::bbox(&b, &convert::ray(&probe.ray));
         let judgement = verdict.judge(kernel, answer.map(|[min, max]| Interval { min, max }));
-        tally.expect(Aspect::Decision);
+        tally.expect(Aspect::HitOrMiss);
         if verdict.hits() && !verdict.undecidable(kernel) {
             tally.expect(Aspect::Interval);
         }
@@ -42,7 +42,7 @@ pub(crate) fn boxes(
             )
         };
         let class = hits::decision_class(decided, answer.is_some());
-        tally.judge_class(Aspect::Decision, call, class, 1.0, || match *answer {
+        tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || match *answer {
             None => {
                 let [from, to] = verdict
                     .ends
@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(failed(THROUGH, Some([2.0, 3.0_f64.next_up()])), []);
         assert_eq!(failed(THROUGH, Some([0.0, 3.0])), [Aspect::Interval]);
         assert_eq!(failed(THROUGH, Some([2.0, f64::NAN])), [Aspect::Interval]);
-        assert_eq!(failed(THROUGH, None), [Aspect::Decision, Aspect::Interval]);
+        assert_eq!(failed(THROUGH, None), [Aspect::HitOrMiss, Aspect::Interval]);
     }
 
     #[test]
@@ -116,7 +116,7 @@ mod tests {
             ..THROUGH
         };
         assert_eq!(failed(beside, None), []);
-        assert_eq!(failed(beside, Some([2.0, 3.0])), [Aspect::Decision]);
+        assert_eq!(failed(beside, Some([2.0, 3.0])), [Aspect::HitOrMiss]);
     }
 
     /// A ray in the plane of a face must not be missed.

@@ -29,7 +29,7 @@ pub(crate) fn traverse(
     if counts_work {
         tally.expect(Aspect::Work);
         // A traversal that misses hits makes fewer tests.
-        if tally.is_right(Aspect::Decision) {
+        if tally.is_right(Aspect::HitOrMiss) {
             work(tally, world, answers);
         }
     }
@@ -45,7 +45,7 @@ fn in_range(scripted: &ScriptedRay) -> impl Iterator<Item = (u32, f64)> {
 
 fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
     let right = in_range(scripted).min_by(|a, b| a.1.total_cmp(&b.1));
-    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::HitOrMiss);
     tally.expect(Aspect::RayAfter);
     if right.is_some() {
         tally.expect(Aspect::T);
@@ -53,7 +53,7 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
     }
     let decided = right.is_some() == answer.hit.is_some();
     let class = hits::decision_class(decided, answer.hit.is_some());
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let results = match right {
             Some((id, t)) => format!("your result: miss; expected: primitive {id} at t = {t}"),
             None => "your result: hit; expected: miss".into(),
@@ -93,10 +93,10 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
 
 fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
     let blocker = in_range(scripted).next();
-    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::HitOrMiss);
     let decided = blocker.is_some() == answer.hit.is_some();
     let class = hits::decision_class(decided, answer.hit.is_some());
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let results = match blocker {
             Some((id, t)) => {
                 format!(

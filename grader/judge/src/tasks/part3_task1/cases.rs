@@ -2,7 +2,7 @@
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Bsdf, Decision, Pdf, SampleRecord, SampledDirection, Spread};
+use crate::tally::Aspect::{Bsdf, HitOrMiss, Pdf, SampleRecord, SampledDirection, Spread};
 use kit::Vec3;
 use wire::Work;
 use wire::direct::LambertProbe;
@@ -45,7 +45,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 rng.one_of(&[(flat, other), (other, flat)])
             }),
         )
-        .only(&[Bsdf, Pdf, Decision]),
+        .only(&[Bsdf, Pdf, HitOrMiss]),
         case(
             "sampled_directions",
             "Many samples: unit vectors on the side of wo, with a density proportional to the \

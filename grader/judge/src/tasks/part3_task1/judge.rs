@@ -44,7 +44,7 @@ pub(crate) fn right(probe: &LambertProbe) -> (Xyz, f64) {
 }
 
 fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAnswer) {
-    for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::Decision] {
+    for aspect in [Aspect::Bsdf, Aspect::Pdf, Aspect::HitOrMiss] {
         tally.expect(aspect);
     }
     let (wo, wi) = (Vec3::from(probe.wo), Vec3::from(probe.wi));
@@ -69,13 +69,13 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let sample_input = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);
-        tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+        tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
             format!("your result: None; expected: a sample. {}", sample_input())
         });
         return;
     };
     let class = (wo.z == 0.0).then_some(Class::FalseHit);
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         format!(
             "your result: a sample; expected: None, since wo lies in the plane of the surface. {}",
             sample_input()

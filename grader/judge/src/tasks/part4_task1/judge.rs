@@ -218,13 +218,13 @@ fn optional_direction(
     right: Option<Vec3>,
     bound: f64,
 ) {
-    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::HitOrMiss);
     let class = match (answered, right) {
         (Some(_), None) => Some(Class::FalseHit),
         (None, Some(_)) => Some(Class::FalseMiss),
         _ => None,
     };
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let right = right.map_or("no direction".into(), show);
         format!("your result: {answered:?}; expected: {right}. {input:?}")
     });

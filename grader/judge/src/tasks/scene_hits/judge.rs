@@ -50,7 +50,7 @@ fn one(
     ray: &Ray,
 ) {
     let answers = truth.answers.get(kernel);
-    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::HitOrMiss);
     tally.expect(Aspect::RayAfter);
     if !answers.miss {
         tally.expect(Aspect::Primitive);
@@ -67,7 +67,7 @@ fn one(
         None => "miss".to_string(),
     };
     let class = hits::decision_class(decided, given.is_some());
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let result = match given {
             Some((id, t)) => format!("primitive {} at t = {t}", id.0),
             None => "miss".into(),
@@ -113,10 +113,10 @@ fn blocked(
     answer: bool,
     ray: &Ray,
 ) {
-    tally.expect(Aspect::Decision);
+    tally.expect(Aspect::HitOrMiss);
     let right = truth.judge_any(kernel, answer);
     let class = hits::decision_class(right, answer);
-    tally.judge_class(Aspect::Decision, call, class, 1.0, || {
+    tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || {
         let (result, right) = match truth.nearest {
             Some((id, t)) => (
                 "not occluded",
@@ -182,12 +182,12 @@ mod tests {
         assert_eq!(failed(Some((1, 1.0)), false), []);
         assert_eq!(failed(Some((1, 1.0 + 1e-9)), false), [Aspect::T]);
         assert!(failed(Some((0, 2.0)), false).contains(&Aspect::Primitive));
-        assert!(failed(None, false).contains(&Aspect::Decision));
+        assert!(failed(None, false).contains(&Aspect::HitOrMiss));
     }
 
     #[test]
     fn any_hit_must_find_a_hit() {
         assert_eq!(failed(Some((0, 0.0)), true), []);
-        assert_eq!(failed(None, true), [Aspect::Decision]);
+        assert_eq!(failed(None, true), [Aspect::HitOrMiss]);
     }
 }

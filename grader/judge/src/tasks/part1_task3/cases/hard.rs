@@ -3,7 +3,7 @@
 
 use super::{case, closed, odd, scale};
 use crate::cases::Spec;
-use crate::tally::Aspect::{Barycentrics, Decision, Normal, Position, T};
+use crate::tally::Aspect::{Barycentrics, HitOrMiss, Normal, Position, T};
 
 /// The robust cases of `part1.task3`.
 pub(super) fn cases(seed: u64) -> Vec<Spec> {
@@ -17,7 +17,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                  about one such ray in ten misses all of them.",
                 closed::shared_edges(),
             )
-            .only(&[Decision])
+            .only(&[HitOrMiss])
         },
         Spec {
             enclosed: true,
@@ -28,7 +28,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
                  gaps.",
                 closed::needle_and_pancake(),
             )
-            .only(&[Decision])
+            .only(&[HitOrMiss])
         },
         case(
             "tiny_and_huge",
@@ -36,26 +36,26 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
              does not mean a miss.",
             scale::tiny_and_huge(),
         )
-        .only(&[Decision, T, Barycentrics]),
+        .only(&[HitOrMiss, T, Barycentrics]),
         case(
             "slivers",
             "Triangles a million times as long as wide.",
             scale::slivers(),
         )
-        .only(&[Decision, T, Barycentrics, Position]),
+        .only(&[HitOrMiss, T, Barycentrics, Position]),
         case(
             "far_from_the_world_origin",
             "Triangles at a distance of a million from the world's origin. Pitfall: products of \
              such large coordinates lose digits; subtract the ray's origin before you multiply.",
             scale::far_from_the_world_origin(),
         )
-        .only(&[Decision, T, Barycentrics, Position]),
+        .only(&[HitOrMiss, T, Barycentrics, Position]),
         case(
             "grazing",
             "Rays at small angles to the plane, from a hundredth of a radian down to a millionth.",
             scale::grazing(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "a_million_away",
             "Hits at t = 1e6: the hit point lies on the surface. Pitfall: rounding moves o + t d \
@@ -69,28 +69,28 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             "The ray starts on the triangle: t = 0 counts exactly if min_t <= 0.",
             odd::origin_on_the_plane(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "exact_slants",
             "Slanted rays through edges and vertices of slanted triangles, with small integer \
              coordinates: they hit, and rays beside the triangle miss.",
             odd::exact_slants(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "by_a_hair",
             "Rays that pass an edge, inside or outside, at a billionth of the triangle's size or \
              less. Pitfall: an epsilon on the weights is too coarse.",
             scale::by_a_hair(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "not_a_number",
             "NaN in the ray or in a vertex, d = 0, min_t > max_t: a miss. Pitfall: comparisons \
              with NaN are false; write each test so that NaN fails it.",
             odd::not_a_number(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "cancelling_normals",
             "Vertex normals that cancel: n is still finite and of length 1 (the geometric normal \

@@ -11,7 +11,7 @@ mod scale;
 
 use crate::cases::Spec;
 use crate::tally::Aspect::{
-    Barycentrics, Decision, GeometricNormal, Normal, Position, Primitive, RayAfter, T,
+    Barycentrics, GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T,
 };
 use crate::tasks::brute_force::pictures;
 use wire::Work;
@@ -35,34 +35,34 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              down to a hundred-thousandth of it. A miss does not change max_t.",
             misses::beside(),
         )
-        .only(&[Decision, RayAfter]),
+        .only(&[HitOrMiss, RayAfter]),
         case(
             "behind_the_origin",
             "The triangle is behind the ray's origin: t is negative.",
             misses::behind(),
         )
-        .only(&[Decision, RayAfter]),
+        .only(&[HitOrMiss, RayAfter]),
         case(
             "range",
             "Only min_t <= t <= max_t counts, for any min_t; a hit sets max_t, a miss does not \
              change it.",
             misses::range(),
         )
-        .only(&[Decision, RayAfter]),
+        .only(&[HitOrMiss, RayAfter]),
         case(
             "range_ends",
             "t is exactly min_t or exactly max_t: both ends count. The next float beyond an end \
              does not.",
             boundary::range_ends(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "edges_and_vertices",
             "Rays exactly through edges and vertices, with small integer coordinates: they hit. \
              Pitfall: strict comparisons leave cracks between adjacent triangles.",
             boundary::edges_and_vertices(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "parallel_rays",
             "Rays parallel to the triangle, above it and inside its plane: all miss. Pitfall: \
@@ -70,20 +70,20 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              does not reject NaN.",
             boundary::parallel(),
         )
-        .only(&[Decision, RayAfter]),
+        .only(&[HitOrMiss, RayAfter]),
         case(
             "no_area",
             "Triangles that are a segment or a point: always a miss.",
             boundary::no_area(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "length_of_direction",
             "d need not have length 1: t is in units of the length of d, so that doubling d \
              halves t.",
             hits::length_of_direction(),
         )
-        .only(&[Decision, T, Position, RayAfter]),
+        .only(&[HitOrMiss, T, Position, RayAfter]),
         case(
             "interpolated_normals",
             "Each vertex has a normal of its own: n is their sum weighted by the barycentric \
@@ -97,14 +97,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              bound on t of your own leaves holes close to the camera.",
             hits::close_up(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "nearest_of_many",
             "A ray through a heap of triangles in arbitrary order: each hit shortens max_t, and \
              nothing else changes it.",
             hits::nearest_of_many(),
         )
-        .only(&[Decision, Primitive, T, RayAfter]),
+        .only(&[HitOrMiss, Primitive, T, RayAfter]),
         case(
             "fresh_triangles",
             "Random triangles and rays that depend on the seed.",

@@ -3,7 +3,7 @@
 use super::{boundary, case};
 use crate::cases::Spec;
 use crate::cases::probes::{ProbeRng, Probes, within};
-use crate::tally::Aspect::{Decision, Normal, Position, T};
+use crate::tally::Aspect::{HitOrMiss, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
 use wire::Work;
 
@@ -17,7 +17,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
              d|^2 instead.",
             far_away(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "ground_sphere",
             "A sphere of radius 1e5 as the ground, with rays that start close above it. Pitfall: \
@@ -25,21 +25,21 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
              by it.",
             ground(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "on_the_surface",
             "Rays that start on the surface, with a small min_t: outward they miss; inward they \
              hit the far side, not the point where they start.",
             on_the_surface(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "by_a_hair",
             "Rays that pass the silhouette, inside or outside, at a millionth of the radius or \
              less, from up to a thousand radii away.",
             by_a_hair(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "hit_point_on_the_sphere",
             "Hits from far away: the hit point lies on the sphere. Pitfall: o + t d is off by the \
@@ -52,27 +52,27 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
             "Radius 0: a miss unless the ray goes exactly through the centre; no normal is NaN.",
             without_size(),
         )
-        .only(&[Decision, Normal]),
+        .only(&[HitOrMiss, Normal]),
         case(
             "range_ends_beside_the_center",
             "A root is exactly min_t or exactly max_t, with small integer coordinates and rays \
              that pass beside the centre. Pitfall: a division by the radius rounds the root.",
             boundary::range_ends_beside_the_center(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "tiny_and_huge",
             "Spheres from 1e-30 to 1e30 in size.",
             tiny_and_huge(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "not_a_number",
             "NaN in the ray or the sphere, d = 0, min_t > max_t, a negative radius: a miss. \
              Pitfall: comparisons with NaN are false; write each test so that NaN fails it.",
             not_a_number(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "fresh_hard_spheres",
             "Random spheres, far and near, large and small, hit in the middle and at the \

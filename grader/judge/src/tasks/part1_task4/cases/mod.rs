@@ -7,7 +7,7 @@ mod hits;
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Decision, GeometricNormal, Normal, Position, Primitive, RayAfter, T};
+use crate::tally::Aspect::{GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T};
 use crate::tasks::brute_force::pictures;
 use wire::Work;
 
@@ -26,62 +26,62 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              is not squared, or half of b, moves the silhouette.",
             hits::around_the_rim(),
         )
-        .only(&[Decision, T, RayAfter]),
+        .only(&[HitOrMiss, T, RayAfter]),
         case(
             "origin_inside",
             "The ray starts inside the sphere: the smaller root is negative, the larger one is \
              the hit, whatever the direction.",
             hits::origin_inside(),
         )
-        .only(&[Decision, T, Normal, GeometricNormal]),
+        .only(&[HitOrMiss, T, Normal, GeometricNormal]),
         case(
             "behind_the_origin",
             "The sphere is behind the ray's origin: both roots are negative.",
             hits::behind(),
         )
-        .only(&[Decision, RayAfter]),
+        .only(&[HitOrMiss, RayAfter]),
         case(
             "range",
             "The smaller root in min_t..=max_t is the hit; if the smaller root is below min_t, \
              the larger one may still count. A hit sets max_t, a miss does not change it.",
             hits::range(),
         )
-        .only(&[Decision, T, RayAfter]),
+        .only(&[HitOrMiss, T, RayAfter]),
         case(
             "range_ends",
             "A root is exactly min_t or exactly max_t: both ends count. The next float beyond an \
              end does not.",
             boundary::range_ends(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "tangent",
             "Rays that touch the sphere in one point, with small integer coordinates: the \
              discriminant is exactly 0, which is a hit.",
             boundary::tangent(),
         )
-        .only(&[Decision]),
+        .only(&[HitOrMiss]),
         case(
             "length_of_direction",
             "d need not have length 1: t is in units of the length of d. Pitfall: a is d.d, not \
              1, and the whole numerator is divided by 2a.",
             hits::length_of_direction(),
         )
-        .only(&[Decision, T, Position]),
+        .only(&[HitOrMiss, T, Position]),
         case(
             "abreast",
             "The ray starts where it is closest to the centre: b is 0, and of the two roots one \
              is negative, the other positive.",
             boundary::abreast(),
         )
-        .only(&[Decision, T]),
+        .only(&[HitOrMiss, T]),
         case(
             "nearest_of_many",
             "A ray through a heap of spheres in arbitrary order: each hit shortens max_t, and \
              nothing else changes it.",
             hits::heap(&mut ProbeRng::new("nearest_of_many spheres", 0), 600),
         )
-        .only(&[Decision, Primitive, T, RayAfter]),
+        .only(&[HitOrMiss, Primitive, T, RayAfter]),
         case(
             "fresh_spheres",
             "Random spheres and rays that depend on the seed.",

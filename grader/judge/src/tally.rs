@@ -258,7 +258,7 @@ pub struct Fault {
 /// Number of classes of colour ratios in a factor of 2.
 pub(crate) const PER_OCTAVE: f64 = 4.0;
 
-/// The ratio of a black channel to a right one that is black, too.
+/// The ratio of a black channel to a right one that is also black.
 pub const BLACK_CHANNEL: i8 = i8::MAX;
 
 /// The result of judging one aspect in one case.

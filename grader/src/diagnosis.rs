@@ -272,8 +272,8 @@ mod tests {
         let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
         let all = [known("this", signature(&[t, n, p]))];
         let likely = |codes| {
-            let told = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
-            told.expect("it is known").is_likely()
+            let diagnosis = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
+            diagnosis.expect("the mistake is known").is_likely()
         };
         assert!(likely("6 4*b"));
         assert!(!likely("5 5*b"));

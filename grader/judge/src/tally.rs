@@ -122,7 +122,7 @@ impl Aspect {
 /// it. Signatures store the `Debug` text of a class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Wrong in no way that has a class of its own.
+    /// Wrong in a way that no other class describes.
     Wrong,
     /// Off by about 2 to this power.
     Off(i8),

@@ -56,7 +56,8 @@ pub struct GoldenAnswers {
     pub hits: Option<Vec<bool>>,
 }
 
-/// What is right where golden and actual differ, and where the golden's answer is not known.
+/// The exact oracle's answers where golden and actual differ, and where the golden's answer is not
+/// known.
 #[derive(Clone, Debug)]
 pub struct Exact {
     /// The calls, in order.

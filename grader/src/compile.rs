@@ -73,8 +73,8 @@ impl WorkerBuild<'_> {
     }
 }
 
-/// Builds the program of `package` in the workspace `root`, in release. The program must not link a stage. Returns its
-/// path, or the compiler's messages, which were also printed to stderr.
+/// Builds the program of `package` in the workspace `root`, in release. The program must not link a
+/// stage. Returns its path, or the compiler's messages, which were also printed to stderr.
 pub fn build_program(root: &Path, package: &str) -> Result<Result<PathBuf, String>, GraderError> {
     build_in(root, package, None)
 }

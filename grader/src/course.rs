@@ -13,7 +13,7 @@ pub struct Course {
     /// The conventions of the course, as sentences for students.
     pub conventions: Vec<String>,
     /// Keys of tasks whose functions are marked in the stages but that have no cases. Handouts
-    /// leave out their solutions, too.
+    /// also leave out their solutions.
     #[serde(default)]
     pub ungraded: Vec<String>,
     /// The parts in order.

@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// What is known of one mistake.
+/// A known mistake: its names, texts and signature.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Known {
     /// The mistake's names; two for a pair.
@@ -27,7 +27,7 @@ pub struct Known {
 /// What a student's wrong answers look like.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnosis {
-    /// The mistakes' names; several if they cannot be told apart or are made together.
+    /// The mistakes' names; several if they cannot be distinguished or are made together.
     pub mistakes: Vec<String>,
     /// The sentence for the student.
     pub says: String,
@@ -40,7 +40,8 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// Whether more than half of the calls tell for it. Else only the kinds of the faults do.
+    /// Whether the answers agree on more than half of the calls. If not, the diagnosis rests only
+    /// on the kinds of the faults.
     pub fn is_likely(&self) -> bool {
         2 * self.equal > self.of
     }
@@ -58,8 +59,8 @@ const TOGETHER: f64 = 0.8;
 /// Of what the likeliest single mistake leaves unexplained, two together may leave this share.
 const LEFT: f64 = 0.5;
 
-/// A mistake is one of two only if this share of what it alone gets wrong is wrong for the student
-/// too.
+/// A mistake is one of two only if the student also gets wrong this share of what it alone gets
+/// wrong.
 const MADE: f64 = 0.75;
 
 /// Pairs are made of mistakes that share at least this part of what they get wrong with the
@@ -76,7 +77,7 @@ pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderErro
     file::read(&text).map_err(|e| GraderError::file("understand", &path, e))
 }
 
-/// Stores what is known of a task's mistakes.
+/// Stores the known mistakes of a task.
 pub fn store(workspace: &Workspace, task: &str, known: &[Known]) -> Result<(), GraderError> {
     let path = path(workspace, task);
     let folder = path.parent().unwrap_or(Path::new("."));
@@ -127,9 +128,9 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     })
 }
 
-/// What is known, as it would show in these functions alone: a mistake that one function hands on
-/// to others may be made in one of them only. Of two that look the same there, the one that is made
-/// there alone comes first.
+/// The known mistakes, restricted to their effect in these functions: a mistake that passes from
+/// one function to others may be made in only one of them. Of two mistakes that look the same in
+/// these functions, the one that affects only them comes first.
 fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
     let mut known: Vec<(usize, Known)> = known
         .iter()
@@ -149,9 +150,9 @@ fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
     known.into_iter().map(|(_, known)| known).collect()
 }
 
-/// The mistake whose faults are of the same kinds as the student's, in whatever cases they come up:
-/// a tree that is built in another way has its leaves elsewhere. None if two mistakes have them, or
-/// if a fault says nothing of its kind.
+/// The mistake whose faults are of the same kinds as the student's. The cases in which they occur
+/// may differ: a tree that is built in another way has its leaves elsewhere. `None` if two mistakes
+/// have these kinds, or if the kind of a fault is not known.
 fn alone_of_its_kind<'a>(
     ranked: &[(&'a Known, Agreement)],
     student: &Signature,
@@ -167,8 +168,8 @@ fn alone_of_its_kind<'a>(
         .then_some(first)
 }
 
-/// The names of a mistake and of those that cannot be told from it, how the sentence about them
-/// ends, and the hints of all of them.
+/// The names of a mistake and of those that cannot be distinguished from it, the end of the
+/// sentence about them, and the hints of all of them.
 fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String, String) {
     let mut mistakes = best.mistakes.clone();
     let mut says = best.descriptions.join(", and ");
@@ -258,21 +259,21 @@ mod tests {
     }
 
     #[test]
-    fn who_cannot_be_told_apart_are_both_told_with_their_hints() {
+    fn indistinguishable_mistakes_are_both_named_with_their_hints() {
         let wrong = signature(&[("case t", "2 8*a")]);
         let all = [known("this", wrong.clone()), known("that", wrong.clone())];
-        let told = diagnose(&all, &wrong).expect("it is known");
-        assert_eq!(told.mistakes, ["this", "that"]);
-        assert_eq!(told.hint, "Not this. Or: Not that.");
+        let diagnosis = diagnose(&all, &wrong).expect("the mistake is known");
+        assert_eq!(diagnosis.mistakes, ["this", "that"]);
+        assert_eq!(diagnosis.hint, "Not this. Or: Not that.");
     }
 
     #[test]
-    fn what_is_alike_on_half_of_the_calls_is_no_more_than_possible() {
+    fn agreement_on_half_of_the_calls_is_only_a_possible_mistake() {
         let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
         let all = [known("this", signature(&[t, n, p]))];
         let likely = |codes| {
-            let told = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
-            told.expect("it is known").is_likely()
+            let diagnosis = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
+            diagnosis.expect("the mistake is known").is_likely()
         };
         assert!(likely("6 4*b"));
         assert!(!likely("5 5*b"));

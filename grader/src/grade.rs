@@ -211,7 +211,7 @@ pub fn grade_tasks(
         for entry in &task.cases {
             let (spec, ending) = endings
                 .next()
-                .ok_or_else(|| GraderError::new("the worker lost a case"))?;
+                .ok_or_else(|| GraderError::new("the worker returned no result for a case"))?;
             let (status, findings) = match answered(&task.key, ending, course)? {
                 Err(status) => (status, Vec::new()),
                 Ok(answer) => (Status::Passed, judge::judge(spec, entry.tier, answer)),

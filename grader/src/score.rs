@@ -17,7 +17,8 @@ pub enum Status {
     NotAttempted,
     /// Another task must be written first. Contains its key.
     Needs(String),
-    /// The code panicked, timed out or ended the process, or its worker's record is malformed. Contains a description.
+    /// The code panicked, timed out or ended the process, or its worker's record is malformed.
+    /// Contains a description.
     Crashed(String),
     /// The stage does not compile.
     DoesNotCompile,

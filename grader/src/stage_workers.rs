@@ -11,7 +11,7 @@ use judge::cases::Spec;
 pub struct StageWorkers {
     /// Links the stage.
     pub stage: Worker,
-    /// Links all intersection stages; or else the names of those that do not compile.
+    /// Links all intersection stages; the names of those that do not compile, if there are any.
     pub whole_scene: Result<Worker, String>,
 }
 
@@ -37,7 +37,7 @@ impl StageWorkers {
             Ok(worker) => Ok(run(worker, true)?),
             Err(broken) => Err(broken),
         };
-        let lost = || GraderError::new("the worker lost a case");
+        let lost = || GraderError::new("the worker returned no result for a case");
         let each = specs.iter();
         each.map(|spec| match (spec.needs_all_stages(), &mut whole_scene) {
             (false, _) => alone.next().map(Ok).ok_or_else(lost),

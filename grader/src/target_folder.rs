@@ -1,14 +1,15 @@
-//! Which folder cargo builds a workspace's stages in.
+//! The folder in which cargo builds a workspace's stages.
 //!
-//! Cargo names what it builds by the package's place *inside* its workspace, and takes it for fresh by the time of
-//! its last change. So two handouts that share a target folder (with `CARGO_TARGET_DIR`, say) look the same to cargo,
-//! and the stages of one would be graded as the other's. A workspace whose target folder is somewhere else therefore
-//! builds its stages in a folder of its own below it.
+//! Cargo names what it builds by the path of the package *inside* its workspace, and rebuilds it
+//! only if a file is newer than the last build. So two handouts that share a target folder (for
+//! example by `CARGO_TARGET_DIR`) look the same to cargo, and the stages of one would be graded as
+//! those of the other. Therefore a workspace whose target folder is outside the workspace builds
+//! its stages in its own subfolder of the target folder.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// The folder to build the stages of the workspace `root` in, if it must not be cargo's default one.
+/// The folder in which to build the stages of the workspace `root`; `None` for cargo's default.
 pub(crate) fn of(root: &Path) -> Option<PathBuf> {
     // The grader itself was built in the shared folder: target/release/grader.
     let program = std::env::current_exe().ok()?;
@@ -16,7 +17,8 @@ pub(crate) fn of(root: &Path) -> Option<PathBuf> {
     apart(shared, root)
 }
 
-/// A folder below `shared` for the workspace `root` alone; `None` if `shared` belongs to that workspace anyway.
+/// A folder below `shared` for the workspace `root` alone; `None` if `shared` is inside that
+/// workspace.
 fn apart(shared: &Path, root: &Path) -> Option<PathBuf> {
     if shared.starts_with(root) {
         return None;

@@ -25,7 +25,8 @@ const SCENES_WORKER: &str = "the worker for whole scenes";
 pub struct WorkerSet {
     /// For each stage that compiles, a worker that links it.
     by_stage: BTreeMap<String, Worker>,
-    /// A worker that links all intersection stages, or else the names of those that do not compile.
+    /// A worker that links all intersection stages; the names of those that do not compile, if
+    /// there are any.
     pub whole_scene: Result<Worker, String>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,

@@ -4,7 +4,8 @@ use cargo_metadata::{DependencyKind, MetadataCommand};
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
-/// What each crate of ours may depend on (tests and benches apart). A crate that is not listed fails the test.
+/// What each crate of ours may depend on (tests and benches apart). A crate that is not listed
+/// fails the test.
 const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("kit", &[]),
     ("raygen", &["kit"]),
@@ -121,7 +122,8 @@ fn no_crate_depends_on_more_than_it_may() {
 /// Crates from the registry that `grader part1` may compile, on Linux: a student waits for them.
 const REGISTRY_BUDGET: usize = 70;
 
-/// What a student compiles for `grader part1`: the grader, and the worker with the stages of Part 1.
+/// What a student compiles for `grader part1`: the grader, and the worker with the stages of Part
+/// 1.
 #[test]
 fn a_students_first_build_stays_within_its_budget() {
     let mut compiled = BTreeSet::new();

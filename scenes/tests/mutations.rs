@@ -1,10 +1,10 @@
 //! Fuzzing: for a file with random damage, the reader returns a valid scene or an error with its
 //! position. It never panics, hangs or uses unlimited memory.
 //!
-//! `cargo test` tries a few thousand files. For more:
-//! `FIRSTLIGHT_FUZZ_SECONDS=600 cargo test -p scenes --test mutations -- --ignored --nocapture`.
-//! `FIRSTLIGHT_FUZZ_SEED` sets the first seed (default 0), to repeat a failure. If
-//! `FIRSTLIGHT_SCENES` is set to the folder of the original course's files, they are used, too.
+//! `cargo test` tries a few thousand files. For more: `FIRSTLIGHT_FUZZ_SECONDS=600 cargo test -p
+//! scenes --test mutations -- --ignored --nocapture`. `FIRSTLIGHT_FUZZ_SEED` sets the first seed
+//! (default 0), to repeat a failure. If `FIRSTLIGHT_SCENES` is set to the folder of the original
+//! course's files, these files are also used.
 
 use kit::{FilmSize, PixelSampler, Scene};
 use scenes::{CameraFile, placement};

@@ -46,8 +46,9 @@ mod tests {
             ),
         ] {
             let error = command().try_get_matches_from(line.split(' ')).err();
-            let message = error.expect("this line is an error").to_string();
+            let message = error.expect("the command line must be refused").to_string();
             assert!(message.contains(expected), "`{line}`:\n{message}");
+            // Not clap's own advice, to write `-- -1`.
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
     }

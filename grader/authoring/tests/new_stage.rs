@@ -1,5 +1,5 @@
-//! CONTRIBUTING's "I want to add a stage" is true: a copy of the project, changed in the places that it names and no
-//! others, grades a new stage.
+//! CONTRIBUTING's "I want to add a stage" is true: a copy of the project, changed in the places
+//! that it names and no others, grades a new stage.
 
 use grader::workspace::Workspace;
 use serde_json::Value;

@@ -34,8 +34,8 @@ pub(crate) struct ClosedMesh {
 }
 
 impl ClosedMeshes {
-    /// Generates both meshes, with `rays` rays in all. Triangles share their vertices after
-    /// rounding, too: a mesh that is stored in `f32` is still closed.
+    /// Generates both meshes, with `rays` rays in all. Triangles still share their vertices
+    /// after rounding: a mesh that is stored in `f32` is still closed.
     pub(crate) fn new(seed: u64, rays: usize, precision: Precision) -> ClosedMeshes {
         let mut dice = ProbeRng::new("cost leaks", seed);
         let meshes = MESHES

@@ -10,59 +10,60 @@ pub struct TreeReport {
     pub mesh: String,
     /// Number of triangles.
     pub triangles: usize,
-    /// The same tree, traversed with different values of pruning slack.
+    /// One tree, traversed with different values of pruning slack.
     pub by_slack: Vec<SlackRow>,
-    /// The same traversal of trees from different builders.
+    /// Trees from different builders, with the same traversal.
     pub by_build: Vec<TreeRow>,
     /// Why there is no row for the student's tree, if there is none.
     pub student_missing: Option<String>,
 }
 
-/// One value of pruning slack.
+/// Results for one value of pruning slack.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SlackRow {
-    /// Slack of the pruning: boxes are skipped if they start behind the closest hit so far by more
-    /// than this number of units in the last place.
+    /// Pruning slack in units in the last place: a box is skipped if the ray enters it behind the
+    /// closest hit so far by more than this.
     pub slack_ulp: u32,
     /// Time, tests and wrong hits of the traversal.
     pub trace: TraversalCost,
 }
 
-/// One tree builder.
+/// Results for one tree builder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TreeRow {
-    /// How a node is split.
+    /// The rule that splits a node.
     pub name: String,
-    /// The publication.
+    /// The publication that describes the rule.
     pub paper: String,
     /// Whether this is the student's builder.
     pub student: bool,
     /// Build time in seconds, median of the rounds.
     pub build_s: f64,
-    /// Interquartile range of the rounds.
+    /// Interquartile range of the build times of the rounds, in seconds.
     pub build_spread_s: f64,
     /// Number of nodes including leaves; unknown for the student's tree.
     pub nodes: Option<usize>,
     /// Time, tests and wrong hits of the traversal.
     pub trace: TraversalCost,
     /// Number of rays after which the time saved in tracing equals the additional build time,
-    /// compared with the midpoint tree; 0 if it is built faster, `None` if it never happens.
+    /// compared with the midpoint tree. 0 if neither build nor tracing is slower; `None` if it
+    /// never happens.
     pub break_even_rays: Option<f64>,
 }
 
 /// Cost of closest-hit traversal of a tree, over many rays.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TraversalCost {
-    /// Time of one ray; "textbook" is the first row.
+    /// Time per ray. Its ratio is to the time of the first row, instead of the textbook's kernel.
     pub time: Timing,
     /// Box tests per ray.
     pub box_tests: f64,
     /// Triangle tests per ray.
     pub prim_tests: f64,
-    /// Number of rays that were compared with brute force: ordinary ones, and ones aimed at
-    /// coplanar overlapping triangles.
+    /// Number of rays that were compared with brute force: ordinary rays, and rays aimed at
+    /// overlapping triangles in one plane.
     pub checked_rays: usize,
-    /// Rays whose closest hit differs in `t` or primitive from that of brute force with the same
-    /// triangle test.
+    /// Number of wrong hits per million checked rays: the closest hit has another `t` or another
+    /// primitive than that of brute force with the same triangle test.
     pub wrong_per_million: f64,
 }

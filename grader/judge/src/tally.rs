@@ -124,7 +124,7 @@ impl Aspect {
 /// it. Signatures store the `Debug` text of a class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Class {
-    /// Wrong in no way that has a class of its own.
+    /// Wrong in a way that no other class describes.
     Wrong,
     /// Off by about 2 to this power.
     Off(i8),
@@ -260,7 +260,7 @@ pub struct Fault {
 /// Number of classes of colour ratios in a factor of 2.
 pub(crate) const PER_OCTAVE: f64 = 4.0;
 
-/// The ratio of a black channel to a right one that is black, too.
+/// The ratio of a black channel to a right one that is also black.
 pub const BLACK_CHANNEL: i8 = i8::MAX;
 
 /// The result of judging one aspect in one case.

@@ -213,7 +213,7 @@ fn decide(b: &Aabb, ray: &Ray) -> BoxVerdict {
 }
 
 /// Whether no difference of positions overflows and `1/d` is a normal number. A robust test must
-/// handle the smallest directions, too (the reciprocal of a denormal overflows).
+/// also handle the smallest directions (the reciprocal of a denormal overflows).
 fn fits_f64(kernel: KernelClass, b: &Aabb, ray: &Ray) -> bool {
     let is_finite = |x: &f64| x.is_finite();
     let points = [b.min, b.max, ray.o].map(|v| v.to_array());

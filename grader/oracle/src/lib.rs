@@ -17,8 +17,9 @@
 //!    zero that correct code may round it to either side. Either answer scores.
 //!
 //! How close is derived from the roundings of the code, for two classes of code: textbook formulas
-//! and a robust kernel ([`KernelClass`]). A ray whose arithmetic has no rounding at all, such as small
-//! integers along an axis, is never undecidable: on such rays the boundary itself can be graded.
+//! and a robust kernel ([`KernelClass`]). A ray whose arithmetic has no rounding at all, such as
+//! small integers along an axis, is never undecidable: on such rays the boundary itself can be
+//! graded.
 //!
 //! # Reading order
 //!

@@ -98,7 +98,7 @@ impl SphereErrorBounds {
             let is_added = (t < 0.0) == (b > 0.0) && (t * self.a).abs() >= 0.5 * q;
             match kernel {
                 KernelClass::Robust if !is_added => {
-                    // At the rim `q` cancels, too, but if D >= 0, |c/q| never exceeds √|c/a|.
+                    // At the rim `q` also cancels, but if D >= 0, |c/q| never exceeds √|c/a|.
                     let divided = DOUBLED * (c_error + t.abs() * q_error) / q;
                     let rim = added + DOUBLED * (c_error / self.a).sqrt();
                     divided.min(rim) + divisions

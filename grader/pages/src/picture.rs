@@ -12,9 +12,9 @@ use grader::report::write_whole;
 /// The colour of a pixel whose value is NaN: magenta.
 const NAN_COLOUR: Rgb<u8> = Rgb([255, 0, 255]);
 
-/// Converts `answer` to a picture of `width` by `height` pixels, in the colours of [`judge::picture`]. The answers are in
-/// rows from the bottom left. Returns `None` if the number of answers is not the number of pixels, or if this kind of
-/// answer has no colour.
+/// Converts `answer` to a picture of `width` by `height` pixels, in the colours of
+/// [`judge::picture`]. The answers are in rows from the bottom left. Returns `None` if the number
+/// of answers is not the number of pixels, or if this kind of answer has no colour.
 pub fn compose([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Option<RgbImage> {
     let colours = judge::picture::colours(work, answer)?;
     if colours.len() != width as usize * height as usize {

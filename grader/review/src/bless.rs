@@ -20,9 +20,9 @@ use std::process::{Command, Stdio};
 pub struct Change {
     /// The golden.
     pub golden: PathBuf,
-    /// The file beside it that would take its place.
+    /// The new file next to it, which would replace it.
     pub new: PathBuf,
-    /// What would change, in words.
+    /// A description of the change.
     pub meaning: String,
 }
 
@@ -46,7 +46,8 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
             "--test",
             "goldens",
         ])
-        // Cargo tells how its build goes: the first one takes minutes. The test itself says little.
+        // Cargo shows the progress of its build, because the first one takes minutes. The test
+        // itself prints little.
         .args(["--", "--quiet"])
         .env("INSTA_UPDATE", "new")
         .env("INSTA_OUTPUT", "none")
@@ -74,14 +75,15 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
         .collect()
 }
 
-/// What is said when cargo fails, whose test printed `said`: nothing if it was not even built.
-fn nothing_blessed(said: &str) -> String {
-    match said.trim() {
+/// The message when cargo fails. `printed` is the output of the test; it is empty if the test was
+/// not built.
+fn nothing_blessed(printed: &str) -> String {
+    match printed.trim() {
         "" => {
-            "nothing is blessed, because the goldens' test could not be built: cargo says above why"
+            "nothing is blessed, because the goldens' test could not be built: see cargo's errors above"
                 .into()
         }
-        said => format!("nothing is blessed, because the goldens' test failed:\n{said}"),
+        printed => format!("nothing is blessed, because the goldens' test failed:\n{printed}"),
     }
 }
 
@@ -227,7 +229,8 @@ fn provenance(workspace: &Workspace) -> Result<String, GraderError> {
     Ok(text)
 }
 
-/// FNV-1a: tells whether a scene file is the one that was used, no more.
+/// FNV-1a hash. It only detects that a scene file is not the one that was used; it is not
+/// cryptographic.
 fn fnv(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
@@ -294,8 +297,8 @@ cases = [{ name = "a", tier = "core", points = 1 }]
     }
 
     #[test]
-    fn a_test_that_was_not_built_says_nothing() {
-        assert!(nothing_blessed(" \n").contains("cargo says above why"));
+    fn empty_output_means_that_the_test_was_not_built() {
+        assert!(nothing_blessed(" \n").contains("see cargo's errors above"));
         assert!(nothing_blessed("a panicked\n").ends_with("failed:\na panicked"));
     }
 

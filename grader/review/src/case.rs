@@ -72,7 +72,7 @@ pub struct Row {
     pub actual: Option<Line>,
     /// What is right by the exact oracle, where there is no golden answer.
     pub exact: Option<Line>,
-    /// What was asked.
+    /// The fields of the question, as text.
     pub question: String,
 }
 
@@ -93,8 +93,8 @@ impl Case {
         }
     }
 
-    /// Compares `answer` with the golden. `tier` says what the oracle asks of it, `together` is
-    /// asked for the boxes.
+    /// Compares `answer` with the golden. The oracle judges it at `tier`. `together` is the
+    /// worker that returns the box tests.
     pub fn of(
         workspace: &Workspace,
         spec: &Spec,

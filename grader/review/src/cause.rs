@@ -5,8 +5,8 @@ use judge::snapshot::Line;
 use judge::tally::Aspect;
 use serde::Serialize;
 
-/// What is different about a call's answer, the first that applies. "False" is against the golden:
-/// the exact oracle says apart from it whose fault it is.
+/// The first difference of a call's answer from the golden, in this order. "False" means different
+/// from the golden; which of the two is wrong is decided separately, by the exact oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Cause {
@@ -51,9 +51,9 @@ impl Cause {
         }
     }
 
-    /// Why `actual` differs from a golden that has no row for the call: by what the golden
-    /// picture's colour tells of hit or miss, by what the exact oracle finds wrong, then by the
-    /// colours.
+    /// Why `actual` differs from a golden that has no row for the call: by the hit or
+    /// miss that the golden picture's colour shows, by what the exact oracle finds wrong, then by
+    /// the colours.
     pub fn without_row(
         golden_hits: Option<bool>,
         actual: &Line,
@@ -102,8 +102,8 @@ impl Cause {
         }
     }
 
-    /// Its colour in the picture of differences: those that Okabe and Ito chose to be told apart by
-    /// everybody ("Color Universal Design", 2008).
+    /// Its colour in the picture of differences: those that Okabe and Ito chose so that everybody
+    /// can distinguish them ("Color Universal Design", 2008).
     pub fn colour(self) -> Rgb<u8> {
         Rgb(match self {
             Cause::Same => [128, 128, 128],

@@ -82,7 +82,8 @@ fn fields(expected: &Expected) -> Fields {
         uv: uv.map(|(uv, _)| uv.into()).unwrap_or_default(),
         prim: *prim,
     };
-    // What is not decided is not shown: a normal that may be any, weights of a sphere.
+    // Fields that the oracle does not decide are not shown: a normal that may have any direction,
+    // weights of a sphere.
     let is_decided = |name: &str| match name {
         "n" => n.is_some(),
         "ng" => ng.is_some(),

@@ -18,11 +18,11 @@ pub struct Picture {
     pub golden: RgbImage,
     /// As the code under review makes it.
     pub actual: RgbImage,
-    /// What is known of each pixel; `None` if the two differ in size.
+    /// The data of the pixels; `None` if the two pictures differ in size.
     pub pixels: Option<Pixels>,
 }
 
-/// What is known of the pixels. Call number `i` is the pixel in column `i % width` and row `i /
+/// The data of the pixels. Call number `i` is the pixel in column `i % width` and row `i /
 /// width` from the bottom.
 #[derive(Clone, Debug)]
 pub struct Pixels {
@@ -30,9 +30,9 @@ pub struct Pixels {
     pub causes: Vec<Cause>,
     /// The actual picture in grey, coloured where it differs.
     pub difference: RgbImage,
-    /// What was asked.
+    /// The fields of the questions.
     pub question: Vec<Column>,
-    /// What is known of the golden's answers.
+    /// The golden's answers, as far as they are known.
     pub golden: GoldenAnswers,
     /// What the code under review answered.
     pub actual: Vec<Column>,
@@ -42,21 +42,22 @@ pub struct Pixels {
     pub boxes: Option<BoxTests>,
 }
 
-/// The golden's answers, as far as they are known: those of all calls if the hash says that they
-/// are the actual ones, else the rows of the golden snapshot, of most of them `t` and the primitive
-/// alone.
+/// The golden's answers, as far as they are known. If the hash shows that they equal the actual
+/// answers, those of all calls; otherwise the rows of the golden snapshot, most of which have only
+/// `t` and the primitive.
 #[derive(Clone, Debug)]
 pub struct GoldenAnswers {
     /// The calls with a record, in order; `None` if all have one.
     pub calls: Option<Vec<u32>>,
     /// A record for each of those.
     pub records: Vec<Column>,
-    /// Whether each call hits something, by its colour in the golden picture; `None` where colours
-    /// do not tell.
+    /// Whether each call hits something, by its colour in the golden picture; `None` where
+    /// colours do not show it.
     pub hits: Option<Vec<bool>>,
 }
 
-/// What is right where golden and actual differ, and where the golden's answer is not known.
+/// The exact oracle's answers where golden and actual differ, and where the golden's answer is not
+/// known.
 #[derive(Clone, Debug)]
 pub struct Exact {
     /// The calls, in order.

@@ -143,7 +143,7 @@ pub enum Verdict {
 }
 
 /// Runs `work` as a whole program and returns its exit code. Prints an error, if there is one, to
-/// stderr. On Ctrl-C child processes end, too.
+/// stderr. Ctrl-C also ends the child processes.
 pub fn run_to_exit_code(work: impl FnOnce() -> Result<Verdict, GraderError>) -> ExitCode {
     interrupt::install_handler();
     match work() {
@@ -207,9 +207,10 @@ mod tests {
     fn a_seed_that_is_not_a_whole_number_is_an_error() {
         for line in ["grader part1 --seed x", "grader part1 --seed -1"] {
             let error = command().try_get_matches_from(line.split(' ')).err();
-            let message = error.expect("this line is an error").to_string();
+            let message = error.expect("the command line must be refused").to_string();
             let expected = "expected a whole number from 0 to";
             assert!(message.contains(expected), "`{line}`:\n{message}");
+            // Not clap's own advice, to write `-- -1`.
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
     }

@@ -1,5 +1,5 @@
-//! The report of a run. It is built last, from the scores, the diagnosis and the times, and printed as a [`table`] for
-//! people or as JSON for programs.
+//! The report of a run. It is built last, from the scores, the diagnosis and the times, and printed
+//! as a [`table`] for people or as JSON for programs.
 
 mod speedups;
 pub mod table;

@@ -11,16 +11,17 @@ use std::sync::LazyLock;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Codes(pub(super) Vec<u16>);
 
-/// Of many answers to the same question so many are compared, and the first wrong one if it comes
-/// later.
+/// Number of answers that are compared if many answers belong to one question. The first wrong
+/// answer is compared even if it comes later.
 const SAME_QUESTION: u32 = 200;
 
-/// In a case with more calls than this, a picture, not every call is compared: neighbouring pixels
-/// show the same.
+/// A case with more calls than this is a picture. Not every call of it is compared, because
+/// neighbouring pixels show the same.
 const MANY_CALLS: u32 = 8192;
 
-/// Of many calls the first of so many is compared, and the first wrong one. It is odd and not a
-/// multiple of 5, so that the calls are in all columns of a picture.
+/// In a case with many calls, one call in this many is compared, and the first wrong call. The
+/// number is odd and not a multiple of 5, so that the compared calls are in all columns of a
+/// picture.
 const STRIDE: u32 = 17;
 
 /// The code of a case without answers: a panic, a timeout.
@@ -36,7 +37,7 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         return vec![(key(Side::Crash), Codes(vec![CRASHED]))];
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
-    // Where many answers are judged by chance, they are all to the same question.
+    // Answers that are judged by a statistical test all belong to one question.
     let by_chance = case
         .findings
         .iter()
@@ -78,9 +79,9 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     all
 }
 
-/// The codes of classes that alone tell which mistake it is: the same factor wherever it shows.
-/// Other classes tell where a mistake shows, or how large the error is, which partly depends on
-/// chance.
+/// The codes of classes that alone identify a mistake: the error is the same factor in every call.
+/// Other classes depend on the place where a mistake shows, or on the size of the error, which is
+/// partly random.
 pub(super) static TELLING_KINDS: LazyLock<HashSet<u16>> = LazyLock::new(|| {
     let ratios = (-99..=99).map(Class::Ratio);
     // Grey factors of colours, some of whose channels may be black.

@@ -1,9 +1,9 @@
 //! The form in which the known mistakes of a task are stored: lines of text, for programs.
 //!
-//! Under comments stand the [`Alphabet`] of the codes and the keys of all signatures. Then comes
-//! one section a mistake: its name (two for a pair) with description and hint, and the codes of its
-//! core and its robust cases, each after the number of its key. `@7` are the codes that were given
-//! eighth.
+//! The file begins with comments, the [`Alphabet`] of the codes and the keys of all signatures. One
+//! section per mistake follows: its name (two names for a pair) with description and hint, and the
+//! codes of its core and its robust cases, each after the number of its key. `@7` means the same
+//! codes as the eighth text of codes in the file.
 
 use super::Cases;
 use super::codes::Codes;
@@ -13,7 +13,7 @@ use crate::diagnosis::Known;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::{self, Write};
 
-/// Writes what is known about the mistakes of `task`.
+/// Writes the known mistakes of `task`.
 pub(crate) fn write(task: &str, known: &[Known]) -> String {
     let signatures = known.iter().map(|known| &known.signature);
     let tiers = signatures.flat_map(|signature| [&signature.core, &signature.robust]);
@@ -58,7 +58,7 @@ pub(crate) fn write(task: &str, known: &[Known]) -> String {
 struct Writer<'a> {
     symbols: BTreeMap<u16, String>,
     keys: HashMap<&'a SignatureKey, usize>,
-    /// The number of each text of codes that stands in the file already.
+    /// The number of each text of codes that the file already contains.
     given: HashMap<String, usize>,
     text: String,
 }

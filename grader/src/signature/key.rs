@@ -78,7 +78,7 @@ impl SignatureKey {
     }
 }
 
-/// What stands for an aspect in the key of a crash.
+/// The key of a crash has this word in the place of an aspect.
 const CRASHED: &str = "crashed";
 
 impl Side {

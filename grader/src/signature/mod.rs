@@ -23,12 +23,12 @@ use judge::tally::Aspect;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// For each side of each case a code for each call: 0 where the answer is right, else a digest of
-/// how it is wrong. The same mistake gives the same codes whatever formula it is made in. Mistakes
-/// in different aspects do not hide each other; nor do faults that have a name of their own, which
-/// stand beside the aspect's others.
+/// how it is wrong. The same mistake gives the same codes, whatever formula contains it. Mistakes
+/// in different aspects do not hide each other. Faults with their own name are stored separately
+/// from the other faults of the aspect, so they do not hide each other either.
 ///
-/// Core and robust cases are apart: different formulas differ in robust cases, so these count only
-/// where all core cases are right.
+/// Core and robust cases are separate: different formulas differ in robust cases, so these count
+/// only where all core cases are right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Signature {
     core: Cases,
@@ -50,12 +50,12 @@ pub struct Agreement {
     pub second: usize,
 }
 
-/// A side of the answers tells against a mistake only if it holds at least this share of what the
-/// mistake gets wrong.
+/// A side of the answers is evidence against a mistake only if it holds at least this share of what
+/// the mistake gets wrong.
 const TELLING: f64 = 0.1;
 
-/// A side of the answers tells against a mistake only if less than this share of the mistake shows
-/// in it.
+/// A side of the answers is evidence against a mistake only if less than this share of the mistake
+/// shows in it.
 const SHOWN: f64 = 0.25;
 
 impl Signature {
@@ -159,9 +159,9 @@ impl Signature {
         }
     }
 
-    /// What kinds of faults there are, side by side, in whatever case and call: the sides with a
-    /// named fault, and the codes of classes that tell which mistake it is. `None` if a fault is of
-    /// another class, or there is none.
+    /// The kinds of faults on each side, over all cases and calls: the sides with a named fault,
+    /// and the codes of classes that identify a mistake. `None` if there is no fault, or if a fault
+    /// is of another class.
     pub fn kinds(&self) -> Option<BTreeSet<(&Side, u16)>> {
         let mut kinds = BTreeSet::new();
         for (SignatureKey { side, .. }, codes) in self.cases() {
@@ -170,7 +170,7 @@ impl Signature {
                 continue;
             }
             let codes: BTreeSet<u16> = codes.0.iter().copied().filter(|code| *code != 0).collect();
-            // Where the mean of many directions lies tells, too.
+            // The position of the mean of many directions also identifies a mistake.
             let is_spread = side.place() == Some((Aspect::Spread, None));
             let telling = |code| is_spread || TELLING_KINDS.contains(code);
             if !codes.iter().all(telling) {
@@ -262,7 +262,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn what_is_right_tells_against_a_mistake() {
+    fn right_answers_contradict_a_mistake() {
         let mistake = signature(&[("case decision", "4 2*a"), ("case interval", "6*b")]);
         let same_interval = signature(&[("case interval", "6*b")]);
         assert!(same_interval.contradicts(&mistake));

@@ -1,8 +1,8 @@
 //! Codes as text: an alphabet that is made for one file, runs, and repeats of runs.
 //!
-//! `40(4a6.)` is forty times: four calls with the code that `a` stands for, then six right ones. A
-//! count of 1 is left out. The 26 commonest codes of a file have one letter, the next 1612 an upper
-//! case letter and a digit or letter, all others `_` and three digits or letters.
+//! `40(4a6.)` means forty times: four calls with the code whose symbol is `a`, then six right
+//! calls. A count of 1 is left out. The 26 commonest codes of a file have one letter, the next 1612
+//! an upper case letter and a digit or letter, all others `_` and three digits or letters.
 
 use super::codes::Codes;
 use std::collections::BTreeMap;
@@ -57,7 +57,7 @@ impl Alphabet {
         codes.filter(|_| rest.is_empty()).map(Alphabet)
     }
 
-    /// What stands for each code.
+    /// The symbol of each code.
     pub(super) fn symbols(&self) -> BTreeMap<u16, String> {
         let digit = |i: usize| char::from(DIGITS[i % DIGITS.len()]);
         let letter = |first: u8, i: usize| char::from(first + i as u8);

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 impl Signature {
     /// How this signature agrees with that of code which makes two mistakes, `first` and `second`.
-    /// Where both would show in one value either may; where one misses or crashes, the other may
-    /// not show at all.
+    /// If both mistakes make the same value wrong, the value may show either of them. Where one
+    /// mistake causes a miss or a crash, the other may not show.
     pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
         let mut together = Together::default();
         let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {
@@ -36,7 +36,7 @@ impl Signature {
                     (0, [0, 0]) => false,
                     (0, [_, 0]) => !hidden_by[0].at(call),
                     (0, [0, _]) => !hidden_by[1].at(call),
-                    // Something else shows where both do: each spoils it for the other.
+                    // If both mistakes make this value wrong, the result may equal neither of them.
                     (_, [a, b]) => seen == 0 || explained || a == b || a == 0 || b == 0,
                 });
             }
@@ -48,15 +48,15 @@ impl Signature {
 /// How a signature agrees with those of two mistakes together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Together {
-    /// Values that are wrong as one of the two has them.
+    /// Values that are wrong in the same way as with one of the two mistakes.
     pub equal: usize,
-    /// Values that are wrong, or should be if both are made.
+    /// Values that are wrong, or would be wrong if both mistakes are made.
     pub either: usize,
-    /// What the first and the second make wrong alone.
+    /// The values that only the first makes wrong, and those that only the second makes wrong.
     pub alone: [Alone; 2],
 }
 
-/// Values that one of two mistakes alone makes wrong.
+/// Values that only one of two mistakes makes wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Alone {
     /// How many there are.

@@ -131,13 +131,13 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     }
     let _ = writeln!(
         text,
-        "\neach stage together with the reference's other stages:\n{}",
+        "\nscores of each stage when the other stages are the reference's:\n{}",
         table::format_report(&report.scores, hint)
     );
     if let Some(together) = &report.together {
         let _ = writeln!(
             text,
-            "all stages of the submission together:\n{}",
+            "scores when all stages are the submission's:\n{}",
             table::format_report(together, hint)
         );
     }

@@ -230,7 +230,7 @@ fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
 }
 
 /// Whether `theirs` may be what carving left of `ours`, a file with solutions: each line of it is
-/// in `ours`, too, perhaps in a stub or with other line breaks.
+/// also in `ours`, perhaps in a stub or with other line breaks.
 fn is_carved(theirs: &str, ours: &str) -> bool {
     let without_spaces =
         |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace()).collect() };

@@ -21,7 +21,7 @@ pub(crate) fn sure_stop(calls: &[StopCall]) -> Vec<StopAnswer> {
 
 fn answers(
     calls: &[StopCall],
-    ask: impl Fn(&Tally, &StopCall, &mut Vec<(u64, f64, f64)>) -> bool,
+    call_rule: impl Fn(&Tally, &StopCall, &mut Vec<(u64, f64, f64)>) -> bool,
 ) -> Vec<StopAnswer> {
     let each = calls.iter().enumerate();
     each.map(|(i, call)| {
@@ -31,7 +31,7 @@ fn answers(
             .flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
             .collect();
         let mut rule_calls = Vec::new();
-        let stop = ask(&samples, call, &mut rule_calls);
+        let stop = call_rule(&samples, call, &mut rule_calls);
         StopAnswer { stop, rule_calls }
     })
     .collect()

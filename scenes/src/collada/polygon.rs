@@ -89,7 +89,7 @@ fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
 fn is_convex(flat: &[Vec2]) -> bool {
     let n = flat.len();
     let left_turns = (0..n).all(|i| turn(flat[i], flat[(i + 1) % n], flat[(i + 2) % n]) > 0.0);
-    // All corners of a star are left turns, too, but some triangles of its fan are clockwise.
+    // All corners of a star are also left turns, but some triangles of its fan are clockwise.
     left_turns && (1..n - 1).all(|i| turn(flat[0], flat[i], flat[i + 1]) > 0.0)
 }
 

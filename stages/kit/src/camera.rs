@@ -68,9 +68,11 @@ pub fn half_tan(fov: f64) -> f64 {
     math::tan(0.5 * fov.to_radians())
 }
 
-/// The field of view whose half has `ratio` times the tangent of half of `fov`. Both are in degrees.
+/// The field of view whose half has `ratio` times the tangent of half of `fov`. Both are in
+/// degrees.
 ///
-/// With the aspect ratio of an image as `ratio` this is the horizontal field of view that belongs to a vertical one.
+/// With the aspect ratio of an image as `ratio` this is the horizontal field of view that belongs
+/// to a vertical one.
 pub fn scale_fov(fov: f64, ratio: f64) -> f64 {
     2.0 * math::atan2(half_tan(fov) * ratio, 1.0).to_degrees()
 }

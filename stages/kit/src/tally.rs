@@ -2,8 +2,9 @@
 
 /// Mean and variance of numbers, in one pass.
 ///
-/// Welford's recurrence ("Note on a method for calculating corrected sums of squares and products", 1962): summing
-/// squares and subtracting the squared mean loses all digits when the variance is small against the mean.
+/// Welford's recurrence ("Note on a method for calculating corrected sums of squares and products",
+/// 1962): summing squares and subtracting the squared mean loses all digits when the variance is
+/// small against the mean.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     n: u64,
@@ -13,7 +14,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Takes in `x`.
+    /// Adds `x` to the numbers.
     #[inline]
     pub fn push(&mut self, x: f64) {
         self.n += 1;
@@ -22,8 +23,8 @@ impl Tally {
         self.m2 += difference * (x - self.mean);
     }
 
-    /// Takes in all that `other` took in (Chan, Golub, LeVeque, "Updating formulae and a pairwise algorithm for computing
-    /// sample variances", 1979).
+    /// Adds all numbers of `other` (Chan, Golub, LeVeque, "Updating formulae and a pairwise
+    /// algorithm for computing sample variances", 1979).
     pub fn merge(&mut self, other: &Tally) {
         let n = self.n + other.n;
         if n == 0 {
@@ -62,14 +63,14 @@ impl Tally {
         (self.variance() / self.n as f64).sqrt()
     }
 
-    /// How many standard errors the mean is above `truth`. With no spread at all: 0 if they are equal up to rounding
-    /// (a relative 1e-12), else infinite.
+    /// How many standard errors the mean is above `truth`. With no spread at all: 0 if they are
+    /// equal up to rounding (a relative 1e-12), else infinite.
     pub fn z_against(&self, truth: f64) -> f64 {
         z(self.mean - truth, self.standard_error(), truth.abs())
     }
 
-    /// How many standard errors this mean is above `other`'s, by the pooled variance of both: two estimates of the
-    /// same quantity.
+    /// How many standard errors this mean is above `other`'s, by the pooled variance of both: two
+    /// estimates of the same quantity.
     pub fn z_between(&self, other: &Tally) -> f64 {
         let degrees = (self.n + other.n).saturating_sub(2);
         let pooled = if degrees == 0 {

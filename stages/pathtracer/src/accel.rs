@@ -65,8 +65,8 @@ impl Accel {
             Accel::Brute => {
                 let mut closest: Option<Hit> = None;
                 for id in prims(scene) {
-                    // A hit at equal `t` is in range, too: the first one, with the lowest id,
-                    // stays.
+                    // A hit at equal `t` is also in range. The first one, which has the lowest
+                    // id, is kept.
                     if let Some(hit) = world.hit_prim(id, ray)
                         && closest.is_none_or(|c| hit.t < c.t)
                     {

@@ -1,7 +1,7 @@
 //! Path tracing, one path at a time: the stages `direct` and `global`, connected to a scene.
 //!
-//! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive to
-//! skip, and the texture colour, which [`Materials::at`] multiplies reflectances by.
+//! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive
+//! to skip, and the texture colour, which [`Materials::at`] multiplies reflectances by.
 
 use crate::materials::{Materials, PathMaterials};
 use crate::textures::Textures;

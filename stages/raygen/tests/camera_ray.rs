@@ -2,7 +2,8 @@
 // BEGIN SOLUTION(part1.task2)
 use kit::{Camera, Mat3, Vec2, Vec3};
 
-/// 90 degrees wide and 53.13 degrees high: the tangents are 1 and 1/2.
+/// The field of view is 90 degrees wide and 53.13 degrees high: the tangents of half the angles are
+/// 1 and 1/2.
 fn camera() -> Camera {
     Camera {
         pos: Vec3::new(1.0, 2.0, 3.0),

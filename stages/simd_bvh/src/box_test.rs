@@ -113,7 +113,7 @@ impl BoxTest for ScalarBoxTest {
     }
 }
 
-/// Maps `x` to an integer that has the same order, for negative numbers, too.
+/// Maps `x` to an integer so that the order is kept, also for negative numbers.
 fn ordered(x: f32) -> u32 {
     let bits = x.to_bits();
     if x.is_sign_negative() {

@@ -19,16 +19,17 @@ pub struct TestCounts {
 
 /// A scalar kernel: intersects a ray with a primitive in the ray's range.
 ///
-/// It is called seldom. As a `dyn` it is compiled once, not again with the whole traversal in each crate that calls it.
+/// It is seldom called. Because it is a `dyn`, the traversal is compiled once, and not again in
+/// each crate that calls it.
 pub type ExactTest<'a> = dyn FnMut(PrimId, &Ray) -> Option<TriangleHit> + 'a;
 
 impl WideBvh {
     /// The closest hit in the ray's range with any primitive but `skip`; at equal `t` the one with
     /// the lowest id.
     ///
-    /// `exact` returns weights of 0 for spheres. It is called for spheres, and for triangles that the lanes cannot
-    /// decide. The result equals that of calling it for every primitive, bit for bit. Adds to
-    /// `counts`.
+    /// `exact` returns weights of 0 for spheres. It is called for spheres, and for triangles that
+    /// the lanes cannot decide. The result equals that of calling it for every primitive, bit for
+    /// bit. Adds to `counts`.
     pub fn closest(
         &self,
         ray: &Ray,

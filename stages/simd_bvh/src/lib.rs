@@ -7,7 +7,7 @@
 //!
 // BEGIN SOLUTION(part6.task1)
 //! Reading order: `sah` and `binary` (the binary tree of least cost), `collapse` and `wide` (from
-//! binary to eight children a node), `space`, `node`, `triangle_block` and `sphere_block` (the
+//! two to eight children per node), `space`, `node`, `triangle_block` and `sphere_block` (the
 //! memory layout of boxes, triangles and spheres), `box_test` and `simd_box_test` (one box, eight
 //! boxes at a time), `stack`, `traversal` and `intersect` (the traversal).
 //!
@@ -15,7 +15,7 @@
 //! double precision, and each lane repeats the scalar kernel's arithmetic; where that kernel
 //! switches to its careful variant, it is called. So the hits are those of brute force, bit for
 //! bit. The source is the same for every machine: `fearless_simd` compiles it for each instruction
-//! set, and the best one that the machine has is chosen once a ray.
+//! set, and the best one that the machine has is chosen once per ray.
 // STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a ray.
 // END SOLUTION(part6.task1)
 

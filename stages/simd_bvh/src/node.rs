@@ -4,29 +4,30 @@
 use crate::sah::LANES;
 use kit::{Aabb, Vec3};
 
-/// The boxes of up to eight children in the tree's space, one a lane, and the children.
+/// The boxes of up to eight children in the tree's space, one per lane, and the children.
 ///
 /// The boxes are rounded outwards, so they contain their primitives. Single precision halves the
-/// memory and the width of the lanes; the primitives decide what is hit, never a box.
+/// memory and the width of the lanes. It cannot change a hit: boxes only cull, and hits come from
+/// the tests of the primitives.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
     /// For each axis the lower and the upper planes. Lanes without a child have an empty box.
     pub(crate) planes: [[[f32; LANES]; 2]; 3],
     pub(crate) children: [Child; LANES],
-    /// The index of children.
+    /// The number of children.
     pub(crate) count: u32,
 }
 
 /// The margin of a box as a share of its largest edge, added before rounding.
 ///
-/// The triangle test decides on points with a few rounding errors of 2⁻⁵³ of the triangle's size.
-/// So it may report a hit for a ray that passes the triangle at such a distance; the box has to be
-/// hit, too.
+/// The triangle test has a few rounding errors, each of about 2⁻⁵³ of the triangle's size, so it
+/// may report a hit for a ray that passes the triangle at such a distance. The margin makes this
+/// ray hit the box as well.
 const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// The smallest margin, in the tree's space, whose size is 1: a ray in the plane of a flat box hits
-/// it.
+/// The smallest margin of a box, in the tree's space, where the tree has a size of about 1. It
+/// gives a flat box a thickness, so that a ray in the plane of the box hits it.
 const MIN_MARGIN: f64 = 1.0 / (1_u64 << 60) as f64;
 
 impl Node {
@@ -37,7 +38,7 @@ impl Node {
         count: 0,
     };
 
-    /// Adds a child. The node must have less than eight.
+    /// Adds a child. The node must have fewer than eight children.
     pub(crate) fn push(&mut self, bounds: &Aabb, child: Child) {
         let lane = self.count as usize;
         let margin = MARGIN * bounds.extent().max_element() + MIN_MARGIN;
@@ -64,12 +65,12 @@ impl Node {
     }
 }
 
-/// A single precision index less than `x`: the nearest or the next one.
+/// A single precision number less than `x`: the nearest or the second nearest.
 fn below(x: f64) -> f32 {
     (x as f32).next_down()
 }
 
-/// A single precision index greater than `x`: the nearest or the next one.
+/// A single precision number greater than `x`: the nearest or the second nearest.
 fn above(x: f64) -> f32 {
     (x as f32).next_up()
 }
@@ -111,7 +112,7 @@ impl Child {
     fn checked(index: u32) -> u32 {
         assert!(
             index <= Child::INDEX,
-            "a tree has at most 2^30 nodes and blocks of a kind"
+            "a tree has at most 2^30 nodes and 2^30 blocks of each kind"
         );
         index
     }

@@ -5,7 +5,7 @@ use crate::sah::LANES;
 use fearless_simd::{Simd, f64x8, prelude::*};
 use kit::{PrimId, Ray, Sphere, Vec3};
 
-/// Up to eight spheres, one a lane.
+/// Up to eight spheres, one per lane.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct SphereBlock {

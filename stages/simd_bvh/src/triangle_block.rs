@@ -5,7 +5,8 @@ use crate::sah::LANES;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, Triangle, TriangleHit};
 
-/// Up to eight triangles, one a lane, in double precision: they decide what is hit, not the boxes.
+/// Up to eight triangles, one per lane, in double precision: hits come from their tests, not from
+/// the boxes.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct TriangleBlock {

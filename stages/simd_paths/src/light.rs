@@ -6,7 +6,7 @@ use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, EmittingMesh, Vec2};
 
-/// The results of [`Emitter::sample`], one a lane.
+/// The results of [`Emitter::sample`], one per lane.
 pub(crate) struct LightSamples<S: Simd> {
     /// The lanes with a sample.
     pub(crate) valid: mask64x8<S>,

@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! Eight vectors, one a lane. Repeats the arithmetic of [`kit::Vec3`] operation by operation, so
+//! Eight vectors, one per lane. Repeats the arithmetic of [`kit::Vec3`] operation by operation, so
 //! every lane has the bits of the scalar vector.
 
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};

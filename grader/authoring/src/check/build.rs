@@ -17,7 +17,7 @@ struct StudentProject {
     folder: PathBuf,
     target: PathBuf,
     tests: Tests,
-    /// Cargo's arguments that say whose tests these are.
+    /// Cargo's arguments that select the packages whose tests are run.
     packages: Vec<String>,
 }
 
@@ -26,8 +26,8 @@ struct StudentProject {
 pub enum Tests {
     /// All tests.
     All,
-    /// All tests except those of the crates below `grader/`. Those are the same in every handout and take longer to build
-    /// than all others. The grader itself is still built and run.
+    /// All tests except those of the crates below `grader/`. Those are the same in every handout
+    /// and take longer to build than all others. The grader itself is still built and run.
     Stages,
 }
 
@@ -187,7 +187,7 @@ impl StudentProject {
 }
 
 impl Tests {
-    /// Cargo's arguments that say whose tests these are.
+    /// Cargo's arguments that select the packages whose tests are run.
     fn packages(self, handout: &Handout) -> Vec<String> {
         let mut arguments = vec!["--workspace".to_string()];
         if self == Tests::Stages {

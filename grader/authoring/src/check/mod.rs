@@ -108,7 +108,7 @@ fn check_text(
         let reference = submission::file_tree::read(workspace.root(), path)?;
         if handout.files.get(path) == Some(&reference) {
             problems.push(format!(
-                "{here}: {} still is the reference's file",
+                "{here}: {} is still the reference's file",
                 path.display()
             ));
         }
@@ -138,7 +138,7 @@ fn check_reference_score(course: &Course, report: &Report) -> Vec<String> {
     let [core, robust] = consistency::total_points(course);
     if report.max_score != core || report.robust_max_score != robust {
         problems.push(format!(
-            "course.toml lists {core} core and {robust} robust points, but the report {} and {}",
+            "course.toml lists {core} core and {robust} robust points, but the report has {} and {}",
             report.max_score, report.robust_max_score
         ));
     }

@@ -195,6 +195,8 @@ fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
     );
     let (recognised, held_out) = table.recognised;
     if held_out > 0 {
-        println!("  recognised in held-out mutants: {recognised} of {held_out}");
+        println!(
+            "  held-out mutants whose mistakes are all recognised: {recognised} of {held_out}"
+        );
     }
 }

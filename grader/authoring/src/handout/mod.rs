@@ -148,8 +148,8 @@ impl Handout {
         Ok(())
     }
 
-    /// Removes the tests and benches that run removed solutions, because they would fail. Removes
-    /// them from the manifests, too.
+    /// Removes the tests and benches that run removed solutions, because they would fail. Also
+    /// removes them from the manifests.
     fn remove_tests(&mut self, selection: &FileSelection) -> Result<(), GraderError> {
         let owners = self
             .removed

@@ -44,7 +44,7 @@ pub struct Mutant {
     /// The code that it changes: `reference` or the name of a variant.
     #[serde(default = "reference")]
     pub on: String,
-    /// A name that tells apart mutants with the same mistake in the same code.
+    /// A name that distinguishes mutants with the same mistake in the same code.
     #[serde(default)]
     pub how: String,
     /// The edits to the code.

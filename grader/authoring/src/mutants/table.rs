@@ -19,13 +19,14 @@ use std::path::{Path, PathBuf};
 pub struct Table {
     /// For each mutant the cases in which it earns less than the correct code that it is made from.
     pub mutants: BTreeMap<String, Vec<String>>,
-    /// The correct versions that kept every core point, and the robust points each lost.
+    /// For each correct version that kept every core point, the robust points that it lost.
     pub correct: BTreeMap<String, f64>,
-    /// Those of them that lost a core point after all: each is a defect of the grader.
+    /// The correct versions that lost core points: each is a defect of the grader.
     pub accused: Vec<String>,
     /// For each mutant the mistakes that the diagnosis names.
     pub diagnosed: BTreeMap<String, Vec<String>>,
-    /// Held-out mutants whose diagnosis names a mistake that they make, and how many there are.
+    /// The number of held-out mutants whose diagnosis names all their mistakes, and the number of
+    /// all held-out mutants.
     pub recognised: (usize, usize),
 }
 

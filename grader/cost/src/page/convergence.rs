@@ -20,7 +20,8 @@ const HALF_SLOPE: SeriesStyle = SeriesStyle {
     dashes: Some([1.5, 3.0]),
 };
 
-/// Smallest ratio of times that is called a difference: times vary.
+/// Smallest ratio of two times that the caption reports as a difference: measured times vary from
+/// run to run.
 const DIFFERENT: f64 = 1.1;
 
 /// Draws the plots of one experiment; returns the SVG and its caption.
@@ -84,24 +85,25 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
     Ok((figure_html, caption(experiment)))
 }
 
-/// Draws the line of slope -1/2, the rate of independent samples, through the last point of the
-/// curve whose slope is closest to it. `of` selects the quantity on the x axis.
+/// Draws a line of slope -1/2, the convergence rate of independent samples. It goes through the
+/// last random point of the curve whose slope is closest to -1/2. `of` returns the x coordinate of
+/// a point.
 fn half_slope_line(plot: &Plot, experiment: &Experiment, of: fn(&CurvePoint) -> f64) -> DrawResult {
-    let off = |curve: &Curve| {
+    let deviation = |curve: &Curve| {
         curve
             .slope
             .map_or(f64::INFINITY, |slope| (slope + 0.5).abs())
     };
     let curves = experiment.curves.iter();
-    let nearest = curves.min_by(|a, b| off(a).total_cmp(&off(b)));
+    let nearest = curves.min_by(|a, b| deviation(a).total_cmp(&deviation(b)));
     let Some(last) = nearest.and_then(|curve| curve.points.iter().rfind(|p| p.is_random())) else {
         return Ok(());
     };
     let error = last.error(experiment.is_relative).value;
-    // From the point at which it enters the plot to the point at which it leaves it.
-    let reaches = |height: f64| of(last) * (error / height).powi(2);
+    // The line is clipped to the plot.
+    let x_at = |y: f64| of(last) * (error / y).powi(2);
     let ((from, to), (low, high)) = (plot.x_ends(), plot.y_ends());
-    let ends = [from.max(reaches(high)), to.min(reaches(low))];
+    let ends = [from.max(x_at(high)), to.min(x_at(low))];
     let line = ends.map(|x| (x, error * (of(last) / x).sqrt()));
     plot.line(HALF_SLOPE, &line, 1.0)
 }
@@ -129,7 +131,7 @@ fn caption(experiment: &Experiment) -> String {
             list(&slopes)
         );
     }
-    text += &against_the_first(experiment);
+    text += &times_to_equal_error(experiment);
     text += &efficiencies(experiment);
     text += &biases(experiment);
     text
@@ -142,12 +144,12 @@ fn efficiencies(experiment: &Experiment) -> String {
     let [first, others @ ..] = experiment.curves.as_slice() else {
         return String::new();
     };
-    let Some(one) = of(first) else {
+    let Some(first_efficiency) = of(first) else {
         return String::new();
     };
     let each = others.iter().filter_map(|curve| {
-        let times = figures(of(curve)? / one);
-        Some(format!("{times} ({})", curve.name))
+        let ratio = figures(of(curve)? / first_efficiency);
+        Some(format!("{ratio} ({})", curve.name))
     });
     let each: Vec<String> = each.collect();
     if each.is_empty() {
@@ -160,14 +162,16 @@ fn efficiencies(experiment: &Experiment) -> String {
     )
 }
 
-/// Returns the sentence about the time to an equal error, relative to the first curve.
-fn against_the_first(experiment: &Experiment) -> String {
+/// Returns the sentence that compares the times in which the curves reach an equal error, relative
+/// to the first curve.
+fn times_to_equal_error(experiment: &Experiment) -> String {
     let [first, others @ ..] = experiment.curves.as_slice() else {
         return String::new();
     };
     let error = |p: &CurvePoint| p.error(experiment.is_relative).value;
-    // The error at the last point of the first curve that the other curve reaches, too.
-    let gain = |curve: &Curve| {
+    // The times are compared at the last point of the first curve whose error the other curve also
+    // reaches.
+    let speedup = |curve: &Curve| {
         first.points.iter().rev().find_map(|p| {
             let seconds = curve.at_error(error(p), error, |p| p.seconds)?;
             Some((error(p), p.seconds / seconds))
@@ -175,25 +179,25 @@ fn against_the_first(experiment: &Experiment) -> String {
     };
     let mut text = Vec::new();
     for curve in others {
-        if let Some((error, gain)) = gain(curve) {
-            text.push(if (1.0 / DIFFERENT..DIFFERENT).contains(&gain) {
+        if let Some((error, speedup)) = speedup(curve) {
+            text.push(if (1.0 / DIFFERENT..DIFFERENT).contains(&speedup) {
                 format!(
                     "{} reaches an error of {} in the same time",
                     curve.name,
                     percent(error)
                 )
-            } else if gain > 1.0 {
+            } else if speedup > 1.0 {
                 format!(
                     "{} reaches an error of {} {} times as fast",
                     curve.name,
                     percent(error),
-                    figures(gain)
+                    figures(speedup)
                 )
             } else {
                 format!(
                     "{} takes {} times as long to reach an error of {}",
                     curve.name,
-                    figures(1.0 / gain),
+                    figures(1.0 / speedup),
                     percent(error)
                 )
             });
@@ -230,7 +234,8 @@ fn biases(experiment: &Experiment) -> String {
         "No curve has a significant bias at its largest number of samples.".to_string()
     } else {
         format!(
-            "Bias, which more samples do not reduce, at the largest number of samples of each curve: {}. The others have no significant bias.",
+            "The bias is the part of the error that more samples do not reduce. At the largest number of samples of a curve it is {}. \
+             The other curves have no significant bias.",
             list(&biased)
         )
     };

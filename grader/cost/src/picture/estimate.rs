@@ -1,4 +1,4 @@
-//! Estimates the error of random pictures against a reference that is random, too.
+//! Estimates the error of random pictures against a reference that is also random.
 //!
 //! The reference is a pair of converged pictures `a` and `b` with independent random numbers. The
 //! squared error of a picture `e` is estimated by the mean of `(e - a)(e - b)` over its pixels. Its

@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_kind_of_change_is_told_apart() {
+    fn each_kind_of_change_is_distinguished() {
         let old =
             parse("0: -> t=1 prim=0\n1: -> t=2 prim=1\n2: -> miss\n3: -> t=1 prim=3\n").unwrap();
         let new = parse(

@@ -25,7 +25,7 @@ pub enum Value {
     Range(f64, f64),
 }
 
-/// What stands for an answer without fields.
+/// The text of an answer without fields.
 pub(super) const MISS: &str = "miss";
 
 impl Line {

@@ -81,7 +81,7 @@ pub fn parse(text: &str) -> Result<Snapshot, ParseError> {
     Ok(snapshot)
 }
 
-/// Reads a line that begins with `#`: what is known of the whole case.
+/// Reads a line that begins with `#`: the data of the whole case.
 fn comment(snapshot: &mut Snapshot, text: &str) -> Option<()> {
     for field in text.split_whitespace() {
         let (name, text) = field.split_once('=')?;

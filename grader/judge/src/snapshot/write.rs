@@ -8,13 +8,13 @@ use crate::tasks;
 use wire::answer::Hit;
 use wire::{Answer, Work};
 
-/// A case of at most so many calls has a row for each.
+/// The largest number of calls for which a snapshot has a row for each call.
 pub const ALL_ROWS: usize = 640;
 
-/// Any other case has at most so many rows.
+/// The largest number of rows of a case with more calls than [`ALL_ROWS`].
 const SAMPLED_ROWS: usize = 200;
 
-/// So many rows of a case have the question and the whole record.
+/// The number of rows of a case that have the question and the whole record.
 pub const FULL_ROWS: usize = 48;
 
 /// The text of the snapshot of `answer` to `work`; `None` for what is different every time (times).
@@ -98,7 +98,7 @@ pub fn record(hit: &Hit) -> Fields {
     ]
 }
 
-/// A row in both its forms: the question is in the full one alone.
+/// The short and the full form of a row. Only the full form has the question.
 pub(crate) fn forms(question: Fields, short: Fields, full: Fields) -> Forms {
     (
         Line {

@@ -1,4 +1,5 @@
-//! The rule by its names, and a tally that starts again from the first sample at every look; no look after the last.
+//! The rule in the names of its formula, and a tally that is computed again from the first sample
+//! for each call of the rule; no call after the last sample.
 
 pub use base::*;
 use kit::{Budget, FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
@@ -36,7 +37,7 @@ pub fn raytrace_pixel_adaptive(
         colours.push(trace_ray(&ray, sampler));
         let batch = budget.batch.max(1);
         if i < budget.ns_aa && i % batch == 0 {
-            // All over again, from the first sample on.
+            // Computed again from the first sample.
             let so_far: Tally = colours.iter().map(|colour| colour.luminance()).collect();
             if stop(&so_far, budget.tolerance) {
                 break;

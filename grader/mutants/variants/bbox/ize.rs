@@ -1,4 +1,5 @@
-//! Planes by the sign of the direction, the exit two units later (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+//! Planes by the sign of the direction, the exit two units later (Ize, "Robust BVH Ray Traversal",
+//! JCGT 2(2), 2013).
 
 pub use base::*;
 use kit::{Aabb, Interval, Ray};

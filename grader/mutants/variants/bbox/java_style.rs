@@ -1,4 +1,5 @@
-//! Three pairs of variables instead of a loop, ends sorted by `if`, as somebody writes who comes from Java.
+//! Three pairs of variables instead of a loop, ends sorted by `if`: the style of
+//! a Java programmer.
 
 pub use base::*;
 use kit::{Aabb, Interval, Ray};

@@ -1,5 +1,5 @@
-//! The ray clipped by one half space after the other (Liang, Barsky, "A New Concept and Method for Line Clipping", TOG
-//! 3(1), 1984).
+//! The ray clipped by one half space after the other (Liang, Barsky, "A New Concept and Method for
+//! Line Clipping", TOG 3(1), 1984).
 
 pub use base::*;
 use kit::{Aabb, Interval, Ray};

@@ -1,4 +1,5 @@
-//! Each of the six faces as a rectangle: the ray enters at the first that it meets, and leaves at the last.
+//! Each of the six faces as a rectangle: the ray enters at the first that it meets, and leaves at
+//! the last.
 
 pub use base::*;
 use kit::{Aabb, Interval, Ray};

@@ -1,5 +1,5 @@
-//! The surface area heuristic over twelve bins on each axis (Wald, "On fast Construction of SAH-based Bounding Volume
-//! Hierarchies", 2007).
+//! The surface area heuristic over twelve bins on each axis (Wald, "On fast Construction of
+//! SAH-based Bounding Volume Hierarchies", 2007).
 
 pub use base::*;
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};

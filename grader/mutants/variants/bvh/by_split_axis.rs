@@ -1,9 +1,10 @@
-//! Which child comes first is read off the sign of the direction on the axis that parts the two boxes most.
+//! The order of the children follows from the sign of the direction on the axis on which the
+//! centroids of their boxes are farthest apart.
 
 pub use base::*;
 use kit::{Bvh, Hit, NodeKind, Ray, World};
 
-/// The two children, first the one that a ray along `d` comes to first.
+/// The two children; the one that a ray along `d` reaches first comes first.
 fn ordered(bvh: &Bvh, left: u32, right: u32, d: kit::Vec3) -> [u32; 2] {
     let apart = bvh.nodes[right as usize].bounds.centroid() - bvh.nodes[left as usize].bounds.centroid();
     let axis = apart.abs().max_position();

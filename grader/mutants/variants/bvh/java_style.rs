@@ -1,4 +1,5 @@
-//! Lists that are sorted and cut, one object a node, results compared by hand, as somebody writes who comes from Java.
+//! Lists that are sorted and cut, one object a node, results compared by hand: the style of a
+//! Java programmer.
 
 pub use base::*;
 use kit::{Aabb, Bvh, BvhNode, Hit, NodeKind, PrimId, Ray, World};

@@ -1,5 +1,5 @@
-//! Primitives in the order of a space-filling curve, split where the highest bit of their places on it changes
-//! (Lauterbach et al., "Fast BVH Construction on GPUs", Eurographics 2009).
+//! Primitives in the order of a space-filling curve, split where the highest bit of their places on
+//! it changes (Lauterbach et al., "Fast BVH Construction on GPUs", Eurographics 2009).
 
 pub use base::*;
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId, Vec3};

@@ -1,4 +1,5 @@
-//! Recursion into the nearer child first; the farther one only if it may still be nearer than the hit.
+//! Recursion into the nearer child first; the farther one only if it may still be nearer than the
+//! hit.
 
 pub use base::*;
 use kit::{Bvh, Hit, NodeKind, Ray, World};

@@ -1,10 +1,11 @@
-//! No stack: the nodes in depth-first order, each with the place to go on at when its box is missed (Smits, "Efficiency
-//! Issues for Ray Tracing", 1998).
+//! No stack: the nodes in depth-first order, each with the next node to visit if its box is missed
+//! (Smits, "Efficiency Issues for Ray Tracing", 1998).
 
 pub use base::*;
 use kit::{Bvh, Hit, NodeKind, Ray, World};
 
-/// The nodes in depth-first order; for each how many places to skip to get past all that is below it.
+/// The nodes in depth-first order, each with the number of places to skip to pass its whole
+/// subtree.
 fn thread(bvh: &Bvh) -> Vec<(usize, usize)> {
     fn add(bvh: &Bvh, node: usize, list: &mut Vec<(usize, usize)>) {
         let place = list.len();

@@ -1,5 +1,5 @@
-//! Samples outside and lights inside, a sum for each light that is divided in the end; directions by angles, all of them drawn
-//! before the first ray is traced.
+//! The outer loop is over samples, the inner loop over lights; the sum of each light is divided at
+//! the end. Directions are computed from angles, all of them before the first ray is traced.
 
 pub use base::*;
 use kit::{BsdfSample, Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec2, Vec3};

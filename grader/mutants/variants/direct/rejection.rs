@@ -1,4 +1,5 @@
-//! Uniform directions by rejection, with as many numbers as it takes; a running mean instead of a sum; the shadow last.
+//! Uniform directions by rejection, with as many numbers as it takes; a running mean instead of a
+//! sum; the shadow last.
 
 pub use base::*;
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};

@@ -1,4 +1,5 @@
-//! Matte samples from a point of the unit sphere around the tip of the normal; uniform ones with the azimuth first.
+//! Matte samples from a point of the unit sphere around the tip of the normal; uniform ones with
+//! the azimuth first.
 
 pub use base::*;
 use kit::{

@@ -1,4 +1,5 @@
-//! Cook and Torrance's form of Fresnel's equations; a path that keeps the next ray and how often it left.
+//! Cook and Torrance's form of Fresnel's equations; a path that stores the next ray and the number
+//! of surfaces that it left.
 
 pub use base::*;
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};

@@ -1,4 +1,5 @@
-//! Incident directions and a normal turned towards them, as books on graphics have it; light gathered on the way back.
+//! Incident directions and a normal turned towards them, as books on graphics have it; light
+//! gathered on the way back.
 
 pub use base::*;
 use kit::{BsdfSample, Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};

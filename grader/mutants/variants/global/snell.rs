@@ -1,10 +1,12 @@
-//! Refraction by angles and the azimuth, with the functions of trigonometry; roulette by its chance to end.
+//! Refraction by angles and the azimuth, with the functions of trigonometry; roulette by its chance
+//! to end.
 
 pub use base::*;
 use kit::{BsdfSample, Spectrum, Vec3};
 use std::f64::consts::PI;
 
-/// By angles: sin² and tan² of their difference over those of their sum; at normal incidence their limit.
+/// By angles: sin² and tan² of their difference over those of their sum; at normal incidence their
+/// limit.
 pub fn fresnel_dielectric(cos_i: f64, eta: f64) -> f64 {
     let theta_i = cos_i.min(1.0).acos();
     let sin_t = eta * theta_i.sin();

@@ -1,5 +1,5 @@
-//! Nine precomputed numbers, the tenth to twelfth are 0 and 1 (Baldwin, Weber, "Fast Ray-Triangle Intersections by
-//! Coordinate Transformation", JCGT 5(3), 2016), as published.
+//! Nine precomputed numbers, the tenth to twelfth are 0 and 1 (Baldwin, Weber, "Fast Ray-Triangle
+//! Intersections by Coordinate Transformation", JCGT 5(3), 2016), as published.
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2, Vec3};

@@ -1,4 +1,5 @@
-//! The plane first, then barycentric weights from dot products of the edges (Ericson, Real-Time Collision Detection, 3.4).
+//! The plane first, then barycentric weights from dot products of the edges (Ericson, Real-Time
+//! Collision Detection, 3.4).
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2};

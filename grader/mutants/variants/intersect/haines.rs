@@ -1,5 +1,6 @@
-//! The discriminant as r² less the squared distance of the line (Haines, Günther, Akenine-Möller, "Precision
-//! Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7), and the root that does not cancel.
+//! The discriminant as r² less the squared distance of the line (Haines, Günther, Akenine-Möller,
+//! "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7), and the root
+//! that does not cancel.
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Sphere, Vec2};

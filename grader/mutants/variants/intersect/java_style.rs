@@ -1,5 +1,5 @@
-//! Loops over coordinates and variables declared before they are set, as somebody writes who comes from Java: signed
-//! volumes for triangles, the quadratic formula for spheres.
+//! Loops over coordinates and variables declared before they are set: the style of a Java
+//! programmer. Signed volumes for triangles, the quadratic formula for spheres.
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Sphere, Triangle, TriangleHit, Vec2, Vec3};

@@ -1,4 +1,5 @@
-//! The plane first, then the edge functions in two dimensions, without the normal's largest axis (Badouel 1990).
+//! The plane first, then the edge functions in two dimensions, without the normal's largest axis
+//! (Badouel 1990).
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2};

@@ -1,4 +1,5 @@
-//! Plücker coordinates of the ray and of the edges, as six numbers each, as seen from the first vertex.
+//! Plücker coordinates of the ray and of the edges, as six numbers each, as seen from the first
+//! vertex.
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2, Vec3};

@@ -1,5 +1,5 @@
-//! Three precomputed planes and no division before the decision (Havel, Herout, "Yet Faster Ray-Triangle Intersection
-//! (Using SSE4)", TVCG 16(3), 2010).
+//! Three precomputed planes and no division before the decision (Havel, Herout, "Yet Faster
+//! Ray-Triangle Intersection (Using SSE4)", TVCG 16(3), 2010).
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2};

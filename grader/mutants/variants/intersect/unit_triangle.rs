@@ -1,4 +1,5 @@
-//! The ray in the coordinates in which the triangle is (0,0,0) (1,0,0) (0,1,0) (Baldwin, Weber, JCGT 5(3), 2016).
+//! The ray in the coordinates in which the triangle is (0,0,0) (1,0,0) (0,1,0) (Baldwin, Weber,
+//! JCGT 5(3), 2016).
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2, Mat3};

@@ -1,4 +1,5 @@
-//! Woop, Benthin, Wald 2013 as published: translate, permute, shear and scale, plain edge functions.
+//! Woop, Benthin, Wald 2013 as published: translate, permute, shear and scale, plain edge
+//! functions.
 
 pub use base::*;
 use kit::{Hit, PrimId, Ray, Triangle, TriangleHit, Vec2};

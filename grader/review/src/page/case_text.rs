@@ -45,7 +45,11 @@ pub(super) fn describe(case: &Case) -> String {
                 text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
             }
             for wrong in wrong {
-                let _ = writeln!(text, "<p class=\"bad\">Refuted: {}</p>", escape(wrong));
+                let _ = writeln!(
+                    text,
+                    "<p class=\"bad\">Wrong by the exact oracle: {}</p>",
+                    escape(wrong)
+                );
             }
         }
     }

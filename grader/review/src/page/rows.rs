@@ -10,7 +10,7 @@ pub(super) fn rows(case: &Case) -> String {
     let mut text = String::new();
     if let State::Differs { changes, calls, .. } = &case.state {
         if changes.totals {
-            text.push_str("<p>The totals of the case differ, too.</p>\n");
+            text.push_str("<p>The totals of the case also differ.</p>\n");
         }
         if *calls > ROWS {
             let _ = writeln!(

@@ -8,8 +8,8 @@ use grader::interrupt;
 use std::path::Path;
 use std::process::Command;
 
-/// Removes what `files` do not use from their `Cargo.lock`, so that they build with `--locked`, and from the profiles in
-/// their `Cargo.toml`. The versions of the other packages stay the same.
+/// Removes what `files` do not use from their `Cargo.lock`, so that they build with `--locked`, and
+/// from the profiles in their `Cargo.toml`. The versions of the other packages stay the same.
 pub fn remove_unused(files: &mut Files) -> Result<(), GraderError> {
     let scratch = interrupt::temp_folder()?;
     file_tree::sync_folder(scratch.path(), files)?;

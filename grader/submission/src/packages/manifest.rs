@@ -19,8 +19,8 @@ pub fn without_members(text: &str, left_out: &[PathBuf]) -> String {
     kept.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// Removes the tables `[profile.PROFILE.package.NAME]` of packages that the lock file `lock` does not name: cargo warns of
-/// them at every command.
+/// Removes the tables `[profile.PROFILE.package.NAME]` of packages that the lock file `lock` does
+/// not name: cargo warns of them at every command.
 pub fn without_unused_profiles(text: &str, lock: &str) -> String {
     let is_unused = |table: &str| {
         let name = table

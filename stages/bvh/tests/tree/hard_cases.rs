@@ -1,11 +1,12 @@
-//! Cases that break simple implementations. A comment describes the naive code and its failure.
+//! Cases that break simple implementations. "Naive:" in a test's comment describes what a simple
+//! implementation does, and how it fails.
 // BEGIN SOLUTION(part2.task1)
 
 use crate::rectangles::{Rectangles, check_tree, square};
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId, Ray, Vec3};
 
-/// 64 midpoint splits and 32 median splits.
+/// The largest depth that a tree may have: 64 midpoint splits and 32 median splits.
 const DEPTH_BOUND: usize = 96;
 
 fn ray_along_z(x: f64, y: f64) -> Ray {
@@ -35,7 +36,8 @@ fn equal_centroids_terminate() {
     assert_eq!(depth, 7, "halving 100 primitives takes 7 levels");
 }
 
-/// Naive: all centroids are on one side of the midpoint of the boxes.
+/// Naive: splits at the midpoint of the boxes. All centroids are on one side of it, so the other
+/// child is empty.
 #[test]
 fn empty_side_falls_back_to_the_median() {
     let mut rects = vec![square(0.0, 0.0, 0.0); 2];
@@ -45,11 +47,11 @@ fn empty_side_falls_back_to_the_median() {
     });
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
     // Two adjacent floats: their midpoint rounds to one of them.
-    let near = |x: f64| Aabb {
+    let point = |x: f64| Aabb {
         min: Vec3::new(x, 0.0, 0.0),
         max: Vec3::new(x, 0.0, 0.0),
     };
-    let rects = [near(1.0), near(1.0_f64.next_up()), near(1.0)];
+    let rects = [point(1.0), point(1.0_f64.next_up()), point(1.0)];
     check_tree(&construct_bvh(&rects, 1), &rects, 1);
 }
 
@@ -110,7 +112,7 @@ fn depth_is_bounded_for_halving_distances() {
     assert!(depth <= DEPTH_BOUND, "{depth} levels");
 }
 
-/// Naive: returns the last hit that was tested.
+/// Naive: returns the last of the primitives with an equal `t`.
 #[test]
 fn lowest_id_of_duplicates_is_hit() {
     let rects = vec![square(0.0, 0.0, 0.0); 50];
@@ -119,7 +121,8 @@ fn lowest_id_of_duplicates_is_hit() {
     }
 }
 
-/// Naive: skips a box whose entry equals the closest hit, or returns the last hit.
+/// Naive: skips a box that the ray enters at the `t` of the closest hit, or returns the last of the
+/// primitives with an equal `t`.
 #[test]
 fn lowest_id_is_hit_among_equal_t_in_several_leaves() {
     // Overlapping squares in one plane. The ray hits all of them at t = 1, in several leaves.
@@ -167,9 +170,9 @@ fn centroids_near_the_largest_float() {
     assert!(depth <= 7, "{depth} levels for 64 evenly spaced primitives");
 }
 
-/// Naive: one NaN propagates to every box above it, and the whole tree is missed.
+/// Naive: one NaN propagates to the boxes of all ancestors, and every ray misses the tree.
 #[test]
-fn empty_nan_and_infinite_boxes_hide_no_others() {
+fn other_boxes_are_hit_next_to_empty_nan_and_infinite_ones() {
     let nan = Aabb {
         min: Vec3::NAN,
         max: Vec3::NAN,
@@ -208,11 +211,11 @@ fn tree_of_empty_boxes_has_no_hits() {
     assert_eq!(closest(&rects, 1, ray_along_z(0.0, 0.0)), None);
 }
 
-/// Naive: a stack of fixed size overflows, or the recursion does.
+/// Naive: a stack of fixed size overflows, or a recursive traversal overflows the call stack.
 #[test]
 fn very_deep_tree_is_traversed() {
-    // Built by hand: each interior node has a leaf and the rest as children, and the ray enters all
-    // boxes at the same t.
+    // Built by hand: the children of each interior node are one leaf and the rest of the tree. The
+    // ray enters all boxes at the same t.
     const N: u32 = 100_000;
     let all = Aabb {
         min: Vec3::new(-0.5, -0.5, 0.0),

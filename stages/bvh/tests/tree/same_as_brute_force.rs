@@ -6,7 +6,8 @@ use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
 use kit::{Aabb, Bvh, PrimId, Ray, Vec3, World};
 use proptest::prelude::*;
 
-/// Asserts that closest and any hit are the same as those of testing every primitive, bit for bit.
+/// Asserts that the tree's closest hit and any hit are those of brute force, which tests every
+/// primitive, bit for bit.
 fn assert_same(tree: &Bvh, rects: &[Aabb], ray: &Ray) {
     let mut world = Rectangles::new(rects.to_vec());
     let (mut tree_ray, mut brute_force_ray) = (*ray, *ray);
@@ -115,7 +116,8 @@ fn any_leaf_size() {
     }
 }
 
-/// The traversal tests few boxes and primitives, and stops at the first primitive that blocks.
+/// The traversal tests few boxes and primitives. The any-hit traversal stops at the first primitive
+/// that the ray hits.
 #[test]
 fn traversal_needs_few_tests() {
     let rects: Vec<Aabb> = (0..4096)
@@ -143,7 +145,7 @@ fn traversal_needs_few_tests() {
     assert_eq!(world.prim_tests, 1);
 }
 
-/// A ray that misses the box of the root causes no other test.
+/// If a ray misses the box of the root, nothing else is tested.
 #[test]
 fn root_box_is_tested_first() {
     let rects = vec![square(0.0, 0.0, 0.0); 3];
@@ -160,8 +162,9 @@ fn root_box_is_tested_first() {
 
 /// Boxes are tested with a slightly larger range, primitives with the ray's own range.
 #[test]
-fn hit_that_is_rounded_to_before_its_box_is_found() {
-    // The second primitive is nearer by 16 units in the last place, but its box is not.
+fn hit_is_found_if_rounding_moves_it_before_its_box() {
+    // The hit of the second primitive is 16 units in the last place before that of the first, but
+    // its box is behind that of the first: rounding can cause this.
     struct Rounding;
     impl World for Rounding {
         fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<kit::Interval> {

@@ -29,7 +29,7 @@ impl Check for Pixels {
             let traced = answer.traced.len();
             if answer.traced_radiance.len() != traced {
                 return Err(format!(
-                    "call {call} has {traced} traced rays and {} radiances, expected as many",
+                    "call {call} has {traced} traced rays and {} radiances; expected equal numbers",
                     answer.traced_radiance.len()
                 ));
             }

@@ -326,7 +326,7 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
         )
     });
     if !cheap && why == COSTLY_SPLITS {
-        // The cost tells different mistakes apart.
+        // The cost distinguishes mistakes.
         let class = Class::of_size(ratio);
         tally.judge_class(Aspect::Work, 0, Some(class), ratio, String::new);
     }

@@ -93,7 +93,7 @@ pub(crate) fn right_samples(work: &AdaptivePixel) -> (u32, Vec<SampleTally>) {
     (work.ns_aa, rule_calls)
 }
 
-/// The mean of the first so many samples.
+/// The mean of the first `samples` samples.
 pub(crate) fn mean(work: &AdaptivePixel, samples: u32) -> Xyz {
     let stream = work.stream.iter().cycle().take(samples as usize);
     let sum = stream.fold([0.0; 3], |sum, l| [0, 1, 2].map(|i| sum[i] + l[i]));
@@ -127,8 +127,9 @@ fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &Adaptive
     placement::judge(tally, call, work, answer, &about);
 }
 
-/// The number of each sample that the rule got instead of the luminance, if it is one of these.
-fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<&'static str> {
+/// What the rule received for each sample instead of the luminance, such as the red channel; `None`
+/// if it is none of those that are checked.
+fn another_number(work: &AdaptivePixel, rule_call: &(u64, f64, f64, f64)) -> Option<&'static str> {
     type Number = fn(&Xyz) -> f64;
     const NUMBERS: [(&str, Number); 6] = [
         ("red", |light| light[0]),
@@ -143,9 +144,9 @@ fn another_number(work: &AdaptivePixel, asked: &(u64, f64, f64, f64)) -> Option<
         }),
     ];
     let is = |number: &&(&str, Number)| {
-        let stream = work.stream.iter().cycle().take(asked.0 as usize);
+        let stream = work.stream.iter().cycle().take(rule_call.0 as usize);
         let mean = stream.map(number.1).collect::<SampleTally>().mean();
-        (asked.1 - mean).abs() <= BOUND * mean.abs()
+        (rule_call.1 - mean).abs() <= BOUND * mean.abs()
     };
     NUMBERS.iter().find(is).map(|(name, _)| *name)
 }
@@ -166,12 +167,12 @@ fn questions(
     let least = rule_calls.len() - usize::from(last_is_optional);
     let enough = (least..=rule_calls.len()).contains(&answer.rule_calls.len());
     let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= BOUND * scale;
-    let same = |(asked, right): (&(u64, f64, f64, f64), &SampleTally)| {
+    let same = |(rule_call, right): (&(u64, f64, f64, f64), &SampleTally)| {
         let square = right.mean() * right.mean() + right.variance();
-        asked.0 == right.count()
-            && near(asked.1, right.mean(), right.mean().abs())
-            && near(asked.2, right.variance(), square)
-            && asked.3 == work.tolerance
+        rule_call.0 == right.count()
+            && near(rule_call.1, right.mean(), right.mean().abs())
+            && near(rule_call.2, right.variance(), square)
+            && rule_call.3 == work.tolerance
     };
     let right = enough && answer.rule_calls.iter().zip(rule_calls).all(same);
     let off = answer.rule_calls.len().abs_diff(rule_calls.len());
@@ -181,7 +182,7 @@ fn questions(
             .iter()
             .zip(rule_calls)
             .find(|pair| !same(*pair));
-        let number = wrong.and_then(|(asked, _)| another_number(work, asked));
+        let number = wrong.and_then(|(rule_call, _)| another_number(work, rule_call));
         number.map_or(Class::of_size(1.0 + off as f64), Class::Named)
     });
     tally.judge_class(Aspect::Questions, call, class, 1.0 + off as f64, || {

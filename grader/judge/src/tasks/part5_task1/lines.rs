@@ -1,9 +1,9 @@
-//! Writes stopping rules, and pixels that stop by a rule, to a snapshot.
+//! Writes the results of stopping rules and of adaptively sampled pixels to a snapshot.
 
 use crate::snapshot::{Fields, Forms, Value, field, forms, number, vector};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 
-/// The result of a rule, and how often it called another rule.
+/// The result of a stopping rule, and how often the waiting rule called the plain rule.
 pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
     let runs = call.runs.iter().take(4);
     let mut question: Fields = runs
@@ -17,7 +17,8 @@ pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
     forms(question, answer.clone(), answer)
 }
 
-/// Samples, radiance and number of calls of the rule; full lines have the first calls.
+/// The number of samples, the radiance, and how often the pixel called its stopping rule. Full
+/// lines also have the count, mean and variance of the first two calls.
 pub(super) fn pixel(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> Forms {
     let question = vec![
         field("pixel", vector(&work.pixel.map(f64::from))),

@@ -20,9 +20,13 @@ pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAn
         verdict(tally, i, call, answer, plain_decides && call.rule);
         tally.expect(Aspect::Questions);
         let right = (samples.count(), samples.mean(), call.tolerance);
-        let known = answer.rule_calls.iter().all(|asked| *asked == right);
+        let known = answer
+            .rule_calls
+            .iter()
+            .all(|rule_call| *rule_call == right);
         let class = if !known {
-            let samples_are = |asked: &(u64, f64, f64)| (asked.0, asked.1) == (right.0, right.1);
+            let samples_are =
+                |rule_call: &(u64, f64, f64)| (rule_call.0, rule_call.1) == (right.0, right.1);
             Some(match answer.rule_calls.iter().all(samples_are) {
                 true => Class::Named("another tolerance"),
                 false => Class::Named("other samples"),

@@ -42,7 +42,7 @@ pub(super) fn exact_slants() -> Work {
     let mut rng = ProbeRng::new("exact_slants", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
-        // Even coordinates: the midpoints of the edges are integers, too.
+        // Even coordinates: the midpoints of the edges are also integers.
         let mut corner = || (8.0 * rng.in_cube()).round() * 2.0;
         let t = Triangle::flat(corner(), corner(), corner());
         if t.n0 == Vec3::ZERO {

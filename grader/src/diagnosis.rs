@@ -20,14 +20,14 @@ pub struct Known {
     pub descriptions: Vec<String>,
     /// Where to look; one for each mistake.
     pub hints: Vec<String>,
-    /// What it gets wrong.
+    /// The answers that it makes wrong.
     pub signature: Signature,
 }
 
 /// What a student's wrong answers look like.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Diagnosis {
-    /// The mistakes' names; several if they cannot be told apart or are made together.
+    /// The mistakes' names; several if they cannot be distinguished or are made together.
     pub mistakes: Vec<String>,
     /// The sentence for the student.
     pub says: String,
@@ -40,30 +40,32 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// Whether more than half of the calls tell for it. Else only the kinds of the faults do.
+    /// Whether more than half of the calls are evidence for it. Otherwise only the kinds of the
+    /// faults are.
     pub fn is_likely(&self) -> bool {
         2 * self.equal > self.of
     }
 }
 
-/// From this likeness on, the mistake is named as what it is.
+/// From this likeness on, the report says that the answers equal those of the mistake.
 const SURE: f64 = 0.95;
 
-/// From this likeness on, the mistake is named as what it looks like.
+/// From this likeness on, the report says that the answers look like those of the mistake.
 const LIKELY: f64 = 0.7;
 
 /// Two mistakes together must explain this share of the wrong values.
 const TOGETHER: f64 = 0.8;
 
-/// Of what the likeliest single mistake leaves unexplained, two together may leave this share.
+/// Two mistakes together may leave at most this fraction of what the likeliest single mistake
+/// leaves unexplained.
 const LEFT: f64 = 0.5;
 
-/// A mistake is one of two only if this share of what it alone gets wrong is wrong for the student
-/// too.
+/// A mistake is one of two only if at least this fraction of the values that it alone makes wrong
+/// are also wrong for the student.
 const MADE: f64 = 0.75;
 
-/// Pairs are made of mistakes that share at least this part of what they get wrong with the
-/// student.
+/// Only mistakes are combined to pairs of which at least this fraction of the wrong answers are
+/// also the student's.
 const CANDIDATE: f64 = 0.2;
 
 /// The known mistakes of a task; none if nothing is stored for it.
@@ -76,7 +78,7 @@ pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderErro
     file::read(&text).map_err(|e| GraderError::file("understand", &path, e))
 }
 
-/// Stores what is known of a task's mistakes.
+/// Stores the known mistakes of a task.
 pub fn store(workspace: &Workspace, task: &str, known: &[Known]) -> Result<(), GraderError> {
     let path = path(workspace, task);
     let folder = path.parent().unwrap_or(Path::new("."));
@@ -127,9 +129,9 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     })
 }
 
-/// What is known, as it would show in these functions alone: a mistake that one function hands on
-/// to others may be made in one of them only. Of two that look the same there, the one that is made
-/// there alone comes first.
+/// The known mistakes, with signatures for these functions only: several functions can be wrong
+/// because they call a wrong one, but the student may have made the mistake in some of them only.
+/// If two signatures become equal, the mistake that is wrong nowhere else comes first.
 fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
     let mut known: Vec<(usize, Known)> = known
         .iter()
@@ -149,9 +151,9 @@ fn within(known: &[Known], functions: &BTreeSet<&str>) -> Vec<Known> {
     known.into_iter().map(|(_, known)| known).collect()
 }
 
-/// The mistake whose faults are of the same kinds as the student's, in whatever cases they come up:
-/// a tree that is built in another way has its leaves elsewhere. None if two mistakes have them, or
-/// if a fault says nothing of its kind.
+/// The mistake whose faults are of the same kinds as the student's, even if in other calls: a tree
+/// that is built in another way has its faults in other leaves. `None` if two mistakes have the
+/// same kinds, or if a fault has a class that identifies no mistake.
 fn alone_of_its_kind<'a>(
     ranked: &[(&'a Known, Agreement)],
     student: &Signature,
@@ -167,8 +169,8 @@ fn alone_of_its_kind<'a>(
         .then_some(first)
 }
 
-/// The names of a mistake and of those that cannot be told from it, how the sentence about them
-/// ends, and the hints of all of them.
+/// The names of a mistake and of those that cannot be distinguished from it, how the sentence about
+/// them ends, and the hints of all of them.
 fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String, String) {
     let mut mistakes = best.mistakes.clone();
     let mut says = best.descriptions.join(", and ");
@@ -258,12 +260,12 @@ mod tests {
     }
 
     #[test]
-    fn who_cannot_be_told_apart_are_both_told_with_their_hints() {
+    fn mistakes_with_equal_signatures_are_both_named_with_their_hints() {
         let wrong = signature(&[("case t", "2 8*a")]);
         let all = [known("this", wrong.clone()), known("that", wrong.clone())];
-        let told = diagnose(&all, &wrong).expect("it is known");
-        assert_eq!(told.mistakes, ["this", "that"]);
-        assert_eq!(told.hint, "Not this. Or: Not that.");
+        let diagnosis = diagnose(&all, &wrong).expect("it is known");
+        assert_eq!(diagnosis.mistakes, ["this", "that"]);
+        assert_eq!(diagnosis.hint, "Not this. Or: Not that.");
     }
 
     #[test]
@@ -271,8 +273,8 @@ mod tests {
         let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
         let all = [known("this", signature(&[t, n, p]))];
         let likely = |codes| {
-            let told = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
-            told.expect("it is known").is_likely()
+            let diagnosis = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
+            diagnosis.expect("it is known").is_likely()
         };
         assert!(likely("6 4*b"));
         assert!(!likely("5 5*b"));

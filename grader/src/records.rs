@@ -208,11 +208,11 @@ mod tests {
         for (answer, why) in [
             (
                 Answer::Boxes(vec![None]),
-                "expected 2 answers, one a call, found 1",
+                "expected 2 answers, one per call, found 1",
             ),
             (
                 Answer::Boxes(vec![None; 3]),
-                "expected 2 answers, one a call, found 3",
+                "expected 2 answers, one per call, found 3",
             ),
             (
                 Answer::Stop(Vec::new()),

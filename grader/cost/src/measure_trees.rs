@@ -32,7 +32,7 @@ const SLACKS: [u32; 3] = [0, 2, 16];
 /// Slack that is enough for every ray, used to compare trees.
 const SAFE_SLACK: u32 = 16;
 
-/// One in so many rays is timed.
+/// One in this many rays is timed.
 const TIMED_EVERY: usize = 16;
 
 /// Number of rays that are compared with brute force.

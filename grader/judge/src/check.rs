@@ -186,7 +186,7 @@ pub(crate) fn same_length(what: &str, found: usize, calls: usize) -> Result<(), 
         Ok(())
     } else {
         Err(format!(
-            "expected {calls} {what}, one a call, found {found}"
+            "expected {calls} {what}, one per call, found {found}"
         ))
     }
 }

@@ -1,4 +1,4 @@
-//! Blessing: taking over what the reference answers now as golden, after showing what that means.
+//! Blessing: stores the reference's current answers as goldens, after showing what changes.
 //!
 //! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with
 //! the same writer that checks them; blessing compares the pairs, and renames.
@@ -22,7 +22,7 @@ pub struct Change {
     pub golden: PathBuf,
     /// The file beside it that would take its place.
     pub new: PathBuf,
-    /// What would change, in words.
+    /// A description of what would change.
     pub meaning: String,
 }
 
@@ -46,7 +46,8 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
             "--test",
             "goldens",
         ])
-        // Cargo tells how its build goes: the first one takes minutes. The test itself says little.
+        // Cargo prints the progress of its build, because the first one takes minutes. The test
+        // itself prints little.
         .args(["--", "--quiet"])
         .env("INSTA_UPDATE", "new")
         .env("INSTA_OUTPUT", "none")
@@ -74,18 +75,18 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
         .collect()
 }
 
-/// What is said when cargo fails, whose test printed `said`: nothing if it was not even built.
-fn nothing_blessed(said: &str) -> String {
-    match said.trim() {
+/// The message if cargo fails. `printed` is the output of the test, empty if it was not built.
+fn nothing_blessed(printed: &str) -> String {
+    match printed.trim() {
         "" => {
-            "nothing is blessed, because the goldens' test could not be built: cargo says above why"
+            "nothing is blessed, because the goldens' test could not be built: see cargo's messages above"
                 .into()
         }
-        said => format!("nothing is blessed, because the goldens' test failed:\n{said}"),
+        printed => format!("nothing is blessed, because the goldens' test failed:\n{printed}"),
     }
 }
 
-/// Takes the changes over and writes down where they come from.
+/// Stores the changes as goldens, and records where they come from.
 pub fn accept(workspace: &Workspace, proposed: &[Change]) -> Result<(), GraderError> {
     for change in proposed {
         if change
@@ -112,7 +113,7 @@ pub fn accept(workspace: &Workspace, proposed: &[Change]) -> Result<(), GraderEr
     )
 }
 
-/// Forgets the changes.
+/// Removes the new files.
 pub fn reject(proposed: &[Change]) -> Result<(), GraderError> {
     proposed.iter().try_for_each(|change| remove(&change.new))
 }
@@ -227,7 +228,7 @@ fn provenance(workspace: &Workspace) -> Result<String, GraderError> {
     Ok(text)
 }
 
-/// FNV-1a: tells whether a scene file is the one that was used, no more.
+/// The FNV-1a hash. It only shows whether a scene file is the one that was used.
 fn fnv(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
@@ -280,7 +281,7 @@ cases = [{ name = "a", tier = "core", points = 1 }]
     }
 
     #[test]
-    fn a_handout_is_told_that_it_is_one() {
+    fn blessing_in_a_handout_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         for (path, text) in [
             ("stages/course.toml", COURSE),
@@ -294,8 +295,8 @@ cases = [{ name = "a", tier = "core", points = 1 }]
     }
 
     #[test]
-    fn a_test_that_was_not_built_says_nothing() {
-        assert!(nothing_blessed(" \n").contains("cargo says above why"));
+    fn a_test_that_was_not_built_is_reported_without_output() {
+        assert!(nothing_blessed(" \n").contains("see cargo's messages above"));
         assert!(nothing_blessed("a panicked\n").ends_with("failed:\na panicked"));
     }
 

@@ -5,12 +5,12 @@ use judge::snapshot::Line;
 use judge::tally::Aspect;
 use serde::Serialize;
 
-/// What is different about a call's answer, the first that applies. "False" is against the golden:
-/// the exact oracle says apart from it whose fault it is.
+/// What differs between the golden and the actual answer to a call; the first that applies. "False"
+/// means that the golden differs. Which of the two is right, the exact oracle decides separately.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Cause {
-    /// Nothing.
+    /// Nothing differs.
     Same,
     /// A hit where the golden misses.
     FalseHit,
@@ -22,12 +22,12 @@ pub enum Cause {
     T,
     /// The same hit with another normal.
     Normal,
-    /// Another figure: a direction, a radiance.
+    /// Another value: a direction, a radiance.
     Value,
 }
 
 impl Cause {
-    /// All that make a difference, in the order of the legend.
+    /// All causes of a difference, in the order of the legend.
     pub const DIFFERENCES: [Cause; 6] = [
         Cause::FalseHit,
         Cause::FalseMiss,
@@ -37,7 +37,7 @@ impl Cause {
         Cause::Value,
     ];
 
-    /// Why `actual` differs from `golden`, line against line and colour against colour.
+    /// Why `actual` differs from `golden`. Compares the lines and the colours of the pixel.
     pub fn of(golden: &Line, actual: &Line, same_colour: bool) -> Cause {
         let differs = |name: &str| golden.get(name) != actual.get(name);
         match (golden.is_miss(), actual.is_miss()) {
@@ -51,9 +51,9 @@ impl Cause {
         }
     }
 
-    /// Why `actual` differs from a golden that has no row for the call: by what the golden
-    /// picture's colour tells of hit or miss, by what the exact oracle finds wrong, then by the
-    /// colours.
+    /// Why `actual` differs from a golden that has no row for the call. Considers first whether the
+    /// golden picture's colour is a hit or a miss, then what the exact oracle finds wrong, then
+    /// whether the colours are equal.
     pub fn without_row(
         golden_hits: Option<bool>,
         actual: &Line,
@@ -89,7 +89,7 @@ impl Cause {
         }
     }
 
-    /// For people.
+    /// The text in the legend.
     pub fn label(self) -> &'static str {
         match self {
             Cause::Same => "the same",
@@ -102,8 +102,8 @@ impl Cause {
         }
     }
 
-    /// Its colour in the picture of differences: those that Okabe and Ito chose to be told apart by
-    /// everybody ("Color Universal Design", 2008).
+    /// The colour in the picture of differences, from the palette of Okabe and Ito, which
+    /// colour-blind people can also distinguish ("Color Universal Design", 2008).
     pub fn colour(self) -> Rgb<u8> {
         Rgb(match self {
             Cause::Same => [128, 128, 128],
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_row_the_oracle_and_the_colours_tell() {
+    fn without_a_row_the_oracle_and_the_colours_decide() {
         let line = |text: &str| parse(&format!("0: -> {text}\n")).unwrap().lines[0].clone();
         let [hit, miss, inside] = ["t=1 prim=2", "miss", "inside=[0,1]"].map(line);
         let cause = Cause::without_row;

@@ -1,4 +1,4 @@
-//! What is right by the exact oracle, as records to compare with a golden's and an answer's.
+//! The answers of the exact oracle, as records that can be compared with golden and actual ones.
 
 use judge::Tier;
 use judge::cases::Spec;
@@ -12,8 +12,8 @@ use wire::Work;
 use wire::answer::Hit;
 use wire::work::{BoxWork, BruteForceWork, Ray, SceneWork};
 
-/// The hit or the interval that is right for each of `calls`, without fields where a miss is;
-/// `None` for work that is about neither closest hits nor boxes.
+/// The right hit or interval for each of `calls`, without fields for a miss. `None` for work that
+/// computes neither closest hits nor box intervals.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
         Work::BruteForce(BruteForceWork {
@@ -82,7 +82,7 @@ fn fields(expected: &Expected) -> Fields {
         uv: uv.map(|(uv, _)| uv.into()).unwrap_or_default(),
         prim: *prim,
     };
-    // What is not decided is not shown: a normal that may be any, weights of a sphere.
+    // Leaves out fields that may have any value: some normals, and the weights of a sphere.
     let is_decided = |name: &str| match name {
         "n" => n.is_some(),
         "ng" => ng.is_some(),

@@ -1,4 +1,4 @@
-//! A golden picture and what takes its place, pixel by pixel.
+//! Compares a golden picture with the actual one, pixel by pixel.
 
 use super::box_tests::BoxTests;
 use super::cause::Cause;
@@ -14,49 +14,50 @@ use wire::Work;
 /// The pictures of a case.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// As students are graded against.
+    /// The picture that students are graded against.
     pub golden: RgbImage,
-    /// As the code under review makes it.
+    /// The picture of the code under review.
     pub actual: RgbImage,
-    /// What is known of each pixel; `None` if the two differ in size.
+    /// The data of each pixel; `None` if the two pictures differ in size.
     pub pixels: Option<Pixels>,
 }
 
-/// What is known of the pixels. Call number `i` is the pixel in column `i % width` and row `i /
+/// The data of the pixels. Call number `i` is the pixel in column `i % width` and row `i /
 /// width` from the bottom.
 #[derive(Clone, Debug)]
 pub struct Pixels {
-    /// Why each differs.
+    /// Why each pixel differs.
     pub causes: Vec<Cause>,
     /// The actual picture in grey, coloured where it differs.
     pub difference: RgbImage,
-    /// What was asked.
+    /// The questions.
     pub question: Vec<Column>,
-    /// What is known of the golden's answers.
+    /// The golden answers, as far as they are known.
     pub golden: GoldenAnswers,
-    /// What the code under review answered.
+    /// The answers of the code under review.
     pub actual: Vec<Column>,
-    /// What the exact oracle answers.
+    /// The answers of the exact oracle.
     pub exact: Option<Exact>,
-    /// The boxes that were asked for.
+    /// The boxes that were tested.
     pub boxes: Option<BoxTests>,
 }
 
-/// The golden's answers, as far as they are known: those of all calls if the hash says that they
-/// are the actual ones, else the rows of the golden snapshot, of most of them `t` and the primitive
-/// alone.
+/// The golden answers, as far as they are known: those of all calls if they have the same hash as
+/// the actual ones, otherwise the rows of the golden snapshot. Most rows have only `t` and the
+/// primitive.
 #[derive(Clone, Debug)]
 pub struct GoldenAnswers {
     /// The calls with a record, in order; `None` if all have one.
     pub calls: Option<Vec<u32>>,
     /// A record for each of those.
     pub records: Vec<Column>,
-    /// Whether each call hits something, by its colour in the golden picture; `None` where colours
-    /// do not tell.
+    /// Whether each call hits something, according to its colour in the golden picture; `None` if
+    /// hits can also be black.
     pub hits: Option<Vec<bool>>,
 }
 
-/// What is right where golden and actual differ, and where the golden's answer is not known.
+/// The exact oracle's answers where golden and actual answer differ, or the golden one is not
+/// known.
 #[derive(Clone, Debug)]
 pub struct Exact {
     /// The calls, in order.
@@ -65,7 +66,7 @@ pub struct Exact {
     pub records: Vec<Column>,
 }
 
-/// How much of a pixel's light is left in grey, so that colours stand out.
+/// The brightness of grey pixels is multiplied by this, so that colours are easy to see.
 const DIMMED: f64 = 0.5;
 
 impl Pixels {
@@ -132,7 +133,7 @@ impl Pixels {
         }
     }
 
-    /// How many pixels differ for each cause that there is.
+    /// The number of pixels for each cause that occurs.
     pub fn counts(&self) -> Vec<(Cause, usize)> {
         let count = |cause| self.causes.iter().filter(|c| **c == cause).count();
         let counts = Cause::DIFFERENCES.map(|cause| (cause, count(cause)));

@@ -93,7 +93,7 @@ pub(crate) fn right_samples(work: &AdaptivePixel) -> (u32, Vec<SampleTally>) {
     (work.ns_aa, rule_calls)
 }
 
-/// The mean of the first so many samples.
+/// The mean of the first `samples` samples.
 pub(crate) fn mean(work: &AdaptivePixel, samples: u32) -> Xyz {
     let stream = work.stream.iter().cycle().take(samples as usize);
     let sum = stream.fold([0.0; 3], |sum, l| [0, 1, 2].map(|i| sum[i] + l[i]));

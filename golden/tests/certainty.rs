@@ -1,5 +1,6 @@
-//! What judging by chance is sure to see: each case that does so says it to students, the reference's answers bear it out,
-//! and answers that are off by as much are caught.
+//! Tests what the statistical tests are certain to detect. Each case with such a test states this
+//! to students. With the reference's answers the statement is true, and answers with such an error
+//! fail.
 
 use judge::Tier;
 use judge::cases::{self, Spec};
@@ -9,13 +10,14 @@ use wire::global::SpecularAnswer;
 use wire::work::Xyz;
 use wire::{Answer, Outcome};
 
-/// A case says at most this many times what is sure: whoever says 90 % of everything says nothing.
+/// A case may state at most this multiple of the bias that is certainly detected: a statement such
+/// as "90 %" in every case would be true but useless.
 const LOOSEST: f64 = 1.4;
 
-/// How much more than what is stated the wrong answers here are off.
+/// The errors of the wrong answers here are this multiple of the stated ones.
 const JUST_ABOVE: f64 = 1.02;
 
-/// What the reference answers; `None` in a handout.
+/// The reference's answer; `None` in a handout.
 fn reference(spec: &Spec) -> Option<Answer> {
     match worker::run(0, &spec.case()).outcome {
         Outcome::Answered(answer) => Some(answer),
@@ -24,7 +26,7 @@ fn reference(spec: &Spec) -> Option<Answer> {
     }
 }
 
-/// The share that `about` says is sure to be seen of what judges `aspect`.
+/// The bias or deviation of `aspect` that is always detected, as `about` states it.
 fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
     let start = match aspect {
         Aspect::Mean => "A bias of ",
@@ -37,8 +39,8 @@ fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
     Some(percent.parse::<f64>().ok()? / 100.0)
 }
 
-/// The cases that are judged by chance, with what the reference answers and what that is sure to show.
-fn by_chance(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
+/// The cases with statistical tests, with the reference's answers and the findings of these tests.
+fn with_statistical_tests(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
     let light = |spec: &Spec| ["part3", "part4", "part5"].contains(&&spec.task[..5]);
     let specs = cases::all(seed).into_iter().filter(light);
     let answered = specs.filter_map(|spec| reference(&spec).map(|answer| (spec, answer)));
@@ -53,10 +55,10 @@ fn by_chance(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
 }
 
 #[test]
-fn each_case_states_what_it_is_sure_to_see() {
+fn each_case_states_what_it_always_detects() {
     let mut unlike = Vec::new();
     for seed in [0, 1] {
-        for (spec, _, findings) in by_chance(seed) {
+        for (spec, _, findings) in with_statistical_tests(seed) {
             for finding in findings {
                 let name = format!("{} {} {:?}", spec.task, spec.name, finding.aspect);
                 assert!(finding.passed(), "{name}: {:?}", finding.worst);
@@ -64,7 +66,7 @@ fn each_case_states_what_it_is_sure_to_see() {
                 let stated = stated(&spec, finding.aspect);
                 if !stated.is_some_and(|stated| sure <= stated && stated <= LOOSEST * sure) {
                     unlike.push(format!(
-                        "{name}: a share of {sure:.4} is always detected, the case states {stated:?}"
+                        "{name}: a relative error of {sure:.4} is always detected, the case states {stated:?}"
                     ));
                 }
             }
@@ -74,10 +76,10 @@ fn each_case_states_what_it_is_sure_to_see() {
 }
 
 #[test]
-fn answers_that_are_off_by_what_is_stated_are_caught() {
-    for (spec, answer, findings) in by_chance(0) {
+fn answers_with_the_stated_error_fail() {
+    for (spec, answer, findings) in with_statistical_tests(0) {
         for finding in findings {
-            let share = stated(&spec, finding.aspect).expect("the other test asks for it");
+            let share = stated(&spec, finding.aspect).expect("the other test checks it");
             for off in [JUST_ABOVE * share, -JUST_ABOVE * share] {
                 let wrong = match finding.aspect {
                     Aspect::Mean => biased(&answer, off),
@@ -87,7 +89,7 @@ fn answers_that_are_off_by_what_is_stated_are_caught() {
                 let same = judged.iter().find(|other| other.aspect == finding.aspect);
                 assert!(
                     same.is_some_and(|same| !same.passed()),
-                    "{} {}: {:?} off by {off} gets away",
+                    "{} {}: {:?} off by {off} is not detected",
                     spec.task,
                     spec.name,
                     finding.aspect
@@ -97,10 +99,11 @@ fn answers_that_are_off_by_what_is_stated_are_caught() {
     }
 }
 
-/// In a handout of Part 3 nothing is judged here; with the reference these are.
+/// Tests that the tasks that are solved have statistical tests. In a handout of Part 3 none is
+/// solved.
 #[test]
-fn there_are_cases_judged_by_chance() {
-    let cases = by_chance(0);
+fn there_are_cases_with_statistical_tests() {
+    let cases = with_statistical_tests(0);
     let of = |task: &str| cases.iter().filter(|(spec, ..)| spec.task == task).count();
     let solved = |task: &str| {
         let specs = cases::all(0);
@@ -118,7 +121,7 @@ fn there_are_cases_judged_by_chance() {
     }
 }
 
-/// The same answers with a mean that is off by this share.
+/// The same answers with a mean whose relative error is `off`.
 fn biased(answer: &Answer, off: f64) -> Answer {
     let scaled = |colour: &mut Xyz| *colour = colour.map(|channel| channel * (1.0 + off));
     let mut answer = answer.clone();
@@ -140,13 +143,13 @@ fn biased(answer: &Answer, off: f64) -> Answer {
                 .take(turned)
                 .for_each(|height| *height = -*height);
         }
-        _ => panic!("no mean is judged of this kind of answer"),
+        _ => panic!("this kind of answer has no mean to judge"),
     }
     answer
 }
 
-/// The same answers with directions crowded around the normal in two places, so that the root mean square of their
-/// deviation is this share.
+/// The same answers, with directions turned around the normal so that they are denser on two sides.
+/// The root mean square of the relative deviation of their density is `off`.
 fn uneven(answer: &Answer, off: f64) -> Answer {
     let mut answer = answer.clone();
     match &mut answer {
@@ -161,12 +164,13 @@ fn uneven(answer: &Answer, off: f64) -> Answer {
             let asked = answers.iter_mut().flat_map(|answer| &mut answer.rays);
             asked.for_each(|asked| crowd(&mut asked.ray.d, [2, 0], off));
         }
-        _ => panic!("no spread is judged of this kind of answer"),
+        _ => panic!("this kind of answer has no distribution to judge"),
     }
     answer
 }
 
-/// Turns a direction about the third axis, so that of many the density differs by the factor `1 + √2·off·cos 2φ`.
+/// Turns a direction about the third axis. Turned in this way, uniform directions have a density
+/// that is multiplied by `1 + √2·off·cos 2φ`.
 fn crowd(d: &mut Xyz, [a, b]: [usize; 2], off: f64) {
     let (even, radius) = (d[b].atan2(d[a]).rem_euclid(TAU), d[a].hypot(d[b]));
     let (mut low, mut high) = (0.0, TAU);

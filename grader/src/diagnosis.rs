@@ -20,7 +20,7 @@ pub struct Known {
     pub descriptions: Vec<String>,
     /// Where to look; one for each mistake.
     pub hints: Vec<String>,
-    /// What it gets wrong.
+    /// The answers that it makes wrong.
     pub signature: Signature,
 }
 
@@ -47,24 +47,25 @@ impl Diagnosis {
     }
 }
 
-/// From this likeness on, the mistake is named as what it is.
+/// From this likeness on, the report says that the answers equal those of the mistake.
 const SURE: f64 = 0.95;
 
-/// From this likeness on, the mistake is named as what it looks like.
+/// From this likeness on, the report says that the answers look like those of the mistake.
 const LIKELY: f64 = 0.7;
 
 /// Two mistakes together must explain this share of the wrong values.
 const TOGETHER: f64 = 0.8;
 
-/// Of what the likeliest single mistake leaves unexplained, two together may leave this share.
+/// Two mistakes together may leave at most this fraction of what the likeliest single mistake
+/// leaves unexplained.
 const LEFT: f64 = 0.5;
 
 /// A mistake is one of two only if the student also gets wrong this share of what it alone gets
 /// wrong.
 const MADE: f64 = 0.75;
 
-/// Pairs are made of mistakes that share at least this part of what they get wrong with the
-/// student.
+/// Only mistakes are combined to pairs of which at least this fraction of the wrong answers are
+/// also the student's.
 const CANDIDATE: f64 = 0.2;
 
 /// The known mistakes of a task; none if nothing is stored for it.

@@ -22,7 +22,7 @@ use wire::{Answer, Outcome};
 pub struct GradeRequest {
     /// `all`, a part or a task.
     pub what: String,
-    /// Seed of the fresh random probes.
+    /// Seed of the random inputs of the cases, such as rays.
     pub seed: u64,
 }
 

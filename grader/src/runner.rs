@@ -24,7 +24,7 @@ pub enum Ending {
         /// The time limit in milliseconds.
         limit_ms: u64,
     },
-    /// The case ended the worker; the text tells the student how.
+    /// The case ended the worker; the text explains to the student how.
     Died(String),
     /// The worker's record is invalid; the text is a sentence that explains why.
     Malformed(String),

@@ -1,4 +1,4 @@
-//! Blessing: taking over what the reference answers now as golden, after showing what that means.
+//! Blessing: stores the reference's current answers as goldens, after showing what changes.
 //!
 //! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with
 //! the same writer that checks them; blessing compares the pairs, and renames.
@@ -87,7 +87,7 @@ fn nothing_blessed(printed: &str) -> String {
     }
 }
 
-/// Takes the changes over and writes down where they come from.
+/// Stores the changes as goldens, and records where they come from.
 pub fn accept(workspace: &Workspace, proposed: &[Change]) -> Result<(), GraderError> {
     for change in proposed {
         if change
@@ -114,7 +114,7 @@ pub fn accept(workspace: &Workspace, proposed: &[Change]) -> Result<(), GraderEr
     )
 }
 
-/// Forgets the changes.
+/// Removes the new files.
 pub fn reject(proposed: &[Change]) -> Result<(), GraderError> {
     proposed.iter().try_for_each(|change| remove(&change.new))
 }
@@ -283,7 +283,7 @@ cases = [{ name = "a", tier = "core", points = 1 }]
     }
 
     #[test]
-    fn a_handout_is_told_that_it_is_one() {
+    fn blessing_in_a_handout_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         for (path, text) in [
             ("stages/course.toml", COURSE),

@@ -1,4 +1,4 @@
-//! What changed in one case.
+//! Compares the golden and the actual answers of one case.
 
 use super::box_tests;
 use super::cause::Cause;
@@ -18,16 +18,16 @@ use pages::picture::{compose, read_png};
 use std::collections::{BTreeMap, BTreeSet};
 use wire::Answer;
 
-/// One case, golden against actual.
+/// The comparison of one case.
 #[derive(Clone, Debug)]
 pub struct Case {
     /// Key of the task.
     pub task: &'static str,
-    /// As in `course.toml`.
+    /// The name of the case, as in `course.toml`.
     pub name: &'static str,
     /// What it checks.
     pub about: &'static str,
-    /// How golden and actual compare.
+    /// The result of the comparison.
     pub state: State,
     /// The first calls that differ.
     pub rows: Vec<Row>,
@@ -37,14 +37,14 @@ pub struct Case {
     pub picture: Option<Picture>,
 }
 
-/// How golden and actual compare.
+/// The result of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub enum State {
     /// Nothing differs.
     Same,
     /// Something differs.
     Differs {
-        /// What.
+        /// The differences.
         changes: Changes,
         /// On how many calls the answers are known to differ.
         calls: usize,
@@ -54,7 +54,7 @@ pub enum State {
         /// all.
         wrong: Vec<String>,
     },
-    /// There is no answer: why.
+    /// There is no answer, for this reason.
     Silent(String),
 }
 
@@ -65,18 +65,18 @@ pub struct Row {
     pub call: u32,
     /// Why they differ.
     pub cause: Cause,
-    /// The golden answer; none if the golden has no row for the call and its picture does not show
-    /// a miss.
+    /// The golden answer; `None` if the golden has no row for the call and its picture does not
+    /// show a miss.
     pub golden: Option<Line>,
     /// The answer of the code under review, as much of it as the golden has.
     pub actual: Option<Line>,
-    /// What is right by the exact oracle, where there is no golden answer.
+    /// The exact oracle's answer, if there is no golden answer.
     pub exact: Option<Line>,
     /// The fields of the question, as text.
     pub question: String,
 }
 
-/// How many rows of a case are shown.
+/// The maximum number of rows of a case that are shown.
 pub const ROWS: usize = 100;
 
 impl Case {
@@ -155,7 +155,7 @@ impl Case {
         Ok(case)
     }
 
-    /// Where it is found on the page, and in `golden/`.
+    /// The path of the case on the page and below `golden/`.
     pub fn path(&self) -> String {
         format!("{}/{}", self.task, self.name)
     }
@@ -177,7 +177,7 @@ fn pictures(
     Ok(Some([golden, actual]))
 }
 
-/// How many pixels have another colour; all if the sizes differ.
+/// The number of pixels with different colours; all if the sizes differ.
 fn recoloured([golden, actual]: &[RgbImage; 2]) -> usize {
     if golden.dimensions() != actual.dimensions() {
         return actual.pixels().len();
@@ -211,7 +211,7 @@ fn picture(
     })
 }
 
-/// What is wrong, call by call.
+/// The aspects that are wrong, for each call.
 fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<Aspect>> {
     let mut wrong: BTreeMap<u32, Vec<Aspect>> = BTreeMap::new();
     for finding in findings {
@@ -225,8 +225,8 @@ fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<Aspect>> {
     wrong
 }
 
-/// The calls that are known to differ: those whose rows do. Where the golden has no rows, those
-/// whose pixels do, or that are wrong.
+/// The calls that are known to differ: those whose rows differ. If the golden does not have all
+/// rows, also those whose pixels differ or, without a picture, that are wrong.
 fn differing(
     [golden, actual, _]: [&Snapshot; 3],
     changes: &Changes,

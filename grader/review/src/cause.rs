@@ -10,7 +10,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Cause {
-    /// Nothing.
+    /// Nothing differs.
     Same,
     /// A hit where the golden misses.
     FalseHit,
@@ -22,12 +22,12 @@ pub enum Cause {
     T,
     /// The same hit with another normal.
     Normal,
-    /// Another figure: a direction, a radiance.
+    /// Another value: a direction, a radiance.
     Value,
 }
 
 impl Cause {
-    /// All that make a difference, in the order of the legend.
+    /// All causes of a difference, in the order of the legend.
     pub const DIFFERENCES: [Cause; 6] = [
         Cause::FalseHit,
         Cause::FalseMiss,
@@ -37,7 +37,7 @@ impl Cause {
         Cause::Value,
     ];
 
-    /// Why `actual` differs from `golden`, line against line and colour against colour.
+    /// Why `actual` differs from `golden`. Compares the lines and the colours of the pixel.
     pub fn of(golden: &Line, actual: &Line, same_colour: bool) -> Cause {
         let differs = |name: &str| golden.get(name) != actual.get(name);
         match (golden.is_miss(), actual.is_miss()) {
@@ -89,7 +89,7 @@ impl Cause {
         }
     }
 
-    /// For people.
+    /// The text in the legend.
     pub fn label(self) -> &'static str {
         match self {
             Cause::Same => "the same",
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_row_the_oracle_and_the_colours_tell() {
+    fn without_a_row_the_oracle_and_the_colours_decide() {
         let line = |text: &str| parse(&format!("0: -> {text}\n")).unwrap().lines[0].clone();
         let [hit, miss, inside] = ["t=1 prim=2", "miss", "inside=[0,1]"].map(line);
         let cause = Cause::without_row;

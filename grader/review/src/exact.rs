@@ -1,4 +1,4 @@
-//! What is right by the exact oracle, as records to compare with a golden's and an answer's.
+//! The answers of the exact oracle, as records that can be compared with golden and actual ones.
 
 use judge::Tier;
 use judge::cases::Spec;
@@ -12,8 +12,8 @@ use wire::Work;
 use wire::answer::Hit;
 use wire::work::{BoxWork, BruteForceWork, Ray, SceneWork};
 
-/// The hit or the interval that is right for each of `calls`, without fields where a miss is;
-/// `None` for work that is about neither closest hits nor boxes.
+/// The right hit or interval for each of `calls`, without fields for a miss. `None` for work that
+/// computes neither closest hits nor box intervals.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
         Work::BruteForce(BruteForceWork {

@@ -1,4 +1,4 @@
-//! A golden picture and what takes its place, pixel by pixel.
+//! Compares a golden picture with the actual one, pixel by pixel.
 
 use super::box_tests::BoxTests;
 use super::cause::Cause;
@@ -14,9 +14,9 @@ use wire::Work;
 /// The pictures of a case.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// As students are graded against.
+    /// The picture that students are graded against.
     pub golden: RgbImage,
-    /// As the code under review makes it.
+    /// The picture of the code under review.
     pub actual: RgbImage,
     /// The data of the pixels; `None` if the two pictures differ in size.
     pub pixels: Option<Pixels>,
@@ -26,7 +26,7 @@ pub struct Picture {
 /// width` from the bottom.
 #[derive(Clone, Debug)]
 pub struct Pixels {
-    /// Why each differs.
+    /// Why each pixel differs.
     pub causes: Vec<Cause>,
     /// The actual picture in grey, coloured where it differs.
     pub difference: RgbImage,
@@ -34,11 +34,11 @@ pub struct Pixels {
     pub question: Vec<Column>,
     /// The golden's answers, as far as they are known.
     pub golden: GoldenAnswers,
-    /// What the code under review answered.
+    /// The answers of the code under review.
     pub actual: Vec<Column>,
-    /// What the exact oracle answers.
+    /// The answers of the exact oracle.
     pub exact: Option<Exact>,
-    /// The boxes that were asked for.
+    /// The boxes that were tested.
     pub boxes: Option<BoxTests>,
 }
 
@@ -66,7 +66,7 @@ pub struct Exact {
     pub records: Vec<Column>,
 }
 
-/// How much of a pixel's light is left in grey, so that colours stand out.
+/// The brightness of grey pixels is multiplied by this, so that colours are easy to see.
 const DIMMED: f64 = 0.5;
 
 impl Pixels {
@@ -133,7 +133,7 @@ impl Pixels {
         }
     }
 
-    /// How many pixels differ for each cause that there is.
+    /// The number of pixels for each cause that occurs.
     pub fn counts(&self) -> Vec<(Cause, usize)> {
         let count = |cause| self.causes.iter().filter(|c| **c == cause).count();
         let counts = Cause::DIFFERENCES.map(|cause| (cause, count(cause)));

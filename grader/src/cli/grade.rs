@@ -27,7 +27,7 @@ pub fn arguments(command: Command) -> Command {
                 .value_name("LEVEL")
                 .value_parser(["1", "2", "3", "4"])
                 .default_value("4")
-                .help("How much to reveal: 1 what each failed case tests, 2 also what is wrong, 3 also the worst ray, 4 also the likely mistake"),
+                .help("How much to reveal: 1 = what each failed case tests, 2 = also what is wrong, 3 = also the worst ray, 4 = also the likely mistake"),
         )
         .arg(
             Arg::new("no-times")

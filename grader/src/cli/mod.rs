@@ -1,8 +1,9 @@
 //! The command line of `grader`.
 //!
 //! `grader part1` grades in this program ([`grade`]). Each other command is a separate program
-//! (`subprogram`), so that a student who only grades does not have to compile it. This module has
-//! what all of them share: the [`Verdict`], the exit codes ([`run_to_exit_code`]), common options.
+//! (`subprogram`), so that a student who only grades does not have to compile it. This module
+//! contains what they all share: the [`Verdict`], the exit codes ([`run_to_exit_code`]) and common
+//! options.
 
 pub mod grade;
 mod subprogram;
@@ -16,8 +17,7 @@ use std::process::ExitCode;
 use std::str::FromStr;
 
 /// The exit codes of every program of the grader, for `--help`.
-pub const EXIT_CODES: &str =
-    "Exit code: 0 every core point, 1 points lost, 2 an error in the grader or its input.";
+pub const EXIT_CODES: &str = "Exit code: 0 if every core point is earned, 1 if points are lost, 2 after an error in the grader or its input.";
 
 /// The commands that are separate programs: name, package, description.
 const SUBPROGRAMS: [(&str, &str, &str); 6] = [
@@ -34,7 +34,7 @@ const SUBPROGRAMS: [(&str, &str, &str); 6] = [
     (
         "review",
         "review",
-        "For reviewers: writes a page with every difference between the goldens and the code's results",
+        "For reviewers: writes an HTML page with every difference between the goldens and the code's results",
     ),
     (
         "handout",
@@ -110,7 +110,7 @@ pub fn seed_argument() -> Arg {
     Arg::new("seed")
         .long("seed")
         .value_name("SEED")
-        .help("Seed of the random probes")
+        .help("Seed of the random inputs, such as rays")
         .value_parser(|value: &str| whole_number(value, 0, u64::MAX))
         .default_value("0")
         .allow_negative_numbers(true)

@@ -6,22 +6,21 @@ use judge::tally::{BLACK_CHANNEL, Class, Fault, Finding};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;
 
-/// One code for each call that is compared: 0 where the answer is right, else a digest of the
-/// classes of what is wrong.
+/// One code for each call that is compared: 0 if the answer is right, otherwise a digest of the
+/// classes of its faults.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Codes(pub(super) Vec<u16>);
 
-/// Number of answers that are compared if many answers belong to one question. The first wrong
-/// answer is compared even if it comes later.
+/// Of many answers to the same question, this many are compared, and the first wrong one if it
+/// comes later.
 const SAME_QUESTION: u32 = 200;
 
 /// A case with more calls than this is a picture. Not every call of it is compared, because
-/// neighbouring pixels show the same.
+/// neighbouring pixels have the same faults.
 const MANY_CALLS: u32 = 8192;
 
-/// In a case with many calls, one call in this many is compared, and the first wrong call. The
-/// number is odd and not a multiple of 5, so that the compared calls are in all columns of a
-/// picture.
+/// If a case has many calls, one in this many is compared, and the first wrong one. It is odd and
+/// not a multiple of 5, so that the compared pixels are in all columns of a picture.
 const STRIDE: u32 = 17;
 
 /// The code of a case without answers: a panic, a timeout.
@@ -37,20 +36,24 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         return vec![(key(Side::Crash), Codes(vec![CRASHED]))];
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
-    // Answers that are judged by a statistical test all belong to one question.
-    let by_chance = case
+    // All answers that are judged by a statistical test are to the same question.
+    let is_statistical = case
         .findings
         .iter()
         .any(|finding| finding.detectable.is_some());
-    let compared = if by_chance { SAME_QUESTION } else { u32::MAX };
+    let compared = if is_statistical {
+        SAME_QUESTION
+    } else {
+        u32::MAX
+    };
     let calls = |finding: &Finding| finding.judged.max(finding.expected);
     let calls = case.findings.iter().map(calls).max().unwrap_or(0);
-    let stride = if calls > MANY_CALLS && !by_chance {
+    let stride = if calls > MANY_CALLS && !is_statistical {
         STRIDE
     } else {
         1
     };
-    // Where something is wrong, that is why other aspects never showed.
+    // If some answers are wrong, that explains why other aspects have no answers to judge.
     let shows_nothing = case.findings.iter().all(|finding| finding.wrong == 0);
     let mut all = Vec::new();
     for finding in failed {
@@ -79,9 +82,9 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     all
 }
 
-/// The codes of classes that alone identify a mistake: the error is the same factor in every call.
-/// Other classes depend on the place where a mistake shows, or on the size of the error, which is
-/// partly random.
+/// The codes of classes that identify a mistake on their own, such as the same wrong factor in
+/// every answer. Other classes describe where the answer is wrong, or how large the error is, which
+/// partly depends on random numbers.
 pub(super) static TELLING_KINDS: LazyLock<HashSet<u16>> = LazyLock::new(|| {
     let ratios = (-99..=99).map(Class::Ratio);
     // Grey factors of colours, some of whose channels may be black.

@@ -1,10 +1,10 @@
-//! Keys: which wrong answers a list of codes is about.
+//! Keys: which side of which case a list of codes describes.
 
 use judge::tally::Aspect;
 use serde_json::Value;
 use std::fmt;
 
-/// The case and the side of its answers that are wrong.
+/// A case, and the side of its answers that the codes describe.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct SignatureKey {
     pub(super) case: String,
@@ -18,7 +18,7 @@ pub enum Side {
     Crash,
     /// One aspect of the answers.
     Aspect {
-        /// Which.
+        /// The aspect.
         aspect: Aspect,
         /// The function that gave the answers, where a case calls several.
         function: Option<String>,
@@ -28,8 +28,8 @@ pub enum Side {
 }
 
 impl SignatureKey {
-    /// The key of the case's wrong hits and misses in the same function: where those are wrong, no
-    /// other aspect is judged. `None` if this is that key.
+    /// The key of the wrong hits and misses of the same case and function. No other aspect of a
+    /// wrong hit or miss is judged. `None` if this is that key.
     pub(super) fn hit_or_miss(&self) -> Option<SignatureKey> {
         let key = SignatureKey {
             case: self.case.clone(),
@@ -130,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_come_back_from_their_text() {
+    fn written_keys_are_read_back() {
         for text in [
             "one crashed",
             "one geometric_normal",

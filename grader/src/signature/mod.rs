@@ -1,9 +1,9 @@
-//! Signatures: what a piece of code gets wrong, call by call, in a form that can be stored and
-//! compared.
+//! Signatures: which answers of a piece of code are wrong, and how, call by call. They can be
+//! stored and compared.
 //!
-//! `SignatureKey` names a side of a case, `Codes` are what is wrong about it.
-//! `file` is the form in which known mistakes are stored, with `runs` for their
-//! codes; `together` is about two mistakes at once.
+//! A `SignatureKey` names a side of a case, the `Codes` describe what is wrong there. `file` writes
+//! and reads the files of known mistakes, `runs` their codes. `together` compares a signature with
+//! those of two mistakes.
 
 mod codes;
 pub(crate) mod file;
@@ -42,7 +42,7 @@ type Cases = BTreeMap<SignatureKey, Codes>;
 pub struct Agreement {
     /// Calls on which both are wrong in the same way.
     pub equal: usize,
-    /// Calls on which both are wrong, in whatever way.
+    /// Calls on which both are wrong, in the same way or in different ways.
     pub both: usize,
     /// Calls on which the first is wrong.
     pub first: usize,
@@ -59,8 +59,8 @@ const TELLING: f64 = 0.1;
 const SHOWN: f64 = 0.25;
 
 impl Signature {
-    /// The signature of a task's results. Cases with neighbours do not count: the fault may be
-    /// theirs.
+    /// The signature of a task's results. Cases that also use other tasks do not count: the fault
+    /// may be there.
     pub fn of(cases: &[CaseResult]) -> Signature {
         let of_tier = |tier: Tier| {
             let cases = cases.iter();
@@ -92,12 +92,12 @@ impl Signature {
         self.cases() == other.cases()
     }
 
-    /// On how many calls something was wrong.
+    /// The number of wrong codes.
     pub fn wrong(&self) -> usize {
         self.cases().values().map(Codes::wrong).sum()
     }
 
-    /// On which calls both are wrong, and on which in the same way.
+    /// Counts the calls on which both are wrong, and those on which both are wrong in the same way.
     pub fn agreement(&self, other: &Signature) -> Agreement {
         let mut agreement = Agreement {
             first: self.wrong(),
@@ -117,8 +117,9 @@ impl Signature {
         agreement
     }
 
-    /// Whether this code is right where `mistake` would make it wrong: one aspect that the mistake
-    /// gets wrong in at least `TELLING` of its calls is right in most of those calls.
+    /// Whether this code is right where `mistake` would make it wrong, so it cannot be this
+    /// mistake: an aspect that contains at least `TELLING` of the mistake's wrong answers is right
+    /// in most of those calls.
     pub fn contradicts(&self, mistake: &Signature) -> bool {
         let mut sides: BTreeMap<Option<(Aspect, Option<&str>)>, Alone> = BTreeMap::new();
         for (key, codes) in mistake.cases() {
@@ -145,7 +146,7 @@ impl Signature {
             .collect()
     }
 
-    /// What of this would show if of all functions only these made the mistake.
+    /// The part of the signature that would remain if only these functions made the mistake.
     pub fn within(&self, functions: &BTreeSet<&str>) -> Signature {
         let of = |cases: &Cases| {
             let mut cases = cases.clone();
@@ -181,8 +182,8 @@ impl Signature {
         (!kinds.is_empty()).then_some(kinds)
     }
 
-    /// On how many calls both are wrong in the same way in every aspect, and on how many either is
-    /// wrong.
+    /// The number of calls on which both are wrong in the same way in every aspect, and the number
+    /// on which at least one of the two is wrong.
     pub fn calls_alike(&self, other: &Signature) -> (usize, usize) {
         let mut calls: BTreeMap<(&str, usize), bool> = BTreeMap::new();
         let keys: BTreeSet<&SignatureKey> =
@@ -204,7 +205,8 @@ impl Signature {
 }
 
 impl Agreement {
-    /// Share of all wrong calls, of either, that are wrong in the same way; 1 for equal signatures.
+    /// Of the calls on which at least one of the two is wrong, the fraction on which both are wrong
+    /// in the same way; 1 for equal signatures.
     pub fn likeness(&self) -> f64 {
         let either = self.first + self.second - self.both;
         if either == 0 {
@@ -268,7 +270,7 @@ pub(crate) mod tests {
         assert!(same_interval.contradicts(&mistake));
         assert!(!mistake.contradicts(&same_interval));
         assert!(!mistake.contradicts(&mistake));
-        // Where a hit is missed nothing shows whether its interval would be right.
+        // If a hit is missed, it is unknown whether its interval would be right.
         let misses = signature(&[("case decision", "6*e")]);
         assert!(!misses.contradicts(&same_interval));
     }

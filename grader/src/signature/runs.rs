@@ -1,4 +1,4 @@
-//! Codes as text: an alphabet that is made for one file, runs, and repeats of runs.
+//! Writes codes as text: with symbols from the alphabet of a file, run lengths, and repeats.
 //!
 //! `40(4a6.)` means forty times: four calls with the code whose symbol is `a`, then six right
 //! calls. A count of 1 is left out. The 26 commonest codes of a file have one letter, the next 1612
@@ -7,26 +7,26 @@
 use super::codes::Codes;
 use std::collections::BTreeMap;
 
-/// The codes of a file, the commonest first; 0 is not one of them.
+/// The codes of a file except 0, the most frequent first.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Alphabet(Vec<u16>);
 
 const DIGITS: &[u8; 62] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 
-/// Symbols of one letter.
+/// The number of symbols of one letter.
 const SHORT: usize = 26;
 
-/// Symbols of one letter or of two.
+/// The number of symbols of one or two characters.
 const MEDIUM: usize = SHORT + 26 * DIGITS.len();
 
-/// The longest sequence of runs whose repeats are written as one.
+/// The maximum length, in runs, of a sequence whose repeats are written as a count.
 const LONGEST_REPEATED: usize = 40;
 
 /// A run of equal codes: how many, and the code.
 type Run = (usize, u16);
 
 impl Alphabet {
-    /// The alphabet in which `all` takes the least place.
+    /// The alphabet with which `all` has the shortest text.
     pub(super) fn of<'a>(all: impl Iterator<Item = &'a Codes>) -> Alphabet {
         let mut uses: BTreeMap<u16, usize> = BTreeMap::new();
         for codes in all {
@@ -40,7 +40,7 @@ impl Alphabet {
         Alphabet(codes.into_iter().map(|(code, _)| code).collect())
     }
 
-    /// The alphabet as text: four hexadecimal digits a code.
+    /// The alphabet as text: four hexadecimal digits per code.
     pub(super) fn to_text(&self) -> String {
         let codes: Vec<String> = self.0.iter().map(|code| format!("{code:04x}")).collect();
         codes.concat()
@@ -82,7 +82,7 @@ impl Alphabet {
     pub(super) fn read(&self, text: &str) -> Option<Codes> {
         let mut codes = Vec::new();
         let mut rest = text.as_bytes();
-        // Where the repeated sequence starts, and how often it is there.
+        // The start of the repeated sequence, and how often it occurs.
         let mut repeated: Option<(usize, usize)> = None;
         let mut count = None;
         while let [first, after @ ..] = rest {
@@ -111,7 +111,7 @@ impl Alphabet {
     }
 }
 
-/// The place in the alphabet of the symbol that begins with `first`, and what follows the symbol.
+/// The index in the alphabet of the symbol that begins with `first`, and the text after the symbol.
 fn symbol_at(first: u8, rest: &[u8]) -> Option<(usize, &[u8])> {
     let n = DIGITS.len();
     match first {
@@ -178,8 +178,9 @@ fn runs(codes: &Codes) -> Vec<Run> {
     runs.map(|run| (run.len(), run[0])).collect()
 }
 
-/// The length of the sequence that `runs` begin with again and again, and how often; of several the
-/// one that saves the most runs. `None` if there is none worth its brackets.
+/// The length of the repeated sequence that `runs` begins with, and how often it occurs. If there
+/// are several, the one that saves the most runs. `None` if no sequence saves more than its
+/// brackets take.
 fn repeat_at(runs: &[Run]) -> Option<(usize, usize)> {
     let longest = LONGEST_REPEATED.min(runs.len() / 2);
     let repeats = (1..=longest).map(|length| {
@@ -197,7 +198,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn codes_come_back_from_their_text() {
+    fn written_codes_are_read_back() {
         let repeated = [7, 7, 9, 0, 0].repeat(5);
         let codes = [
             Codes(vec![0, 0, 0xbeef, 0xbeef, 1, 0]),
@@ -229,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn broken_texts_are_refused() {
+    fn malformed_texts_are_rejected() {
         let alphabet = Alphabet(vec![1, 2]);
         for text in ["c", "3", "2(a", "a)", "A", "_00", "a b", "2((a))"] {
             assert_eq!(alphabet.read(text), None, "{text}");

@@ -1,12 +1,12 @@
-//! Two mistakes at once.
+//! Compares a signature with those of two known mistakes that may be made together.
 
 use super::{Cases, Signature, SignatureKey};
 use std::collections::BTreeSet;
 
 impl Signature {
-    /// How this signature agrees with that of code which makes two mistakes, `first` and `second`.
-    /// If both mistakes make the same value wrong, the value may show either of them. Where one
-    /// mistake causes a miss or a crash, the other may not show.
+    /// How this signature agrees with that of code that makes two mistakes, `first` and `second`.
+    /// If both make the same value wrong, it may be wrong in either way. If one of them causes a
+    /// crash or a wrong hit or miss, the values that the other makes wrong there need not be wrong.
     pub fn agreement_with_both(&self, first: &Signature, second: &Signature) -> Together {
         let mut together = Together::default();
         let of_tier = [self, first, second].map(|signature| match self.core.is_empty() {
@@ -22,22 +22,26 @@ impl Signature {
             let hidden_by = [of_tier[2], of_tier[1]].map(|cases| Hiding::of(cases, key));
             for call in 0..student.len().max(one.len()).max(other.len()) {
                 let at = |codes: &[u16]| codes.get(call).copied().unwrap_or(0);
-                let made = [at(one), at(other)];
-                let seen = at(student);
+                let expected = [at(one), at(other)];
+                let actual = at(student);
                 for i in [0, 1] {
-                    if made[i] != 0 && made[1 - i] == 0 && !(seen == 0 && hidden_by[i].at(call)) {
+                    if expected[i] != 0
+                        && expected[1 - i] == 0
+                        && !(actual == 0 && hidden_by[i].at(call))
+                    {
                         together.alone[i].of += 1;
-                        together.alone[i].shown += usize::from(seen == made[i]);
+                        together.alone[i].shown += usize::from(actual == expected[i]);
                     }
                 }
-                let explained = made.contains(&seen);
-                together.equal += usize::from(seen != 0 && explained);
-                together.either += usize::from(match (seen, made) {
+                let explained = expected.contains(&actual);
+                together.equal += usize::from(actual != 0 && explained);
+                together.either += usize::from(match (actual, expected) {
                     (0, [0, 0]) => false,
                     (0, [_, 0]) => !hidden_by[0].at(call),
                     (0, [0, _]) => !hidden_by[1].at(call),
-                    // If both mistakes make this value wrong, the result may equal neither of them.
-                    (_, [a, b]) => seen == 0 || explained || a == b || a == 0 || b == 0,
+                    // If the two make the value wrong in different ways, together they may make it
+                    // wrong in a third way: such a value is not counted.
+                    (_, [a, b]) => actual == 0 || explained || a == b || a == 0 || b == 0,
                 });
             }
         }
@@ -50,32 +54,33 @@ impl Signature {
 pub struct Together {
     /// Values that are wrong in the same way as with one of the two mistakes.
     pub equal: usize,
-    /// Values that are wrong, or would be wrong if both mistakes are made.
+    /// Values that are wrong, or that would be wrong if both mistakes were made.
     pub either: usize,
-    /// The values that only the first makes wrong, and those that only the second makes wrong.
+    /// For each of the two mistakes, the values that only this mistake makes wrong.
     pub alone: [Alone; 2],
 }
 
-/// Values that only one of two mistakes makes wrong.
+/// The values that only one of two mistakes makes wrong.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Alone {
     /// How many there are.
     pub of: usize,
-    /// How many of them are wrong in that way.
+    /// How many of them are also wrong in the compared signature (for a pair: in the same way).
     pub shown: usize,
 }
 
 impl Together {
-    /// Share of all wrong values that are wrong in the same way.
+    /// The fraction of all wrong values that are wrong in the same way.
     pub fn likeness(&self) -> f64 {
         self.equal as f64 / self.either.max(1) as f64
     }
 }
 
-/// What keeps another mistake from showing in a side of a case.
+/// The calls of one side of a case in which a mistake hides all others: after a crash, or after a
+/// wrong hit or miss, nothing else is judged.
 pub(super) struct Hiding<'a> {
     crashed: bool,
-    /// Codes of wrong hits and misses: nothing else is judged there.
+    /// Codes of wrong hits and misses, call by call.
     decisions: &'a [u16],
 }
 

@@ -11,9 +11,10 @@ use std::path::{Path, PathBuf};
 pub struct Submission {
     /// For each stage that was handed in, its files by their paths below `src/`.
     pub stages: BTreeMap<String, Files>,
-    /// Paths of files that a submission may not contain and that differ from the course's own.
+    /// Paths of files that are not graded: they are not source files of a stage, and they differ
+    /// from the course's own.
     pub ignored: Vec<PathBuf>,
-    /// Lines that may access files or programs, which a person should check.
+    /// Lines that may access files or start programs. A person should check them.
     pub reaches_out: Vec<String>,
 }
 
@@ -81,12 +82,12 @@ impl Submission {
         let mut entries = 0;
         walk(&top, &mut entries, &mut |path| {
             let name = path.strip_prefix(&top).unwrap_or(path);
-            let in_the_course = if stages_folder == top {
+            let path_in_course = if stages_folder == top {
                 Path::new("stages").join(name)
             } else {
                 name.to_path_buf()
             };
-            if !is_source(path) && !is_unchanged(path, &in_the_course, trusted) {
+            if !is_source(path) && !is_unchanged(path, &path_in_course, trusted) {
                 submission.ignored.push(name.to_path_buf());
             }
         })?;
@@ -99,7 +100,7 @@ impl Submission {
 fn exists(path: &Path) -> Result<bool, GraderError> {
     match path.metadata() {
         Ok(_) => Ok(true),
-        // A broken link exists.
+        // A broken link counts as existing.
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(path.is_symlink()),
         Err(e) => Err(GraderError::file("read", path, e)),
     }
@@ -172,12 +173,12 @@ fn source(top: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
     Ok(contents)
 }
 
-/// Calls `file` for every file below `folder` and for every folder that cannot be read. Does not
+/// Calls `visit` for every file below `folder` and for every folder that cannot be read. Does not
 /// follow links.
 fn walk(
     folder: &Path,
     entries: &mut usize,
-    file: &mut impl FnMut(&Path),
+    visit: &mut impl FnMut(&Path),
 ) -> Result<(), GraderError> {
     let failed = |e: std::io::Error| GraderError::file("read", folder, e);
     for entry in std::fs::read_dir(folder).map_err(failed)? {
@@ -191,23 +192,24 @@ fn walk(
         }
         let is_folder = entry.file_type().map_err(failed)?.is_dir();
         if !is_folder {
-            file(&entry.path());
+            visit(&entry.path());
         } else if !SKIPPED_FOLDERS
             .iter()
             .any(|name| entry.file_name() == *name)
         {
             match std::fs::read_dir(entry.path()) {
-                Ok(_) => walk(&entry.path(), entries, file)?,
-                // The stages were read before: this folder is not needed.
-                Err(_) => file(&entry.path()),
+                Ok(_) => walk(&entry.path(), entries, visit)?,
+                // All folders that are needed were read before.
+                Err(_) => visit(&entry.path()),
             }
         }
     }
     Ok(())
 }
 
-/// Whether the file `path` is equal to the course's own file `name`, apart from the solutions and
-/// tests that a handout leaves out, or is a file that differs in every handout.
+/// Whether the file `path` counts as unchanged: either it equals the course's own file `name`,
+/// apart from the solutions and tests that handouts do not contain, or `name` differs in every
+/// handout.
 fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
     if EXPECTED_TO_DIFFER
         .iter()
@@ -218,11 +220,12 @@ fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
     let (Ok(theirs), Ok(ours)) = (std::fs::read(path), std::fs::read(trusted.join(name))) else {
         return false;
     };
-    let carved = || {
+    let without_tests = || {
         String::from_utf8(ours.clone()).map(|text| crate::packages::manifest::without_tests(&text))
     };
     theirs == ours
-        || name.ends_with("Cargo.toml") && carved().is_ok_and(|carved| theirs == carved.as_bytes())
+        || name.ends_with("Cargo.toml")
+            && without_tests().is_ok_and(|manifest| theirs == manifest.as_bytes())
         || is_carved(
             &String::from_utf8_lossy(&theirs),
             &String::from_utf8_lossy(&ours),
@@ -241,8 +244,8 @@ fn is_carved(theirs: &str, ours: &str) -> bool {
             .all(|line| all_of_ours.contains(&without_spaces(line)))
 }
 
-/// Lines that may access files outside their module tree or start programs. A person has to check
-/// whether they are harmless.
+/// Finds lines that may access files outside their module tree or start programs. A person should
+/// check whether they are harmless.
 fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
     let mut found = Vec::new();
     for (path, text) in files {
@@ -392,7 +395,7 @@ mod tests {
         }
     }
 
-    /// Uses a link to itself, which not even the superuser can read.
+    /// Uses a link that points to itself: not even the superuser can read it.
     #[cfg(unix)]
     #[test]
     fn unreadable_folders_do_not_count_as_missing() {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// The material of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Material {
-    /// Matte, with this reflectance.
+    /// Diffuse, with this reflectance.
     Diffuse(Xyz),
     /// Emits this radiance on its front side.
     Emission(Xyz),
@@ -141,7 +141,7 @@ impl Surroundings {
     }
 }
 
-/// The BSDF of a matte surface in scripted worlds, for directions in local space. It is not
+/// The BSDF of a diffuse surface in scripted worlds, for directions in local space. It is not
 /// Lambertian: its value depends on the directions, their order and their space, so that wrong
 /// arguments show.
 pub fn scripted_f(reflectance: Xyz, wo: Xyz, wi: Xyz) -> Xyz {

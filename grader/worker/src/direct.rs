@@ -1,4 +1,4 @@
-//! Runs Part 3: matte surfaces, and direct light in worlds that record the traced rays.
+//! Runs Part 3: diffuse surfaces, and direct light in worlds that record the traced rays.
 
 use crate::{convert, light, panels};
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};

@@ -90,7 +90,7 @@ fn kit_light(light: &Light) -> kit::Light {
     }
 }
 
-/// Scripted scattering: [`scripted_f`] for matte surfaces, black for all others.
+/// Scripted scattering: [`scripted_f`] for diffuse surfaces, black for all others.
 pub(crate) struct ScriptedScattering;
 
 impl Scattering for ScriptedScattering {

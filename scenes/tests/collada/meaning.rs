@@ -1,4 +1,4 @@
-//! The meaning of the elements of a valid file.
+//! Tests which scene the elements of a valid COLLADA file give.
 
 use crate::small::{SMALL, edited};
 use kit::{Camera, Light, Material, Scene, Spectrum, Triangle, Vec3};
@@ -60,11 +60,11 @@ fn all_up_axes_are_supported() {
     assert_eq!(with_up_axis("Y_UP"), v(1.0, 2.0, 3.0));
     assert_eq!(with_up_axis("Z_UP"), v(-1.0, 3.0, 2.0));
     assert_eq!(with_up_axis("X_UP"), v(-2.0, 1.0, 3.0));
-    let silent = edited("<up_axis>Y_UP</up_axis>", "").replace(
+    let without_up_axis = edited("<up_axis>Y_UP</up_axis>", "").replace(
         "<translate>3 0 0</translate>",
         "<translate>1 2 3</translate>",
     );
-    assert_eq!(read(&silent).spheres[0].center, v(1.0, 2.0, 3.0));
+    assert_eq!(read(&without_up_axis).spheres[0].center, v(1.0, 2.0, 3.0));
 }
 
 /// The sphere under the given transform elements.
@@ -144,7 +144,7 @@ fn mirrored_triangles_have_consistent_winding_and_normals() {
             assert_near(t.n2, ng);
         }
     }
-    // Mirrored in x the square still faces +z. Mirrored in z it faces -z.
+    // Mirrored in x, the square still faces +z. Mirrored in z, it faces -z.
     assert_near(
         square_under("-1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1")[0].n0,
         Vec3::Z,
@@ -177,7 +177,8 @@ fn normals_are_finite_under_singular_transforms() {
     }
 }
 
-/// The triangles of the square's four points with another primitive element.
+/// The triangles of the square if `element` replaces its `<triangles>`. `INPUT` in `element` stands
+/// for the `<input>` with its four vertices.
 fn primitive(element: &str) -> Vec<[Vec3; 3]> {
     let from = SMALL.find("<triangles").unwrap();
     let to = SMALL.find("</triangles>").unwrap() + "</triangles>".len();
@@ -199,26 +200,26 @@ fn every_primitive_element_gives_the_square() {
         v(1.0, 1.0, 0.0),
         v(0.0, 1.0, 0.0),
     ];
-    let two = [[a, b, c], [a, c, d]];
+    let expected = [[a, b, c], [a, c, d]];
     assert_eq!(
         primitive(
             "<triangles material=\"paint\" count=\"2\">INPUT<p>0 1 2</p><p>0 2 3</p></triangles>"
         ),
-        two
+        expected
     );
     assert_eq!(
         primitive(
             "<polylist material=\"paint\" count=\"1\">INPUT<vcount>4</vcount><p>0 1 2 3</p></polylist>"
         ),
-        two
+        expected
     );
     assert_eq!(
         primitive("<polygons material=\"paint\" count=\"1\">INPUT<p>0 1 2 3</p></polygons>"),
-        two
+        expected
     );
     assert_eq!(
         primitive("<trifans material=\"paint\" count=\"1\">INPUT<p>0 1 2 3</p></trifans>"),
-        two
+        expected
     );
     // The winding order of a strip alternates. Here both triangles must face +z.
     let strip =
@@ -230,7 +231,8 @@ fn every_primitive_element_gives_the_square() {
 
 #[test]
 fn concave_polygons_are_triangulated_inside() {
-    // An arrow head: a fan from the first corner would cover the notch.
+    // An arrow head: a triangle fan around the first corner would also cover the notch, which is
+    // outside.
     let text = edited(
         "0 0 0  1 0 0  1 1 0  0 1 0",
         "2 0 0  0 1 0  0.5 0 0  0 -1 0",
@@ -334,11 +336,11 @@ fn comments_line_ends_and_cdata_do_not_change_the_scene() {
     }
 }
 
-/// The material of an effect with the given element in the course's profile.
-fn material(course: &str) -> Material {
+/// The material of an effect that has `element` in its `<extra>` for the course.
+fn material(element: &str) -> Material {
     let extra = |profile: &str| {
         format!(
-            "</profile_COMMON><extra><technique profile=\"{profile}\">{course}</technique></extra>"
+            "</profile_COMMON><extra><technique profile=\"{profile}\">{element}</technique></extra>"
         )
     };
     let [a, b] = ["CGL", "CMU462"]
@@ -477,7 +479,7 @@ fn area_lights_are_transformed_unit_squares() {
         assert_eq!(center, v(0.0, 5.0, 0.0));
         assert_near(edge_x, v(if mirrored { -2.0 } else { 2.0 }, 0.0, 0.0));
         assert_near(edge_y, v(0.0, 0.0, -3.0));
-        // Mirrored in x it still emits along its -z.
+        // Mirrored in x, it still emits along the -z axis of its node.
         assert_near(direction, Vec3::NEG_Y);
         assert_eq!(radiance, Spectrum::new(1.0, 2.0, 3.0));
     }
@@ -504,9 +506,9 @@ fn cameras_have_the_angles_of_the_file() {
     let wide = camera("<xfov>50</xfov><aspect_ratio>1.5</aspect_ratio>");
     assert_eq!(wide.h_fov, 50.0);
     assert!((aspect(&wide) - 1.5).abs() < ROUNDING);
-    let high = camera("<yfov>50</yfov><aspect_ratio>1.5</aspect_ratio>");
-    assert_eq!(high.v_fov, 50.0);
-    assert!((aspect(&high) - 1.5).abs() < ROUNDING);
+    let tall = camera("<yfov>50</yfov><aspect_ratio>1.5</aspect_ratio>");
+    assert_eq!(tall.v_fov, 50.0);
+    assert!((aspect(&tall) - 1.5).abs() < ROUNDING);
     assert!((aspect(&camera("<xfov>50</xfov>")) - 4.0 / 3.0).abs() < ROUNDING);
     assert_eq!((wide.n_clip, wide.f_clip), (0.1, 100.0));
     assert_eq!(wide.pos, v(0.0, 0.0, 5.0));

@@ -1,8 +1,8 @@
 //! Part 3: direct light.
 //!
 //! Reading order: [`lambert`] (task 1, diffuse surfaces), [`hemisphere`] (task 2, emission, and
-//! direct light by hemisphere sampling), [`importance`] (task 3, direct light by light sampling),
-//! and beyond the course [`mis`] (a combination of both).
+//! direct light by hemisphere sampling), [`importance`] (task 3, direct light by light sampling).
+//! [`mis`] (a combination of both) belongs to no task.
 //!
 //! Tasks 2 and 3 estimate the same integral, over the unit directions `wi` above a surface with the
 //! normal `n`:

@@ -1,11 +1,11 @@
 //! Part 4: mirrors, glass and indirect light.
 //!
 //! Reading order: [`fresnel`] and [`specular`] (task 1, delta materials: mirrors and smooth glass),
-//! [`path`] (task 2, path tracing), [`roulette`] (task 3, Russian roulette), and beyond the course
-//! [`glossy`] (rough mirrors) and [`rough_glass`].
+//! [`path`] (task 2, path tracing), [`roulette`] (task 3, Russian roulette). [`glossy`]
+//! (rough mirrors) and [`rough_glass`] belong to no task.
 //!
-//! The materials come as [`Scattering`](kit::Scattering), and direct light, roulette and ray
-//! tracing as closures, so that each task can be tested before the others are written.
+//! [`path`] gets the materials as a [`Scattering`](kit::Scattering), and ray tracing, direct light
+//! and roulette as closures. So each task can be tested before the others are written.
 
 pub mod fresnel;
 pub mod glossy;

@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn incomplete_rows_are_refused() {
+    fn incomplete_rows_are_rejected() {
         assert!(Texture::new(2, vec![Spectrum::WHITE; 3]).is_none());
         assert!(Texture::new(0, vec![]).is_none());
         assert_eq!(

@@ -23,7 +23,7 @@ use std::hint::black_box;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayOrigin {
     prim: PrimId,
-    /// Geometric normal; of a sphere outwards.
+    /// Geometric normal. On a sphere it points outwards.
     ng: Vec3,
 }
 
@@ -63,14 +63,15 @@ pub(crate) struct PathIntegrator<'a> {
     textures: &'a Textures,
     accel: &'a Accel,
     settings: &'a LightSettings,
-    /// Rays and tests so far. In a cell because several callbacks of one stage count.
+    /// The numbers of rays and tests so far. In a cell, because several callbacks that are passed
+    /// to one stage increment them.
     counters: Cell<Counters>,
     pub(crate) materials: Materials,
     /// The finished pixels and the luminances of their samples.
     pub(crate) luminance: Vec<((u32, u32), Tally)>,
     /// The largest number of rays on a path; 0 in a scene without light.
     pub(crate) max_depth: u32,
-    /// Directions of a hemisphere estimate.
+    /// The number of directions that one estimate by hemisphere sampling traces.
     directions: u32,
     has_background: bool,
 }
@@ -102,12 +103,12 @@ impl<'a> PathIntegrator<'a> {
         }
     }
 
-    /// The rays and tests so far.
+    /// The numbers of rays and tests so far.
     pub(crate) fn counters(&self) -> Counters {
         self.counters.get()
     }
 
-    /// Calls `count` with the counters. Calls must not be nested.
+    /// Calls `count`, which may increment the counters. Calls must not be nested.
     #[inline]
     pub(crate) fn counting<T>(&self, count: impl FnOnce(&mut Counters) -> T) -> T {
         let mut counters = self.counters.get();
@@ -116,7 +117,7 @@ impl<'a> PathIntegrator<'a> {
         result
     }
 
-    /// The pinhole's ray, refracted by the lens if the camera has one.
+    /// Returns `ray`, the ray of a pinhole camera, refracted by the lens if the camera has one.
     #[inline]
     pub(crate) fn through_lens(
         &self,
@@ -131,7 +132,7 @@ impl<'a> PathIntegrator<'a> {
         }
         if self.settings.force_effects {
             self.materials.count(Effect::Lens);
-            // From a copy of the sampler: the picture's random numbers stay the same.
+            // Draws from a copy of the sampler, so the picture's random numbers stay the same.
             return lens.refract(camera, ray, sampler.clone().next_2d());
         }
         *ray
@@ -143,7 +144,7 @@ impl<'a> PathIntegrator<'a> {
         if self.max_depth <= 1 {
             return self.emission_and_direct(ray, sampler);
         }
-        // Where the next ray starts: nowhere for the camera ray, then the last hit.
+        // The surface that the next ray starts on: `None` for the camera ray, then the last hit.
         let mut origin: Option<RayOrigin> = None;
         // The texture colour at the last hit. `estimate_radiance` passes the material of a surface
         // to its callbacks, but no texture coordinates, so they share this cell.
@@ -197,7 +198,8 @@ impl<'a> PathIntegrator<'a> {
         radiance
     }
 
-    /// Estimates direct light and traces one bounce for the counts only: the results are discarded.
+    /// Estimates direct light and traces one bounce only to count the operations: the results are
+    /// discarded.
     fn force_bounce(
         &self,
         surface: &Surface<'_>,
@@ -218,8 +220,8 @@ impl<'a> PathIntegrator<'a> {
         }
     }
 
-    /// The colour of the texture where a surface was hit; white without a texture, and where
-    /// nothing is lit.
+    /// The colour of the texture where a surface was hit. White if it has no texture, or if no
+    /// light is computed (`max_depth` is 0).
     #[inline]
     pub(crate) fn texture_color(&self, hit: &Hit) -> Spectrum {
         if self.textures.is_empty() || self.max_depth == 0 {
@@ -291,7 +293,8 @@ impl<'a> PathIntegrator<'a> {
             self.materials.count(Effect::DirectLight);
             self.occluded(ray, self.skip(origin, ray))
         };
-        // A hemisphere covers one side of the surface; rough glass scatters light from both.
+        // Hemisphere sampling covers only one side of the surface, but rough glass scatters light
+        // from both.
         let sampling = match self.settings.direct_sampling {
             DirectSampling::Hemisphere if surface.material.lets_light_through() => {
                 DirectSampling::Lights

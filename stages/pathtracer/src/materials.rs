@@ -22,7 +22,7 @@ pub(crate) struct Materials {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MaterialsAt<'a> {
     materials: &'a Materials,
-    /// The texture colour there, which matte surfaces multiply their reflectance by; else white.
+    /// The texture colour there, which diffuse surfaces multiply their reflectance by; else white.
     tint: Spectrum,
 }
 

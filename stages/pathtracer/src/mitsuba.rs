@@ -22,7 +22,7 @@ const SQUARE_TOLERANCE: f64 = 1e-6;
 /// Exports the scene as an `.xml` file and one `.ply` for the triangles of each object. `stem` is
 /// the file name without its extension.
 ///
-/// Mitsuba counts the edges of a path, so a ray depth of m becomes m + 1. This is equal for matte
+/// Mitsuba counts the edges of a path, so a ray depth of m becomes m + 1. This is equal for diffuse
 /// surfaces; mirrors and glass show emitters one depth earlier in Mitsuba, so compare them at a
 /// depth that truncates no path.
 ///

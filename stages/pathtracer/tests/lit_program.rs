@@ -151,7 +151,7 @@ fn an_adaptive_picture_has_a_file_of_sample_counts() {
     assert_eq!(rate.get_pixel(0, 0).0, [255, 0, 0]);
 }
 
-/// The wall is matte: a mirror is not called for, so it counts operations only if forced on.
+/// The wall is diffuse: a mirror is not called for, so it counts operations only if forced on.
 #[test]
 fn explain_counts_the_operations_of_forced_effects() {
     let folder = folder();

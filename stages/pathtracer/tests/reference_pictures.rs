@@ -1,5 +1,5 @@
-//! Compares our normal-shading pictures with those of the assignment's own program: with vertex
-//! normals computed as it does, every byte is equal.
+//! Compares our normal-shading pictures with those of the assignment's own program. If we compute
+//! vertex normals as that program does, the bytes are equal, apart from the rounding of a few.
 //!
 //! The pictures are in the folder `FIRSTLIGHT_REFERENCE`, or in `../reference` relative to
 //! `FIRSTLIGHT_SCENES`.
@@ -7,10 +7,10 @@
 //! How the original program computes normals, and where our own pictures differ:
 //! - It ignores the normals in the file and weights the faces around a vertex by their area. We use
 //!   the file's normals: a difference of a byte or two on curved meshes.
-//! - At a vertex on the boundary of a mesh (on an edge with one face only) it uses only the hole,
-//!   as if that were a face: `(w - v) x (x - v)` with the next two vertices `w` and `x` around the
-//!   hole. So flat open meshes (the lamp, the ground under the banana) face the other way. Ours do
-//!   not.
+//! - A boundary vertex `v` is on an edge that belongs to one face only. There it uses the normal of
+//!   the hole instead of the faces' normals: `(w - v) x (x - v)`, where `w` and `x` are the next
+//!   two vertices around the hole. So its normals of flat open meshes (the lamp, the ground under
+//!   the banana) are opposite to ours.
 //! - If these three vertices are collinear, that normal is rounding noise and cannot be compared.
 // BEGIN SOLUTION(part2.task1)
 
@@ -22,7 +22,8 @@ use std::collections::{HashMap, HashSet};
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// The object and the position of a vertex, which the triangles of a mesh share.
+/// Identifies a vertex, which several triangles can share: its object, and the bits of its
+/// position.
 type Vertex = (u32, [u64; 3]);
 
 fn vertices(scene: &Scene, i: usize) -> [Vertex; 3] {
@@ -35,19 +36,21 @@ fn position(vertex: &Vertex) -> Vec3 {
     Vec3::from(vertex.1.map(f64::from_bits))
 }
 
-/// For each boundary vertex the next one around its hole. The hole is on the left, so its edges
-/// have the opposite direction of the faces' edges.
-fn around_holes(scene: &Scene) -> HashMap<Vertex, Vertex> {
-    let of_face = |i: usize| {
+/// Maps each boundary vertex to the next one around its hole. Each edge of the hole is an edge of a
+/// face in the opposite direction.
+fn next_around_hole(scene: &Scene) -> HashMap<Vertex, Vertex> {
+    let edges_of_face = |i: usize| {
         let [a, b, c] = vertices(scene, i);
         [(a, b), (b, c), (c, a)]
     };
-    let edges: HashSet<(Vertex, Vertex)> = (0..scene.triangles.len()).flat_map(of_face).collect();
+    let edges: HashSet<(Vertex, Vertex)> =
+        (0..scene.triangles.len()).flat_map(edges_of_face).collect();
     let open = edges.iter().filter(|(a, b)| !edges.contains(&(*b, *a)));
     open.map(|(a, b)| (*b, *a)).collect()
 }
 
-/// The sine below which three vertices are collinear: coordinates in the files have seven digits.
+/// If the sine of the angle at a vertex is at most this, it and its two neighbours count as
+/// collinear: coordinates in the files have seven digits.
 const COLLINEAR: f64 = 1e-5;
 
 /// The original program's normal at each vertex; `None` where it is rounding noise.
@@ -62,7 +65,7 @@ fn original_normals(scene: &Scene) -> HashMap<Vertex, Option<Vec3>> {
         .into_iter()
         .map(|(vertex, sum)| (vertex, sum.try_normalize()))
         .collect();
-    let next = around_holes(scene);
+    let next = next_around_hole(scene);
     for (v, w) in &next {
         let to_next = position(w) - position(v);
         let to_second = position(&next[w]) - position(v);
@@ -78,17 +81,19 @@ fn original_normals(scene: &Scene) -> HashMap<Vertex, Option<Vec3>> {
 struct Pixels {
     /// All three bytes equal.
     equal: u32,
-    /// A byte differs by one: another rounding.
+    /// The largest difference of a byte is one: it was rounded differently.
     off_by_one: u32,
     /// A larger difference, on a triangle with a vertex whose original normal is noise.
     noise: u32,
     /// A larger difference of unknown cause.
     unexplained: u32,
-    /// The fraction of pixels within [`ALIKE`] if the file's normals are used, as by our program.
+    /// The fraction of pixels whose bytes differ by at most [`ALIKE`] if the file's normals are
+    /// used, as in our program.
     alike_with_file_normals: f64,
 }
 
-/// The largest difference of similar bytes. Five of 255 are 1/2 to 1 degree.
+/// Two bytes are similar if they differ by at most this. A normal whose byte differs by 5 is turned
+/// by about 3 degrees.
 const ALIKE: u8 = 5;
 
 fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
@@ -107,8 +112,8 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
         let i = hit.prim.0 as usize;
         i < scene.triangles.len() && vertices(&scene, i).iter().any(|c| normals[c].is_none())
     };
-    let mut as_original = scene.clone();
-    for (i, triangle) in as_original.triangles.iter_mut().enumerate() {
+    let mut with_original_normals = scene.clone();
+    for (i, triangle) in with_original_normals.triangles.iter_mut().enumerate() {
         let [n0, n1, n2] = vertices(&scene, i).map(|c| normals[&c].unwrap_or(Vec3::ZERO));
         *triangle = Triangle {
             n0,
@@ -134,7 +139,7 @@ fn compare(scenes: &Path, reference: &Path, name: &str) -> Pixels {
         };
         alike +=
             u32::from(difference(tree.closest(&scene, &mut { ray }, None, &mut counters)) <= ALIKE);
-        let hit = tree.closest(&as_original, &mut { ray }, None, &mut counters);
+        let hit = tree.closest(&with_original_normals, &mut { ray }, None, &mut counters);
         *match difference(hit) {
             0 => &mut pixels.equal,
             1 => &mut pixels.off_by_one,
@@ -159,11 +164,14 @@ fn folders() -> Option<(PathBuf, PathBuf)> {
 #[test]
 fn our_pictures_equal_the_originals() {
     let Some((scenes, reference)) = folders() else {
-        eprintln!("skipped: FIRSTLIGHT_SCENES names no folder with reference pictures beside it");
+        eprintln!(
+            "skipped: set FIRSTLIGHT_SCENES to a folder of scenes that has a folder `reference` beside it"
+        );
         return;
     };
-    // The least fraction of similar pixels with the file's normals: all but the lamp in the Cornell
-    // boxes, the box and the ground under the banana, the spout and the handle of the teapot.
+    // The smallest fraction of similar pixels with the file's normals. What differs is the lamp in
+    // the Cornell boxes, the box and the ground under the banana, and the spout and the handle of
+    // the teapot.
     let cases = [
         ("CBbunny", 0.985),
         ("CBempty", 0.985),
@@ -178,7 +186,7 @@ fn our_pictures_equal_the_originals() {
         let pixels = compare(&scenes, &reference, name);
         println!("{name}: {pixels:?}");
         assert_eq!(pixels.unexplained, 0, "{name}: {pixels:?}");
-        // The last bits of a normal change the rounding of some bytes in 172,800 pixels.
+        // Different last bits of a normal round a few bytes of the 172,800 pixels differently.
         assert!(pixels.off_by_one <= 8, "{name}: {pixels:?}");
         let most_noise = if name == "banana" { 3000 } else { 0 };
         assert!(pixels.noise <= most_noise, "{name}: {pixels:?}");

@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! Matte surfaces: direct light as in the stage `direct`, and scattering.
+//! Diffuse surfaces: direct light as in the stage `direct`, and scattering.
 
 use crate::light;
 use crate::packet::PathPacket;
@@ -14,8 +14,8 @@ use kit::surface::SHADOW_GAP;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Estimates direct light by sampling the lights, in the lanes of `diffuse`. `wo_z` is the
-    /// cosine of the angle between the normal and the viewer.
+    /// Estimates direct light by sampling the lights. The bits of `diffuse` are the lanes to do
+    /// this for. `wo_z` is the cosine of the angle between the normal and the viewer.
     #[inline(always)]
     pub(crate) fn direct(
         &mut self,
@@ -54,9 +54,9 @@ impl<S: Simd> PathPacket<'_, S> {
                     min_t: zero,
                     max_t: light.distance * (1.0 - SHADOW_GAP),
                 };
-                let lit = active & !self.occluded(&rays, active, skip, workspace, fallback);
-                let more = sum + f * light.radiance * (wi_z.abs() / light.pdf);
-                sum = more.masked_or(mask64x8::from_bitmask(simd, lit), sum);
+                let unoccluded = active & !self.occluded(&rays, active, skip, workspace, fallback);
+                let with_sample = sum + f * light.radiance * (wi_z.abs() / light.pdf);
+                sum = with_sample.masked_or(mask64x8::from_bitmask(simd, unoccluded), sum);
             }
             direct = direct + sum / f64x8::splat(simd, f64::from(samples.max(1)));
         }
@@ -77,7 +77,8 @@ impl<S: Simd> PathPacket<'_, S> {
         let simd = self.simd;
         let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
         let u = self.next_2d();
-        // The choice between reflection and refraction, which a matte surface does not make.
+        // The plain path tracer uses this number to choose between reflection and refraction. A
+        // diffuse surface does not need it.
         self.samplers.skip_1d();
         let (sin, cos) = sin_cos(simd, u[1] * TAU);
         let (r, z) = (u[0].sqrt(), (one - u[0]).sqrt());
@@ -88,7 +89,7 @@ impl<S: Simd> PathPacket<'_, S> {
         };
         let f = surfaces.color * f64x8::splat(simd, FRAC_1_PI);
         let weight = f * (z / (z * FRAC_1_PI));
-        // Along the plane of the surface no light is scattered.
+        // No light is scattered towards a viewer in the plane of the surface.
         let mask = mask64x8::from_bitmask(simd, diffuse);
         let continues = mask & wo_z.simd_ne(zero);
         workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
@@ -103,7 +104,8 @@ impl<S: Simd> PathPacket<'_, S> {
         (continues & survivors).to_bitmask()
     }
 
-    /// Russian roulette, unless it is switched off: the new throughputs and the surviving lanes.
+    /// Plays Russian roulette, unless it is switched off. Returns the new throughputs and the
+    /// surviving lanes.
     #[inline(always)]
     fn roulette(&mut self, bounce: u32, throughput: Vec3x8<S>) -> (Vec3x8<S>, mask64x8<S>) {
         let simd = self.simd;

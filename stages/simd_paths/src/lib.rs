@@ -9,7 +9,7 @@
 //! vectors, eight rays, lane masks), `camera`, `queue` and `trace` (the paths of a batch, and how
 //! idle lanes are avoided), `packet` (one bounce), `primitive_list` (intersection without a tree),
 //! `surface_packet` and `material_class` (what was hit), `light`, `sin_cos` and `diffuse` (direct
-//! light and scattering at matte surfaces), `other_materials` (everything else, by the fallback).
+//! light and scattering at diffuse surfaces), `other_materials` (everything else, by the fallback).
 //!
 //! Every lane repeats the scalar arithmetic operation by operation, so all bits are equal. Where a
 //! scalar kernel switches to its careful variant, the lane calls the fallback. `fearless_simd`

@@ -6,7 +6,7 @@ use kit::{Material, Spectrum};
 /// How the packets shade a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MaterialClass {
-    /// Scatters light as a matte surface, in lanes.
+    /// Scatters light as a diffuse surface, in lanes.
     Diffuse,
     /// Emits light and ends the path, in lanes.
     Emission,

@@ -15,7 +15,7 @@ const MAX_SILENCE: Duration = Duration::from_secs(20);
 
 pub(crate) fn command() -> Command {
     let check = Command::new("check")
-        .about("Checks the lists of cases and goldens, the reference's score, and every handout: builds and grades it")
+        .about("Checks the lists of cases and goldens, and the reference's score; then creates, builds and grades every handout")
         .arg(
             Arg::new("quick")
                 .long("quick")

@@ -39,7 +39,7 @@ pub(crate) fn command() -> Command {
                 .value_name("FOLDER")
                 .value_parser(value_parser!(PathBuf))
                 .conflicts_with_all(["seeds", "bless"])
-                .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, which may make mistakes that are not listed. The format is that of `grader/mutants`. Nothing is stored"),
+                .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
         )
         .arg(
             Arg::new("bless")

@@ -1,4 +1,4 @@
-//! The table mutant × case, and what is wrong with it.
+//! The table of the results of every mutant in every case, and its checks.
 //!
 //! It is stored as lines of text: the cases by number, then a line a version. Fields are separated
 //! by ` | `.
@@ -234,7 +234,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tables_come_back_from_their_text() {
+    fn written_tables_are_read_back() {
         let list = |words: &[&str]| words.iter().map(|word| word.to_string()).collect();
         let table = Table {
             mutants: [

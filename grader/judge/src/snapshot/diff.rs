@@ -1,4 +1,4 @@
-//! What changed between two snapshots, in words.
+//! Describes what changed between two snapshots.
 
 use super::parse::Snapshot;
 use crate::plural;
@@ -7,7 +7,7 @@ use std::fmt;
 /// The changes that a reviewer reads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
-    /// How many more calls one of the two has.
+    /// The difference of the numbers of calls.
     pub calls: usize,
     /// Hits that became misses.
     pub now_miss: usize,
@@ -19,7 +19,7 @@ pub struct Changes {
     pub t: usize,
     /// The largest difference of `t` in units in the last place.
     pub max_t_ulps: f64,
-    /// Rows whose other figures differ.
+    /// Rows that differ in other fields only.
     pub other: usize,
     /// Whether the totals differ.
     pub totals: bool,
@@ -64,7 +64,7 @@ pub fn changes(old: &Snapshot, new: &Snapshot) -> Changes {
     changes
 }
 
-/// How many floats apart two floats of the same sign are; infinite otherwise.
+/// The distance of two floats of the same sign in units in the last place; otherwise infinite.
 fn ulps_between(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() || a.signum() != b.signum() {
         return f64::INFINITY;
@@ -81,31 +81,31 @@ impl Changes {
 
 impl fmt::Display for Changes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut said = Vec::new();
-        let mut say = |count: usize, what: &str| {
+        let mut parts = Vec::new();
+        let mut add = |count: usize, what: &str| {
             if count > 0 {
-                said.push(format!("{} {what}", plural(count, "call", "calls")));
+                parts.push(format!("{} {what}", plural(count, "call", "calls")));
             }
         };
-        say(self.calls, "added or removed");
-        say(self.now_hit, "now hit");
-        say(self.now_miss, "now miss");
-        say(self.primitive, "changed primitive");
-        say(self.t, "changed t");
-        say(self.other, "changed otherwise");
+        add(self.calls, "added or removed");
+        add(self.now_hit, "now hit");
+        add(self.now_miss, "now miss");
+        add(self.primitive, "changed primitive");
+        add(self.t, "changed t");
+        add(self.other, "changed otherwise");
         if self.t > 0 {
-            said.push(format!("max Δt {} ulp", self.max_t_ulps));
+            parts.push(format!("max Δt {} ulp", self.max_t_ulps));
         }
         if self.totals {
-            said.push("the totals changed".into());
+            parts.push("the totals changed".into());
         }
         if self.hash && self.differing.is_empty() {
-            said.push(match self.sample {
+            parts.push(match self.sample {
                 Some(_) => "calls without a row changed".into(),
-                None => "figures that only full rows have changed".into(),
+                None => "fields changed that only full rows have".into(),
             });
         }
-        if said.is_empty() {
+        if parts.is_empty() {
             return f.write_str("nothing changed");
         }
         if let Some((rows, calls)) = self.sample
@@ -113,7 +113,7 @@ impl fmt::Display for Changes {
         {
             write!(f, "of the {rows} rows for {calls} calls: ")?;
         }
-        f.write_str(&said.join(", "))
+        f.write_str(&parts.join(", "))
     }
 }
 
@@ -139,16 +139,16 @@ mod tests {
     }
 
     #[test]
-    fn a_sample_tells_when_other_calls_changed() {
+    fn a_change_outside_the_sample_is_reported() {
         let sample = |hash: u32, t: u32| {
             let hash = format!("# calls=20 hash={hash:032x}\n");
             parse(&format!("{hash}0: -> t=1 prim=0\n7: -> t={t} prim=0\n")).unwrap()
         };
-        let words = |new: &Snapshot| changes(&sample(1, 2), new).to_string();
-        assert_eq!(words(&sample(1, 2)), "nothing changed");
-        assert_eq!(words(&sample(2, 2)), "calls without a row changed");
+        let text = |new: &Snapshot| changes(&sample(1, 2), new).to_string();
+        assert_eq!(text(&sample(1, 2)), "nothing changed");
+        assert_eq!(text(&sample(2, 2)), "calls without a row changed");
         assert_eq!(
-            words(&sample(2, 4)),
+            text(&sample(2, 4)),
             "of the 2 rows for 20 calls: 1 call changed t, max Δt 4503599627370496 ulp"
         );
     }

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// FNV-1a with 128 bits (Fowler, Noll, Vo; draft-eastlake-fnv) over text: a changed byte anywhere
-/// changes it.
+/// The 128-bit FNV-1a hash of a text (Fowler, Noll, Vo; draft-eastlake-fnv). Any changed byte
+/// changes the hash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowsHash(u128);
 
@@ -13,10 +13,10 @@ const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
 const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
 
 impl RowsHash {
-    /// The hash of no text.
+    /// The hash of the empty text.
     pub(super) const EMPTY: RowsHash = RowsHash(OFFSET_BASIS);
 
-    /// The hash of the text so far with `text` after it.
+    /// The hash of the text so far, followed by `text`.
     pub(super) fn then(self, text: &str) -> RowsHash {
         let byte = |hash: u128, byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME);
         RowsHash(text.bytes().fold(self.0, byte))

@@ -5,7 +5,7 @@ use std::fmt;
 /// The question and the answer of one call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Line {
-    /// Which call of the case.
+    /// The number of the call in its case.
     pub call: u32,
     /// Fields of the question; empty on short lines.
     pub question: Vec<(String, Value)>,
@@ -13,7 +13,7 @@ pub struct Line {
     pub answer: Vec<(String, Value)>,
 }
 
-/// A value: numbers and how they are bracketed. Two are equal if they have the same bits, so NaN
+/// A value: numbers, and their brackets. Two values are equal if they have the same bits, so NaN
 /// equals itself.
 #[derive(Clone, Debug)]
 pub enum Value {
@@ -62,7 +62,7 @@ impl PartialEq for Value {
 }
 
 impl Value {
-    /// Its numbers.
+    /// The numbers of the value.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Value::Number(number) => vec![*number],
@@ -92,7 +92,7 @@ fn shortest(number: f64) -> String {
 }
 
 impl Line {
-    /// The question as it is written.
+    /// The question, as text.
     pub fn asked(&self) -> String {
         let fields = self.question.iter();
         let fields: Vec<String> = fields

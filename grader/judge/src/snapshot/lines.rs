@@ -1,4 +1,4 @@
-//! What the lines of several kinds of work have in common.
+//! Builds the parts of lines that several kinds of work share.
 
 use super::line::Value;
 use super::write::{Fields, Forms, field, forms, number, record, vector};
@@ -42,7 +42,7 @@ pub(crate) fn ray_fields(ray: &Ray) -> Fields {
     ]
 }
 
-/// The fields of a direction that was drawn.
+/// The fields of a sampled direction.
 pub(crate) fn sample(name: &str, sample: &BsdfSample) -> Fields {
     vec![
         field(name, vector(&sample.wi)),

@@ -1,16 +1,16 @@
-//! Hit-record snapshots: what the reference answered, one call a row.
+//! Snapshots: the answers of the reference, one row per call.
 //!
 //! A row is `number: question -> answer`, both made of `name=value` fields; a value is a number, a
-//! vector `(x,y,z)` or a range `[a,b]`. Floats are written shortest so that they read back bit for
-//! bit. Every row has the answer's main figures; evenly spread ones, [`FULL_ROWS`] a case, have the
-//! question and the whole record.
+//! vector `(x,y,z)` or a range `[a,b]`. Floats are written with as few digits as possible, but so
+//! that they are read back bit for bit. Every row contains the answer's main fields; at most
+//! [`FULL_ROWS`] evenly spread rows of a case also contain the question and all other fields.
 //!
-//! A case of more than [`ALL_ROWS`] calls has only a sample of its rows, evenly spread. The first
-//! line, `# calls=N hash=H`, covers all calls: `H` is the [`RowsHash`] of what the rows would be if
-//! every call had one in full.
+//! For a case with more than [`ALL_ROWS`] calls, there is only an evenly spread sample of rows. The
+//! first line, `# calls=N hash=H`, covers all calls: `H` is the [`RowsHash`] of the full rows of
+//! all calls.
 //!
-//! [`write()`] makes the text ([`full`] all rows in full), [`parse`] reads it (and insta's header
-//! before it), [`changes`] describes what changed between two.
+//! [`write()`] returns the text, [`full`] a snapshot with the full rows of all calls. [`parse`]
+//! reads the text (with or without insta's header), [`changes`] compares two snapshots.
 
 mod diff;
 mod hash;

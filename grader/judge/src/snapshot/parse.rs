@@ -9,11 +9,11 @@ use std::fmt;
 pub struct Snapshot {
     /// How many calls the case has.
     pub calls: usize,
-    /// The hash of the rows of all calls, each in full; none in a text without it.
+    /// The hash of the full rows of all calls; `None` if the text has no hash.
     pub hash: Option<RowsHash>,
-    /// Figures of the whole case, from lines that begin with `#`.
+    /// Fields of the whole case, from lines that begin with `#`.
     pub totals: Line,
-    /// The rows, by number of the call: of all calls or of a sample.
+    /// The rows of all calls or of a sample, in the order of their calls.
     pub lines: Vec<Line>,
 }
 
@@ -30,7 +30,7 @@ impl Snapshot {
     }
 }
 
-/// A line that is not one of a snapshot's.
+/// A line that a snapshot cannot contain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
     /// Counted from 1.
@@ -47,7 +47,7 @@ impl fmt::Display for ParseError {
 
 impl std::error::Error for ParseError {}
 
-/// Reads the text of a `.snap` file, insta's header (between two lines `---`) and all.
+/// Reads the text of a `.snap` file. Skips insta's header (between two lines `---`).
 pub fn parse(text: &str) -> Result<Snapshot, ParseError> {
     let mut snapshot = Snapshot::default();
     let mut in_header = text.starts_with("---\n");
@@ -74,7 +74,7 @@ pub fn parse(text: &str) -> Result<Snapshot, ParseError> {
         }
         snapshot.lines.push(line);
     }
-    // A text without a number of calls has a row for each.
+    // If the text has no number of calls, every call has a row.
     if snapshot.calls == 0 {
         snapshot.calls = snapshot.lines.len();
     }
@@ -147,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn floats_come_back_bit_for_bit() {
+    fn floats_are_read_back_bit_for_bit() {
         for number in [0.1, -0.0, 5e-324, f64::MAX, f64::INFINITY, 1.0 / 3.0] {
             let text = format!("0: -> t={}\n", Value::Number(number));
             let read = parse(&text).unwrap().lines[0].number("t").unwrap();

@@ -17,7 +17,8 @@ const SAMPLED_ROWS: usize = 200;
 /// The number of rows of a case that have the question and the whole record.
 pub const FULL_ROWS: usize = 48;
 
-/// The text of the snapshot of `answer` to `work`; `None` for what is different every time (times).
+/// The text of the snapshot of `answer` to `work`; `None` for answers that differ between runs
+/// (measured times).
 pub fn write(work: &Work, answer: &Answer) -> Option<String> {
     let (totals, forms) = content(work, answer)?;
     let calls = forms.len();
@@ -39,8 +40,8 @@ pub fn write(work: &Work, answer: &Answer) -> Option<String> {
     Some(text)
 }
 
-/// Of how many calls one has a row. Odd where it is not 1: the sample is in all columns of a
-/// picture whose width is a power of 2.
+/// The distance between the numbers of two calls that have a row. It is 1 or another odd number, so
+/// that the sample has pixels in all columns of a picture whose width is a power of 2.
 fn row_stride(calls: usize) -> usize {
     if calls <= ALL_ROWS {
         1
@@ -70,7 +71,7 @@ pub fn full(work: &Work, answer: &Answer) -> Option<Snapshot> {
     })
 }
 
-/// The totals of a case and its rows, numbered, by the check of its kind of work.
+/// The totals of a case and its numbered rows, from the check of its kind of work.
 fn content(work: &Work, answer: &Answer) -> Option<Content> {
     let (totals, mut forms) = tasks::check_of(work).lines(answer)?;
     for (call, (short, full)) in (0..).zip(&mut forms) {
@@ -86,7 +87,7 @@ pub type Fields = Vec<(String, Value)>;
 /// The short and the full form of a row.
 pub(crate) type Forms = (Line, Line);
 
-/// The fields of a hit; the first two are its main figures.
+/// The fields of a hit; the first two are the main fields.
 pub fn record(hit: &Hit) -> Fields {
     vec![
         number("t", hit.t),

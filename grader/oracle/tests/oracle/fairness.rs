@@ -1,5 +1,5 @@
-//! Correct code is never marked down, not even on rays aimed where it rounds to the wrong side; and
-//! few rays are undecidable.
+//! Tests that correct code is never marked down, even on rays for which rounding errors turn a hit
+//! into a miss or a miss into a hit. Also tests that few rays are undecidable.
 
 use kit::{Aabb, Ray, Sphere, Triangle, Vec3};
 use oracle::{KernelClass, bbox, sphere, triangle};
@@ -10,12 +10,12 @@ use crate::kernels::{
 };
 use crate::rays::{self, Family, Random};
 
-/// Returns a number from 1 down to a hundredth of an ulp.
+/// Returns a random number from 1e-18 (a hundredth of an ulp of 1) to 1, uniform in its logarithm.
 fn tiny(r: &mut Random) -> f64 {
     kit::math::pow(10.0, -18.0 * r.unit())
 }
 
-/// Returns a scale: mostly 1, sometimes any size.
+/// Returns a random scale: mostly 1, sometimes from 1e-30 to 1e30 or from 1e-300 to 1e300.
 fn scale(r: &mut Random) -> f64 {
     match r.below(8) {
         0 => kit::math::pow(10.0, 30.0 * r.signed()),
@@ -69,10 +69,10 @@ fn at_edge(r: &mut Random) -> (Triangle, Ray) {
 
 #[test]
 fn no_correct_triangle_test_is_marked_down() {
-    try_triangles(10, 50_000);
+    check_triangles(10, 50_000);
 }
 
-fn try_triangles(seed: u64, count: u64) {
+fn check_triangles(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     let mut undecidable = 0;
     for _ in 0..count {
@@ -111,7 +111,7 @@ fn at_rim(r: &mut Random) -> (Sphere, Ray) {
     let radius = 1.0;
     let distance = 1.0 / tiny(r).max(1e-7);
     let o = match r.below(4) {
-        // Inside, on the surface, or just off it.
+        // On the surface or near it, inside or outside.
         0 => (1.0 + tiny(r) * r.signed()) * r.place().normalize_or_zero(),
         _ => distance * r.place(),
     };
@@ -144,10 +144,10 @@ fn at_rim(r: &mut Random) -> (Sphere, Ray) {
 
 #[test]
 fn no_correct_sphere_test_is_marked_down() {
-    try_spheres(11, 50_000);
+    check_spheres(11, 50_000);
 }
 
-fn try_spheres(seed: u64, count: u64) {
+fn check_spheres(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     for _ in 0..count {
         let (s, ray) = match r.below(4) {
@@ -196,10 +196,10 @@ fn at_corner(r: &mut Random) -> (Aabb, Ray) {
 
 #[test]
 fn no_correct_box_test_is_marked_down() {
-    try_boxes(12, 50_000);
+    check_boxes(12, 50_000);
 }
 
-fn try_boxes(seed: u64, count: u64) {
+fn check_boxes(seed: u64, count: u64) {
     let mut r = Random::new(seed);
     for _ in 0..count {
         let (b, ray) = match r.below(4) {
@@ -228,7 +228,7 @@ fn try_boxes(seed: u64, count: u64) {
     }
 }
 
-/// The error bounds are small: no ordinary ray is undecidable.
+/// The error bounds are so small that no ordinary ray is undecidable.
 #[test]
 fn fewer_than_one_ordinary_ray_in_a_million_is_undecidable() {
     let mut r = Random::new(13);
@@ -251,11 +251,12 @@ fn fewer_than_one_ordinary_ray_in_a_million_is_undecidable() {
     assert_eq!(undecidable, 0);
 }
 
-/// `cargo test -p oracle --release --test oracle -- --ignored ten_million`; takes some minutes.
+/// Run it with `cargo test -p oracle --release --test oracle -- --ignored ten_million`. It takes
+/// some minutes.
 #[test]
 #[ignore = "takes some minutes; run it when a bound changes"]
 fn no_correct_test_is_marked_down_on_ten_million_rays() {
-    try_triangles(20, 10_000_000);
-    try_spheres(21, 10_000_000);
-    try_boxes(22, 10_000_000);
+    check_triangles(20, 10_000_000);
+    check_spheres(21, 10_000_000);
+    check_boxes(22, 10_000_000);
 }

@@ -21,7 +21,7 @@ pub(crate) fn command() -> Command {
             .value_parser(value_parser!(PathBuf))
     };
     Command::new("review")
-        .about("For reviewers: writes a page with every difference between the goldens and the code's results")
+        .about("For reviewers: writes an HTML page with every difference between the goldens and the code's results")
         .arg(
             Arg::new("what")
                 .value_name("KEY")

@@ -56,7 +56,7 @@ pub(super) fn describe(case: &Case) -> String {
     text
 }
 
-/// A change in the same words as `grader bless` prints it.
+/// Formats a change as `grader bless` prints it.
 pub(super) fn meaning(case: &Case) -> String {
     let State::Differs {
         changes, pixels, ..

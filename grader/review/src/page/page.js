@@ -252,7 +252,7 @@ class Picture {
     };
     if (hits) {
       const answers = Object.values(records).map((fields) => (fields.length ? "hit" : "miss"));
-      // Where the golden has no row, its colour tells hit from miss.
+      // Where the golden has no row, its colour shows whether it is a hit or a miss.
       if (!golden) answers[0] = byColour && (byColour[call] ? "hit" : "miss");
       line("answer", answers);
     }

@@ -8,8 +8,9 @@ use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
 
-/// A vertex projected along eight rays: relative to the ray's origin and with permuted axes, x and
-/// y where the line through it along the ray crosses the plane z = 0, times `d.z`, and its own z.
+/// A vertex projected along each of eight rays onto the plane z = 0. If `p` is the vertex relative
+/// to the ray's origin, with the axes of [`AxisPermutedRays`], these are `p.x d.z - d.x p.z` and
+/// `p.y d.z - d.y p.z` (x and y of the projected vertex, times `d.z`), and `p.z`.
 pub(super) type ProjectedVertex = [[f64; LANES]; 3];
 
 /// Eight rays whose axes are permuted cyclically, so that the z component of each direction has the
@@ -21,10 +22,11 @@ pub(super) struct AxisPermutedRays<S: Simd> {
     d: Vec3x8<S>,
 }
 
-/// A determinant below this share of its terms has lost too many digits by cancellation.
+/// If the determinant is smaller than this fraction of the size of its terms, cancellation has lost
+/// too many of its digits.
 const CANCELLATION: f64 = 1.0 / 1024.0;
 
-/// Below this, a factor of a product may have underflowed.
+/// If a product is smaller than this, the product of some of its factors may have underflowed.
 const SMALLEST: f64 = 1e-290;
 
 impl<S: Simd> AxisPermutedRays<S> {
@@ -64,9 +66,9 @@ impl<S: Simd> AxisPermutedRays<S> {
         }
     }
 
-    /// Tests a triangle for hits up to `max_t`. Repeats the arithmetic of
-    /// `intersect::test_triangle` operation by operation; where that switches to its careful
-    /// variant, the lane is undecided. `None` if all lanes in `active` miss for certain.
+    /// Tests a triangle for hits up to `max_t`. Performs the same floating-point operations as
+    /// `intersect::test_triangle`. Lanes for which that function switches to its careful variant
+    /// are undecided. Returns `None` if all lanes in `active` certainly miss.
     #[inline(always)]
     pub(super) fn test(
         &self,
@@ -81,9 +83,10 @@ impl<S: Simd> AxisPermutedRays<S> {
         let u = cb - c.y * b.x;
         let v = ac - a.y * c.x;
         let w = ba - b.y * a.x;
-        let agreement = u.min(v.min(w)) * u.max(v.max(w));
+        // Negative if `u`, `v` and `w` have different signs: the ray misses.
+        let min_times_max = u.min(v.min(w)) * u.max(v.max(w));
         let zero = f64x8::splat(simd, 0.0);
-        let candidates = active & !agreement.simd_lt(zero).to_bitmask();
+        let candidates = active & !min_times_max.simd_lt(zero).to_bitmask();
         if candidates == 0 {
             return None;
         }
@@ -91,15 +94,15 @@ impl<S: Simd> AxisPermutedRays<S> {
         let numerator = u * a.z + v * b.z + w * c.z;
         let denominator = det * self.d.z;
         let terms = cb.abs() + ac.abs() + ba.abs();
-        let is_sound = zero.simd_lt(agreement)
+        let is_certain = zero.simd_lt(min_times_max)
             & (terms * CANCELLATION).simd_lt(det.abs())
             & is_ordinary(simd, numerator)
             & is_ordinary(simd, denominator);
         let t = numerator / denominator;
-        let hit = is_sound & rays.in_range(t, max_t);
+        let hit = is_certain & rays.in_range(t, max_t);
         Some(PacketTest {
             hit: hit & mask64x8::from_bitmask(simd, candidates),
-            undecided: candidates & !is_sound.to_bitmask(),
+            undecided: candidates & !is_certain.to_bitmask(),
             t,
             v,
             w,

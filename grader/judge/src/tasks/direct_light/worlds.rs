@@ -31,7 +31,7 @@ pub(crate) fn wall(panel: Panel) -> Panel {
     }
 }
 
-/// A matte point in the plane y = 0, seen from above.
+/// A point of a diffuse surface in the plane y = 0, seen from above.
 pub(crate) fn floor() -> ShadedPoint {
     ShadedPoint {
         p: [0.3, 0.0, -0.2],
@@ -59,8 +59,8 @@ pub(crate) fn ceiling() -> ShadedPoint {
     }
 }
 
-/// A matte point near the origin (0.8 or less along each axis), with a random normal, seen from the
-/// side of its normal.
+/// A point of a diffuse surface near the origin (0.8 or less along each axis), with a random
+/// normal, seen from the side of its normal.
 pub(crate) fn random_point(rng: &mut ProbeRng) -> ShadedPoint {
     let n = rng.direction();
     let wo = loop {

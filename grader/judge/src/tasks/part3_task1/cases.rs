@@ -1,4 +1,4 @@
-//! Cases of matte surfaces: value, density and samples of the BSDF.
+//! Cases of diffuse surfaces: value, density and samples of the BSDF.
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;

@@ -1,4 +1,4 @@
-//! Judges matte surfaces.
+//! Judges diffuse surfaces.
 
 use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
@@ -160,7 +160,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     let usable = sample.pdf > 0.0 && !sample.delta;
     tally.judge(Aspect::SampleRecord, call, usable, 1.0, || {
         format!(
-            "your result: pdf = {}, delta = {}; expected: a pdf above 0, and delta = false for a matte surface. {}",
+            "your result: pdf = {}, delta = {}; expected: a pdf above 0, and delta = false for a diffuse surface. {}",
             sample.pdf,
             sample.delta,
             sample_input()

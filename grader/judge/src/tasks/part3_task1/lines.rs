@@ -1,4 +1,4 @@
-//! Writes results for matte surfaces to a snapshot.
+//! Writes results for diffuse surfaces to a snapshot.
 
 use crate::snapshot::lines::sample;
 use crate::snapshot::{Forms, field, forms, number, vector};

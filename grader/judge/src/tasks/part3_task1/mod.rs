@@ -1,4 +1,4 @@
-//! `part3.task1`: matte surfaces.
+//! `part3.task1`: diffuse surfaces.
 
 pub(crate) mod cases;
 pub(crate) mod judge;

@@ -1,4 +1,4 @@
-//! Rust tests of matte surfaces.
+//! Rust tests of diffuse surfaces.
 
 use super::judge;
 use crate::repro::numbers::{float, same_colour, spectrum, vec3};

@@ -28,7 +28,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Rays, Questions]),
         case(
             "geometric_series",
-            "Matte surfaces that each scatter half of the light and receive 1 as direct light: 1, \
+            "Diffuse surfaces that each scatter half of the light and receive 1 as direct light: 1, \
              1.5, 1.75, ... as the depth grows.",
             series(),
         )
@@ -41,7 +41,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Radiance, Rays]),
         case(
             "lamp_met_by_chance",
-            "A matte surface has received the lamp's light as direct light when a sampled ray \
+            "A diffuse surface has received the lamp's light as direct light when a sampled ray \
              hits the lamp: the lamp counts once. Pitfall: adding the emitted light there counts \
              it twice.",
             every(&["D L", "D D L", "M D L"], &[2, 3, 5]),
@@ -60,7 +60,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "sky_in_a_mirror",
             "The background counts where the eye sees it, directly or in a mirror, but not after \
-             a matte surface.",
+             a diffuse surface.",
             every(&["", "M", "G G", "D", "D M", "M D"], &[0, 1, 2, 3, 5]),
         )
         .only(&[Radiance, Rays]),
@@ -116,8 +116,8 @@ fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Sp
     Spec::new("part4.task2", name, about, Work::Paths(paths))
 }
 
-/// A path over the surfaces in `letters`: D for matte, M for a mirror, G for glass, L for a lamp, B
-/// for the back of one.
+/// A path over the surfaces in `letters`: D for diffuse, M for a mirror, G for glass, L for a lamp,
+/// B for the back of one.
 fn path(letters: &str, max_depth: u32, rng: &mut ProbeRng) -> ScriptedPath {
     let first = rng.direction();
     let mut d = first;

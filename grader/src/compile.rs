@@ -3,6 +3,7 @@
 use crate::child_processes;
 use crate::error::GraderError;
 use crate::target_folder;
+use crate::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, IsTerminal};
@@ -25,6 +26,29 @@ pub struct CompileErrors {
     pub failed_crates: BTreeSet<String>,
     /// The compiler's messages. They were also printed to stderr unless the build is sealed.
     pub messages: String,
+}
+
+/// Where the code under test is built. Everything else (the course, the goldens) is the trusted
+/// workspace's.
+#[derive(Clone, Copy, Debug)]
+pub struct BuildRoot<'a> {
+    /// The top folder of a workspace with a worker in it.
+    pub root: &'a Path,
+    /// Cargo's target folder, if it is not in `root`.
+    pub target: Option<&'a Path>,
+    /// As [`WorkerBuild::sealed`].
+    pub sealed: bool,
+}
+
+impl BuildRoot<'_> {
+    /// The workspace itself.
+    pub fn of(workspace: &Workspace) -> BuildRoot<'_> {
+        BuildRoot {
+            root: workspace.root(),
+            target: None,
+            sealed: false,
+        }
+    }
 }
 
 /// A release build of the worker.

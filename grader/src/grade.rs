@@ -1,5 +1,6 @@
 //! Grades tasks: builds the workers, runs the cases, judges the answers and adds up the points.
 
+use crate::compile::BuildRoot;
 use crate::course::{Course, Task, stages_of};
 use crate::diagnosis;
 use crate::error::GraderError;
@@ -14,7 +15,6 @@ use crate::workspace::Workspace;
 use judge;
 use judge::cases::{self, Spec};
 use judge::repro::{self, FailedCase};
-use std::path::Path;
 use wire::{Answer, Outcome};
 
 /// A request to grade tasks.
@@ -35,29 +35,6 @@ pub struct Graded {
     pub printed: String,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
-}
-
-/// Where the code under test is built. Everything else (the course, the goldens) is the trusted
-/// workspace's.
-#[derive(Clone, Copy, Debug)]
-pub struct BuildRoot<'a> {
-    /// The top folder of a workspace with a worker in it.
-    pub root: &'a Path,
-    /// Cargo's target folder, if it is not in `root`.
-    pub target: Option<&'a Path>,
-    /// As [`crate::compile::WorkerBuild::sealed`].
-    pub sealed: bool,
-}
-
-impl BuildRoot<'_> {
-    /// The workspace itself.
-    pub fn of(workspace: &Workspace) -> BuildRoot<'_> {
-        BuildRoot {
-            root: workspace.root(),
-            target: None,
-            sealed: false,
-        }
-    }
 }
 
 /// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,

@@ -4,9 +4,9 @@
 //! out. If the errors are in another crate (a changed signature breaks the worker), each stage is
 //! built alone.
 
+use crate::compile::BuildRoot;
 use crate::compile::{BuildOutcome, CompileErrors, WorkerBuild};
 use crate::error::GraderError;
-use crate::grade::BuildRoot;
 use crate::runner::Worker;
 use crate::stage_workers::StageWorkers;
 use std::collections::BTreeMap;

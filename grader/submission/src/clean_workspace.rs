@@ -2,8 +2,8 @@
 
 use crate::file_tree::{self, Files};
 use crate::packages::{lock, manifest, members};
+use grader::compile::BuildRoot;
 use grader::error::GraderError;
-use grader::grade::BuildRoot;
 use grader::interrupt::{self, LockFile};
 use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};

@@ -2,9 +2,10 @@
 
 use clap::{Arg, ArgMatches, Command, value_parser};
 use grader::cli::Verdict;
+use grader::compile::BuildRoot;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
-use grader::grade::{self, BuildRoot};
+use grader::grade;
 use grader::interrupt;
 use grader::report::write_whole;
 use grader::workspace::Workspace;

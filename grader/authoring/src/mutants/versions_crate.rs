@@ -420,15 +420,20 @@ fn write_workspace(workspace: &Workspace, job: &Path, stage: &str) -> Result<(),
         *path = toml::Value::from(folder.display().to_string());
     }
     // A hundred versions build faster with little optimisation, and compute the same floats.
-    if let Some(release) = manifest
+    if let Some(profiles) = manifest
         .get_mut("profile")
-        .and_then(|profile| profile.get_mut("release"))
         .and_then(toml::Value::as_table_mut)
     {
-        let light = toml::Table::from_iter([("opt-level".to_string(), 1.into())]);
-        let packages = toml::Table::from_iter([(stage.to_string(), light.into())]);
-        release.insert("debug".into(), false.into());
-        release.insert("package".into(), packages.into());
+        profiles.remove("dev");
+        if let Some(release) = profiles
+            .get_mut("release")
+            .and_then(toml::Value::as_table_mut)
+        {
+            let light = toml::Table::from_iter([("opt-level".to_string(), 1.into())]);
+            let packages = toml::Table::from_iter([(stage.to_string(), light.into())]);
+            release.insert("debug".into(), false.into());
+            release.insert("package".into(), packages.into());
+        }
     }
     write(&job.join("Cargo.toml"), &manifest.to_string())?;
     copy(&root.join("Cargo.lock"), &job.join("Cargo.lock"))?;

@@ -36,7 +36,8 @@ pub struct BuildRoot<'a> {
     pub root: &'a Path,
     /// Cargo's target folder, if it is not in `root`.
     pub target: Option<&'a Path>,
-    /// As [`WorkerBuild::sealed`].
+    /// Builds code that is not the caller's own: without network access, with the library versions
+    /// of the lock file, and without printing anything.
     pub sealed: bool,
 }
 
@@ -49,40 +50,29 @@ impl BuildRoot<'_> {
             sealed: false,
         }
     }
-}
 
-/// A release build of the worker.
-#[derive(Clone, Copy, Debug)]
-pub struct WorkerBuild<'a> {
-    /// The root folder of the workspace.
-    pub root: &'a Path,
-    /// Cargo features: the stages to link. If one of them does not compile, the others are still
-    /// built.
-    pub features: &'a [&'a str],
-    /// Cargo's target directory, if it is not the workspace's own.
-    pub target: Option<&'a Path>,
-    /// Builds code that is not the caller's own: without network access, with the library versions
-    /// of the lock file, and without printing anything.
-    pub sealed: bool,
-}
-
-impl WorkerBuild<'_> {
-    /// Runs cargo. Its progress and the compiler's messages go to stderr as they arrive.
-    pub fn run(&self) -> Result<BuildOutcome, GraderError> {
+    /// Builds the worker in release, with the stages of `features`. If one of them does not compile,
+    /// the others are still built. Cargo's progress and the compiler's messages go to stderr as
+    /// they arrive, unless the build is sealed.
+    pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed;
-        match run_cargo(self.command(show && has_colours()), "worker", show)? {
-            Ok(program) => copy_under_own_name(program, self.features),
+        match run_cargo(
+            self.command(features, show && has_colours()),
+            "worker",
+            show,
+        )? {
+            Ok(program) => copy_under_own_name(program, features),
             Err(errors) => Ok(BuildOutcome::DoesNotCompile(errors)),
         }
     }
 
-    fn command(&self, colours: bool) -> Command {
+    fn command(&self, features: &[&str], colours: bool) -> Command {
         let mut command = release_build(self.root, "worker", colours);
         command.args([
             "--keep-going",
             "--no-default-features",
             "--features",
-            &self.features.join(","),
+            &features.join(","),
         ]);
         if self.sealed {
             command

@@ -12,7 +12,6 @@ use crate::speedup;
 use crate::stage_workers::StageWorkers;
 use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
-use judge;
 use judge::cases::{self, Spec};
 use judge::repro::{self, FailedCase};
 use wire::{Answer, Outcome};

@@ -5,7 +5,7 @@
 //! built alone.
 
 use crate::compile::BuildRoot;
-use crate::compile::{BuildOutcome, CompileErrors, WorkerBuild};
+use crate::compile::{BuildOutcome, CompileErrors};
 use crate::error::GraderError;
 use crate::runner::Worker;
 use crate::stage_workers::StageWorkers;
@@ -45,7 +45,7 @@ impl WorkerSet {
         while !remaining.is_empty() || whole_scene {
             let mut features = remaining.clone();
             features.extend(whole_scene.then_some(SCENES_FEATURE));
-            let errors = match build(build_root, &features)? {
+            let errors = match build_root.build_worker(&features)? {
                 BuildOutcome::Worker(program) => {
                     workers.add(&remaining, whole_scene, &program.into());
                     break;
@@ -80,7 +80,7 @@ impl WorkerSet {
             .iter()
             .filter(|stage| whole_scene && !stages.contains(stage));
         for &stage in stages.iter().chain(others) {
-            match build(build_root, &[stage])? {
+            match build_root.build_worker(&[stage])? {
                 BuildOutcome::Worker(program) => workers.add(&[stage], false, &program.into()),
                 BuildOutcome::DoesNotCompile(errors) => {
                     workers.compiler.push_str(&errors.messages);
@@ -90,7 +90,7 @@ impl WorkerSet {
         }
         if whole_scene {
             let failed = failed_intersection_stages(&all_errors);
-            workers.whole_scene = match (failed, build(build_root, &[SCENES_FEATURE])?) {
+            workers.whole_scene = match (failed, build_root.build_worker(&[SCENES_FEATURE])?) {
                 (None, BuildOutcome::Worker(program)) => Ok(program.into()),
                 (names, _) => Err(names.unwrap_or_else(|| SCENES_WORKER.into())),
             };
@@ -132,14 +132,4 @@ fn failed_intersection_stages(errors: &CompileErrors) -> Option<String> {
         .filter(|stage| errors.failed_crates.contains(**stage));
     let names: Vec<String> = names.map(|stage| format!("`{stage}`")).collect();
     (!names.is_empty()).then(|| names.join(" and "))
-}
-
-fn build(build_root: &BuildRoot, features: &[&str]) -> Result<BuildOutcome, GraderError> {
-    WorkerBuild {
-        root: build_root.root,
-        features,
-        target: build_root.target,
-        sealed: build_root.sealed,
-    }
-    .run()
 }

@@ -5,7 +5,7 @@ use super::accuracy::TestSet;
 use super::leaks::ClosedMeshes;
 use super::report::Accuracy;
 use super::truth::{Answer, OracleShape};
-use grader::compile::{BuildOutcome, WorkerBuild};
+use grader::compile::{BuildOutcome, BuildRoot};
 use grader::error::GraderError;
 use grader::runner::{self, Ending, Worker};
 use grader::workspace::Workspace;
@@ -63,13 +63,7 @@ impl Student {
         let Some(workspace) = workspace else {
             return Ok(Err("there is no workspace".into()));
         };
-        let build = WorkerBuild {
-            root: workspace.root(),
-            features: &[feature],
-            target: None,
-            sealed: false,
-        };
-        Ok(match build.run()? {
+        Ok(match BuildRoot::of(workspace).build_worker(&[feature])? {
             BuildOutcome::Worker(program) => Ok(Student {
                 worker: program.into(),
                 task,

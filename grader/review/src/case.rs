@@ -9,7 +9,6 @@ use grader::error::GraderError;
 use grader::runner::Worker;
 use grader::workspace::Workspace;
 use image::RgbImage;
-use judge;
 use judge::Tier;
 use judge::cases::Spec;
 use judge::snapshot::{self, Changes, Fields, Line, Snapshot, changes};

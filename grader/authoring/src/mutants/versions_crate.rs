@@ -5,7 +5,7 @@
 //! call.
 
 use super::corpus::Sources;
-use grader::compile::{BuildOutcome, WorkerBuild};
+use grader::compile::{BuildOutcome, BuildRoot};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
 use std::fmt::Write;
@@ -297,14 +297,12 @@ pub fn worker(
     write_workspace(workspace, &job, stage)?;
     let target = workspace.root().join("target/mutants/target");
     let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
-    match (WorkerBuild {
+    let build_root = BuildRoot {
         root: &job,
-        features,
         target: Some(&target),
         sealed: false,
-    })
-    .run()?
-    {
+    };
+    match build_root.build_worker(features)? {
         BuildOutcome::Worker(program) => Ok(program),
         BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
             "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",

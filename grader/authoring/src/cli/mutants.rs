@@ -116,19 +116,26 @@ fn same_as_stored(
     Ok(same)
 }
 
-/// Prints the diagnosis of mutants that may make unlisted mistakes.
+/// Prints what mutants lose that may make unlisted mistakes, and their diagnosis.
 fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
-    let mut table = Table::of(graded, known);
-    // No correct version was graded to compare with, so compare with all points.
+    println!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
     for graded in graded {
-        let lost = graded.result.score < graded.result.max_score;
-        if !lost {
-            table.mutants.insert(graded.name.clone(), Vec::new());
-        }
-    }
-    show(task, &table, &[]);
-    for graded in graded {
-        show_diagnosis(&graded.name, Some(graded), known);
+        let result = &graded.result;
+        let loses = |points: f64, most: f64| points < most;
+        let lost = if loses(result.score, result.max_score) {
+            let cases = result.cases.iter();
+            let failed = cases.filter(|case| case.score < case.max_score).count();
+            format!("lost points in {}", plural(failed, "case", "cases"))
+        } else if loses(result.robust_score, result.robust_max_score) {
+            "lost only extra credit".to_string()
+        } else {
+            "SURVIVES".to_string()
+        };
+        let diagnosis = diagnosis::diagnose(known, &Signature::of(&result.cases));
+        let says = diagnosis.map_or("no mistake is named".to_string(), |diagnosis| {
+            diagnosis.says
+        });
+        println!("  {}: {lost}\n    {says}", graded.name);
     }
 }
 

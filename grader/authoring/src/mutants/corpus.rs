@@ -35,7 +35,7 @@ pub struct Mistake {
     pub references: Vec<String>,
 }
 
-/// Code that makes one mistake, or two at once.
+/// Code that makes one mistake, or two at once: edits of a correct version, or code of its own.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mutant {
@@ -48,7 +48,11 @@ pub struct Mutant {
     #[serde(default)]
     pub how: String,
     /// The edits to the code.
+    #[serde(default)]
     pub edits: Vec<Edit>,
+    /// Instead of edits: code as a student writes it, in the form of a variant's file.
+    #[serde(default)]
+    pub code: Option<String>,
     /// Whether it is left out of the signatures. It then tests whether the diagnosis recognises the
     /// mistake in code that it was not made from.
     #[serde(default)]
@@ -141,8 +145,11 @@ impl Corpus {
                     "a mutant makes the mistake `{unknown}`, which is not listed: add a [[mistake]]"
                 ));
             }
-            if mutant.mistakes.is_empty() || mutant.edits.is_empty() {
-                return Err("a mutant has no `mistakes` or no `edits`".into());
+            if mutant.mistakes.is_empty() || mutant.edits.is_empty() == mutant.code.is_none() {
+                return Err(format!(
+                    "the mutant `{}` needs `mistakes`, and either `edits` or `code`",
+                    mutant.name()
+                ));
             }
         }
         Ok(())

@@ -93,9 +93,14 @@ pub fn unlisted(
     let (kinds, versions) = versions(workspace, task, mutants)?;
     let is_wrong = |kind: &Kind| matches!(kind, Kind::Mutant(_));
     let wrong = (0..kinds.len()).filter(|&i| is_wrong(&kinds[i].1));
-    let wrong: Vec<usize> = wrong.collect();
+    let (program, broken) =
+        versions_crate::worker_of_those_that_compile(workspace, &task.stage, &versions)?;
+    let wrong: Vec<usize> = wrong.filter(|i| !broken.contains(i)).collect();
+    for i in &broken {
+        println!("  DOES NOT COMPILE: {}", kinds[*i].0);
+    }
     let worker = VersionsWorker {
-        program: versions_crate::worker(workspace, &task.stage, &versions)?,
+        program,
         course,
         versions: kinds,
     };
@@ -193,7 +198,9 @@ pub fn versions(
         sources.push(with_reference(&reference, &variant.text));
     }
     for mutant in mutants {
-        let base = if mutant.on == REFERENCE {
+        let base = if let Some(code) = &mutant.code {
+            with_reference(&reference, code)
+        } else if mutant.on == REFERENCE {
             mutant.apply(&reference)?
         } else {
             let variant = variants.iter().find(|variant| variant.name == mutant.on);

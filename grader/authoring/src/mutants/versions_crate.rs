@@ -8,6 +8,7 @@ use super::corpus::Sources;
 use grader::compile::{BuildOutcome, BuildRoot};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -292,7 +293,58 @@ pub fn worker(
     stage: &str,
     versions: &[Sources],
 ) -> Result<PathBuf, GraderError> {
-    let job = workspace.root().join("target/mutants/jobs").join(stage);
+    match build(workspace, stage, versions)? {
+        BuildOutcome::Worker(program) => Ok(program),
+        BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
+            "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",
+            job_folder(workspace, stage).display()
+        ))),
+    }
+}
+
+/// As [`worker`], but versions that do not compile are replaced by the first one, which must
+/// compile. Returns their numbers, too.
+pub fn worker_of_those_that_compile(
+    workspace: &Workspace,
+    stage: &str,
+    versions: &[Sources],
+) -> Result<(PathBuf, BTreeSet<usize>), GraderError> {
+    let mut versions = versions.to_vec();
+    let mut broken = BTreeSet::new();
+    loop {
+        let errors = match build(workspace, stage, &versions)? {
+            BuildOutcome::Worker(program) => return Ok((program, broken)),
+            BuildOutcome::DoesNotCompile(errors) => errors,
+        };
+        let named = versions_with_errors(&errors.messages, versions.len());
+        if named.is_empty() || named.contains(&0) {
+            return Err(GraderError::new(errors.messages));
+        }
+        for i in named {
+            versions[i] = versions[0].clone();
+            broken.insert(i);
+        }
+    }
+}
+
+/// The numbers of the versions whose files the compiler's messages name: `src/v12/mod.rs:3:5`.
+fn versions_with_errors(messages: &str, versions: usize) -> BTreeSet<usize> {
+    let places = messages.split("src/v").skip(1);
+    let numbers = places.filter_map(|place| place.split_once('/')?.0.parse().ok());
+    numbers.filter(|number| *number < versions).collect()
+}
+
+fn job_folder(workspace: &Workspace, stage: &str) -> PathBuf {
+    workspace.root().join("target/mutants/jobs").join(stage)
+}
+
+/// Builds a worker of all `versions`.
+fn build(
+    workspace: &Workspace,
+    stage: &str,
+    versions: &[Sources],
+) -> Result<BuildOutcome, GraderError> {
+    let job = job_folder(workspace, stage);
     write_versions(&job.join("host"), stage, versions)?;
     write_workspace(workspace, &job, stage)?;
     let target = workspace.root().join("target/mutants/target");
@@ -302,13 +354,7 @@ pub fn worker(
         target: Some(&target),
         sealed: false,
     };
-    match build_root.build_worker(features)? {
-        BuildOutcome::Worker(program) => Ok(program),
-        BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
-            "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",
-            job.display()
-        ))),
-    }
+    build_root.build_worker(features)
 }
 
 /// Writes the crate that contains all versions.

@@ -37,13 +37,35 @@ pub struct Diagnosis {
     pub equal: usize,
     /// Calls on which either is wrong.
     pub of: usize,
+    /// How certain it is.
+    pub certainty: Certainty,
 }
 
-impl Diagnosis {
-    /// Whether the answers agree on more than half of the calls. If not, the diagnosis rests only
-    /// on the kinds of the faults.
-    pub fn is_likely(&self) -> bool {
-        2 * self.equal > self.of
+/// How certain a diagnosis is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Certainty {
+    /// The answers equal those of the mistake, but for a few.
+    Likely,
+    /// The answers look like those of the mistake, and nothing contradicts it.
+    Perhaps,
+}
+
+impl Certainty {
+    /// The certainty of a diagnosis that explains this share of the wrong answers.
+    fn of(likeness: f64) -> Certainty {
+        match likeness >= SURE {
+            true => Certainty::Likely,
+            false => Certainty::Perhaps,
+        }
+    }
+
+    /// The word with which reports begin a diagnosis.
+    pub fn label(self) -> &'static str {
+        match self {
+            Certainty::Likely => "Likely",
+            Certainty::Perhaps => "Perhaps",
+        }
     }
 }
 
@@ -106,7 +128,9 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
     let &(best, agreement) = ranked.first()?;
     let likeness = agreement.likeness();
-    if let Some(pair) = two_at_once(&ranked, student, likeness) {
+    if likeness < SURE
+        && let Some(pair) = two_at_once(&ranked, student, likeness)
+    {
         return Some(pair);
     }
     let (best, likeness) = match likeness < LIKELY {
@@ -115,10 +139,10 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     };
     let (equal, of) = student.calls_alike(&best.signature);
     let (mistakes, says, hint) = with_twins(&ranked, best);
-    let verb = if likeness >= SURE {
-        "equal"
-    } else {
-        "look most like"
+    let certainty = Certainty::of(likeness);
+    let verb = match certainty {
+        Certainty::Likely => "equal",
+        Certainty::Perhaps => "look most like",
     };
     Some(Diagnosis {
         mistakes,
@@ -126,6 +150,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         hint,
         equal,
         of,
+        certainty,
     })
 }
 
@@ -241,6 +266,7 @@ fn two_at_once(
             hint: format!("{hint} {and_hint}"),
             equal: together.equal,
             of: together.either,
+            certainty: Certainty::of(likeness),
         }
     })
 }
@@ -269,14 +295,17 @@ mod tests {
     }
 
     #[test]
-    fn agreement_on_half_of_the_calls_is_only_a_possible_mistake() {
+    fn answers_that_differ_in_part_are_only_perhaps_a_mistake() {
         let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
-        let all = [known("this", signature(&[t, n, p]))];
-        let likely = |codes| {
+        let all = [known(
+            "this",
+            signature(&[t, n, p, ("case barycentrics", "10*a")]),
+        )];
+        let certainty = |codes| {
             let diagnosis = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
-            diagnosis.expect("the mistake is known").is_likely()
+            diagnosis.expect("the mistake is known").certainty
         };
-        assert!(likely("6 4*b"));
-        assert!(!likely("5 5*b"));
+        assert_eq!(certainty("9*a 1*b"), Certainty::Likely);
+        assert_eq!(certainty("6*a 4*b"), Certainty::Perhaps);
     }
 }

@@ -258,11 +258,7 @@ fn diagnosis(text: &mut String, report: &TaskReport) {
             let _ = writeln!(
                 text,
                 "  {}: {}.\n  Hint: {}",
-                if diagnosis.is_likely() {
-                    "Likely"
-                } else {
-                    "Perhaps"
-                },
+                diagnosis.certainty.label(),
                 diagnosis.says,
                 diagnosis.hint
             );

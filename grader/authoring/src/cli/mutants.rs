@@ -2,6 +2,7 @@
 //! code does.
 
 use authoring::mutants::corpus::Corpus;
+use authoring::mutants::groups;
 use authoring::mutants::run;
 use authoring::mutants::table::Table;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
@@ -42,6 +43,13 @@ pub(crate) fn command() -> Command {
                 .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
         )
         .arg(
+            Arg::new("families")
+                .long("families")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "bless", "with"])
+                .help("Instead, grade every small slip in the reference and the variants (a comparison turned, operands swapped, a constant halved, an update forgotten …), and list groups of them that the diagnosis does not name"),
+        )
+        .arg(
             Arg::new("bless")
                 .long("bless")
                 .action(ArgAction::SetTrue)
@@ -58,6 +66,12 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let course = Course::read(&workspace)?;
     let mut verdict = Verdict::Passed;
     for task in course.select(what)? {
+        if matches.get_flag("families") {
+            let known = diagnosis::known(&workspace, &task.key)?;
+            let graded = run::families(&workspace, &course, task)?;
+            print!("{}", groups::of(graded, &known).to_text(&task.key));
+            continue;
+        }
         if let Some(folder) = with {
             let mutants = Corpus::read_unlisted(folder, task)?;
             if !mutants.is_empty() {

@@ -7,6 +7,8 @@
 //! student's results with those of the mutants.
 
 pub mod corpus;
+pub mod families;
+pub mod groups;
 pub mod run;
 pub mod table;
 pub mod versions_crate;

@@ -1,6 +1,7 @@
 //! Grades every mutant and every variant of a task.
 
-use super::corpus::{Corpus, Mutant, REFERENCE, Sources, reference_sources, variants};
+use super::corpus::{Corpus, Mutant, REFERENCE, Sources, Variant, reference_sources, variants};
+use super::families;
 use super::versions_crate::{self, VERSION_VARIABLE};
 use grader::course::{Course, Task};
 use grader::diagnosis::Known;
@@ -96,8 +97,9 @@ pub fn unlisted(
     let (program, broken) =
         versions_crate::worker_of_those_that_compile(workspace, &task.stage, &versions)?;
     let wrong: Vec<usize> = wrong.filter(|i| !broken.contains(i)).collect();
-    for i in &broken {
-        println!("  DOES NOT COMPILE: {}", kinds[*i].0);
+    if !broken.is_empty() {
+        let names: Vec<&str> = broken.iter().map(|i| kinds[*i].0.as_str()).collect();
+        eprintln!("These do not compile:\n  {}", names.join("\n  "));
     }
     let worker = VersionsWorker {
         program,
@@ -107,15 +109,33 @@ pub fn unlisted(
     worker.grade(task, &cases::all(0), wrong.into_iter())
 }
 
+/// Grades every small slip in the reference and the variants of a task; see [`families`].
+pub fn families(
+    workspace: &Workspace,
+    course: &Course,
+    task: &Task,
+) -> Result<Vec<Graded>, GraderError> {
+    let reference = reference_sources(workspace, &task.stage)?;
+    let variants = variants(workspace, &task.stage)?;
+    let own = |variant: &&Variant| defines_hole(task, &variant.text);
+    let variants: Vec<&Variant> = variants.iter().filter(own).collect();
+    let mutants = families::mutants(&task.key, &reference, &variants);
+    unlisted(workspace, course, task, mutants)
+}
+
 /// Whether a variant defines functions of `task` itself and does not use the reference's.
 fn redefines_hole(task: &Task, variant: &Sources) -> bool {
     let own = variant.get(Path::new("lib.rs"));
-    let defines = |text: &String, hole: &String| {
-        [format!("fn {hole}("), format!("fn {hole}<")]
-            .iter()
-            .any(|start| text.contains(start))
+    own.is_some_and(|text| defines_hole(task, text))
+}
+
+/// Whether a source file defines a function of `task`.
+fn defines_hole(task: &Task, text: &str) -> bool {
+    let defines = |hole: &String| {
+        let starts = [format!("fn {hole}("), format!("fn {hole}<")];
+        starts.iter().any(|start| text.contains(start))
     };
-    own.is_some_and(|text| task.holes.iter().any(|hole| defines(text, hole)))
+    task.holes.iter().any(defines)
 }
 
 /// `task` with only those cases that differ between `specs` and `others`.

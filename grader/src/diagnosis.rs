@@ -116,6 +116,21 @@ fn path(workspace: &Workspace, task: &str) -> PathBuf {
         .join(format!("{task}.txt"))
 }
 
+/// The known mistakes that are most like `student`, best first: their names, the likeness, and
+/// whether right answers contradict them. For authors who wonder about a diagnosis.
+pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64, bool)> {
+    let mut all: Vec<(Vec<String>, f64, bool)> = within(known, &student.functions())
+        .iter()
+        .map(|known| {
+            let likeness = student.agreement(&known.signature).likeness();
+            let contradicted = student.contradicts(&known.signature);
+            (known.mistakes.clone(), likeness, contradicted)
+        })
+        .collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all
+}
+
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let in_functions = within(known, &student.functions());

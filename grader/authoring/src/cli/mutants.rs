@@ -130,6 +130,9 @@ fn same_as_stored(
     Ok(same)
 }
 
+/// So many of the nearest known mistakes are listed beside a diagnosis.
+const NEAREST: usize = 3;
+
 /// Prints what mutants lose that may make unlisted mistakes, and their diagnosis.
 fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
     println!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
@@ -150,6 +153,12 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
             diagnosis.says
         });
         println!("  {}: {lost}\n    {says}", graded.name);
+        let signature = Signature::of(&result.cases);
+        let nearest = diagnosis::candidates(known, &signature);
+        for (mistakes, likeness, contradicted) in nearest.into_iter().take(NEAREST) {
+            let but = if contradicted { ", contradicted" } else { "" };
+            println!("      {likeness:.2} {}{but}", mistakes.join(" + "));
+        }
     }
 }
 

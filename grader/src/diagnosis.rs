@@ -22,6 +22,8 @@ pub struct Known {
     pub hints: Vec<String>,
     /// The answers that it makes wrong.
     pub signature: Signature,
+    /// Whether it is a symptom that many mistakes have: it is only named if every answer agrees.
+    pub is_symptom: bool,
 }
 
 /// What a student's wrong answers look like.
@@ -39,6 +41,13 @@ pub struct Diagnosis {
     pub of: usize,
     /// How certain it is.
     pub certainty: Certainty,
+}
+
+impl Diagnosis {
+    /// Whether it likely explains the wrong answers.
+    pub fn is_likely(&self) -> bool {
+        self.certainty == Certainty::Likely
+    }
 }
 
 /// How certain a diagnosis is.
@@ -123,7 +132,8 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
         .iter()
         .map(|known| {
             let likeness = student.agreement(&known.signature).likeness();
-            let contradicted = student.contradicts(&known.signature);
+            let contradicted = student.contradicts(&known.signature)
+                || student.disagrees_throughout(&known.signature);
             (known.mistakes.clone(), likeness, contradicted)
         })
         .collect();
@@ -133,24 +143,21 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
 
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
-    let in_functions = within(known, &student.functions());
-    let possible = in_functions
-        .iter()
-        .filter(|known| !student.contradicts(&known.signature));
-    let mut ranked: Vec<(&Known, Agreement)> = possible
-        .map(|known| (known, student.agreement(&known.signature)))
-        .collect();
-    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
-    let &(best, agreement) = ranked.first()?;
-    let likeness = agreement.likeness();
+    let mut in_functions = within(known, &student.functions());
+    in_functions.retain(|known| !known.is_symptom || known.signature.shows_the_same(student));
+    let ranked = ranked(in_functions.iter(), student, Signature::contradicts);
+    // A side that disagrees throughout may be the other mistake of two.
+    let alone = ranked.iter().map(|(known, _)| *known);
+    let alone = self::ranked(alone, student, Signature::disagrees_throughout);
+    let likeness = alone.first().map_or(0.0, |(_, best)| best.likeness());
     if likeness < SURE
         && let Some(pair) = two_at_once(&ranked, student, likeness)
     {
         return Some(pair);
     }
-    let (best, likeness) = match likeness < LIKELY {
-        true => (alone_of_its_kind(&ranked, student)?, likeness),
-        false => (best, likeness),
+    let best = match likeness < LIKELY {
+        true => alone_of_its_kind(&ranked, student)?,
+        false => alone.first()?.0,
     };
     let (equal, of) = student.calls_alike(&best.signature);
     let (mistakes, says, hint) = with_twins(&ranked, best);
@@ -167,6 +174,20 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         of,
         certainty,
     })
+}
+
+/// Those of the known mistakes that `is_against` does not exclude, the most alike first.
+fn ranked<'a>(
+    known: impl Iterator<Item = &'a Known>,
+    student: &Signature,
+    is_against: impl Fn(&Signature, &Signature) -> bool,
+) -> Vec<(&'a Known, Agreement)> {
+    let possible = known.filter(|known| !is_against(student, &known.signature));
+    let mut ranked: Vec<(&Known, Agreement)> = possible
+        .map(|known| (known, student.agreement(&known.signature)))
+        .collect();
+    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
+    ranked
 }
 
 /// The known mistakes, restricted to their effect in these functions: a mistake that passes from
@@ -297,6 +318,7 @@ mod tests {
             descriptions: vec![format!("does {name}")],
             hints: vec![format!("Not {name}.")],
             signature,
+            is_symptom: false,
         }
     }
 
@@ -307,6 +329,33 @@ mod tests {
         let diagnosis = diagnose(&all, &wrong).expect("the mistake is known");
         assert_eq!(diagnosis.mistakes, ["this", "that"]);
         assert_eq!(diagnosis.hint, "Not this. Or: Not that.");
+    }
+
+    #[test]
+    fn a_symptom_is_named_only_if_every_answer_agrees() {
+        let symptom = Known {
+            is_symptom: true,
+            ..known("misses", signature(&[("case decision", "50*a")]))
+        };
+        let named = |codes| {
+            let student = signature(&[("case decision", codes)]);
+            diagnose(std::slice::from_ref(&symptom), &student).is_some()
+        };
+        assert!(named("50*a"));
+        assert!(!named("1 49*a"));
+    }
+
+    #[test]
+    fn a_case_that_disagrees_throughout_vetoes_a_name() {
+        let [weights, lights] = ["weights radiance", "lights radiance"];
+        let all = [known(
+            "this",
+            signature(&[(weights, "500*a"), (lights, "6*a")]),
+        )];
+        let is_named = |codes| diagnose(&all, &signature(&[(weights, "500*a"), (lights, codes)]));
+        assert!(is_named("6*a").is_some());
+        assert!(is_named("6*b").is_none());
+        assert!(is_named("1*a 5*b").is_some());
     }
 
     #[test]

@@ -12,6 +12,7 @@
 pub mod cases;
 mod chance;
 mod check;
+pub mod circumstances;
 pub mod convert;
 pub mod errors;
 pub mod expected;

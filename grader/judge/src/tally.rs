@@ -216,7 +216,9 @@ impl Class {
             Class::NotANumber
         } else if (answered + right).length() < SAME {
             Class::Negated
-        } else if (answered.normalize_or_zero() - right).length() < SAME {
+        } else if (answered.normalize_or_zero() - right).length() < SAME
+            && (answered.length() - 1.0).abs() > SAME
+        {
             Class::WrongLength
         } else {
             Class::of_size((answered - right).length())
@@ -287,8 +289,9 @@ pub struct Finding {
     /// The error of each number.
     #[serde(skip)]
     pub errors: Vec<NumberError>,
+    /// The calls that were judged, in order.
     #[serde(skip)]
-    last_judged: Option<u32>,
+    pub judged_calls: Vec<u32>,
 }
 
 /// The worst wrong answer.
@@ -367,7 +370,10 @@ impl Tally {
         let function = self.function;
         let finding = self.entry(aspect);
         // Two functions may be judged on the same aspect in one call: it counts once.
-        finding.judged += u32::from(finding.last_judged.replace(call) != Some(call));
+        if finding.judged_calls.last() != Some(&call) {
+            finding.judged += 1;
+            finding.judged_calls.push(call);
+        }
         let Some(class) = class else { return };
         let again = finding.faults.last().is_some_and(|last| last.call == call);
         finding.wrong += u32::from(!again);
@@ -436,7 +442,7 @@ impl Tally {
                     faults: Vec::new(),
                     spread: None,
                     errors: Vec::new(),
-                    last_judged: None,
+                    judged_calls: Vec::new(),
                 });
                 self.findings.len() - 1
             });

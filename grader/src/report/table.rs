@@ -263,9 +263,16 @@ fn diagnosis(text: &mut String, report: &TaskReport) {
                 diagnosis.hint
             );
         }
-        None => {
-            let _ = writeln!(text, "  The answers match no known mistake. Failed cases:");
-        }
+        None => text.push_str("  The answers match no known mistake.\n"),
+    }
+    if !report.regularities.is_empty() {
+        text.push_str("  What the wrong answers have in common:\n");
+    }
+    for sentence in &report.regularities {
+        let _ = writeln!(text, "  - {sentence}");
+    }
+    if report.diagnosis.is_none() {
+        text.push_str("  Failed cases:\n");
     }
 }
 

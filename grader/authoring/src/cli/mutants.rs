@@ -8,11 +8,12 @@ use authoring::mutants::table::Table;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use grader::cli::{Verdict, whole_number};
 use grader::course::Course;
-use grader::diagnosis::{self, Known};
+use grader::diagnosis::{self, Diagnosis, Known};
 use grader::error::GraderError;
+use grader::regularity;
 use grader::signature::Signature;
 use grader::workspace::Workspace;
-use judge::plural;
+use judge::{cases, plural};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -136,6 +137,7 @@ const NEAREST: usize = 3;
 /// Prints what mutants lose that may make unlisted mistakes, and their diagnosis.
 fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
     println!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
+    let specs = cases::all(0);
     for graded in graded {
         let result = &graded.result;
         let loses = |points: f64, most: f64| points < most;
@@ -148,12 +150,18 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
         } else {
             "SURVIVES".to_string()
         };
-        let diagnosis = diagnosis::diagnose(known, &Signature::of(&result.cases));
-        let says = diagnosis.map_or("no mistake is named".to_string(), |diagnosis| {
-            diagnosis.says
-        });
-        println!("  {}: {lost}\n    {says}", graded.name);
         let signature = Signature::of(&result.cases);
+        let diagnosis = diagnosis::diagnose(known, &signature);
+        let says = match &diagnosis {
+            Some(diagnosis) => format!("{}: {}", diagnosis.certainty.label(), diagnosis.says),
+            None => "no mistake is named".to_string(),
+        };
+        println!("  {}: {lost}\n    {says}", graded.name);
+        if !diagnosis.as_ref().is_some_and(Diagnosis::is_likely) {
+            for sentence in regularity::of(task, &result.cases, &specs) {
+                println!("    - {sentence}");
+            }
+        }
         let nearest = diagnosis::candidates(known, &signature);
         for (mistakes, likeness, contradicted) in nearest.into_iter().take(NEAREST) {
             let but = if contradicted { ", contradicted" } else { "" };

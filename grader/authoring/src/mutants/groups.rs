@@ -2,7 +2,7 @@
 
 use super::corpus::Mutant;
 use super::run::{Graded, Kind};
-use grader::diagnosis::{Certainty, Diagnosis, Known, diagnose};
+use grader::diagnosis::{Diagnosis, Known, diagnose};
 use grader::signature::Signature;
 use std::fmt::Write;
 
@@ -43,8 +43,7 @@ pub fn of(graded: Vec<Graded>, known: &[Known]) -> Groups {
         }
         let signature = Signature::of(&result.cases);
         let diagnosis = diagnose(known, &signature);
-        let is_sure = |diagnosis: &Diagnosis| diagnosis.certainty == Certainty::Likely;
-        if diagnosis.as_ref().is_some_and(is_sure) {
+        if diagnosis.as_ref().is_some_and(Diagnosis::is_likely) {
             groups.named += 1;
             continue;
         }

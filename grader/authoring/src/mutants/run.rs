@@ -286,6 +286,7 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
                     .map(|mistake| mistake.hint.clone())
                     .collect(),
                 signature: Signature::of(&graded.result.cases),
+                is_symptom: mistakes.iter().any(|mistake| mistake.symptom),
             }
         })
         .filter(|known| !known.signature.is_empty())

@@ -1,6 +1,7 @@
 //! Tests the data and the text of the page, without a browser.
 
 use crate::{BOXES, FALSE_HIT, FALSE_MISS, LATER_EXIT, MESH};
+use judge::tally::Aspect;
 use review::case::{ROWS, State};
 use review::cause::Cause;
 use review::picture::Pixels;
@@ -64,7 +65,8 @@ fn rows_show_both_answers_and_the_oracles_result() {
         "{}",
         row.question
     );
-    assert_eq!(case.wrong[&row.call], ["hit or miss"]);
+    let wrong = &case.whole.wrong_calls()[&row.call];
+    assert_eq!(wrong, &[Aspect::HitOrMiss]);
     let page = page::write(&review, &Author::Reference).expect("the page is written");
     for text in [
         "1 of 1 case changed; the exact oracle refutes 1 of them",

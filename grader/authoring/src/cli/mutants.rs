@@ -46,7 +46,7 @@ pub(crate) fn command() -> Command {
             Arg::new("against-bless")
                 .long("against-bless")
                 .action(ArgAction::SetTrue)
-                .help("Also print, as a table in Markdown, what `grader bless` would do with each mistake if the reference made it, and the changed answers that it would confirm"),
+                .help("Also print, as a table in Markdown, what `grader bless` would do with each mistake if the reference made it, and the answers that it would confirm although they differ by more than rounding errors"),
         )
         .arg(
             Arg::new("bless")
@@ -144,6 +144,9 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
     }
 }
 
+/// Confirmed answers that differ from the reference's by more than this are listed.
+const MORE_THAN_ROUNDING: f64 = 1e-9;
+
 /// Prints the mutants that `grader bless` would accept if the reference made their mistakes;
 /// `in_full`, what it would do with each. Returns whether it would accept none.
 fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
@@ -171,9 +174,14 @@ fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
     if in_full {
         println!("{}", blessing::markdown(task, &mutants));
         for (name, blessings) in &mutants {
-            for blessing in *blessings {
-                for (call, golden, actual) in &blessing.confirmed {
-                    let case = &blessing.case;
+            for Blessing {
+                case, confirmed, ..
+            } in *blessings
+            {
+                if let Some(change) = confirmed
+                    && change.difference > MORE_THAN_ROUNDING
+                {
+                    let (call, golden, actual) = (change.call, &change.golden, &change.actual);
                     println!("confirmed: {name}, {case} {call}: {golden} -> {actual}");
                 }
             }

@@ -4,7 +4,7 @@
 use grader::runner::Ending;
 use judge::Tier;
 use judge::cases::Spec;
-use judge::snapshot::{self, Snapshot};
+use judge::snapshot::{self, Line, Snapshot};
 use judge::whole::{Counts, Verdict, Whole, judge_whole};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -20,9 +20,21 @@ pub struct Blessing {
     pub changed: Counts,
     /// Whether an answer of the case is wrong, or there is none: then nothing is blessed.
     pub refused: bool,
-    /// The first answers that differ and are confirmed: the number of the call, the reference's
-    /// answer and the mutant's.
-    pub confirmed: Vec<(u32, String, String)>,
+    /// The answers that differ and are confirmed.
+    pub confirmed: Option<ConfirmedChange>,
+}
+
+/// The answers to a case that differ from the reference's, and are right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConfirmedChange {
+    /// The largest difference of a number, relative to the largest number of its field.
+    pub difference: f64,
+    /// The number of the call with this difference.
+    pub call: u32,
+    /// The reference's answer there.
+    pub golden: String,
+    /// The mutant's answer there.
+    pub actual: String,
 }
 
 /// What becomes of a changed case, or of all of a mutant.
@@ -35,9 +47,6 @@ pub enum BlessVerdict {
     /// `grader bless` writes nothing.
     Refused,
 }
-
-/// The number of confirmed answers of a case that are kept, to look at.
-const SHOWN: usize = 3;
 
 impl Blessing {
     /// What becomes of the case.
@@ -89,7 +98,7 @@ fn bless(spec: &Spec, ending: &Result<Ending, String>, golden: &Snapshot) -> Opt
             case: spec.name.into(),
             changed: Counts::default(),
             refused: true,
-            confirmed: Vec::new(),
+            confirmed: None,
         });
     };
     let actual = snapshot::full(&spec.work, answer)?;
@@ -114,23 +123,67 @@ fn bless(spec: &Spec, ending: &Result<Ending, String>, golden: &Snapshot) -> Opt
     })
 }
 
+/// Of the confirmed rows, the one that differs most.
 fn confirmed(
     whole: &Whole,
     differing: &[u32],
     snapshots: [&Snapshot; 2],
-) -> Vec<(u32, String, String)> {
+) -> Option<ConfirmedChange> {
+    let mut most: Option<ConfirmedChange> = None;
     let confirmed = differing
         .iter()
         .filter(|row| whole.verdict(**row) == Verdict::Confirmed);
-    let text = |snapshot: &Snapshot, row: u32| {
-        let line = snapshot.row(row);
-        line.map_or("no row".into(), |line| line.answer_text())
+    for &call in confirmed {
+        let lines = snapshots.map(|snapshot| snapshot.row(call));
+        let difference = match lines {
+            [Some(golden), Some(actual)] => difference(golden, actual),
+            _ => f64::INFINITY,
+        };
+        if most
+            .as_ref()
+            .is_none_or(|most| difference > most.difference)
+        {
+            let [golden, actual] =
+                lines.map(|line| line.map_or("no row".into(), Line::answer_text));
+            most = Some(ConfirmedChange {
+                difference,
+                call,
+                golden,
+                actual,
+            });
+        }
+    }
+    most
+}
+
+/// The largest difference of two numbers in a field, relative to the largest number of the field;
+/// infinite if the fields themselves differ.
+fn difference(golden: &Line, actual: &Line) -> f64 {
+    let names = |line: &Line| {
+        line.answer
+            .iter()
+            .map(|(name, _)| name.clone())
+            .collect::<Vec<_>>()
     };
-    let shown = confirmed.take(SHOWN);
-    let [golden, actual] = snapshots;
-    shown
-        .map(|&row| (row, text(golden, row), text(actual, row)))
-        .collect()
+    if names(golden) != names(actual) {
+        return f64::INFINITY;
+    }
+    let mut most: f64 = 0.0;
+    for ((name, golden), (_, actual)) in golden.answer.iter().zip(&actual.answer) {
+        let (golden, actual) = (golden.numbers(), actual.numbers());
+        if golden.len() != actual.len() {
+            return f64::INFINITY;
+        }
+        // Barycentric weights are shares of 1.
+        let smallest_scale = if name == "uv" { 1.0 } else { 0.0 };
+        let both = golden.iter().chain(&actual);
+        let scale = both.fold(smallest_scale, |scale: f64, x| scale.max(x.abs()));
+        for (a, b) in golden.iter().zip(&actual) {
+            let same = a == b || a.is_nan() && b.is_nan();
+            most = most.max(if same { 0.0 } else { (a - b).abs() / scale });
+        }
+    }
+    most
 }
 
 fn answer(ending: &Result<Ending, String>) -> Option<&Answer> {
@@ -144,12 +197,18 @@ fn answer(ending: &Result<Ending, String>) -> Option<&Answer> {
 /// are refused, not judged and confirmed, and the names of those that are not refused.
 pub fn markdown(task: &str, mutants: &[(&str, &[Blessing])]) -> String {
     let mut text = format!(
-        "\n| {task}: mistake | bless | cases refused | not judged | confirmed | changed answers | cases that are not refused |\n\
-         |---|---|--:|--:|--:|---|---|\n"
+        "\n| {task}: mistake | bless | cases refused | not judged | confirmed | changed answers | confirmed ones differ by | cases that are not refused |\n\
+         |---|---|--:|--:|--:|---|--:|---|\n"
     );
     for (name, blessings) in mutants {
         let mut cases: BTreeMap<BlessVerdict, Vec<String>> = BTreeMap::new();
         let mut answers = Counts::default();
+        let differences = blessings
+            .iter()
+            .filter_map(|blessing| blessing.confirmed.as_ref());
+        let differences = differences.map(|change| change.difference);
+        let difference = differences.reduce(f64::max);
+        let difference = difference.map_or(String::new(), |most| format!("{most:.0e}"));
         for blessing in *blessings {
             let Blessing { case, changed, .. } = blessing;
             let named = format!("{case} ({changed})");
@@ -173,7 +232,7 @@ pub fn markdown(task: &str, mutants: &[(&str, &[Blessing])]) -> String {
         };
         let _ = writeln!(
             text,
-            "| {name} | {said} | {} | {} | {} | {answers} | {} |",
+            "| {name} | {said} | {} | {} | {} | {answers} | {difference} | {} |",
             count(BlessVerdict::Refused),
             count(BlessVerdict::NotJudged),
             count(BlessVerdict::Confirmed),
@@ -196,7 +255,7 @@ mod tests {
                 not_judged,
             },
             refused: refused > 0,
-            confirmed: Vec::new(),
+            confirmed: None,
         }
     }
 
@@ -211,7 +270,7 @@ mod tests {
         assert_eq!(verdict(&all[..2]), Some(BlessVerdict::NotJudged));
         assert_eq!(verdict(&all), Some(BlessVerdict::Refused));
         let table = markdown("part1.task3", &[("culled", &all), ("accepted", &all[..1])]);
-        let row = "| culled | refuses | 1 | 1 | 1 | 1 refused, 6 confirmed, 1 not judged | \
+        let row = "| culled | refuses | 1 | 1 | 1 | 1 refused, 6 confirmed, 1 not judged |  | \
                    a (3 confirmed), b (3 confirmed, 1 not judged) |";
         assert!(table.contains(row), "{table}");
         assert!(

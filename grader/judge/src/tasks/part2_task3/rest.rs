@@ -30,8 +30,9 @@ pub(super) fn traverse(tally: &mut Tally, world: &ScriptedWorld, answers: &[Trav
         } else if tests != fewest {
             tally.not_judged(Aspect::Work, call, MORE_TESTS);
         }
-        let is_tie = |(_, t): &(u32, f64)| Some(*t) == nearest;
-        if !world.any_hit && in_range(scripted).filter(is_tie).count() > 1 {
+        // Of several primitives at the same t, the convention names the one for goldens.
+        let first = in_range(scripted).find(|(_, t)| Some(*t) == nearest);
+        if !world.any_hit && answer.hit.map(|(_, id)| id) != first.map(|(id, _)| id) {
             tally.not_judged(Aspect::Primitive, call, SEVERAL_FIRST);
         }
         let odd = answer.unknown_boxes + answer.repeated_prims;

@@ -44,14 +44,14 @@ impl Check for SceneHits {
         work: &SceneWork,
         answer: &HitsAnswer,
     ) {
+        let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
         if work.any_hit {
-            let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
             rest::decisions(tally, tier, truths);
         } else {
             let expected = spec
                 .expected_cache
                 .of_tier(tier, || rest::expected(work, tier));
-            rest::records(tally, &work.rays, expected, answer);
+            rest::records(tally, &work.rays, expected, truths, answer);
         }
         let needed = spec.expected_cache.tests(|| rest::needed_tests(work));
         rest::tests(tally, needed, answer);

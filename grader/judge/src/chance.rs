@@ -21,7 +21,7 @@ pub(crate) const MIN_ESTIMATES: usize = 500;
 
 /// Why the distribution of a few random results is not judged.
 pub(crate) const TOO_FEW: &str =
-    "any random numbers are right, and there are too few results to test their distribution";
+    "any random numbers are right, and they are too few to test their distribution";
 
 /// Probability of a false alarm of each test.
 fn test_false_alarm() -> f64 {

@@ -59,18 +59,20 @@ impl TracedRay<'_> {
     /// that the ray enters before its `closest` hit, and of the primitives in such leaves. For any
     /// hit, only those that lead to one primitive.
     pub(crate) fn fewest(&self, closest: Option<f64>) -> Tests {
-        let Some(closest) = closest else {
-            return self.walk(false, |_| Some(self.range[1]));
-        };
-        if self.any_hit {
-            return Tests { boxes: 1, prims: 1 };
+        match closest {
+            Some(_) if self.any_hit => Tests { boxes: 1, prims: 1 },
+            Some(closest) => self.until(closest.next_down()),
+            None => self.until(self.range[1]),
         }
-        let before = closest.next_down();
+    }
+
+    /// The tests of a traversal that enters all boxes up to `max_t`.
+    fn until(&self, max_t: f64) -> Tests {
         let within = TracedRay {
-            range: [self.range[0], before],
+            range: [self.range[0], max_t],
             ..*self
         };
-        within.walk(false, |_| Some(before))
+        within.walk(false, |_| Some(max_t))
     }
 
     /// Counts the tests of a traversal in depth-first order. `visit` gets the primitives of a leaf

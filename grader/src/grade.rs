@@ -187,7 +187,17 @@ pub fn grade_tasks(
 ) -> Result<Vec<TaskResult>, GraderError> {
     let chosen = chosen(tasks, specs)?;
     let endings = workers.run(&chosen, printed)?;
-    let mut endings = chosen.iter().zip(&endings);
+    score_tasks(course, tasks, &chosen, &endings)
+}
+
+/// Scores the endings of the cases `chosen`, which are those of `tasks` in their order.
+pub fn score_tasks(
+    course: &Course,
+    tasks: &[&Task],
+    chosen: &[&Spec],
+    endings: &[Result<Ending, String>],
+) -> Result<Vec<TaskResult>, GraderError> {
+    let mut endings = chosen.iter().zip(endings);
     let mut results = Vec::new();
     for task in tasks {
         let mut case_results = Vec::new();

@@ -1,6 +1,7 @@
 //! The command `grader mutants`: checks that every typical mistake loses points and that no correct
-//! code does.
+//! code does, and that `grader bless` would not accept a mistake of the reference.
 
+use authoring::mutants::blessing::{self, BlessVerdict, Blessing};
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::groups;
 use authoring::mutants::run;
@@ -51,6 +52,12 @@ pub(crate) fn command() -> Command {
                 .help("Instead, grade every small slip in the reference and the variants (a comparison turned, operands swapped, a constant halved, an update forgotten …), and list groups of them that the diagnosis does not name"),
         )
         .arg(
+            Arg::new("against-bless")
+                .long("against-bless")
+                .action(ArgAction::SetTrue)
+                .help("Also print, as a table in Markdown, what `grader bless` would do with each mistake if the reference made it, and the answers that it would confirm although they differ by more than rounding errors"),
+        )
+        .arg(
             Arg::new("bless")
                 .long("bless")
                 .action(ArgAction::SetTrue)
@@ -63,6 +70,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let seeds: u64 = *matches.get_one("seeds").expect("it has a default");
     let with: Option<&PathBuf> = matches.get_one("with");
     let bless = matches.get_flag("bless");
+    let against_bless = matches.get_flag("against-bless");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let mut verdict = Verdict::Passed;
@@ -79,6 +87,9 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
                 let known = diagnosis::known(&workspace, &task.key)?;
                 let graded = run::unlisted(&workspace, &course, task, mutants)?;
                 show_unlisted(&task.key, &graded, &known);
+                if !show_blessings(&task.key, &graded, against_bless) {
+                    verdict = Verdict::Failed;
+                }
             }
             continue;
         }
@@ -95,7 +106,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             let graded = graded.iter().find(|graded| graded.name == name);
             show_diagnosis(name, graded, &known);
         }
-        if !marked_down.is_empty() || !table.survivors().is_empty() {
+        let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
+        if !marked_down.is_empty() || !table.survivors().is_empty() || !none_is_blessed {
             verdict = Verdict::Failed;
         }
         if bless {
@@ -168,6 +180,52 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
             println!("      {likeness:.2} {}{but}", mistakes.join(" + "));
         }
     }
+}
+
+/// Confirmed answers that differ from the reference's by more than this are listed.
+const MORE_THAN_ROUNDING: f64 = 1e-9;
+
+/// Prints the mutants that `grader bless` would accept if the reference made their mistakes;
+/// `in_full`, what it would do with each. Returns whether it would accept none.
+fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
+    let mutants = graded
+        .iter()
+        .filter(|graded| matches!(graded.kind, run::Kind::Mutant(_)));
+    let mutants: Vec<(&str, &[Blessing])> = mutants
+        .map(|graded| (graded.name.as_str(), graded.blessings.as_slice()))
+        .collect();
+    let of = |wanted: BlessVerdict| {
+        let of = mutants.iter();
+        let of = of.filter(move |(_, blessings)| blessing::verdict(blessings) == Some(wanted));
+        of.map(|(name, _)| *name).collect::<Vec<&str>>()
+    };
+    let accepted = of(BlessVerdict::Confirmed);
+    println!(
+        "  if the reference made the mistake, `grader bless` would refuse {}, list what is not judged for {}, accept {}",
+        of(BlessVerdict::Refused).len(),
+        of(BlessVerdict::NotJudged).len(),
+        accepted.len()
+    );
+    for name in &accepted {
+        println!("  BLESSED: the oracle confirms every answer that {name} changes");
+    }
+    if in_full {
+        println!("{}", blessing::markdown(task, &mutants));
+        for (name, blessings) in &mutants {
+            for Blessing {
+                case, confirmed, ..
+            } in *blessings
+            {
+                if let Some(change) = confirmed
+                    && change.difference > MORE_THAN_ROUNDING
+                {
+                    let (call, golden, actual) = (change.call, &change.golden, &change.actual);
+                    println!("confirmed: {name}, {case} {call}: {golden} -> {actual}");
+                }
+            }
+        }
+    }
+    accepted.is_empty()
 }
 
 /// Prints the diagnosis that a student with this mistake reads.

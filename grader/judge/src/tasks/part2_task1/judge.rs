@@ -59,7 +59,7 @@ pub(crate) fn build(
 }
 
 /// Why the nodes do not form a tree over the primitives.
-struct Fault {
+pub(super) struct Fault {
     /// The name of its class.
     name: &'static str,
     /// For people.
@@ -74,14 +74,14 @@ impl Fault {
 
 /// The nodes in an order in which parents come before their children, and the depth of each node (0
 /// for the root).
-struct Walk {
+pub(super) struct Walk {
     parents_first: Vec<usize>,
     depth: Vec<u32>,
 }
 
 /// Traverses the tree once. The error is the first fault: the nodes do not form a tree, or its
 /// leaves do not hold each primitive once.
-fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
+pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
     let mut walk = Walk {
         parents_first: Vec::new(),
         depth: vec![0; tree.nodes.len()],
@@ -208,7 +208,7 @@ fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
 }
 
 /// For each node, the smallest box around the primitives below it.
-fn tight_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
+pub(super) fn tight_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
     let mut tight = vec![Aabb::EMPTY; tree.nodes.len()];
     for &at in walk.parents_first.iter().rev() {
         tight[at] = match tree.nodes[at].kind {
@@ -224,7 +224,7 @@ fn tight_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
     tight
 }
 
-fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
+pub(super) fn aabb(&[min, max]: &[Xyz; 2]) -> Aabb {
     Aabb {
         min: Vec3::from(min),
         max: Vec3::from(max),
@@ -297,6 +297,19 @@ fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size
     }
 }
 
+/// The expected number of tests of a random line through the scene (see [`judge_work`]).
+pub(super) fn cost(tree: &Tree, tight: &[Aabb]) -> f64 {
+    let scene = tight.first().map_or(0.0, Aabb::surface_area);
+    let tests = |node: &Node| match node.kind {
+        NodeKind::Interior { .. } => 2.0,
+        NodeKind::Leaf { count, .. } => f64::from(count),
+    };
+    let costs = tree.nodes.iter();
+    costs
+        .map(|node| tests(node) * aabb(&node.bounds).surface_area() / scene)
+        .sum()
+}
+
 /// Judges the cost of a tree: the expected number of box and primitive tests of a random line
 /// through the scene, by the surface area heuristic (Goldsmith and Salmon, "Automatic creation of
 /// object hierarchies for ray tracing", 1987): a line that hits the scene's box hits a convex box
@@ -305,16 +318,7 @@ fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size
 /// The areas are those of the nodes' boxes relative to the tight box of the scene, so that loose
 /// boxes increase the cost.
 fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recorded: TreeWork) {
-    let scene = tight.first().map_or(0.0, Aabb::surface_area);
-    let tests = |node: &Node| match node.kind {
-        NodeKind::Interior { .. } => 2.0,
-        NodeKind::Leaf { count, .. } => f64::from(count),
-    };
-    let cost: f64 = tree
-        .nodes
-        .iter()
-        .map(|node| tests(node) * aabb(&node.bounds).surface_area() / scene)
-        .sum();
+    let cost = cost(tree, tight);
     let cheap = cost <= COST_FACTOR * recorded.cost;
     let ratio = cost / recorded.cost;
     let why = cause_of_cost(tree, tight);

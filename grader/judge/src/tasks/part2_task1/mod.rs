@@ -4,6 +4,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
 mod repro;
+mod rest;
 
 use crate::Tier;
 use crate::cases::{Spec, recorded};
@@ -32,6 +33,10 @@ impl Check for Build {
     fn judge(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
         let recorded = recorded::tree(spec.name);
         judge::build(tally, &work.bounds, work.max_leaf_size, answer, recorded);
+    }
+
+    fn judge_rest(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
+        rest::build(tally, work, answer, recorded::tree(spec.name));
     }
 
     fn lines(_: &BuildWork, answer: &BuildAnswer) -> Option<Content> {

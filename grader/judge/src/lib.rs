@@ -4,7 +4,7 @@
 //! maps each kind to its check. [`fits`] validates the form of an answer, [`judge`] its values.
 //!
 //! Shared modules: `hits` judges hit records, `numbers` colours and directions, `chance` statistics
-//! of many samples. [`truth`] computes the exact results for triangles and spheres with the oracle,
+//! of many samples, `independence` the samples of different pixels. [`truth`] computes the exact results for triangles and spheres with the oracle,
 //! [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
 //! them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
 //! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
@@ -17,6 +17,7 @@ pub mod errors;
 pub mod expected;
 pub mod expected_cache;
 mod hits;
+mod independence;
 mod numbers;
 pub mod picture;
 mod plural;

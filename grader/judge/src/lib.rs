@@ -4,7 +4,8 @@
 //! maps each kind to its check. [`fits`] validates the form of an answer, [`judge`] its values.
 //!
 //! Shared modules: `hits` judges hit records, `numbers` colours and directions, `chance` statistics
-//! of many samples, `independence` the samples of different pixels. [`truth`] computes the exact results for triangles and spheres with the oracle,
+//! of many samples, `independence` the samples of different pixels. `order` puts
+//! the findings that explain the most first. [`truth`] computes the exact results for triangles and spheres with the oracle,
 //! [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
 //! them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
 //! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
@@ -19,6 +20,7 @@ pub mod expected_cache;
 mod hits;
 mod independence;
 mod numbers;
+mod order;
 pub mod picture;
 mod plural;
 pub mod repro;
@@ -45,6 +47,7 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
 
 /// Judges `answer`, which [`fits`], to the case `spec`, whose points are of `tier`: core points
 /// allow the rounding errors of textbook code, robust points only those of numerically stable code.
+/// The findings that explain the most come first.
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     let mut tally = Tally::default();
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
@@ -53,5 +56,5 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
         spec.about_aspects.is_empty() || spec.about_aspects.contains(&finding.aspect)
     };
     findings.retain(in_scope);
-    findings
+    order::by_explanation(findings)
 }

@@ -157,6 +157,8 @@ fn biased(answer: &Answer, off: f64) -> Answer {
 /// The same answers, with samples moved along x so that the mean positions in their pixels, of calls
 /// that follow each other, have the correlation `r`.
 fn correlated(spec: &Spec, answer: &Answer, r: f64) -> Answer {
+    /// Shrinks the positions towards the centre of the pixel, so that they stay inside it.
+    const SHRINK: f64 = 0.3;
     let mut answer = answer.clone();
     let points: Vec<&mut Vec<[f64; 2]>> = match &mut answer {
         Answer::Pixels(answers) => answers.iter_mut().map(|one| &mut one.points).collect(),
@@ -172,12 +174,13 @@ fn correlated(spec: &Spec, answer: &Answer, r: f64) -> Answer {
     let mut before = 0.0;
     for (points, (column, width)) in points.into_iter().zip(columns) {
         let (column, width) = (f64::from(column), f64::from(width));
-        let sum: f64 = points.iter().map(|point| point[0] * width - column).sum();
-        let own = sum / points.len() as f64 - 0.5;
+        let from_center = |point: &[f64; 2]| point[0] * width - column - 0.5;
+        let own = points.iter().map(from_center).sum::<f64>() / points.len() as f64;
         let mean = r * before + (1.0 - r * r).sqrt() * own;
-        points
-            .iter_mut()
-            .for_each(|point| point[0] += (mean - own) / width);
+        for point in points {
+            let moved = SHRINK * (from_center(point) - own + mean);
+            point[0] = (column + 0.5 + moved) / width;
+        }
         before = mean;
     }
     answer

@@ -28,6 +28,9 @@ const SAME_OFFSET: f64 = 1e-9;
 /// few positions from the sampler and takes the others from a table shares less.
 const SAME_SHARE: f64 = 0.5;
 
+/// How far outside its pixel an offset may be, by the rounding of film points.
+const OUTSIDE_BOUND: f64 = 1e-9;
+
 /// The smallest number of pairs whose correlation is tested: of fewer it is not normally
 /// distributed.
 pub(crate) const MIN_PAIRS: usize = 200;
@@ -117,8 +120,12 @@ fn correlation(tally: &mut Tally, calls: &[PixelSamples], axis: usize, name: &st
     };
     let means: Vec<f64> = calls.iter().map(mean_offset).collect();
     let pairs = calls.len().saturating_sub(1);
-    // Without samples there is no mean; other aspects judge that.
-    if pairs < MIN_PAIRS || !means.iter().all(|mean| mean.is_finite()) {
+    // Other aspects judge samples that are missing or outside their pixel. Positions that are off by
+    // an amount that grows along the film are correlated, too.
+    let mut offsets = calls.iter().flat_map(|call| &call.offsets).flatten();
+    let inside = -OUTSIDE_BOUND..=1.0 + OUTSIDE_BOUND;
+    let is_placed = offsets.all(|x| inside.contains(x));
+    if pairs < MIN_PAIRS || !is_placed || means.iter().any(|mean| mean.is_nan()) {
         return;
     }
     let products: f64 = means.windows(2).map(|pair| pair[0] * pair[1]).sum();
@@ -223,6 +230,13 @@ mod tests {
         assert_eq!(faults(&calls), []);
         calls[9].offsets = calls[4].offsets.clone();
         assert_eq!(faults(&calls), [Class::Named("as with another seed")]);
+    }
+
+    #[test]
+    fn positions_outside_the_pixel_are_not_correlated() {
+        let farther_and_farther = |x: u32, s: Vec2| s + 0.1 * f64::from(x);
+        let calls = pixels(|x, y| PixelSampler::new(x, y, 5), farther_and_farther);
+        assert_eq!(faults(&calls), []);
     }
 
     #[test]

@@ -106,9 +106,19 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
     });
     if let (Some((id, t)), Some((given_t, given))) = (right, answer.hit) {
         let off = (given_t - t).abs();
-        tally.judge(Aspect::T, call, given_t == t, off, || {
+        let max_t_is_right = answer.ray_after.max_t == t;
+        let class = (given_t != t).then(|| match max_t_is_right {
+            true => Class::Named("max_t is right"),
+            false => Class::of_size(off),
+        });
+        tally.judge_class(Aspect::T, call, class, off, || {
+            let hint = if max_t_is_right {
+                " ray.max_t is right: is the hit returned that shortened the ray last?"
+            } else {
+                ""
+            };
             format!(
-                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}.{} {}",
+                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}.{hint}{} {}",
                 odd_tests(answer),
                 hits::show_ray(&scripted.ray)
             )
@@ -386,6 +396,25 @@ mod tests {
             failed(&world, &answers, false),
             [Aspect::T, Aspect::Primitive]
         );
+    }
+
+    /// Code that tests everything and returns the first hit.
+    #[test]
+    fn a_right_max_t_beside_a_wrong_t_is_part_of_its_class() {
+        let world = script("box_in_box");
+        let mut answers = right(&world, 9, 9);
+        let farthest = in_range(&world.rays[0]).max_by(|a, b| a.1.total_cmp(&b.1));
+        answers[0].hit = farthest.map(|(id, t)| (t, id));
+        let mut tally = Tally::default();
+        traverse(&mut tally, &world, &answers, false);
+        let findings = tally.into_findings();
+        let wrong = findings.iter().filter(|finding| !finding.passed());
+        let classes: Vec<_> = wrong
+            .map(|finding| (finding.aspect, finding.faults[0].class))
+            .collect();
+        let t = (Aspect::T, Class::Named("max_t is right"));
+        assert_eq!(classes[0], t);
+        assert_eq!(classes.len(), 2, "the other is the primitive: {classes:?}");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use judge::tally::{Aspect, Finding};
 use std::f64::consts::{SQRT_2, TAU};
 use wire::global::SpecularAnswer;
 use wire::work::Xyz;
-use wire::{Answer, Outcome};
+use wire::{Answer, Outcome, Work};
 
 /// A case may state at most this multiple of the bias that is certainly detected: a statement such
 /// as "90 %" in every case would be true but useless.
@@ -31,6 +31,7 @@ fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
     let start = match aspect {
         Aspect::Mean => "A bias of ",
         Aspect::Spread => "A deviation of ",
+        Aspect::Independence => "A correlation of ",
         _ => return None,
     };
     let (_, rest) = spec.about.split_once(start)?;
@@ -41,8 +42,10 @@ fn stated(spec: &Spec, aspect: Aspect) -> Option<f64> {
 
 /// The cases with statistical tests, with the reference's answers and the findings of these tests.
 fn with_statistical_tests(seed: u64) -> Vec<(Spec, Answer, Vec<Finding>)> {
-    let light = |spec: &Spec| ["part3", "part4", "part5"].contains(&&spec.task[..5]);
-    let specs = cases::all(seed).into_iter().filter(light);
+    let draws = |spec: &Spec| {
+        spec.task == "part1.task1" || ["part3", "part4", "part5"].contains(&&spec.task[..5])
+    };
+    let specs = cases::all(seed).into_iter().filter(draws);
     let answered = specs.filter_map(|spec| reference(&spec).map(|answer| (spec, answer)));
     answered
         .map(|(spec, answer)| {
@@ -83,6 +86,7 @@ fn answers_with_the_stated_error_fail() {
             for off in [JUST_ABOVE * share, -JUST_ABOVE * share] {
                 let wrong = match finding.aspect {
                     Aspect::Mean => biased(&answer, off),
+                    Aspect::Independence => correlated(&spec, &answer, off),
                     _ => uneven(&answer, off),
                 };
                 let judged = judge::judge(&spec, Tier::Core, &wrong);
@@ -111,11 +115,13 @@ fn there_are_cases_with_statistical_tests() {
         first.is_some_and(|spec| reference(spec).is_some())
     };
     for (task, least) in [
+        ("part1.task1", 2),
         ("part3.task1", 2),
         ("part3.task2", 4),
         ("part3.task3", 5),
         ("part4.task1", 1),
         ("part4.task3", 1),
+        ("part5.task1", 2),
     ] {
         assert!(!solved(task) || of(task) >= least, "{task}: {}", of(task));
     }
@@ -144,6 +150,38 @@ fn biased(answer: &Answer, off: f64) -> Answer {
                 .for_each(|height| *height = -*height);
         }
         _ => panic!("this kind of answer has no mean to judge"),
+    }
+    answer
+}
+
+/// The same answers, with samples moved along x so that the mean positions in their pixels, of calls
+/// that follow each other, have the correlation `r`.
+fn correlated(spec: &Spec, answer: &Answer, r: f64) -> Answer {
+    /// Shrinks the positions towards the centre of the pixel, so that they stay inside it.
+    const SHRINK: f64 = 0.3;
+    let mut answer = answer.clone();
+    let points: Vec<&mut Vec<[f64; 2]>> = match &mut answer {
+        Answer::Pixels(answers) => answers.iter_mut().map(|one| &mut one.points).collect(),
+        Answer::AdaptivePixels(answers) => answers.iter_mut().map(|one| &mut one.points).collect(),
+        _ => panic!("this kind of answer has no positions to judge"),
+    };
+    let columns: Vec<(u32, u32)> = match &spec.work {
+        Work::Pixels(work) => work.calls().map(|(p, _)| (p[0], work.film[0])).collect(),
+        Work::AdaptivePixels(works) => works.iter().map(|w| (w.pixel[0], w.film[0])).collect(),
+        _ => panic!("this kind of work has no pixels"),
+    };
+    // An autoregressive process: each mean is r times the one before, plus what is new.
+    let mut before = 0.0;
+    for (points, (column, width)) in points.into_iter().zip(columns) {
+        let (column, width) = (f64::from(column), f64::from(width));
+        let from_center = |point: &[f64; 2]| point[0] * width - column - 0.5;
+        let own = points.iter().map(from_center).sum::<f64>() / points.len() as f64;
+        let mean = r * before + (1.0 - r * r).sqrt() * own;
+        for point in points {
+            let moved = SHRINK * (from_center(point) - own + mean);
+            point[0] = (column + 0.5 + moved) / width;
+        }
+        before = mean;
     }
     answer
 }

@@ -105,6 +105,7 @@ fn entries(answer: &Answer) -> Vec<usize> {
         Answer::Boxes(answers) => vec![answers.len()],
         // Any number of nodes may be a tree: that is judged.
         Answer::Build(_) => vec![],
+        Answer::BuildGrowth(answer) => vec![answer.nodes.len(), answer.seconds.len()],
         Answer::Traverse(answers) => vec![answers.len()],
         Answer::Timing(answer) => [&answer.build_s, &answer.tree_s, &answer.brute_s]
             .map(|s| s.len())
@@ -163,6 +164,11 @@ impl Change {
                         nodes.tree.nodes = self.of(&build.tree.nodes);
                         order.tree.order = self.of(&build.tree.order);
                         vec![Answer::Build(nodes), Answer::Build(order)]
+                    }
+                    Answer::BuildGrowth(growth) => {
+                        let mut growth = growth.clone();
+                        growth.seconds = self.of(&growth.seconds);
+                        vec![Answer::BuildGrowth(growth)]
                     }
                     Answer::Timing(times) => {
                         let mut times = times.clone();

@@ -18,6 +18,18 @@ pub(crate) fn start() {
     }
 }
 
+/// The processor time of the current thread since some moment; where the system does not report it,
+/// the elapsed time. Only differences have a meaning.
+pub fn thread_time() -> Duration {
+    static START: OnceLock<Instant> = OnceLock::new();
+    // The system updates the time of a thread when it gives up the processor.
+    std::thread::yield_now();
+    let times = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    times
+        .and_then(|times| nanoseconds(&times))
+        .unwrap_or_else(|| START.get_or_init(Instant::now).elapsed())
+}
+
 /// Measures the time of one case.
 pub(crate) struct Stopwatch {
     worked_before: Duration,
@@ -50,7 +62,11 @@ fn left(limit: Duration, passed: Duration, worked: Option<Duration>) -> Option<D
 
 /// The processor time of the student's thread since its start, if the system reports it.
 fn worked() -> Option<Duration> {
-    let times = std::fs::read_to_string(TIMES.get()?).ok()?;
+    nanoseconds(&std::fs::read_to_string(TIMES.get()?).ok()?)
+}
+
+/// The processor time in the text of a file `schedstat`: its first number.
+fn nanoseconds(times: &str) -> Option<Duration> {
     let nanoseconds = times.split_whitespace().next()?.parse().ok()?;
     Some(Duration::from_nanos(nanoseconds))
 }
@@ -58,6 +74,19 @@ fn worked() -> Option<Duration> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_first_number_of_schedstat_is_the_processor_time() {
+        let times = "11223344 556677 89\n";
+        assert_eq!(nanoseconds(times), Some(Duration::from_nanos(11_223_344)));
+        assert_eq!(nanoseconds(""), None);
+    }
+
+    #[test]
+    fn the_time_of_a_thread_does_not_decrease() {
+        let before = thread_time();
+        assert!(before <= thread_time());
+    }
 
     #[test]
     fn waiting_for_the_processor_does_not_count() {

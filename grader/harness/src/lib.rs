@@ -9,5 +9,6 @@ mod clock;
 mod isolate;
 mod supervise;
 
+pub use clock::thread_time;
 pub use isolate::{call, run};
 pub use supervise::main;

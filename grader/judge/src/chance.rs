@@ -24,7 +24,7 @@ pub(crate) const TOO_FEW: &str =
     "any random numbers are right, and they are too few to test their distribution";
 
 /// Probability of a false alarm of each test.
-fn test_false_alarm() -> f64 {
+pub(crate) fn test_false_alarm() -> f64 {
     sidak(RUN_FALSE_ALARM, MAX_TESTS)
 }
 
@@ -102,6 +102,7 @@ fn mean_direction_class(directions: &[Option<Vec3>]) -> Class {
 mod tests {
     use super::*;
     use crate::cases;
+    use crate::independence::MIN_PAIRS;
     use wire::Work;
 
     #[test]
@@ -111,6 +112,8 @@ mod tests {
             Work::Direct(work) => work.points.len() >= MIN_ESTIMATES,
             Work::Specular(calls) => calls.len() >= MIN_ESTIMATES,
             Work::Roulette(work) => work.numbers.len() >= MIN_ESTIMATES,
+            Work::Pixels(work) => work.ns_aa > 1 && work.calls().count() > MIN_PAIRS,
+            Work::AdaptivePixels(pixels) => pixels.len() > MIN_PAIRS,
             _ => false,
         };
         let cases = cases::all(0);

@@ -75,6 +75,19 @@ impl Expected {
         }
     }
 
+    /// Whether `max_t` is right after a call that returned a wrong hit or miss. `before` is `max_t`
+    /// before the call.
+    pub fn has_right_max_t(&self, returned: Option<f64>, before: f64, max_t: f64) -> bool {
+        let is_right_t = |t: f64| {
+            let mut hits = self.hits.iter();
+            hits.any(|hit| (t - hit.t).abs() <= hit.t_bound)
+        };
+        let is_miss = self.hits.is_empty();
+        let is_returned_right = returned.map_or(is_miss || self.miss, is_right_t);
+        let is_right = is_right_t(max_t) || is_miss && max_t == before;
+        !is_returned_right && is_right
+    }
+
     /// The expected hit to compare an answer with: one of the same primitive if possible, and of
     /// those the one whose `t` is the closest relative to its bound.
     pub fn closest_to(&self, prim: u32, t: f64) -> Option<&ExpectedHit> {

@@ -275,8 +275,14 @@ impl Call<'_> {
         });
     }
 
-    /// The ray after the call: a hit sets `max_t`, a miss changes nothing.
-    pub(crate) fn ray_after(&mut self, hit_t: Option<f64>, after: &Ray) {
+    /// The ray after the call: a hit sets `max_t`, a miss changes nothing. For `is_right` see
+    /// [`Call::max_t_after`].
+    pub(crate) fn ray_after(
+        &mut self,
+        hit_t: Option<f64>,
+        after: &Ray,
+        is_right: impl FnOnce(f64) -> bool,
+    ) {
         let before = *self.ray;
         let rest = Ray {
             max_t: before.max_t,
@@ -287,18 +293,26 @@ impl Call<'_> {
         self.judge_class(Aspect::RayAfter, class, 2.0, |function| {
             format!("{function} changed the ray's o, d or min_t; expected: they stay as they are")
         });
-        self.max_t_after(hit_t, after.max_t);
+        self.max_t_after(hit_t, after.max_t, is_right);
     }
 
-    /// `max_t` after the call.
-    pub(crate) fn max_t_after(&mut self, hit_t: Option<f64>, after: f64) {
-        let right = hit_t.unwrap_or(self.ray.max_t);
-        let class = wrong_unless(after.to_bits() == right.to_bits(), || {
+    /// `max_t` after the call: that of the hit or miss that the function returned. If this was
+    /// wrong, the right `max_t` is right, too: `is_right` returns whether `max_t` is right although
+    /// the function returned another hit or miss.
+    pub(crate) fn max_t_after(
+        &mut self,
+        hit_t: Option<f64>,
+        after: f64,
+        is_right: impl FnOnce(f64) -> bool,
+    ) {
+        let returned = hit_t.unwrap_or(self.ray.max_t);
+        let agrees = after.to_bits() == returned.to_bits();
+        let class = wrong_unless(agrees || is_right(after), || {
             if after.to_bits() == self.ray.max_t.to_bits() {
                 Class::Named("max_t as before")
-            } else if after < right {
+            } else if after < returned {
                 Class::Named("max_t too near")
-            } else if after > right {
+            } else if after > returned {
                 Class::Named("max_t too far")
             } else {
                 Class::Wrong
@@ -311,7 +325,7 @@ impl Call<'_> {
                 "a miss does not change max_t"
             };
             format!(
-                "{function}: your result: ray.max_t = {after:?}; expected: {right:?}, since {why}"
+                "{function}: your result: ray.max_t = {after:?}; expected: {returned:?}, since {why}"
             )
         });
     }

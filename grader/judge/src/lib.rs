@@ -6,8 +6,9 @@
 //! becomes a golden.
 //!
 //! Shared modules: `hits` judges hit records, `numbers` colours and directions, `chance` statistics
-//! of many samples. [`truth`] computes the exact results for triangles and spheres with the oracle,
-//! [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
+//! of many samples, `independence` the samples of different pixels. `order` puts the findings that
+//! explain the most first. [`truth`] computes the exact results for triangles and spheres with the
+//! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
 //! them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
 //! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
 
@@ -20,7 +21,9 @@ pub mod errors;
 pub mod expected;
 pub mod expected_cache;
 mod hits;
+mod independence;
 mod numbers;
+mod order;
 pub mod picture;
 mod plural;
 pub mod repro;
@@ -52,12 +55,13 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
 ///
 /// Only the aspects that the case is about count, so that one mistake does not fail every case. A
 /// case about an aspect of hits is also about hit or miss: an answer without a hit has no normal.
+/// The findings that explain the most come first.
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     let mut tally = Tally::default();
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
     let mut findings = tally.into_findings();
     findings.retain(|finding| is_about(spec, finding.aspect));
-    findings
+    order::by_explanation(findings)
 }
 
 /// Whether the case is about `aspect`.

@@ -16,6 +16,9 @@ pub enum Aspect {
     Placement,
     /// How samples are distributed.
     Spread,
+    /// Whether the samples of a pixel differ from those of other pixels, and from those with another
+    /// seed.
+    Independence,
     /// The radiance of a pixel or an estimate.
     Radiance,
     /// The origin of a camera ray.
@@ -56,6 +59,8 @@ pub enum Aspect {
     Repeatable,
     /// The number of tests compared with that of the reference.
     Work,
+    /// How the time to build a tree grows with its size.
+    BuildTime,
     /// The value of a BSDF.
     Bsdf,
     /// A density, or the probability of a choice.
@@ -119,6 +124,7 @@ impl Aspect {
             Aspect::Calls => "number of samples",
             Aspect::Placement => "sample positions",
             Aspect::Spread => "sample distribution",
+            Aspect::Independence => "independence of samples",
             Aspect::Radiance => "radiance",
             Aspect::Origin => "ray origin",
             Aspect::Direction => "ray direction",
@@ -138,6 +144,7 @@ impl Aspect {
             Aspect::LeafSize => "leaf size",
             Aspect::Repeatable => "same tree on a second build",
             Aspect::Work => "work",
+            Aspect::BuildTime => "growth of the build time",
             Aspect::Bsdf => "BSDF",
             Aspect::Pdf => "pdf",
             Aspect::SampledDirection => "sampled direction",

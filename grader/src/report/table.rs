@@ -1,7 +1,7 @@
 //! Formats the report for people: a table of scores, then the failed cases in as much detail as the
 //! hint level allows.
 
-use super::{Report, TaskReport};
+use super::{Report, TaskReport, order};
 use crate::score::{CaseResult, Status, TaskResult};
 use clap::builder::styling::{AnsiColor, Style};
 use comfy_table::{Cell, CellAlignment, Table, presets};
@@ -276,8 +276,10 @@ fn diagnosis(text: &mut String, report: &TaskReport) {
     }
 }
 
-/// Adds the first few cases in full, then the names of the others.
+/// Adds the first few cases in full, then the names of the others. Cases that show something new
+/// come first.
 fn failed_cases(text: &mut String, cases: &[&CaseResult], hint: HintLevel) {
+    let cases = order::new_faults_first(cases);
     let (full, rest) = cases.split_at(cases.len().min(CASES_IN_FULL));
     full.iter().for_each(|case| one_case(text, case, hint));
     if !rest.is_empty() {

@@ -137,6 +137,15 @@ pub struct BuildAnswer {
     pub repeatable: bool,
 }
 
+/// The processor time of `construct_bvh`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BuildGrowthAnswer {
+    /// For each size that was built: the number of nodes of the tree.
+    pub nodes: Vec<u32>,
+    /// For each size that was built: the seconds of processor time of the fastest build.
+    pub seconds: Vec<f64>,
+}
+
 /// The result of a traversal for one ray of a scripted world.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TraverseAnswer {

@@ -5,14 +5,14 @@
 
 use crate::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 use crate::answer::{
-    BuildAnswer, HitsAnswer, PixelAnswer, SphereAnswer, TimingAnswer, TraverseAnswer,
-    TriangleAnswer, VisitsAnswer,
+    BuildAnswer, BuildGrowthAnswer, HitsAnswer, PixelAnswer, SphereAnswer, TimingAnswer,
+    TraverseAnswer, TriangleAnswer, VisitsAnswer,
 };
 use crate::direct::{DirectAnswer, DirectWork, LambertAnswer, LambertProbe};
 use crate::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, SpecularCall};
 use crate::work::{
-    BoxWork, BruteForceWork, BuildWork, CameraWork, PixelWork, Ray, SceneWork, ScriptedWorld,
-    SphereWork, TestTiming, TimingWork, TriangleWork, VisitsWork, Xyz,
+    BoxWork, BruteForceWork, BuildGrowthWork, BuildWork, CameraWork, PixelWork, Ray, SceneWork,
+    ScriptedWorld, SphereWork, TestTiming, TimingWork, TriangleWork, VisitsWork, Xyz,
 };
 use serde::{Deserialize, Serialize};
 
@@ -70,6 +70,8 @@ kinds! {
     Boxes(BoxWork) -> Vec<Option<[f64; 2]>>;
     /// Call `construct_bvh`, twice.
     Build(BuildWork) -> BuildAnswer;
+    /// Time `construct_bvh` over ever more primitives.
+    BuildGrowth(BuildGrowthWork) -> BuildGrowthAnswer;
     /// Call `intersect_bvh` or `occludes_bvh` in a world whose test results are given.
     Traverse(ScriptedWorld) -> Vec<TraverseAnswer>;
     /// Trace rays through a scene with all of the student's stages and a given tree.

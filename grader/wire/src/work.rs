@@ -66,6 +66,20 @@ pub struct BuildWork {
     pub max_leaf_size: u32,
 }
 
+/// Trees to build over ever more primitives: random clouds of boxes of the same density.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BuildGrowthWork {
+    /// The numbers of primitives, ascending, at least two.
+    pub sizes: Vec<u32>,
+    /// The largest number of primitives in a leaf.
+    pub max_leaf_size: u32,
+    /// How often each size is built.
+    pub rounds: u32,
+    /// Milliseconds of processor time: if a build takes longer, no larger tree is built. The second
+    /// size is always built.
+    pub enough_ms: u64,
+}
+
 /// Rays to trace through a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneWork {
@@ -147,10 +161,19 @@ pub struct PixelWork {
     pub pixels: Vec<[u32; 2]>,
     /// Camera samples per pixel.
     pub ns_aa: u32,
-    /// Seed of the pixel samplers.
-    pub seed: u64,
+    /// Seeds of the pixel samplers: each pixel is sampled once with each seed.
+    pub seeds: Vec<u64>,
     /// The radiance that `trace_ray` returns.
     pub world: PixelWorld,
+}
+
+impl PixelWork {
+    /// The calls of `raytrace_pixel`, each with a pixel and a seed: all pixels with the first seed,
+    /// then all with the next.
+    pub fn calls(&self) -> impl Iterator<Item = ([u32; 2], u64)> + '_ {
+        let seeds = self.seeds.iter();
+        seeds.flat_map(|&seed| self.pixels.iter().map(move |&pixel| (pixel, seed)))
+    }
 }
 
 /// The radiance that the scripted `trace_ray` returns.

@@ -10,6 +10,8 @@ mod adaptive;
 #[cfg(feature = "bbox")]
 mod bbox;
 #[cfg(feature = "bvh")]
+mod build_growth;
+#[cfg(feature = "bvh")]
 mod bvh;
 mod convert;
 #[cfg(feature = "direct")]

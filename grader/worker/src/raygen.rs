@@ -6,15 +6,15 @@ use wire::answer::PixelAnswer;
 use wire::work::{CameraWork, PixelWork, PixelWorld};
 
 pub(crate) fn pixels(work: &PixelWork) -> Vec<PixelAnswer> {
-    let each = work.pixels.iter().enumerate();
-    each.map(|(i, &[x, y])| {
+    let each = work.calls().enumerate();
+    each.map(|(i, (place, seed))| {
         harness::call(i);
-        pixel(work, x, y)
+        pixel(work, place, seed)
     })
     .collect()
 }
 
-fn pixel(work: &PixelWork, x: u32, y: u32) -> PixelAnswer {
+fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
     let film = FilmSize {
         w: work.film[0],
         h: work.film[1],
@@ -27,7 +27,7 @@ fn pixel(work: &PixelWork, x: u32, y: u32) -> PixelAnswer {
         y,
         film,
         work.ns_aa,
-        &mut PixelSampler::new(x, y, work.seed),
+        &mut PixelSampler::new(x, y, seed),
         &mut |point| {
             points.push(point);
             camera_stub(point)

@@ -27,6 +27,8 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
         #[cfg(feature = "bvh")]
         Work::Build(work) => Answer::Build(crate::bvh::build(work)),
         #[cfg(feature = "bvh")]
+        Work::BuildGrowth(work) => Answer::BuildGrowth(crate::build_growth::build(work)),
+        #[cfg(feature = "bvh")]
         Work::Traverse(world) => Answer::Traverse(crate::bvh::traverse(world)),
         #[cfg(feature = "meshes")]
         Work::SceneHits(work) => Answer::SceneHits(crate::meshes::scene_hits(work)?),

@@ -48,11 +48,6 @@ impl Graded {
     }
 }
 
-/// The time limit for a case of a mutant in milliseconds. Correct code needs a few milliseconds,
-/// and mutants with endless loops should not take minutes. Correct versions have the students'
-/// limit.
-const MUTANT_LIMIT_MS: u64 = 1500;
-
 /// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0.
 ///
 /// Then grades the correct versions with the seeds from 1 to `seeds - 1`, in the cases that depend
@@ -224,10 +219,6 @@ impl VersionsWorker<'_> {
         let worker = Worker {
             program: self.program.clone(),
             environment: vec![(VERSION_VARIABLE, version.to_string())],
-            longest_ms: match self.versions[version].1 {
-                Kind::Correct => u64::MAX,
-                Kind::Mutant(_) => MUTANT_LIMIT_MS,
-            },
         };
         // The worker links every stage.
         StageWorkers {

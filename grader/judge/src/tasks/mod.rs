@@ -54,6 +54,7 @@ checks! {
     Spheres => part1_task4::Spheres,
     BruteForce => brute_force::BruteForce,
     Build => part2_task1::Build,
+    BuildGrowth => part2_task1::growth::BuildGrowth,
     Boxes => part2_task2::Boxes,
     Traverse => part2_task3::Traverse,
     SceneHits => scene_hits::SceneHits,

@@ -38,7 +38,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "one_sample_of_a_point",
             "A light without extent gets one sample, whatever -l is, since all its samples would \
-             be equal. Pitfall: its light is not divided by -l.",
+             be equal. Pitfall: its light divided by -l is too dark.",
             random_points_lit(vec![point(), sun()], Vec::new(), 4),
         )
         .only(&[Rays, Radiance]),

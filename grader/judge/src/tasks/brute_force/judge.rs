@@ -33,7 +33,10 @@ pub(crate) fn brute_force(
         {
             call.barycentrics(right, hit.uv);
         }
-        call.max_t_after(hit.map(|hit| hit.t), *max_t);
+        let hit_t = hit.map(|hit| hit.t);
+        call.max_t_after(hit_t, *max_t, |max_t| {
+            expected.has_right_max_t(hit_t, ray.max_t, max_t)
+        });
     }
 }
 

@@ -1,7 +1,7 @@
 //! Cases of the sample loop of a pixel.
 
 use crate::cases::Spec;
-use crate::tally::Aspect::{Calls, Placement, Radiance, Spread};
+use crate::tally::Aspect::{Calls, Independence, Placement, Radiance, Spread};
 use wire::Work;
 use wire::work::{PixelWork, PixelWorld};
 
@@ -45,6 +45,26 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "64 samples a pixel, with random numbers that depend on the seed.",
             work([6, 5], all([6, 5]), 64, PixelWorld::Ramp, seed),
         ),
+        case(
+            "fresh_offsets_in_each_pixel",
+            "4 samples in each of 256 pixels: the samples of a pixel are independent of those of \
+             other pixels. A correlation of 75 % is always detected. Pitfall: another sampler than \
+             the pixel's own, or a table of positions, gives every pixel the same ones, which show \
+             as a pattern in the picture.",
+            work([16, 16], all([16, 16]), 4, PixelWorld::Ramp, seed),
+        )
+        .only(&[Independence]),
+        case(
+            "fresh_offsets_for_each_seed",
+            "4 samples in one pixel, with 256 seeds: the samples depend on the seed. A correlation \
+             of 75 % is always detected. Pitfall: with positions that do not depend on the seed, \
+             the mean of many pictures is as noisy as one of them.",
+            PixelWork {
+                seeds: (0..256).map(|i| seed.wrapping_add(i)).collect(),
+                ..work([16, 16], vec![[9, 5]], 4, PixelWorld::Ramp, seed)
+            },
+        )
+        .only(&[Independence]),
         case(
             "odd_number_of_samples",
             "7 samples a pixel: 7 rays, and their mean. Pitfall: sampling in whole rows of a \
@@ -127,7 +147,7 @@ fn work(
         film,
         pixels,
         ns_aa,
-        seed,
+        seeds: vec![seed],
         world,
     }
 }

@@ -3,6 +3,7 @@
 //! The distribution of samples is judged by z-tests over all pixels of a case, so that every
 //! correct sampler passes: independent, jittered or low-discrepancy samples, in any order.
 
+use crate::independence::{self, PixelSamples};
 use crate::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
 use wire::answer::PixelAnswer;
@@ -23,14 +24,32 @@ pub(super) const SIGMAS: f64 = 6.5;
 
 /// Judges `raytrace_pixel`.
 pub(crate) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
-    for (call, (pixel, answer)) in work.pixels.iter().zip(answers).enumerate() {
-        calls(tally, call, *pixel, work.ns_aa, answer);
-        placement(tally, call, *pixel, work, answer);
-        radiance(tally, call, *pixel, answer);
+    for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
+        calls(tally, call, pixel, work.ns_aa, answer);
+        placement(tally, call, pixel, work, answer);
+        radiance(tally, call, pixel, answer);
     }
     if work.ns_aa > 1 {
-        spread(tally, work, answers);
+        let samples = samples(work, answers);
+        spread(tally, work, answers, &samples);
+        independence::judge(tally, &samples);
     }
+}
+
+/// The positions of all samples in their pixels.
+fn samples(work: &PixelWork, answers: &[PixelAnswer]) -> Vec<PixelSamples> {
+    let calls = work.calls().zip(answers);
+    let samples = calls.map(|((pixel, seed), answer)| {
+        let points = answer.points.iter();
+        PixelSamples {
+            pixel,
+            seed,
+            offsets: points
+                .map(|point| offset(work.film, pixel, *point))
+                .collect(),
+        }
+    });
+    samples.collect()
 }
 
 /// Each sample is one call of `camera_ray` and one of `trace_ray`, and is counted once.
@@ -143,9 +162,9 @@ fn offset(film: [u32; 2], pixel: [u32; 2], point: [f64; 2]) -> [f64; 2] {
 }
 
 /// The samples of a pixel differ, and those of all pixels are distributed uniformly.
-fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer], samples: &[PixelSamples]) {
     tally.expect(Aspect::Spread);
-    for (call, (pixel, answer)) in work.pixels.iter().zip(answers).enumerate() {
+    for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
         let distinct: HashSet<_> = answer.points.iter().map(|p| p.map(f64::to_bits)).collect();
         let (all, distinct) = (answer.points.len(), distinct.len());
         let repeated = all - distinct;
@@ -155,21 +174,13 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
             )
         });
     }
-    let offsets: Vec<[f64; 2]> = work
-        .pixels
-        .iter()
-        .zip(answers)
-        .flat_map(|(pixel, answer)| {
-            let points = answer.points.iter();
-            points.map(|point| offset(work.film, *pixel, *point))
-        })
-        .collect();
+    let offsets = samples.iter().flat_map(|samples| &samples.offsets);
+    let offsets: Vec<[f64; 2]> = offsets.copied().collect();
     let mean_of =
         |f: &dyn Fn(&[f64; 2]) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
     let mut test = |name: &str, mean: f64, right: f64, variance: f64| {
         let sigma = (variance / offsets.len() as f64).sqrt();
-        // A regular or low-discrepancy set of n points may be off by about 1/n, the same in every
-        // pixel.
+        // A low-discrepancy set of n points may be off by about 1/n, the same in every pixel.
         let slack = 1.0 / f64::from(work.ns_aa);
         let off = (mean - right).abs();
         let allowed = slack + SIGMAS * sigma;
@@ -205,7 +216,7 @@ mod tests {
             film: [8, 9],
             pixels: (0..9).flat_map(|y| (0..8).map(move |x| [x, y])).collect(),
             ns_aa,
-            seed: 0,
+            seeds: vec![0],
             world: PixelWorld::Ramp,
         }
     }
@@ -274,7 +285,7 @@ mod tests {
         );
         assert_eq!(
             wrong(16, |_| Vec2::splat(0.25), unchanged),
-            [Aspect::Spread]
+            [Aspect::Spread, Aspect::Independence]
         );
         assert_eq!(wrong(1, |_| Vec2::ZERO, unchanged), [Aspect::Placement]);
     }

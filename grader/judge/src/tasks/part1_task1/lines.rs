@@ -7,8 +7,11 @@ use wire::work::PixelWork;
 
 /// Sample count and radiance; full lines also have the first points.
 pub(super) fn pixels(work: &PixelWork, answers: &[PixelAnswer]) -> Vec<Forms> {
-    each(&work.pixels, answers, |pixel, answer| {
-        let question = vec![field("pixel", vector(&pixel.map(f64::from)))];
+    each(work.calls(), answers, |(pixel, seed), answer| {
+        let mut question = vec![field("pixel", vector(&pixel.map(f64::from)))];
+        if work.seeds.len() > 1 {
+            question.push(number("seed", seed as f64));
+        }
         let short = vec![
             number("samples", f64::from(answer.samples)),
             field("radiance", vector(&answer.radiance)),

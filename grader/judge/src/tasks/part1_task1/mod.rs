@@ -21,7 +21,7 @@ impl Check for Pixels {
     type Answer = Vec<PixelAnswer>;
 
     fn calls(work: &PixelWork) -> usize {
-        work.pixels.len()
+        work.calls().count()
     }
 
     fn fits(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Result<(), String> {
@@ -60,7 +60,8 @@ impl Check for Pixels {
     }
 
     fn repro(_: Tier, work: &PixelWork, call: usize) -> Option<String> {
-        Some(repro::samples(work, *work.pixels.get(call)?))
+        let (pixel, seed) = work.calls().nth(call)?;
+        Some(repro::samples(work, pixel, seed))
     }
 
     fn colours(answers: &Vec<PixelAnswer>) -> Option<Vec<Xyz>> {

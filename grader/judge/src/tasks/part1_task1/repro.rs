@@ -3,12 +3,11 @@
 use wire::work::PixelWork;
 
 /// A test of each sample of one pixel; if there are several samples, also of their distribution
-/// over all pixels of a film.
-pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2]) -> String {
+/// over all pixels of a film, and of their dependence on the pixel and the seed.
+pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> String {
     let PixelWork {
         film: [w, h],
         ns_aa,
-        seed,
         ..
     } = work;
     let one = format!(
@@ -57,29 +56,37 @@ assert!(off.iter().all(|off| off.abs() <= 1e-10), \"{{:?}}, the mean is {{mean:?
     }
 }
 
-/// A test of the mean, variance and covariance of positions in the pixel, over a film of 64 x 64.
+/// A test of the mean, variance and covariance of positions in the pixel, over a film of 64 x 64,
+/// and that they differ between pixels and between seeds.
 fn spread(ns_aa: u32) -> String {
     format!(
         "let film = FilmSize {{ w: 64, h: 64 }};
-let mut offsets: Vec<Vec2> = Vec::new();
-for pixel in 0..64 * 64 {{
-    let (x, y) = (pixel % 64, pixel / 64);
+let offsets_of = |x: u32, y: u32, seed: u64| -> Vec<Vec2> {{
     let corner = Vec2::new(f64::from(x), f64::from(y));
+    let mut offsets = Vec::new();
     raygen::raytrace_pixel(
         x,
         y,
         film,
         {ns_aa},
-        &mut PixelSampler::new(x, y, 0),
+        &mut PixelSampler::new(x, y, seed),
         &mut |point: Vec2| {{
             offsets.push(64.0 * point - corner);
             Ray::new(Vec3::ZERO, Vec3::NEG_Z)
         }},
         &mut |_: &Ray, _: &mut PixelSampler| Spectrum::BLACK,
     );
+    offsets
+}};
+let same = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).all(|(a, b)| (*a - *b).abs().max_element() <= 1e-9);
+let first = offsets_of(0, 0, 0);
+for (x, y) in [(1, 0), (0, 1), (17, 23)] {{
+    assert!(!same(&first, &offsets_of(x, y, 0)), \"pixel ({{x}}, {{y}}) has the positions of pixel (0, 0)\");
 }}
+assert!(!same(&first, &offsets_of(0, 0, 1)), \"the positions do not depend on the seed\");
+let offsets: Vec<Vec2> = (0..64 * 64).flat_map(|pixel| offsets_of(pixel % 64, pixel / 64, 0)).collect();
 let mean = |f: &dyn Fn(&Vec2) -> f64| offsets.iter().map(f).sum::<f64>() / offsets.len() as f64;
-// A regular pattern of {ns_aa} samples may be off by 1/{ns_aa}.
+// A low-discrepancy set of {ns_aa} samples may be off by 1/{ns_aa}.
 let slack = 0.02 + 1.0 / {ns_aa}.0;
 assert!((mean(&|o| o.x) - 0.5).abs() <= slack && (mean(&|o| o.y) - 0.5).abs() <= slack, \"the mean position is not the centre\");
 for variance in [mean(&|o| (o.x - 0.5).powi(2)), mean(&|o| (o.y - 0.5).powi(2))] {{

@@ -39,7 +39,10 @@ pub(crate) fn triangles(
         {
             call.barycentrics(right, hit.uv);
         }
-        call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
+        let hit_t = hit.map(|hit| hit.t);
+        call.ray_after(hit_t, &answer.ray_after, |max_t| {
+            expected.has_right_max_t(hit_t, probe.ray.max_t, max_t)
+        });
         call.agrees_with(test, tested.is_some(), hit.is_some());
     }
 }
@@ -144,6 +147,28 @@ mod tests {
             a.ray_after = ray(1.0, 1.25);
         };
         assert_eq!(wrong(inside, miss), [HitOrMiss]);
+    }
+
+    /// A right `max_t` beside a wrong `t` or a wrong miss is no second fault.
+    #[test]
+    fn a_right_max_t_is_right_whatever_is_returned() {
+        let inside = ray(1.0, 1.25);
+        assert_eq!(wrong(inside, hit(|h| h.t = 0.0)), [T]);
+        assert_eq!(wrong(inside, |a| a.hit = None), [HitOrMiss]);
+        // A max_t that fits neither the returned t nor the right one.
+        let both = |a: &mut TriangleAnswer| {
+            a.ray_after.max_t = 3.0;
+            a.hit.iter_mut().for_each(|hit| hit.t = 0.0);
+        };
+        assert_eq!(wrong(inside, both), [RayAfter, T]);
+        // The right t, rounded in another way than the one returned: max_t is not set to t.
+        let other_rounding = |a: &mut TriangleAnswer| {
+            a.ray_after.max_t = a.ray_after.max_t.next_up();
+        };
+        assert_eq!(wrong(inside, other_rounding), [RayAfter]);
+        let beside = ray(3.0, 3.0);
+        let right = answer(&inside).hit;
+        assert_eq!(wrong(beside, |a| a.hit = right), [HitOrMiss]);
     }
 
     #[test]

@@ -32,7 +32,10 @@ pub(crate) fn spheres(
         let hit = answer.hit.as_ref();
         call.function = intersect;
         record(&mut call, expected, hit);
-        call.ray_after(hit.map(|hit| hit.t), &answer.ray_after);
+        let hit_t = hit.map(|hit| hit.t);
+        call.ray_after(hit_t, &answer.ray_after, |max_t| {
+            expected.has_right_max_t(hit_t, probe.ray.max_t, max_t)
+        });
         call.agrees_with(test, answer.test.is_some(), hit.is_some());
     }
 }

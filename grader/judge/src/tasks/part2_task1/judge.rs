@@ -1,7 +1,10 @@
-//! Judges a tree: its structure, its bounds and the work that it needs.
+//! Judges a tree: its bounds and the work that it needs; [`super::structure`] judges its structure,
+//! [`super::leaves`] its leaves.
 //!
 //! The tree comes from code under test: indices may be out of range, and nodes may form a cycle.
 
+use super::leaves;
+use super::structure::{Walk, walk};
 use crate::cases::recorded::TreeWork;
 use crate::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Vec3};
@@ -52,158 +55,9 @@ pub(crate) fn build(
     tally.judge(Aspect::Structure, 0, true, 0.0, String::new);
     let tight = tight_boxes(tree, &walk, bounds);
     judge_bounds(tally, tree, &tight);
-    judge_leaves(tally, tree, bounds.len(), max_leaf_size);
+    leaves::judge(tally, tree, bounds, max_leaf_size);
     if let Some(recorded) = recorded {
         judge_work(tally, tree, &walk, &tight, recorded);
-    }
-}
-
-/// Why the nodes do not form a tree over the primitives.
-pub(super) struct Fault {
-    /// The name of its class.
-    name: &'static str,
-    /// For people.
-    message: String,
-}
-
-impl Fault {
-    fn new(name: &'static str, message: String) -> Fault {
-        Fault { name, message }
-    }
-}
-
-/// The nodes in an order in which parents come before their children, and the depth of each node (0
-/// for the root).
-pub(super) struct Walk {
-    parents_first: Vec<usize>,
-    depth: Vec<u32>,
-}
-
-/// Traverses the tree once. The error is the first fault: the nodes do not form a tree, or its
-/// leaves do not hold each primitive once.
-pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
-    let mut walk = Walk {
-        parents_first: Vec::new(),
-        depth: vec![0; tree.nodes.len()],
-    };
-    let mut reached = vec![false; tree.nodes.len()];
-    let mut leaf_of = vec![None; tree.order.len()];
-    if tree.nodes.is_empty() && primitives > 0 {
-        return Err(Fault::new(
-            "no nodes",
-            format!("the tree has no nodes, but there are {primitives} primitives"),
-        ));
-    }
-    let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
-    while let Some(at) = next.pop() {
-        if std::mem::replace(&mut reached[at], true) {
-            return Err(Fault::new(
-                "two parents",
-                format!(
-                    "node {at} has two parents or is its own ancestor: each node must be reached once from node 0"
-                ),
-            ));
-        }
-        walk.parents_first.push(at);
-        match tree.nodes[at].kind {
-            NodeKind::Interior { left, right } => {
-                for child in [left as usize, right as usize] {
-                    if child >= tree.nodes.len() {
-                        return Err(Fault::new(
-                            "no such child",
-                            format!(
-                                "node {at} has the child {child}, but the tree has {} nodes",
-                                tree.nodes.len()
-                            ),
-                        ));
-                    }
-                    walk.depth[child] = walk.depth[at] + 1;
-                    next.push(child);
-                }
-            }
-            NodeKind::Leaf { first, count } => take_run(&mut leaf_of, at, first, count)?,
-        }
-    }
-    if let Some(lost) = reached.iter().position(|reached| !reached) {
-        return Err(Fault::new(
-            "unreachable",
-            format!("node {lost} is no child of any node: it cannot be reached from node 0"),
-        ));
-    }
-    if let Some(place) = leaf_of.iter().position(Option::is_none) {
-        return Err(Fault::new(
-            "in no leaf",
-            format!(
-                "no leaf holds order[{place}] (primitive {}): no ray is tested against it",
-                tree.order[place]
-            ),
-        ));
-    }
-    each_once(&tree.order, primitives)?;
-    Ok(walk)
-}
-
-/// Records that the leaf `at` holds `order[first .. first + count]`.
-fn take_run(leaf_of: &mut [Option<usize>], at: usize, first: u32, count: u32) -> Result<(), Fault> {
-    let (first, count) = (first as usize, count as usize);
-    let length = leaf_of.len();
-    let run = leaf_of.get_mut(first..first + count).ok_or_else(|| {
-        Fault::new(
-            "beyond order",
-            format!(
-                "leaf {at} holds order[{first} .. {}], but order has {length} entries",
-                first + count
-            ),
-        )
-    })?;
-    for (place, holder) in (first..).zip(run) {
-        if let Some(other) = holder.replace(at) {
-            return Err(Fault::new(
-                "overlap",
-                format!(
-                    "leaves {other} and {at} both hold order[{place}]: leaves must not overlap"
-                ),
-            ));
-        }
-    }
-    Ok(())
-}
-
-/// Checks that `order` has each of the primitives once.
-fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
-    let mut seen = vec![false; primitives];
-    for &id in order {
-        match seen.get_mut(id as usize) {
-            None => {
-                return Err(Fault::new(
-                    "no such primitive",
-                    format!("the tree holds primitive {id}, but there are only {primitives}"),
-                ));
-            }
-            Some(seen) if *seen => {
-                return Err(Fault::new(
-                    "twice",
-                    format!("the tree holds primitive {id} twice"),
-                ));
-            }
-            Some(seen) => *seen = true,
-        }
-    }
-    match seen.iter().filter(|seen| !**seen).count() {
-        0 => Ok(()),
-        lost => {
-            let id = seen.iter().position(|seen| !seen).unwrap_or_default();
-            Err(Fault::new(
-                if id + lost == primitives {
-                    "last ones lost"
-                } else {
-                    "lost"
-                },
-                format!(
-                    "{lost} of {primitives} primitives are in no leaf, for example primitive {id}: does each go left or right, even if its centroid lies on the split?"
-                ),
-            ))
-        }
     }
 }
 
@@ -262,39 +116,6 @@ fn show(b: &Aabb) -> String {
         crate::hits::show(b.min),
         crate::hits::show(b.max)
     )
-}
-
-fn judge_leaves(tally: &mut Tally, tree: &Tree, primitives: usize, max_leaf_size: u32) {
-    // 0 counts as 1.
-    let max_leaf_size = max_leaf_size.max(1);
-    if tree.nodes.is_empty() {
-        tally.judge(Aspect::LeafSize, 0, true, 0.0, String::new);
-    }
-    for (at, node) in tree.nodes.iter().enumerate() {
-        let NodeKind::Leaf { count, .. } = node.kind else {
-            continue;
-        };
-        let too_many = count > max_leaf_size;
-        let for_nothing = count == 0 && primitives > 0;
-        let class = match count {
-            0 if for_nothing => Some(Class::Named("empty")),
-            _ if count == max_leaf_size + 1 => Some(Class::Named("one too many")),
-            _ if too_many => Some(Class::Named("too many")),
-            _ => None,
-        };
-        tally.judge_class(
-            Aspect::LeafSize,
-            0,
-            class,
-            f64::from(count),
-            || {
-                if for_nothing {
-                    return format!("leaf {at} is empty: expected at least one primitive");
-                }
-                format!("leaf {at} holds {count} primitives, max_leaf_size is {max_leaf_size}: if one side of a split is empty, split in another way, for example into two halves of equal size")
-            },
-        );
-    }
 }
 
 /// The expected number of tests of a random line through the scene (see [`judge_work`]).

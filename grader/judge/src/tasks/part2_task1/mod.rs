@@ -1,10 +1,13 @@
 //! `part2.task1`: building the tree.
 
 pub(crate) mod cases;
+pub(crate) mod growth;
 pub(crate) mod judge;
+mod leaves;
 mod lines;
 mod repro;
 mod rest;
+mod structure;
 
 use crate::Tier;
 use crate::cases::{Spec, recorded};

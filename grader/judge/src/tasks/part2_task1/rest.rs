@@ -1,7 +1,8 @@
 //! Judges what no case grades about a tree: whether its boxes are as small, and its cost as low, as
 //! they can be expected to be.
 
-use super::judge::{aabb, cost, tight_boxes, walk};
+use super::judge::{aabb, cost, tight_boxes};
+use super::structure::walk;
 use crate::cases::recorded::TreeWork;
 use crate::tally::{Aspect, Tally};
 use wire::answer::BuildAnswer;

@@ -3,7 +3,7 @@
 use crate::Tier;
 use crate::convert;
 use crate::hits;
-use crate::tally::{Aspect, Tally};
+use crate::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Interval, Vec3};
 use oracle::{self, BoxJudgement, KernelClass};
 use wire::work::{Probe, Xyz};
@@ -44,7 +44,14 @@ pub(crate) fn boxes(
                 hits::show_ray(&probe.ray)
             )
         };
-        let class = hits::decision_class(decided, answer.is_some());
+        let ends_before_it_starts = answer.is_some_and(|[from, to]| from > to);
+        let class = hits::decision_class(decided, answer.is_some()).map(|class| {
+            if ends_before_it_starts {
+                Class::Named("ends before it starts")
+            } else {
+                class
+            }
+        });
         tally.judge_class(Aspect::HitOrMiss, call, class, 1.0, || match *answer {
             None => {
                 let [from, to] = verdict
@@ -55,10 +62,17 @@ pub(crate) fn boxes(
                     about()
                 )
             }
-            Some([from, to]) => format!(
-                "your result: inside from t = {from} to t = {to}; expected: miss. {}",
-                about()
-            ),
+            Some([from, to]) => {
+                let backwards = if ends_before_it_starts {
+                    ", which ends before it starts"
+                } else {
+                    ""
+                };
+                format!(
+                    "your result: inside from t = {from} to t = {to}{backwards}; expected: miss. {}",
+                    about()
+                )
+            }
         });
         let (true, Some([from, to])) = (decided, *answer) else {
             continue;
@@ -120,6 +134,25 @@ mod tests {
         };
         assert_eq!(failed(beside, None), []);
         assert_eq!(failed(beside, Some([2.0, 3.0])), [Aspect::HitOrMiss]);
+    }
+
+    #[test]
+    fn an_interval_that_ends_before_it_starts_has_a_class_of_its_own() {
+        let beside = Ray {
+            o: [1.5, 0.5, -2.0],
+            ..THROUGH
+        };
+        let class = |answer: [f64; 2]| {
+            let probe = Probe {
+                shape: 0,
+                ray: beside,
+            };
+            let mut tally = Tally::default();
+            boxes(&mut tally, Tier::Robust, &UNIT, &[probe], &[Some(answer)]);
+            tally.into_findings()[0].faults[0].class
+        };
+        assert_eq!(class([2.0, 3.0]), Class::FalseHit);
+        assert_eq!(class([3.0, 2.0]), Class::Named("ends before it starts"));
     }
 
     /// A ray in the plane of a face must not be missed.

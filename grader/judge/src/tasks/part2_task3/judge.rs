@@ -13,7 +13,7 @@ use wire::work::{Ray, ScriptedRay, ScriptedWorld};
 pub(crate) const WORK_FACTOR: f64 = 1.5;
 
 /// Judges the results of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
-/// tests.
+/// tests. Tests that repeat others are always judged.
 pub(crate) fn traverse(
     tally: &mut Tally,
     world: &ScriptedWorld,
@@ -29,10 +29,50 @@ pub(crate) fn traverse(
     }
     if counts_work {
         tally.expect(Aspect::Work);
+    }
+    if answers.iter().any(|answer| answer.repeated_prims > 0) {
+        // The number of tests follows from it.
+        repeated(tally, world, answers);
+    } else if counts_work && tally.is_right(Aspect::HitOrMiss) {
         // A traversal that misses hits makes fewer tests.
-        if tally.is_right(Aspect::HitOrMiss) {
-            work(tally, world, answers);
-        }
+        work(tally, world, answers);
+    }
+}
+
+/// Judges that no primitive is tested twice with the same ray, for answers some of which do that.
+/// Every tree of the cases holds each primitive once.
+fn repeated(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+    let function = function(world);
+    for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
+        let (tests, repeated) = (answer.prim_tests, answer.repeated_prims);
+        let all = scripted.prims.len() as u32;
+        // Each primitive as often as any other.
+        let is_whole_list = repeated + all == tests && tests.is_multiple_of(all);
+        let class = (repeated > 0).then_some(match is_whole_list {
+            true => Class::Named("all primitives in each leaf"),
+            false => Class::Named("primitives tested again"),
+        });
+        tally.judge_class(Aspect::Work, call, class, f64::from(repeated), || {
+            let ray = hits::show_ray(&scripted.ray);
+            if is_whole_list {
+                return format!(
+                    "your result: {function} tests all {all} primitives {} times; expected: in each leaf only its own, order[first .. first + count]. {ray}",
+                    tests / all
+                );
+            }
+            format!(
+                "your result: {repeated} of {tests} primitive tests of {function} repeat one with the same ray; expected: none, since the tree holds each primitive once. Does each leaf test order[first .. first + count] only, and is each node visited once? {ray}"
+            )
+        });
+    }
+}
+
+/// The function that is called.
+fn function(world: &ScriptedWorld) -> &'static str {
+    if world.any_hit {
+        "occludes_bvh"
+    } else {
+        "intersect_bvh"
     }
 }
 
@@ -67,9 +107,19 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
     });
     if let (Some((id, t)), Some((given_t, given))) = (right, answer.hit) {
         let off = (given_t - t).abs();
-        tally.judge(Aspect::T, call, given_t == t, off, || {
+        let max_t_is_right = answer.ray_after.max_t == t;
+        let class = (given_t != t).then(|| match max_t_is_right {
+            true => Class::Named("max_t is right"),
+            false => Class::of_size(off),
+        });
+        tally.judge_class(Aspect::T, call, class, off, || {
+            let hint = if max_t_is_right {
+                " ray.max_t is right: is the hit returned that shortened the ray last?"
+            } else {
+                ""
+            };
             format!(
-                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}.{} {}",
+                "your result: primitive {given} at t = {given_t}; expected: primitive {id} at t = {t}.{hint}{} {}",
                 odd_tests(answer),
                 hits::show_ray(&scripted.ray)
             )
@@ -89,7 +139,10 @@ fn closest(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &Trav
         function: "intersect_bvh",
         ray: &scripted.ray,
     };
-    call.ray_after(hit_t, &answer.ray_after);
+    let right_t = right.map(|(_, t)| t);
+    call.ray_after(hit_t, &answer.ray_after, |max_t| {
+        hit_t != right_t && max_t == right_t.unwrap_or(scripted.ray.max_t)
+    });
 }
 
 fn any(tally: &mut Tally, call: usize, scripted: &ScriptedRay, answer: &TraverseAnswer) {
@@ -122,22 +175,12 @@ fn odd_tests(answer: &TraverseAnswer) -> String {
             answer.unknown_boxes
         );
     }
-    if answer.repeated_prims > 0 {
-        return format!(
-            " It tested {} primitives more than once.",
-            answer.repeated_prims
-        );
-    }
     String::new()
 }
 
 /// Judges the number of tests, separately for the rays along each axis.
 fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
-    let function = if world.any_hit {
-        "occludes_bvh"
-    } else {
-        "intersect_bvh"
-    };
+    let function = function(world);
     let mut by_axis: BTreeMap<usize, AxisTotal> = BTreeMap::new();
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let axis = kit::Vec3::from(scripted.ray.d).abs().max_position();
@@ -314,6 +357,25 @@ mod tests {
         );
     }
 
+    /// Code that tests everything and returns the first hit.
+    #[test]
+    fn a_right_max_t_beside_a_wrong_t_is_part_of_its_class() {
+        let world = script("box_in_box");
+        let mut answers = right(&world, 9, 9);
+        let farthest = in_range(&world.rays[0]).max_by(|a, b| a.1.total_cmp(&b.1));
+        answers[0].hit = farthest.map(|(id, t)| (t, id));
+        let mut tally = Tally::default();
+        traverse(&mut tally, &world, &answers, false);
+        let findings = tally.into_findings();
+        let wrong = findings.iter().filter(|finding| !finding.passed());
+        let classes: Vec<_> = wrong
+            .map(|finding| (finding.aspect, finding.faults[0].class))
+            .collect();
+        let t = (Aspect::T, Class::Named("max_t is right"));
+        assert_eq!(classes[0], t);
+        assert_eq!(classes.len(), 2, "the other is the primitive: {classes:?}");
+    }
+
     #[test]
     fn an_unchanged_max_t_fails_only_ray_after() {
         let world = script("both_children");
@@ -338,6 +400,51 @@ mod tests {
             failed(&world, &right(&world, 270, 256), true),
             [Aspect::Work]
         );
+    }
+
+    #[test]
+    fn a_primitive_that_is_tested_twice_fails_work() {
+        for name in ["both_children", "random_trees_any_hit", "nearer_first"] {
+            let world = script(name);
+            let mut answers = right(&world, 270, 130);
+            answers[1].repeated_prims = 1;
+            let failed = failed(&world, &answers, name == "nearer_first");
+            assert_eq!(failed, [Aspect::Work], "{name}");
+        }
+    }
+
+    #[test]
+    fn a_leaf_that_tests_the_whole_list_has_a_class_of_its_own() {
+        let world = script("both_children");
+        let all = world.rays[0].prims.len() as u32;
+        let class = |prim_tests: u32, repeated_prims: u32| {
+            let mut answers = right(&world, 9, prim_tests);
+            answers[0].repeated_prims = repeated_prims;
+            let mut tally = Tally::default();
+            traverse(&mut tally, &world, &answers, false);
+            let findings = tally.into_findings();
+            let work = findings.iter().find(|finding| !finding.passed());
+            work.map(|finding| (finding.wrong, finding.faults[0].class))
+        };
+        let whole = Class::Named("all primitives in each leaf");
+        assert_eq!(class(3 * all, 2 * all), Some((1, whole)));
+        let again = Class::Named("primitives tested again");
+        assert_eq!(class(3 * all, all), Some((1, again)));
+        assert_eq!(class(3 * all, 0), None);
+    }
+
+    #[test]
+    fn every_tree_holds_each_primitive_at_most_once() {
+        for spec in cases::all(0) {
+            let Work::Traverse(world) = spec.work else {
+                continue;
+            };
+            let mut order = world.tree.order;
+            let held = order.len();
+            order.sort_unstable();
+            order.dedup();
+            assert_eq!(order.len(), held, "{}", spec.name);
+        }
     }
 
     #[test]

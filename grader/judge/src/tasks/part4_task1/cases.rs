@@ -45,7 +45,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "snells_law",
             "sin θi = η · sin θo on the other side of the normal and of the surface: η is 1 / ior \
-             where light enters, ior where it leaves.",
+             where wo is outside, ior where it is inside.",
             calls("snells_law", 0, 100, |rng| {
                 let ior = rng.one_of(&INDICES);
                 let wo = away_from_critical(rng, ior);

@@ -2,7 +2,7 @@
 
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Calls, Placement, Questions, Radiance};
+use crate::tally::Aspect::{Calls, Independence, Placement, Questions, Radiance};
 use wire::Work;
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
 use wire::work::Xyz;
@@ -96,6 +96,24 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "Pixels with random samples that depend on the seed.",
             exact("fresh_pixels", seed),
         ),
+        pixel(
+            "fresh_offsets_in_each_pixel",
+            "4 samples in each of 256 pixels: the samples of a pixel are independent of those of \
+             other pixels. A correlation of 75 % is always detected.",
+            (0..256)
+                .map(|i| four_samples([i % 16, i / 16], seed))
+                .collect(),
+        )
+        .only(&[Independence]),
+        pixel(
+            "fresh_offsets_for_each_seed",
+            "4 samples in one pixel, with 256 seeds: the samples depend on the seed. A correlation \
+             of 75 % is always detected.",
+            (0..256)
+                .map(|i| four_samples([9, 5], seed.wrapping_add(i)))
+                .collect(),
+        )
+        .only(&[Independence]),
     ]
 }
 
@@ -178,6 +196,16 @@ fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
         seed: 0,
         stream: colours("stream", i),
         rule,
+    }
+}
+
+/// 4 samples in a pixel of a film of 16 x 16.
+fn four_samples(pixel: [u32; 2], seed: u64) -> AdaptivePixel {
+    AdaptivePixel {
+        film: [16, 16],
+        pixel,
+        seed,
+        ..of(0, 4, 4, never())
     }
 }
 

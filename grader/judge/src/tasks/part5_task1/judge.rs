@@ -1,6 +1,7 @@
 //! Judges the stopping rule, and pixels that stop by a rule.
 
 use super::placement;
+use crate::independence::{self, PixelSamples};
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
 use kit::{Spectrum, Tally as SampleTally};
@@ -69,6 +70,11 @@ pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[Adap
     for (call, (work, answer)) in works.iter().zip(answers).enumerate() {
         pixel(tally, call, work, answer);
     }
+    let samples = works.iter().zip(answers);
+    let samples: Vec<PixelSamples> = samples
+        .map(|(work, answer)| placement::samples(work, answer))
+        .collect();
+    independence::judge(tally, &samples);
 }
 
 /// Why the positions of samples are not judged.

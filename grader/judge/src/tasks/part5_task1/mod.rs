@@ -10,7 +10,7 @@ use crate::Tier;
 use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::snapshot::lines::each;
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
 
 /// `has_converged`, called for each question.
@@ -88,5 +88,10 @@ impl Check for AdaptivePixels {
 
     fn repro(_: Tier, questions: &Vec<AdaptivePixel>, call: usize) -> Option<String> {
         repro::pixel(questions.get(call)?)
+    }
+
+    /// The test is of one pixel.
+    fn repro_shows(aspect: Aspect) -> bool {
+        aspect != Aspect::Independence
     }
 }

@@ -1,5 +1,6 @@
 //! Judges the positions of samples in a pixel.
 
+use crate::independence::PixelSamples;
 use crate::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
@@ -28,6 +29,20 @@ const KNOWN_MISTAKES: [(&str, Place); 4] = [
         point - at / size
     }),
 ];
+
+/// The positions of all samples in their pixel.
+pub(crate) fn samples(work: &AdaptivePixel, answer: &AdaptiveAnswer) -> PixelSamples {
+    let [x, y] = work.pixel.map(f64::from);
+    let [w, h] = work.film.map(f64::from);
+    let points = answer.points.iter();
+    PixelSamples {
+        pixel: work.pixel,
+        seed: work.seed,
+        offsets: points
+            .map(|point| [right(point[0], x, w), right(point[1], y, h)])
+            .collect(),
+    }
+}
 
 /// Judges that samples lie inside the pixel, at different points.
 pub(crate) fn judge(

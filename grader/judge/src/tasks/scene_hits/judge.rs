@@ -36,8 +36,23 @@ pub(crate) fn hits(
                 function: "intersect_bvh",
                 ray,
             };
-            call.ray_after(hit_t, &after);
+            call.ray_after(hit_t, &after, |max_t| {
+                let is_right_t = |t: f64| is_nearest(truth, kernel, t);
+                match truth.nearest {
+                    Some(_) => !hit_t.is_some_and(is_right_t) && is_right_t(max_t),
+                    None => hit_t.is_some() && max_t == ray.max_t,
+                }
+            });
         }
+    }
+}
+
+/// Whether the nearest primitive is hit at `t`.
+fn is_nearest(truth: &Closest, kernel: KernelClass, t: f64) -> bool {
+    let judgement = |(id, _)| truth.judge(kernel, Some((id, t)));
+    match truth.nearest.map(judgement) {
+        Some(ClosestJudgement::Primitive(judgement)) => judgement.scores(),
+        _ => false,
     }
 }
 

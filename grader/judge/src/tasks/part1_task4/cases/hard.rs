@@ -12,7 +12,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "far_away",
-            "Spheres at distances of a thousand to a million radii. Pitfall: b * b and 4ac are so \
+            "Spheres at distances of a thousand to a million radii. Pitfall: b * b and a * c are so \
              large that no digit of their difference is correct; use r * r - |f - (f.d / d.d) \
              d|^2 instead.",
             far_away(),
@@ -21,8 +21,8 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "ground_sphere",
             "A sphere of radius 1e5 as the ground, with rays that start close above it. Pitfall: \
-             -b and the square root cancel; compute the root in which they add up, and divide c \
-             by it.",
+             b and the square root cancel in one of the roots; compute the sum in which they add \
+             up, and divide c by it.",
             ground(),
         )
         .only(&[HitOrMiss, T]),

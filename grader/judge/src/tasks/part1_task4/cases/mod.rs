@@ -16,14 +16,15 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     let core = vec![
         case(
             "head_on",
-            "Rays through spheres of many sizes and positions: with f = o - center, b is 2 f.d \
-             and c is f.f - r * r.",
+            "Rays through spheres of many sizes and positions: with f = o - center, a is d.d, b \
+             is -f.d and c is f.f - r * r.",
             hits::head_on(),
         ),
         case(
             "around_the_rim",
             "Rays just inside the silhouette hit, rays just outside miss. Pitfall: a radius that \
-             is not squared, or half of b, moves the silhouette.",
+             is not squared moves the silhouette, and so does b * b - 4 a c where b is -f.d: the 4 \
+             belongs to a b that is twice as large.",
             hits::around_the_rim(),
         )
         .only(&[HitOrMiss, T, RayAfter]),
@@ -64,7 +65,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "length_of_direction",
             "d need not have length 1: t is in units of the length of d. Pitfall: a is d.d, not \
-             1, and the whole numerator is divided by 2a.",
+             1, and the whole numerator is divided by it.",
             hits::length_of_direction(),
         )
         .only(&[HitOrMiss, T, Position]),

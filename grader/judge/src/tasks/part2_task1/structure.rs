@@ -1,0 +1,154 @@
+//! The structure of a tree that code under test built: nodes reached once, primitives held once.
+
+use wire::work::{NodeKind, Tree};
+
+/// Why the nodes do not form a tree over the primitives.
+pub(super) struct Fault {
+    /// The name of its class.
+    pub(super) name: &'static str,
+    /// For people.
+    pub(super) message: String,
+}
+
+impl Fault {
+    fn new(name: &'static str, message: String) -> Fault {
+        Fault { name, message }
+    }
+}
+
+/// The nodes in an order in which parents come before their children, and the depth of each node (0
+/// for the root).
+pub(super) struct Walk {
+    pub(super) parents_first: Vec<usize>,
+    pub(super) depth: Vec<u32>,
+}
+
+/// Traverses the tree once. The error is the first fault: the nodes do not form a tree, or its
+/// leaves do not hold each primitive once.
+pub(super) fn walk(tree: &Tree, primitives: usize) -> Result<Walk, Fault> {
+    let mut walk = Walk {
+        parents_first: Vec::new(),
+        depth: vec![0; tree.nodes.len()],
+    };
+    let mut reached = vec![false; tree.nodes.len()];
+    let mut leaf_of = vec![None; tree.order.len()];
+    if tree.nodes.is_empty() && primitives > 0 {
+        return Err(Fault::new(
+            "no nodes",
+            format!("the tree has no nodes, but there are {primitives} primitives"),
+        ));
+    }
+    let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
+    while let Some(at) = next.pop() {
+        if std::mem::replace(&mut reached[at], true) {
+            return Err(Fault::new(
+                "two parents",
+                format!(
+                    "node {at} has two parents or is its own ancestor: each node must be reached once from node 0"
+                ),
+            ));
+        }
+        walk.parents_first.push(at);
+        match tree.nodes[at].kind {
+            NodeKind::Interior { left, right } => {
+                for child in [left as usize, right as usize] {
+                    if child >= tree.nodes.len() {
+                        return Err(Fault::new(
+                            "no such child",
+                            format!(
+                                "node {at} has the child {child}, but the tree has {} nodes",
+                                tree.nodes.len()
+                            ),
+                        ));
+                    }
+                    walk.depth[child] = walk.depth[at] + 1;
+                    next.push(child);
+                }
+            }
+            NodeKind::Leaf { first, count } => take_run(&mut leaf_of, at, first, count)?,
+        }
+    }
+    if let Some(lost) = reached.iter().position(|reached| !reached) {
+        return Err(Fault::new(
+            "unreachable",
+            format!("node {lost} is no child of any node: it cannot be reached from node 0"),
+        ));
+    }
+    if let Some(place) = leaf_of.iter().position(Option::is_none) {
+        return Err(Fault::new(
+            "in no leaf",
+            format!(
+                "no leaf holds order[{place}] (primitive {}): no ray is tested against it",
+                tree.order[place]
+            ),
+        ));
+    }
+    each_once(&tree.order, primitives)?;
+    Ok(walk)
+}
+
+/// Records that the leaf `at` holds `order[first .. first + count]`.
+fn take_run(leaf_of: &mut [Option<usize>], at: usize, first: u32, count: u32) -> Result<(), Fault> {
+    let (first, count) = (first as usize, count as usize);
+    let length = leaf_of.len();
+    let run = leaf_of.get_mut(first..first + count).ok_or_else(|| {
+        Fault::new(
+            "beyond order",
+            format!(
+                "leaf {at} holds order[{first} .. {}], but order has {length} entries",
+                first + count
+            ),
+        )
+    })?;
+    for (place, holder) in (first..).zip(run) {
+        if let Some(other) = holder.replace(at) {
+            return Err(Fault::new(
+                "overlap",
+                format!(
+                    "leaves {other} and {at} both hold order[{place}]: leaves must not overlap"
+                ),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Checks that `order` has each of the primitives once.
+fn each_once(order: &[u32], primitives: usize) -> Result<(), Fault> {
+    let mut seen = vec![false; primitives];
+    for &id in order {
+        match seen.get_mut(id as usize) {
+            None => {
+                return Err(Fault::new(
+                    "no such primitive",
+                    format!("the tree holds primitive {id}, but there are only {primitives}"),
+                ));
+            }
+            Some(seen) if *seen => {
+                return Err(Fault::new(
+                    "twice",
+                    format!(
+                        "the tree holds primitive {id} twice: does each go either left or right, even if its centroid lies on the split?"
+                    ),
+                ));
+            }
+            Some(seen) => *seen = true,
+        }
+    }
+    match seen.iter().filter(|seen| !**seen).count() {
+        0 => Ok(()),
+        lost => {
+            let id = seen.iter().position(|seen| !seen).unwrap_or_default();
+            Err(Fault::new(
+                if id + lost == primitives {
+                    "last ones lost"
+                } else {
+                    "lost"
+                },
+                format!(
+                    "{lost} of {primitives} primitives are in no leaf, for example primitive {id}: does each go left or right, even if its centroid lies on the split?"
+                ),
+            ))
+        }
+    }
+}

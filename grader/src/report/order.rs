@@ -1,0 +1,120 @@
+//! Orders failed cases: those that show a fault of a new kind come first.
+
+use crate::score::{CaseResult, Status};
+use judge::tally::{Aspect, Class, Fault};
+use std::collections::BTreeSet;
+
+/// A kind of fault that a case shows.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind<'a> {
+    /// The case has no answers, for this reason.
+    NoAnswer(&'a str),
+    /// A wrong answer of a function, in one aspect and of one class, if the class has a name.
+    Wrong(Aspect, Option<&'static str>, Option<Class>),
+}
+
+/// Puts the cases first that show a kind of fault that no case before them shows. The others repeat
+/// what is known. Otherwise the order stays as it is: the course goes from simple cases to hard
+/// ones.
+pub(super) fn new_faults_first<'a>(cases: &[&'a CaseResult]) -> Vec<&'a CaseResult> {
+    let mut known = BTreeSet::new();
+    let (mut ordered, repeating): (Vec<&CaseResult>, Vec<&CaseResult>) =
+        cases.iter().partition(|case| {
+            let before = known.len();
+            known.extend(kinds(case));
+            known.len() > before
+        });
+    ordered.extend(repeating);
+    ordered
+}
+
+fn kinds(case: &CaseResult) -> Vec<Kind<'_>> {
+    if let Status::Crashed(how) | Status::Needs(how) = &case.status {
+        // Whichever call it was.
+        let how = how
+            .split_once(" (call ")
+            .map_or(how.as_str(), |(how, _)| how);
+        return vec![Kind::NoAnswer(how)];
+    }
+    let wrong = case.findings.iter().flat_map(|finding| {
+        let of = |fault: &Fault| Kind::Wrong(finding.aspect, fault.function, named(fault.class));
+        finding.faults.iter().map(of)
+    });
+    wrong.collect()
+}
+
+/// The class, if it is a kind of its own. Others depend on the size of the error.
+fn named(class: Class) -> Option<Class> {
+    matches!(
+        class,
+        Class::Named(_) | Class::FalseHit | Class::FalseMiss | Class::NotANumber
+    )
+    .then_some(class)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use judge::Tier;
+    use judge::tally::Tally;
+
+    /// A failed case with one fault of each class.
+    fn case(name: &str, faults: &[(Aspect, Class)]) -> CaseResult {
+        let mut tally = Tally::default();
+        for (aspect, class) in faults {
+            tally.judge_class(*aspect, 0, Some(*class), 1.0, String::new);
+        }
+        CaseResult {
+            name: name.into(),
+            tier: Tier::Core,
+            score: 0.0,
+            max_score: 1.0,
+            status: Status::Failed,
+            about: String::new(),
+            findings: tally.into_findings(),
+            with_neighbours: false,
+        }
+    }
+
+    fn order(cases: &[CaseResult]) -> Vec<&str> {
+        let cases: Vec<&CaseResult> = cases.iter().collect();
+        let ordered = new_faults_first(&cases).into_iter();
+        ordered.map(|case| case.name.as_str()).collect()
+    }
+
+    #[test]
+    fn cases_that_repeat_known_faults_come_last() {
+        let miss = (Aspect::HitOrMiss, Class::FalseMiss);
+        let hit = (Aspect::HitOrMiss, Class::FalseHit);
+        let small = (Aspect::T, Class::Off(-3));
+        let large = (Aspect::T, Class::Off(5));
+        let cases = [
+            case("one", &[miss]),
+            case("two", &[miss]),
+            case("three", &[miss, small]),
+            case("four", &[large]),
+            case("five", &[hit]),
+        ];
+        assert_eq!(order(&cases), ["one", "three", "five", "two", "four"]);
+    }
+
+    #[test]
+    fn the_same_crash_is_known() {
+        let crashed = |name: &str, how: &str| CaseResult {
+            status: Status::Crashed(how.into()),
+            ..case(name, &[])
+        };
+        let cases = [
+            crashed(
+                "one",
+                "panicked at lib.rs:3: too small (call 0 of the case)",
+            ),
+            crashed(
+                "two",
+                "panicked at lib.rs:3: too small (call 7 of the case)",
+            ),
+            crashed("three", "ran out of time"),
+        ];
+        assert_eq!(order(&cases), ["one", "three", "two"]);
+    }
+}

@@ -118,7 +118,10 @@ impl Call<'_> {
         if expected.decision() == HitOrMiss::Either {
             self.not_judged(Aspect::HitOrMiss, ROUNDING_DECIDES);
         }
-        let class = decision_class(right, answered.is_some());
+        let class = match answered {
+            Some(t) if !right && t.is_nan() => Some(Class::Named("a hit at NaN")),
+            _ => decision_class(right, answered.is_some()),
+        };
         self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);

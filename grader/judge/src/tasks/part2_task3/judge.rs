@@ -207,7 +207,10 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         let mut count = |what: &str, tests: u64, twice_plain: u64| {
             let plain = twice_plain as f64 / 2.0;
             let times = tests as f64 / plain;
-            let class = (times > WORK_FACTOR).then(|| total.why(times));
+            let class = (times > WORK_FACTOR).then(|| match total.why(times) {
+                Class::Off(_) if what == "primitive" => Class::Named("primitive tests alone"),
+                class => class,
+            });
             tally.judge_class(Aspect::Work, call, class, times, || {
                 format!(
                     "your result: {function} makes {tests} {what} tests; visiting children in a fixed order makes {plain:.0} (up to {WORK_FACTOR} times that passes). {}",

@@ -208,7 +208,7 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
             let plain = twice_plain as f64 / 2.0;
             let times = tests as f64 / plain;
             let class = (times > WORK_FACTOR).then(|| match total.why(times) {
-                Class::Off(_) if what == "primitive" => Class::Named("primitive tests alone"),
+                Class::Off(_) if what == "primitive" => Class::Named("too many primitive tests"),
                 class => class,
             });
             tally.judge_class(Aspect::Work, call, class, times, || {

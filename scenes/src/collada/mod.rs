@@ -56,8 +56,12 @@
 
 mod bake;
 mod binding;
+mod controller;
 mod document;
+mod finding;
 mod geometry;
+mod holes;
+mod index_lists;
 mod library;
 mod light;
 pub(crate) mod limits;
@@ -68,18 +72,23 @@ mod nodes;
 mod normals;
 mod numbers;
 mod optics;
+mod parameter;
 mod polygon;
 mod precheck;
 mod primitives;
+mod projection;
+mod references;
 mod source;
 mod texture;
 mod transform;
+mod uri;
 mod vertices;
+mod warnings;
 
 use crate::diagnostic::{Diagnostic, SceneError, Warning};
-use document::{Document, Element, child, children, tag};
+use crate::text_file;
+use document::{Document, Element, children, descendant, tag};
 use kit::Scene;
-use std::io::Read;
 use std::path::Path;
 
 /// A scene and the warnings of the reader.
@@ -96,43 +105,22 @@ pub struct Loaded {
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
     let path = path.as_ref();
     let name = path.display().to_string();
-    parse(&name, &read_text(path, &name)?)
-}
-
-/// Reads a text file. Its errors include advice.
-pub(crate) fn read_text(path: &Path, name: &str) -> Result<String, SceneError> {
-    let unreadable = |error: std::io::Error| {
-        let help = match error.kind() {
-            std::io::ErrorKind::NotFound => "check the path: it is relative to the current folder",
-            std::io::ErrorKind::PermissionDenied => "change the permissions of the file",
-            _ => "pass the path of a file",
-        };
-        Diagnostic::about_file(name, format!("the file cannot be read: {error}")).help(help)
-    };
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(limits::MAX_FILE_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(unreadable)?;
-    if bytes.len() as u64 > limits::MAX_FILE_BYTES {
-        let title = format!("the file has more than {} bytes", limits::MAX_FILE_BYTES);
-        let diagnostic =
-            Diagnostic::about_file(name, title).help("simplify the meshes before the export");
-        return Err(diagnostic.into());
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        let title = format!("the file is not valid UTF-8 at byte {at}");
-        Diagnostic::about_file(name, title)
-            .help("save it as UTF-8; a compressed .zae must be unpacked first")
-            .into()
-    })
+    let decoded = text_file::read(path, &name)?;
+    let mut loaded = parse(&name, &decoded.text)?;
+    loaded.warnings.splice(0..0, decoded.warning.map(Warning));
+    Ok(loaded)
 }
 
 /// Parses the text of a COLLADA file. `name` is the file name for messages.
 pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
     precheck::check(name, text)?;
-    let xml = roxmltree::Document::parse(text).map_err(|error| malformed(name, text, &error))?;
+    let options = roxmltree::ParsingOptions {
+        // A few entities that contain each other can expand to any size.
+        allow_dtd: !text.contains("<!ENTITY"),
+        ..roxmltree::ParsingOptions::default()
+    };
+    let xml = roxmltree::Document::parse_with_options(text, options)
+        .map_err(|error| malformed(name, text, &error))?;
     let doc = Document::new(name, &xml);
     let scene = build(&doc)?;
     Ok(Loaded {
@@ -169,34 +157,37 @@ fn build<'a>(doc: &Document<'a>) -> Result<Scene, SceneError> {
     Ok(scene)
 }
 
-/// The visual scene that `<scene>` refers to. Without one: the only visual scene, with a warning.
+/// The visual scene that `<scene>` refers to. Without one: the first visual scene, with a warning.
 fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>, SceneError> {
-    if let Some(instance) =
-        child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"))
-    {
+    if let Some(instance) = descendant(root, &["scene", "instance_visual_scene"]) {
         return doc.target(instance, "url", "visual_scene");
     }
+    let title = "no <scene> selects a visual scene";
     let libraries = children(root).filter(|element| tag(*element) == "library_visual_scenes");
     let mut scenes = libraries
         .flat_map(children)
         .filter(|element| tag(*element) == "visual_scene");
-    match (scenes.next(), scenes.next()) {
-        (Some(only), None) => {
-            doc.warn(|| {
-                let title = "no <scene> selects a visual scene";
-                doc.on(only, title, "using the only visual scene")
-            });
-            Ok(only)
-        }
-        _ => Err(doc
-            .on(
-                root,
-                "no <scene> selects a visual scene",
-                "expected <scene> with <instance_visual_scene url=\"#...\"/>",
-            )
-            .help("export the file again, with a scene")
-            .into()),
+    if let Some(first) = scenes.next() {
+        let used = match scenes.next() {
+            None => "using the only visual scene",
+            Some(_) => "using the first visual scene",
+        };
+        doc.on(first, title, used).warn();
+        return Ok(first);
     }
+    let help = match root.attribute("version") {
+        Some(old)
+            if ["1.0", "1.1", "1.2", "1.3"]
+                .iter()
+                .any(|v| old.trim().starts_with(v)) =>
+        {
+            "versions before 1.4 are not supported: import it into a modelling program and export \
+             it as COLLADA 1.4.1"
+        }
+        _ => "export the file again, with a scene",
+    };
+    let expected = "expected <scene> with <instance_visual_scene url=\"#...\"/>";
+    Err(doc.on(root, title, expected).help(help).into())
 }
 
 /// The error for malformed XML.
@@ -212,7 +203,9 @@ fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
         .take(pos.col.saturating_sub(1) as usize);
     let at = line_start + column.map(char::len_utf8).sum::<usize>();
     let help = match error {
-        roxmltree::Error::DtdDetected => "remove the <!DOCTYPE ...>: COLLADA needs none",
+        roxmltree::Error::DtdDetected => {
+            "remove the <!ENTITY ...> of the <!DOCTYPE>: COLLADA needs none"
+        }
         _ => {
             "correct the XML here, or export the file again; an incomplete download is a common cause"
         }

@@ -54,12 +54,11 @@ impl<'a> MeshReader<'a> {
         let vertices = Vertices::read(doc, doc.child(mesh, "vertices")?, &mut self.sources)?;
         let mut parts: Vec<(Option<&'a str>, Vec<Corners>)> = Vec::new();
         for element in primitives {
-            let reader = PartReader::new(doc, element, &vertices, &mut self.sources)?;
-            let corners = match reader {
-                Some(reader) => reader.corners(&mut self.counter)?,
-                None => Vec::new(),
-            };
-            parts.push((element.attribute("material"), corners));
+            // An empty element needs no material.
+            if let Some(reader) = PartReader::new(doc, element, &vertices, &mut self.sources)? {
+                let corners = reader.corners(&mut self.counter)?;
+                parts.push((element.attribute("material"), corners));
+            }
         }
         let positions = &vertices.positions.values;
         let mut smooth = SmoothNormals::default();

@@ -55,16 +55,18 @@ pub(super) struct ShapeInstance<'a> {
 /// What the reader does about a camera that it cannot use.
 const NO_CAMERA: &str = "the camera is left out: without another one, the scene is framed";
 
-/// Whether a node or a node inside it contains anything but cameras.
-fn is_rendered(node: Element<'_>) -> bool {
-    const RENDERED: [&str; 4] = [
-        "instance_geometry",
-        "instance_controller",
-        "instance_light",
-        "instance_node",
-    ];
+/// What a node can contain other than cameras.
+const RENDERED: [&str; 4] = [
+    "instance_geometry",
+    "instance_controller",
+    "instance_light",
+    "instance_node",
+];
+
+/// Whether a node, or a node inside it, contains an element with one of these tags.
+fn contains(node: Element<'_>, tags: &[&str]) -> bool {
     node.descendants()
-        .any(|element| element.is_element() && RENDERED.contains(&tag(element)))
+        .any(|element| element.is_element() && tags.contains(&tag(element)))
 }
 
 /// Nodes, shapes, lights and materials that were read so far.
@@ -114,7 +116,13 @@ impl<'r, 'a> Library<'r, 'a> {
                     node.contents.extend(self.content(element, part)?);
                 }
             }
-            Err(error) if !is_rendered(element) => self.doc.warn_of(error, NO_CAMERA),
+            Err(error) if !contains(element, &RENDERED) => {
+                let result = match contains(element, &["instance_camera"]) {
+                    true => NO_CAMERA,
+                    false => "the node is left out: it contains nothing to render",
+                };
+                self.doc.warn_of(error, result);
+            }
             Err(error) => return Err(error),
         }
         let node = Rc::new(node);

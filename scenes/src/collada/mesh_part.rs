@@ -2,13 +2,12 @@
 
 use super::document::{Document, Element, describe};
 use super::holes;
-use super::index_lists::IndexLists;
+use super::index_into::{Found, IndexInto};
 use super::polygon::{TestCounter, TooComplex, triangulate};
 use super::primitives::{Polygon, Polygons};
-use super::vertices::{Sources, Vectors, Vertices};
+use super::vertices::{Sources, Vertices};
 use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
-use std::rc::Rc;
 
 /// A triangle whose vertices are indices of positions, with the normals and texture coordinates of
 /// the file, if any.
@@ -16,12 +15,6 @@ pub(super) struct Corners {
     pub(super) positions: [usize; 3],
     pub(super) normals: Option<[Vec3; 3]>,
     pub(super) tex_coords: Option<[Vec2; 3]>,
-}
-
-/// The offset of an input in a group of indices, and the list that its index refers to.
-struct IndexInto<'a, T = Vec3> {
-    offset: usize,
-    vectors: Rc<Vectors<'a, T>>,
 }
 
 /// Converts the index lists of a primitive element to triangles.
@@ -232,31 +225,6 @@ impl<'r, 'a> PartReader<'r, 'a> {
     }
 }
 
-impl<'a, T: Copy> IndexInto<'a, T> {
-    fn new(offset: usize, vectors: &Rc<Vectors<'a, T>>) -> IndexInto<'a, T> {
-        let vectors = Rc::clone(vectors);
-        IndexInto { offset, vectors }
-    }
-
-    /// The values at three corners. `None` if an index is out of range: it is added to `missing`.
-    fn values(
-        &self,
-        lists: &IndexLists<'a>,
-        groups: [usize; 3],
-        missing: &mut Found,
-    ) -> Option<[T; 3]> {
-        let indices = groups.map(|group| lists.index(group, self.offset));
-        match indices.map(|index| self.vectors.values.get(index)) {
-            [Some(a), Some(b), Some(c)] => Some([*a, *b, *c]),
-            values => {
-                let first = values.iter().position(|value| value.is_none());
-                missing.add(1, groups[first.unwrap_or(0)]);
-                None
-            }
-        }
-    }
-}
-
 /// What was repaired in the polygons of an element.
 #[derive(Default)]
 struct Problems {
@@ -264,22 +232,6 @@ struct Problems {
     holes: Found,
     normals: Found,
     tex_coords: Found,
-}
-
-/// A number of problems, and the group of the first one.
-#[derive(Default)]
-struct Found {
-    count: usize,
-    first: Option<usize>,
-}
-
-impl Found {
-    fn add(&mut self, more: usize, group: usize) {
-        self.count += more;
-        if more > 0 {
-            self.first.get_or_insert(group);
-        }
-    }
 }
 
 /// Checks that the input VERTEX does not refer to the vertices of another mesh. A reference to no

@@ -1,58 +1,75 @@
-//! The COLLADA 1.4.1 reader.
+//! The reader of COLLADA 1.4 and 1.5.
 //!
 //! # What is read
 //!
 //! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are
-//!   triangulated, also concave ones. `NORMAL`s of the file are used, otherwise the area-weighted
-//!   mean of the face normals around each vertex. If a material has a texture: the first set of
-//!   texture coordinates.
+//!   triangulated, also concave ones and those with holes. `NORMAL`s of the file are used, otherwise
+//!   the area-weighted mean of the face normals around each vertex. If a material has a texture: the
+//!   first set of texture coordinates.
 //! - The shapes, materials and lights of the course's extension in
 //!   `<extra><technique profile="CGL">`, or `CMU462` with the same meaning: `sphere{radius}`,
 //!   `area{color}`, `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
 //!   `glass{reflectance, transmittance, roughness, ior}`,
-//!   `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour, or the texture
-//!   (`<texture>`, an image file beside the scene), of `phong`, `lambert` or `blinn`. The image
-//!   itself is not read here.
+//!   `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour, which may be a
+//!   parameter of the effect, or the texture (`<texture>`, an image file beside the scene), of
+//!   `phong`, `lambert` or `blinn`. The image itself is not read here.
 //! - Lights: `area` (the unit square in x and y, emitting to -z), `point`, `spot`, `directional`,
 //!   and `ambient` as a uniform sky. Attenuation elements are ignored: intensity falls with the
 //!   squared distance anyway.
 //! - Perspective cameras: `xfov`, `yfov`, `aspect_ratio`, `znear`, `zfar`.
-//! - Nested nodes and instances of nodes, with `matrix`, `translate`, `rotate`, `scale` and
+//! - Nested nodes and instances of nodes, with `matrix`, `translate`, `rotate`, `scale`, `skew` and
 //!   `lookat`. Everything is transformed to world space with +y up, whatever `up_axis` is. `unit`
 //!   is ignored, as by the original course program: lengths are those of the file.
+//! - References to the same file: `#id`, percent-encoded or not, also after the file's own name.
+//!   `xml:base` applies to image files.
 //!
-//! # What is repaired or ignored, with a warning
+//! # What is repaired or left out, with a warning
+//!
+//! Warnings of one kind are counted together.
 //!
 //! | in the file | result |
 //! |---|---|
-//! | a `matrix` with 12 to 15 numbers | the rest of its last row is 0 0 0 1 |
-//! | no `count` at an array or a primitive | the number of entries found |
-//! | a missing or unbound material, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
+//! | a `matrix` whose last row is cut off | the rest is that of 0 0 0 1 |
+//! | a camera with an invalid transform, or without angle of view, or not in the file | left out |
+//! | an invalid `znear`, `zfar`, `aspect_ratio`, or one of two angles of view | ignored |
+//! | a second camera, or one that is not perspective | left out |
+//! | a light that is not in the file, or of an unknown type, or with a singular transform | left out |
+//! | a missing or wrong `count` | what is there |
+//! | a number with a decimal comma | read as with a point |
+//! | a position that is not finite | its polygons are left out |
+//! | a normal that is not finite, invalid or out of range | computed |
+//! | texture coordinates that are not finite, invalid or out of range | 0, or ignored |
+//! | a missing or unbound material or effect, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
 //! | an unbound symbol next to a bound one | the material of the bound one |
+//! | an unknown material of the course's extension | the common profile |
 //! | a reflectance or transmittance above 1, or a missing one | 1 |
 //! | `emission` in the common profile | no light; the `emission` of the extension is used |
-//! | polygons with fewer than 3 corners, with holes, without area | ignored |
+//! | polygons with fewer than 3 corners or without area, holes outside | ignored |
 //! | a polygon that intersects itself | triangles that may overlap |
-//! | lines, splines, controllers, unknown lights and shapes | ignored |
-//! | a light or a camera with a singular transform | ignored |
-//! | a second camera, or one that is not perspective | ignored; the default view if none is left |
-//! | no `<scene>` | the only visual scene |
+//! | a skin | its mesh in the bind pose |
+//! | a morph | its mesh without blend shapes |
+//! | lines, splines, convex meshes, solid bodies, unknown shapes | left out |
+//! | no `<scene>` | the first visual scene |
+//!
+//! If no camera is left, [`crate::placement`] frames the scene. Animations, physics and kinematics
+//! are ignored.
 //!
 //! # What is an error
 //!
-//! Everything else: malformed XML, missing elements and references, counts that do not agree,
-//! indices out of range, malformed, NaN or infinite numbers, negative radii and colours,
-//! non-uniform scale of a sphere, `skew`, nodes that contain themselves or are nested too deeply,
-//! too many instances, empty scenes. No file makes the reader panic, hang or use unlimited memory:
-//! `limits` has the limits.
+//! Everything else: malformed XML, missing elements, references to shapes and nodes that are not in
+//! the file, positions out of range, lists whose lengths do not agree, malformed numbers, NaN or
+//! infinite ones in transforms and colours, negative radii and colours, non-uniform scale of a
+//! sphere, nodes that contain themselves or are nested too deeply, too many instances, empty scenes.
+//! No file makes the reader panic, hang or use unlimited memory: `limits` has the limits.
 //!
 //! # Modules
 //!
-//! Reading order: `precheck` and `document` (ids, references, diagnostics with positions),
-//! `numbers`, `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`,
-//! `normals` and `mesh` (from index lists to triangles), `geometry`, `material`, `texture`, `light`
-//! and `optics` (the contents of nodes), `transform`, `binding` and `library` (nodes), `bake` and
-//! `nodes` (the node tree in world space).
+//! Reading order: `precheck` and `document` with `references`, `uri`, `finding` and `warnings`
+//! (elements, ids, diagnostics with positions), `numbers`, `source` and `vertices` (lists of
+//! numbers), `index_lists`, `primitives`, `projection`, `polygon`, `holes`, `index_into`,
+//! `mesh_part`, `normals` and `mesh` (from index lists to triangles), `geometry`, `controller`,
+//! `material`, `parameter`, `texture`, `light` and `optics` (the contents of nodes), `transform`,
+//! `binding` and `library` (nodes), `bake` and `nodes` (the node tree in world space).
 
 mod bake;
 mod binding;
@@ -61,6 +78,7 @@ mod document;
 mod finding;
 mod geometry;
 mod holes;
+mod index_into;
 mod index_lists;
 mod library;
 mod light;

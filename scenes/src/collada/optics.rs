@@ -62,7 +62,13 @@ pub(super) fn read<'a>(
         }
     };
     let is_valid = |near| (0.0..FAR_AWAY).contains(&near);
-    let near = optional(doc, perspective, "znear", "a number >= 0", is_valid);
+    let near = optional(
+        doc,
+        perspective,
+        "znear",
+        "a number >= 0, below 1e30",
+        is_valid,
+    );
     let near = near.unwrap_or(0.0);
     let beyond = format!("more than znear, {near}");
     let far = optional(doc, perspective, "zfar", &beyond, |far| far > near);

@@ -242,6 +242,12 @@ const INVALID: &[(&str, &str, &str, usize)] = &[
     ),
     (
         "1 1 0",
+        "1, 1, 0",
+        "`1,` in <float_array id=\"points-array\"> is not a number",
+        26,
+    ),
+    (
+        "1 1 0",
         "1 1,5,0",
         "`1,5,0` in <float_array id=\"points-array\"> is not a number",
         26,

@@ -7,5 +7,6 @@ mod meaning;
 mod repairs;
 mod small;
 mod textures;
+mod warning_counts;
 mod warnings;
 mod xml;

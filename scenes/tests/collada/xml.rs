@@ -19,6 +19,8 @@ fn comments_and_processing_instructions_may_be_anywhere() {
     // Not in the XML declaration.
     let everywhere = everywhere.replacen("<!-- > a \"comment\" --><?tool do=\"<it>\"?>", "", 1);
     assert_eq!(read("small.dae", &everywhere), expected());
+    let split = edited("Y_UP", "<!-- a -->Y_<!-- b -->UP");
+    assert_eq!(read("small.dae", &split), expected());
     let numbers = edited("0 1 2 0 2 3", "0 1<!-- a --> 2 <?b?>0 2 3<!-- c -->");
     assert_eq!(read("small.dae", &numbers), expected());
 }

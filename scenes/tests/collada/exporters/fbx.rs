@@ -105,7 +105,12 @@ fn polygons_with_holes_pivots_and_morphs_are_read() {
             "<rotate>0 0 0 30</rotate>",
         ),
     ];
-    let scene = load("fbx.dae", DOCUMENT, &warnings).scene;
+    let loaded = load("fbx.dae", DOCUMENT, &warnings);
+    assert_eq!(
+        loaded.warnings[3].0.what_to_do(),
+        Some("the node is left out: it contains nothing to render")
+    );
+    let scene = loaded.scene;
     // A triangle, and a square with a square hole: eight corners and two for the connection.
     assert_eq!(scene.triangles.len(), 2 * (1 + 8));
     let area = |object: u32| -> f64 {

@@ -3,9 +3,9 @@
 //! # What is read
 //!
 //! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are
-//!   triangulated, also concave ones and those with holes. `NORMAL`s of the file are used, otherwise
-//!   the area-weighted mean of the face normals around each vertex. If a material has a texture: the
-//!   first set of texture coordinates.
+//!   triangulated, also concave ones and those with holes. `NORMAL`s of the file are used,
+//!   otherwise the area-weighted mean of the face normals around each vertex. If a material has a
+//!   texture: the first set of texture coordinates.
 //! - The shapes, materials and lights of the course's extension in
 //!   `<extra><technique profile="CGL">`, or `CMU462` with the same meaning: `sphere{radius}`,
 //!   `area{color}`, `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
@@ -33,13 +33,13 @@
 //! | a camera with an invalid transform, or without angle of view, or not in the file | left out |
 //! | an invalid `znear`, `zfar`, `aspect_ratio`, or one of two angles of view | ignored |
 //! | a second camera, or one that is not perspective | left out |
-//! | a light that is not in the file, or of an unknown type, or with a singular transform | left out |
+//! | a light that is not in the file, of an unknown type, or with a singular transform | left out |
 //! | a missing or wrong `count` | what is there |
 //! | a number with a decimal comma | read as with a point |
 //! | a position that is not finite | its polygons are left out |
 //! | a normal that is not finite, invalid or out of range | computed |
 //! | texture coordinates that are not finite, invalid or out of range | 0, or ignored |
-//! | a missing or unbound material or effect, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
+//! | no material or effect, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
 //! | an unbound symbol next to a bound one | the material of the bound one |
 //! | an unknown material of the course's extension | the common profile |
 //! | a reflectance or transmittance above 1, or a missing one | 1 |
@@ -59,8 +59,8 @@
 //! Everything else: malformed XML, missing elements, references to shapes and nodes that are not in
 //! the file, positions out of range, lists whose lengths do not agree, malformed numbers, NaN or
 //! infinite ones in transforms and colours, negative radii and colours, non-uniform scale of a
-//! sphere, nodes that contain themselves or are nested too deeply, too many instances, empty scenes.
-//! No file makes the reader panic, hang or use unlimited memory: `limits` has the limits.
+//! sphere, nodes that contain themselves or are nested too deeply, too many instances, empty
+//! scenes. No file makes the reader panic, hang or use unlimited memory: `limits` has the limits.
 //!
 //! # Modules
 //!

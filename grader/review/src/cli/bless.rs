@@ -5,6 +5,7 @@ use grader::cli::Verdict;
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::workspace::Workspace;
+use judge::plural;
 use review::bless::{self, Change};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
@@ -66,9 +67,9 @@ fn verdict(proposed: &[Change]) -> String {
     match open.count() {
         0 => "The exact oracle confirms every answer of these cases.".into(),
         open => format!(
-            "The exact oracle finds no answer wrong. Of {open} of the {} goldens it does not judge \
-             everything: look at what is listed as not judged yourself, with `grader review`.",
-            proposed.len()
+            "The exact oracle finds no answer wrong, but it does not judge all aspects of {}: look at \
+             what is listed as not judged yourself, with `grader review`.",
+            plural(open, "golden", "goldens")
         ),
     }
 }

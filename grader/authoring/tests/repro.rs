@@ -19,7 +19,7 @@ struct Reproduction {
     edits: &'static [[&'static str; 2]],
 }
 
-const REPRODUCTIONS: [Reproduction; 16] = [
+const REPRODUCTIONS: [Reproduction; 17] = [
     Reproduction {
         name: "clamped",
         stage: "raygen",
@@ -38,6 +38,20 @@ const REPRODUCTIONS: [Reproduction; 16] = [
         case: "fresh_samples",
         call: 0,
         edits: &[["sampler.get_sample()", "0.25 + 0.5 * sampler.get_sample()"]],
+    },
+    Reproduction {
+        name: "seed_ignored",
+        stage: "raygen",
+        task: "part1.task1",
+        case: "fresh_offsets_for_each_seed",
+        call: 0,
+        edits: &[
+            [
+                "for _ in 0..ns_aa {",
+                "let mut own = PixelSampler::new(x, y, 0);\nfor _ in 0..ns_aa {",
+            ],
+            ["sampler.get_sample()", "own.get_sample()"],
+        ],
     },
     Reproduction {
         name: "culled",

@@ -9,6 +9,7 @@ use super::tally::{Aspect, Class, Tally};
 use kit::{Tally as SampleTally, Vec3};
 use statistics::chi_square;
 use statistics::{detectable_bias, sidak, two_sided};
+use std::collections::HashSet;
 
 /// Probability that a whole run reports a false alarm on right code.
 const RUN_FALSE_ALARM: f64 = 1e-6;
@@ -32,11 +33,22 @@ pub(crate) fn test_false_alarm() -> f64 {
 pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: f64) {
     let z = numbers.z_against(truth);
     let wrong = two_sided(z).is_nan() || two_sided(z) < test_false_alarm();
-    let class = wrong.then(|| Class::of_number(numbers.mean(), truth));
+    let all_equal = numbers.count() > 1 && numbers.variance() == 0.0 && numbers.mean() != 0.0;
+    let class = wrong.then(|| match all_equal {
+        true => ALWAYS_THE_SAME,
+        false => Class::of_number(numbers.mean(), truth),
+    });
     let sure = detectable_bias(numbers.standard_error(), test_false_alarm()) / truth.abs();
     tally.expect(Aspect::Mean);
     tally.set_detectable(Aspect::Mean, sure);
     tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
+        if all_equal {
+            return format!(
+                "your result: {} {what} that are all {:.5}; expected: random ones with the mean {truth:.5}. {FROM_THE_SAMPLER}",
+                numbers.count(),
+                numbers.mean()
+            );
+        }
         format!(
             "your result: the mean of {} {what} is {:.5} ± {:.5}; expected: {truth:.5} (off by {:.1} standard errors, allowed {:.1}; a bias of {:.1} % is always detected)",
             numbers.count(),
@@ -71,8 +83,19 @@ pub(crate) fn spread(
     let sure = fit.detectable_deviation(test_false_alarm());
     tally.set_detectable(Aspect::Spread, sure);
     let badness = -fit.p.max(1e-300).log10();
-    let class = (fit.p < test_false_alarm()).then(|| mean_direction_class(directions));
+    let different = different(directions);
+    let repeated = 2 * different < directions.len();
+    let class = (fit.p < test_false_alarm()).then(|| match repeated {
+        true => ALWAYS_THE_SAME,
+        false => mean_direction_class(directions),
+    });
     tally.judge_class(Aspect::Spread, 0, class, badness, || {
+        if repeated {
+            return format!(
+                "only {different} of your {} directions differ. {FROM_THE_SAMPLER}",
+                directions.len()
+            );
+        }
         format!(
             "your {} directions are not distributed {right}: right directions deviate this much with a probability of {:.0e}, allowed is {:.0e} (a deviation of {:.0} % is always detected)",
             directions.len(),
@@ -81,6 +104,22 @@ pub(crate) fn spread(
             100.0 * sure
         )
     });
+}
+
+/// The class of random results that are the same in each call.
+const ALWAYS_THE_SAME: Class = Class::Named("the same in each call");
+
+/// The question about random results that are the same in each call.
+const FROM_THE_SAMPLER: &str =
+    "Do the random numbers come from the sampler that the function is given?";
+
+/// The number of different directions, bit for bit.
+fn different(directions: &[Option<Vec3>]) -> usize {
+    let bits = directions
+        .iter()
+        .flatten()
+        .map(|d| d.to_array().map(f64::to_bits));
+    bits.collect::<HashSet<_>>().len()
 }
 
 /// Quantisation of mean directions across the normal (x, y) and along it (z): so coarse that random
@@ -120,6 +159,39 @@ mod tests {
         // No case makes more than two statistical tests.
         let tests = 2 * cases.iter().filter(|spec| by_chance(spec)).count();
         assert!((20..=MAX_TESTS).contains(&tests), "{tests}");
+    }
+
+    #[test]
+    fn results_that_are_always_the_same_have_a_class_of_their_own() {
+        let class = |judge: &dyn Fn(&mut Tally)| {
+            let mut tally = Tally::default();
+            judge(&mut tally);
+            let findings = tally.into_findings();
+            findings[0].faults.first().map(|fault| fault.class)
+        };
+        let of_mean = |numbers: &[f64]| {
+            let numbers: SampleTally = numbers.iter().cycle().take(1000).copied().collect();
+            class(&|tally| mean(tally, "estimates", &numbers, 0.5))
+        };
+        assert_eq!(of_mean(&[0.25]), Some(ALWAYS_THE_SAME));
+        assert_eq!(of_mean(&[0.5]), None);
+        assert!(matches!(of_mean(&[0.2, 0.3]), Some(Class::Ratio(_))));
+        let of_directions = |z: &[f64]| {
+            let of = |z: &f64| Some(Vec3::new((1.0 - z * z).sqrt(), 0.0, *z));
+            // Enough for every cell of the test.
+            let directions: Vec<_> = z.iter().cycle().take(8000).map(of).collect();
+            let pdf = |d: Vec3| {
+                if d.z > 0.0 {
+                    0.5 / std::f64::consts::PI
+                } else {
+                    0.0
+                }
+            };
+            class(&|tally| spread(tally, &directions, pdf, "uniformly"))
+        };
+        assert_eq!(of_directions(&[0.3, 0.6]), Some(ALWAYS_THE_SAME));
+        let all: Vec<f64> = (0..8000).map(|i| f64::from(i) / 8000.0).collect();
+        assert!(matches!(of_directions(&all), Some(Class::Towards(_))));
     }
 
     #[test]

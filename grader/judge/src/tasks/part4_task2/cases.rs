@@ -80,7 +80,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Origin, Direction]),
         case(
             "drawn_directions",
-            "Scattering::sample gets wo in local space, and every random number is used once.",
+            "Scattering::sample gets wo in local space. Every random number comes from the sampler \
+             and is used once.",
             every(&["D D D", "M G D D"], &[5]),
         )
         .only(&[SampledDirection, Spread]),

@@ -1,11 +1,11 @@
 //! Judges paths: the traced rays, the calls of other functions, and the radiance.
 
+use super::draws;
 use super::throughput;
 use crate::hits::show;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
 use kit::{Frame, Vec3};
-use std::collections::BTreeSet;
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::{BsdfSample, Material};
 use wire::work::Ray;
@@ -14,7 +14,7 @@ use wire::work::Ray;
 pub(crate) const SUM_BOUND: f64 = 1e-11;
 
 /// How far a direction or an origin may be off.
-const PLACE_BOUND: f64 = 1e-9;
+pub(super) const PLACE_BOUND: f64 = 1e-9;
 
 /// The right results for a scripted path.
 pub(crate) struct Right {
@@ -39,7 +39,7 @@ fn goes_on(step: &Step) -> Option<(BsdfSample, f64)> {
 }
 
 impl Right {
-    fn of(path: &ScriptedPath) -> Right {
+    pub(super) fn of(path: &ScriptedPath) -> Right {
         let most = path.max_depth.max(1) as usize;
         let bounces: Vec<(BsdfSample, f64)> = path.steps.iter().map_while(goes_on).collect();
         let surfaces = path.steps.len().min(bounces.len() + 1).min(most);
@@ -127,7 +127,7 @@ pub(crate) fn paths(tally: &mut Tally, paths: &[ScriptedPath], answers: &[PathAn
         rays(tally, call, path, answer, &right, &about);
         direct(tally, call, path, answer, &right, &about);
         throughput::judge(tally, call, path, answer, &right, &about);
-        draws(tally, call, path, answer, &right, &about);
+        draws::judge(tally, call, path, answer, &right, &about);
     }
 }
 
@@ -227,43 +227,6 @@ fn direct(
         format!(
             "your calls of direct: (surface, wo) {:?}; expected: {wanted:?}. {}",
             answer.direct,
-            about()
-        )
-    });
-}
-
-/// Judges the calls of `sample`: `wo` is in local space, and each random number is used once.
-fn draws(
-    tally: &mut Tally,
-    call: usize,
-    path: &ScriptedPath,
-    answer: &PathAnswer,
-    right: &Right,
-    about: &impl Fn() -> String,
-) {
-    if answer.samples.is_empty() {
-        return;
-    }
-    tally.expect(Aspect::SampledDirection);
-    for (i, wo, _) in &answer.samples {
-        let Some(d) = right.directions.get(*i as usize) else {
-            continue;
-        };
-        let frame = Frame::around(path.steps[*i as usize].n.into());
-        let (local, aspect) = (frame.to_local(-*d), Aspect::SampledDirection);
-        numbers::direction(tally, aspect, call, *wo, local, PLACE_BOUND, || {
-            format!("wo of surface {i} in its local space. {}", about())
-        });
-    }
-    tally.expect(Aspect::Spread);
-    let drawn = answer.samples.iter().flat_map(|(_, _, numbers)| *numbers);
-    let roulette = answer.roulette_calls.iter().map(|(_, _, u)| *u);
-    let all: Vec<u64> = drawn.chain(roulette).map(f64::to_bits).collect();
-    let different = all.iter().collect::<BTreeSet<_>>().len();
-    tally.judge(Aspect::Spread, call, different == all.len(), 1.0, || {
-        format!(
-            "only {different} of {} random numbers differ: use each once. {}",
-            all.len(),
             about()
         )
     });

@@ -1,6 +1,7 @@
 //! `part4.task2`: paths.
 
 pub(crate) mod cases;
+mod draws;
 mod judge;
 mod lines;
 mod throughput;

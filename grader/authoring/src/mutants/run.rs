@@ -291,8 +291,27 @@ fn with_reference(reference: &Sources, variant: &str) -> Sources {
     sources
 }
 
-/// The known mistakes of a task for the diagnosis, from the mutants that are not held out.
+/// The known mistakes of a task for the diagnosis, from the mutants that are not held out. Of
+/// mutants that make the same mistake and give nearly the same answers, only the first counts.
 pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
+    let mut known: Vec<Known> = Vec::new();
+    for mutant in all_known(corpus, graded) {
+        let is_alike = |other: &Known| {
+            other.mistakes == mutant.mistakes
+                && other.signature.agreement(&mutant.signature).likeness() >= ALIKE
+        };
+        if !known.iter().any(is_alike) {
+            known.push(mutant);
+        }
+    }
+    known
+}
+
+/// Two mutants of one mistake that are this alike teach the diagnosis no more than one.
+const ALIKE: f64 = 0.99;
+
+/// The known mistake of each mutant that is not held out.
+fn all_known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
     let mutants = graded.iter().filter_map(|graded| match &graded.kind {
         Kind::Mutant(mutant) if !mutant.held_out => Some((mutant, graded)),
         _ => None,

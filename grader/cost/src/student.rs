@@ -4,6 +4,7 @@
 use super::accuracy::TestSet;
 use super::leaks::ClosedMeshes;
 use super::report::Accuracy;
+use super::timing::MissingReason;
 use super::truth::{Answer, OracleShape};
 use grader::compile::{BuildOutcome, BuildRoot};
 use grader::error::GraderError;
@@ -38,10 +39,6 @@ pub(crate) struct Student {
     worker: Worker,
     task: &'static str,
 }
-
-/// Why the student's code is not measured, as the end of the sentence "Your code is not measured:
-/// ...".
-pub(crate) type MissingReason = String;
 
 /// Time limit of one case: a million tests of a slow kernel.
 const LIMIT_MS: u64 = 60_000;
@@ -139,13 +136,13 @@ impl Student {
         Ok(Ok(closed.per_million(leaks)))
     }
 
-    /// Times the student's test: nanoseconds per test for each round of `passes` passes.
-    pub(crate) fn times<S: StudentShape>(
+    /// Times the student's test in a round of `passes` passes, after an untimed round. Returns the
+    /// seconds of one test.
+    pub(crate) fn time<S: StudentShape>(
         &self,
         batches: &[RayAndShapes<S>],
         passes: u32,
-        rounds: usize,
-    ) -> Result<Result<Vec<f64>, MissingReason>, GraderError> {
+    ) -> Result<Result<f64, MissingReason>, GraderError> {
         let each = batches.iter().flat_map(|batch| &batch.shapes);
         let shapes: Vec<S> = each.copied().collect();
         let timing = TestTiming {
@@ -153,13 +150,15 @@ impl Student {
             rays: batches.iter().map(|batch| wire_ray(&batch.ray)).collect(),
             per_ray: S::SHAPES_PER_RAY as u32,
             passes,
-            rounds: rounds as u32,
+            // The first round is the untimed one.
+            rounds: 2,
         };
         let tests = f64::from(passes) * shapes.len() as f64;
         Ok(match self.run(Work::TimeTest(timing))? {
-            Ok(wire::Answer::TimeTest(seconds)) => {
-                Ok(seconds.iter().map(|s| 1e9 * s / tests).collect())
-            }
+            Ok(wire::Answer::TimeTest(seconds)) => match seconds.last() {
+                Some(last) => Ok(last / tests),
+                None => return Err(unexpected_answer()),
+            },
             Ok(_) => return Err(unexpected_answer()),
             Err(missing) => Err(missing),
         })

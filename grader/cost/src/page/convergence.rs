@@ -5,12 +5,16 @@ use super::formatting::{figures, list, percent, tick};
 use super::plot::{Axis, Plot, legend};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment};
+use crate::table::plus_minus;
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 300.0;
 /// Width of each of the two plots; the rest is for the legend.
 const PLOT: f64 = 345.0;
+
+/// The index of the plot against time.
+const TIME: usize = 1;
 
 /// The style of the line of slope -1/2.
 const HALF_SLOPE: SeriesStyle = SeriesStyle {
@@ -38,6 +42,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
         } else {
             "RMSE / mean of the picture"
         };
+        let seconds = points().flat_map(|p| [p.seconds.lower, p.seconds.upper]);
         let axes = [
             (
                 "error against samples",
@@ -46,8 +51,8 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
             ),
             (
                 "error against time",
-                Axis::log("seconds on one thread", points().map(|p| p.seconds), tick),
-                (|p| p.seconds) as fn(&CurvePoint) -> f64,
+                Axis::log("seconds on one thread", seconds, tick),
+                (|p| p.seconds.median) as fn(&CurvePoint) -> f64,
             ),
         ];
         for (i, (title, x, of)) in axes.into_iter().enumerate() {
@@ -65,6 +70,10 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
                 plot.line(style, &values, 1.4)?;
                 for point in &curve.points {
                     plot.error_bar(style, of(point), error(point).low, error(point).high)?;
+                    if i == TIME {
+                        let ends = [point.seconds.lower, point.seconds.upper];
+                        plot.time_bar(style, ends, error(point).value)?;
+                    }
                     plot.marker(style, (of(point), error(point).value), 30.0)?;
                 }
             }
@@ -113,7 +122,7 @@ fn caption(experiment: &Experiment) -> String {
     let Experiment { seeds, .. } = experiment;
     let mut text = format!(
         "Each point is the mean over {seeds} pictures of {} with independent random numbers; error bars are 95 % confidence \
-         intervals of the mean error. The reference picture has a remaining error of {}. ",
+         intervals of the mean error, and quartiles of the times. The reference picture has a remaining error of {}. ",
         experiment.scene,
         percent(experiment.converged_rmse),
     );
@@ -137,26 +146,22 @@ fn caption(experiment: &Experiment) -> String {
     text
 }
 
-/// Returns the sentence about efficiency, 1/(variance · seconds), at the largest number of samples,
-/// relative to the first curve.
+/// Returns the sentence about efficiency at the largest number of samples, relative to the first
+/// curve.
 fn efficiencies(experiment: &Experiment) -> String {
-    let of = |curve: &Curve| curve.points.iter().rev().find_map(|p| p.efficiency);
     let [first, others @ ..] = experiment.curves.as_slice() else {
         return String::new();
     };
-    let Some(first_efficiency) = of(first) else {
-        return String::new();
-    };
     let each = others.iter().filter_map(|curve| {
-        let ratio = figures(of(curve)? / first_efficiency);
-        Some(format!("{ratio} ({})", curve.name))
+        let ratio = curve.points.last()?.relative_efficiency?;
+        Some(format!("{} ({})", plus_minus(&ratio, 2), curve.name))
     });
     let each: Vec<String> = each.collect();
     if each.is_empty() {
         return String::new();
     }
     format!(
-        "Efficiency, 1/(variance · seconds), at the largest number of samples, relative to {}: {}. ",
+        "Efficiency, 1/(MSE · seconds) with the squared bias as a part of the MSE, at the largest number of samples, relative to {}: {}. ",
         first.name,
         list(&each)
     )
@@ -173,8 +178,8 @@ fn times_to_equal_error(experiment: &Experiment) -> String {
     // reaches.
     let speedup = |curve: &Curve| {
         first.points.iter().rev().find_map(|p| {
-            let seconds = curve.at_error(error(p), error, |p| p.seconds)?;
-            Some((error(p), p.seconds / seconds))
+            let seconds = curve.at_error(error(p), error, |p| p.seconds.median)?;
+            Some((error(p), p.seconds.median / seconds))
         })
     };
     let mut text = Vec::new();

@@ -4,7 +4,7 @@
 //! scripts. Every figure has a caption that is computed from the same numbers. The colours can be
 //! distinguished by colour-blind readers; shapes, signs and dashes show the same information.
 //!
-//! Read `document` (the page), then the figures: `pareto`, `heatmap`, `cdf`, `leaks`, `trees`,
+//! Read `document` (the page), then the figures: `pareto` (with `front`), `heatmap`, `cdf`, `leaks`, `trees`,
 //! `convergence`; they are drawn with `plot`, `style` and `canvas`. `formatting` formats numbers
 //! and lists.
 
@@ -13,6 +13,7 @@ mod cdf;
 mod convergence;
 mod document;
 mod formatting;
+mod front;
 mod heatmap;
 mod leaks;
 mod pareto;

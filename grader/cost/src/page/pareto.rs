@@ -1,10 +1,13 @@
-//! Accuracy against time, with the Pareto front of the kernels.
+//! Accuracy against time with its error, and the Pareto front of the kernels.
 
 use super::canvas::{Canvas, DrawResult, Label, Position, svg};
-use super::formatting::{figures, list, name, percent, tick};
+use super::formatting::{list, name, percent, tick};
+use super::front::{beats, bits, front};
 use super::plot::{Axis, Plot};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
+use crate::table::plus_minus;
+use crate::timing::Timing;
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
@@ -20,10 +23,11 @@ const NUMBER: f64 = 9.0;
 
 /// Draws the plot; returns the SVG and its caption.
 pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderError> {
-    let height = PLOT[1].max(34.0 + LINE * (family.rows.len() + 4) as f64);
+    let height = PLOT[1].max(34.0 + LINE * (family.rows.len() + 5) as f64);
     let label = format!("Correct bits against time: {}", family.shape.name());
     let figure_html = svg(WIDTH, height, &label, |canvas| -> DrawResult {
-        let times = family.rows.iter().map(|row| row.time.ratio_to_textbook);
+        let times = family.rows.iter().map(|row| row.ranked_time().ratio);
+        let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
         let x = Axis::log("time / time of the textbook kernel", times, tick);
         let ticks = (0..=5)
             .map(|i| f64::from(10 * i))
@@ -36,6 +40,11 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
         );
         let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), PLOT, x, y)?;
         front_line(&plot, family)?;
+        for (i, row) in family.rows.iter().enumerate() {
+            let ratio = row.ranked_time().ratio;
+            let ends = [ratio.lower, ratio.upper];
+            plot.time_bar(style_of(i, row), ends, row.mean_correct_bits())?;
+        }
         // Large markers first, so that they do not hide small ones.
         let mut order: Vec<usize> = (0..family.rows.len()).collect();
         order.sort_by(|a, b| {
@@ -44,12 +53,14 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
         let mut taken: Vec<(Position, f64)> = Vec::new();
         for i in &order {
             let row = &family.rows[*i];
-            let position = plot.at(row.time.ratio_to_textbook, bits(row));
+            let (x, y) = at(row);
+            let position = plot.at(x, y);
             style::marker(canvas, style_of(*i, row), position, area(row))?;
             taken.push((position, (area(row) / std::f64::consts::PI).sqrt() + 1.0));
         }
         for (i, row) in family.rows.iter().enumerate() {
-            let position = plot.at(row.time.ratio_to_textbook, bits(row));
+            let (x, y) = at(row);
+            let position = plot.at(x, y);
             number(canvas, i + 1, position, &mut taken)?;
         }
         names(canvas, family)
@@ -57,16 +68,9 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
     Ok((figure_html, caption(family)))
 }
 
-/// Returns the leading bits of `t` that are correct for half of the rays, averaged over all
-/// families of rays. A family with hits in which the kernel finds none counts as 0 bits.
-fn bits(row: &KernelRow) -> f64 {
-    let bits: kit::Tally = row
-        .by_ray_family
-        .iter()
-        .filter(|a| a.t.is_some() || a.false_misses_per_million > 0.0)
-        .map(|a| a.t.map_or(0.0, |t| t.correct_bits()))
-        .collect();
-    bits.mean()
+/// Returns the values that a kernel is drawn at.
+fn at(row: &KernelRow) -> (f64, f64) {
+    (row.ranked_time().ratio.median, row.mean_correct_bits())
 }
 
 /// Returns the fraction of leaks, or for spheres and boxes the fraction of wrong decisions in the
@@ -99,32 +103,18 @@ fn style_of(_: usize, row: &KernelRow) -> SeriesStyle {
     }
 }
 
-/// Returns the Pareto front: the kernels for which no other kernel is both as fast and as accurate,
-/// from the fastest on.
-fn front(family: &KernelFamily) -> Vec<&KernelRow> {
-    let mut rows: Vec<&KernelRow> = family.rows.iter().collect();
-    rows.sort_by(|a, b| {
-        a.time
-            .ratio_to_textbook
-            .total_cmp(&b.time.ratio_to_textbook)
-    });
-    let mut front: Vec<&KernelRow> = Vec::new();
-    for row in rows {
-        if front.last().is_none_or(|last| bits(row) > bits(last)) {
-            front.push(row);
-        }
-    }
-    front
-}
-
-/// Draws the front as a step function.
+/// Draws the front as a step function, through the fastest kernel of each step.
 fn front_line(plot: &Plot, family: &KernelFamily) -> DrawResult {
     let mut corners: Vec<(f64, f64)> = Vec::new();
-    for row in front(family) {
+    for step in front(&family.rows) {
+        let Some(fastest) = step.first() else {
+            continue;
+        };
+        let (x, y) = at(fastest);
         if let Some((_, before)) = corners.last().copied() {
-            corners.push((row.time.ratio_to_textbook, before));
+            corners.push((x, before));
         }
-        corners.push((row.time.ratio_to_textbook, bits(row)));
+        corners.push((x, y));
     }
     let style = SeriesStyle {
         color: INK,
@@ -202,80 +192,123 @@ fn names(canvas: &Canvas, family: &KernelFamily) -> DrawResult {
         canvas.text(&text, (x + 40.0, y), Label::left(NUMBER + 0.5))?;
         y += LINE * 1.15;
     }
-    canvas.text("dashed: Pareto front", (x + 6.0, y), Label::left(NUMBER))
+    let label = Label::left(NUMBER);
+    canvas.text("dashed: Pareto front", (x + 6.0, y), label)?;
+    canvas.text("bars: quartiles of the times", (x + 6.0, y + LINE), label)
 }
 
 /// Returns the caption, computed from the numbers.
 fn caption(family: &KernelFamily) -> String {
-    let on_front: Vec<String> = front(family)
-        .iter()
-        .map(|row| {
-            format!(
-                "{} ({} times the textbook's time, {:.0} bits{})",
-                name(row),
-                figures(row.time.ratio_to_textbook),
-                bits(row),
-                if failure_rate(row) > 0.0 {
-                    format!(
-                        ", {} {}",
-                        failure_name(family.shape),
-                        percent(failure_rate(row))
-                    )
-                } else {
-                    String::new()
-                }
-            )
-        })
-        .collect();
     let mut text = format!(
-        "The Pareto front (no other kernel is both as fast and as accurate), from the fastest on: {}. ",
-        list(&on_front)
+        "Bits: correct bits of t for half of the rays, averaged over the {} families of rays. The Pareto front (no other kernel is as \
+         accurate and faster, or more accurate and as fast within the error bars), from the fastest on: {}. ",
+        family.columns.len(),
+        list(&front_steps(family)),
     );
-    let safe = family
-        .rows
-        .iter()
-        .filter(|row| !row.student && failure_rate(row) == 0.0);
-    let fastest = safe.min_by(|a, b| {
-        a.time
-            .ratio_to_textbook
-            .total_cmp(&b.time.ratio_to_textbook)
-    });
-    let without = match family.shape {
-        Shape::Triangle => "without leaks",
-        Shape::Sphere | Shape::Box => "without wrong decisions",
-    };
-    text += &match fastest {
-        Some(row) => format!(
-            "The fastest known kernel {without} is {}: it takes {} times the textbook's time{}. ",
-            name(row),
-            figures(row.time.ratio_to_textbook),
-            if row.time.inside_noise {
-                ", a difference within the noise"
-            } else {
-                ""
-            }
-        ),
-        None => format!("There is no known kernel {without}. "),
-    };
+    text += &fastest_without_failures(family);
+    text += &with_and_without_fma(family);
     if let Some(yours) = family.rows.iter().find(|row| row.student) {
-        let better = family.rows.iter().filter(|row| {
-            !row.student
-                && bits(row) >= bits(yours)
-                && row.time.ratio_to_textbook <= yours.time.ratio_to_textbook
-        });
+        let better = family.rows.iter().filter(|row| beats(row, yours));
         let better: Vec<String> = better.map(name).collect();
         text += &format!(
-            "Your code (star) takes {} times the textbook's time and has {:.0} correct bits; {}.",
-            figures(yours.time.ratio_to_textbook),
+            "Your code (star) takes {} and has {} correct bits; {}.",
+            times_as_long(&yours.time),
             bits(yours),
             if better.is_empty() {
-                "no other kernel is both as fast and as accurate".into()
+                "no other kernel is as accurate and faster, or more accurate and as fast".into()
             } else {
-                format!("these are both as fast and as accurate: {}", list(&better))
+                format!(
+                    "these are as accurate and faster, or more accurate and as fast: {}",
+                    list(&better)
+                )
             }
         );
     }
     text
+}
+
+/// Returns each step of the front: its kernels, their times, bits and failures.
+fn front_steps(family: &KernelFamily) -> Vec<String> {
+    let kernel = |row: &&KernelRow| {
+        let failures = match failure_rate(row) {
+            0.0 => String::new(),
+            rate => format!(", {} {}", failure_name(family.shape), percent(rate)),
+        };
+        format!(
+            "{} ({}, {} bits{failures})",
+            name(row),
+            times_as_long(row.ranked_time()),
+            bits(row)
+        )
+    };
+    let steps = front(&family.rows).into_iter();
+    steps
+        .map(|step| {
+            let kernels: Vec<String> = step.iter().map(kernel).collect();
+            match kernels.as_slice() {
+                [_, _, ..] => format!("the tie of {}", list(&kernels)),
+                _ => list(&kernels),
+            }
+        })
+        .collect()
+}
+
+/// Returns the sentence about the fastest kernels without failures.
+fn fastest_without_failures(family: &KernelFamily) -> String {
+    let without = match family.shape {
+        Shape::Triangle => "without leaks",
+        Shape::Sphere | Shape::Box => "without wrong decisions",
+    };
+    let rows = family.rows.iter();
+    let mut safe: Vec<&KernelRow> = rows
+        .filter(|row| !row.student && failure_rate(row) == 0.0)
+        .collect();
+    let time = |row: &KernelRow| row.ranked_time().ratio.median;
+    safe.sort_by(|a, b| time(a).total_cmp(&time(b)));
+    let Some((fastest, others)) = safe.split_first() else {
+        return format!("There is no known kernel {without}. ");
+    };
+    let ties = others
+        .iter()
+        .filter(|row| row.ranked_time().ties_with(fastest.ranked_time()));
+    let ties: Vec<String> = ties.map(|row| name(row)).collect();
+    let takes = times_as_long(fastest.ranked_time());
+    if ties.is_empty() {
+        format!(
+            "The fastest known kernel {without} is {}: it takes {takes}. ",
+            name(fastest)
+        )
+    } else {
+        format!(
+            "The fastest known kernels {without} are {}, which takes {takes}, and within the error bars {}. ",
+            name(fastest),
+            list(&ties)
+        )
+    }
+}
+
+/// Returns the sentence about the kernels that use fused multiply-adds: both of their times.
+fn with_and_without_fma(family: &KernelFamily) -> String {
+    let rows = family.rows.iter().filter(|row| row.uses_fma);
+    let both = rows.filter_map(|row| {
+        let with_fma = plus_minus(&row.time_with_fma?.ratio, 2);
+        let build = plus_minus(&row.time.ratio, 2);
+        Some(format!("{} {with_fma} (else {build})", name(row)))
+    });
+    let both: Vec<String> = both.collect();
+    if both.is_empty() {
+        return String::new();
+    }
+    format!(
+        "Kernels with fused multiply-adds choose AVX2 and FMA at run time, and are compared with the textbook's kernel with the same \
+         instructions: {}. ",
+        list(&both)
+    )
+}
+
+/// Formats a ratio with its error.
+fn times_as_long(time: &Timing) -> String {
+    format!("{} times the textbook's time", plus_minus(&time.ratio, 2))
 }
 
 fn failure_name(shape: Shape) -> &'static str {

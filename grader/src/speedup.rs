@@ -25,7 +25,8 @@ pub struct Speedups {
     pub missing: Option<String>,
 }
 
-/// The speedup on one mesh. Times are medians of rounds that alternate between BVH and brute force.
+/// The speedup on one mesh. Times are medians of rounds that alternate between BVH and brute force;
+/// each timed pass follows an untimed one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Speedup {
     /// Name of the mesh.
@@ -42,8 +43,11 @@ pub struct Speedup {
     pub brute_rays: u64,
     /// Seconds per ray by brute force.
     pub brute_s: f64,
-    /// `brute_s / tree_s`, without the time to build the BVH.
+    /// Time by brute force / time with the BVH, without the time to build the BVH: the median of the
+    /// ratios within a round.
     pub speedup: f64,
+    /// The smallest and the largest of these ratios.
+    pub speedup_range: [f64; 2],
     /// Box and primitive tests per ray.
     pub work: RayWork,
     /// The recorded tests per ray of the reference.
@@ -196,17 +200,25 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
 impl Speedup {
     fn new(mesh: &str, size: u32, times: &TimingAnswer) -> Speedup {
         let rays = times.tree_rays as f64;
-        let tree_s = median(&times.tree_s) / rays;
-        let brute_s = median(&times.brute_s) / times.brute_rays as f64;
+        let per_ray =
+            |seconds: &[f64], rays: f64| -> Vec<f64> { seconds.iter().map(|s| s / rays).collect() };
+        let tree_s = per_ray(&times.tree_s, rays);
+        let brute_s = per_ray(&times.brute_s, times.brute_rays as f64);
+        let in_rounds = brute_s.iter().zip(&tree_s);
+        let speedups: Vec<f64> = in_rounds.map(|(brute, tree)| brute / tree).collect();
         Speedup {
             mesh: mesh.into(),
             triangles: times.primitives,
             build_s: median(&times.build_s),
             tree_rays: times.tree_rays,
-            tree_s,
+            tree_s: median(&tree_s),
             brute_rays: times.brute_rays,
-            brute_s,
-            speedup: brute_s / tree_s,
+            brute_s: median(&brute_s),
+            speedup: median(&speedups),
+            speedup_range: [
+                speedups.iter().copied().fold(f64::INFINITY, f64::min),
+                speedups.iter().copied().fold(0.0, f64::max),
+            ],
             work: RayWork {
                 boxes: times.box_tests as f64 / rays,
                 prims: times.prim_tests as f64 / rays,
@@ -273,6 +285,28 @@ mod tests {
     fn one_slow_round_does_not_change_the_median() {
         assert_eq!(median(&[1.0, 99.0, 1.5]), 1.5);
         assert!(median(&[]).is_nan());
+    }
+
+    #[test]
+    fn the_speedup_is_the_median_within_rounds() {
+        // The machine takes five times as long in the second round, and is interrupted in the tree
+        // of the third one.
+        let times = TimingAnswer {
+            primitives: 1000,
+            build_s: vec![1.0; 3],
+            tree_s: vec![2.0, 10.0, 4.0],
+            tree_rays: 100,
+            brute_s: vec![3.0, 15.0, 3.0],
+            brute_rays: 10,
+            box_tests: 0,
+            prim_tests: 0,
+            differing_hits: 0,
+            tree_hits: 0,
+        };
+        let speedup = Speedup::new("smooth", 1000, &times);
+        assert!((speedup.speedup - 15.0).abs() < 1e-9);
+        assert!((speedup.speedup_range[0] - 7.5).abs() < 1e-9);
+        assert!((speedup.speedup_range[1] - 15.0).abs() < 1e-9);
     }
 
     #[test]

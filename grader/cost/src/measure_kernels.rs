@@ -8,7 +8,7 @@ use super::report::{
     self, Accuracy, KernelFamily, KernelRow, Operations, RayColumn, RayFamily, Timing,
 };
 use super::student::{Student, StudentShape};
-use super::timing::{Contender, MissingReason, Rounds, SystemClock};
+use super::timing::{Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES};
 use super::truth::Answer;
 use grader::error::GraderError;
 use grader::workspace::Workspace;
@@ -16,12 +16,15 @@ use kernels::{HitF64, Instructions, Kernel, OperationCounts, Precision, RayAndSh
 use kit::Triangle;
 use rayon::prelude::*;
 
-/// Tests in a timed pass: too many for the branch predictor to remember, few enough for the L2
-/// cache.
+/// Tests in a pass: few enough for the L2 cache.
 const TESTS_PER_PASS: usize = 4096;
 
-/// Passes over all tests in one measurement by the student's worker.
-const STUDENT_PASSES: u32 = 8;
+/// Orders in which the rays of a pass are tested. A prime number, and many more orders than passes
+/// in a turn: an order returns only when the branch predictor has forgotten it.
+const ORDERS: usize = 61;
+
+/// How often all tests are run in one pass of the student's worker.
+const STUDENT_REPEATS: usize = 8;
 
 /// Measures all kernels for shapes `S`.
 pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
@@ -33,7 +36,8 @@ pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
     let student = Student::build::<S>(workspace)?;
     let accuracies = accuracies(&kernels, &student, seed, size.rays)?;
     let batches = rays::timed_batches::<S>(seed, TESTS_PER_PASS);
-    let times = Times::measure(&kernels, &student, &batches, size)?;
+    let orders = rays::orders(seed, batches.len(), ORDERS);
+    let times = Times::measure(&kernels, &student, &batches, &orders, size)?;
     let student_missing = match (&times.student, &accuracies.student) {
         (Err(missing), _) | (_, Err(missing)) => Some(missing.clone()),
         (Ok(_), Ok(_)) => None,
@@ -162,6 +166,7 @@ impl Times {
         kernels: &[Kernel<S, W>],
         student: &Result<Student, MissingReason>,
         batches: &[RayAndShapes<S>],
+        orders: &[Vec<u32>],
         size: SampleCounts,
     ) -> Result<Times, GraderError> {
         let with_fma = Instructions::with_fma();
@@ -170,13 +175,24 @@ impl Times {
             .flat_map(|instructions| {
                 let kernels = kernels.iter();
                 kernels.map(move |kernel| {
-                    Contender::here(TESTS_PER_PASS, kernel.pass(batches, instructions))
+                    let mut pass = kernel.pass(batches, instructions);
+                    let mut orders = orders.iter().cycle();
+                    let work = move |_| orders.next().map(|order| pass(order));
+                    Contender::here(TESTS_PER_PASS, work)
                 })
             })
             .collect();
         let in_process = contenders.len();
         if let Ok(student) = student {
-            let turn = || student.time(batches, STUDENT_PASSES);
+            let mut orders = orders.iter().cycle();
+            let mut pass = move || {
+                let orders = orders.by_ref().take(STUDENT_REPEATS);
+                orders.flatten().copied().collect::<Vec<u32>>()
+            };
+            let turn = move |_| {
+                let passes = (0..1 + TIMED_PASSES).map(|_| pass());
+                student.time(batches, passes.collect())
+            };
             contenders.push(Contender::elsewhere(turn));
         }
         let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, size.rounds)?;

@@ -3,8 +3,9 @@
 
 use super::accuracy::TestSet;
 use super::leaks::ClosedMeshes;
+use super::quartiles::Quartiles;
 use super::report::Accuracy;
-use super::timing::MissingReason;
+use super::timing::{MissingReason, TurnResult};
 use super::truth::{Answer, OracleShape};
 use grader::compile::{BuildOutcome, BuildRoot};
 use grader::error::GraderError;
@@ -136,29 +137,30 @@ impl Student {
         Ok(Ok(closed.per_million(leaks)))
     }
 
-    /// Times the student's test in a round of `passes` passes, after an untimed round. Returns the
-    /// seconds of one test.
+    /// Times the student's test in each of these orders of the rays; the first one is not timed.
+    /// Returns the median seconds of one test.
     pub(crate) fn time<S: StudentShape>(
         &self,
         batches: &[RayAndShapes<S>],
-        passes: u32,
-    ) -> Result<Result<f64, MissingReason>, GraderError> {
+        orders: Vec<Vec<u32>>,
+    ) -> TurnResult {
         let each = batches.iter().flat_map(|batch| &batch.shapes);
         let shapes: Vec<S> = each.copied().collect();
+        let tests: Vec<usize> = orders
+            .iter()
+            .map(|order| order.len() * S::SHAPES_PER_RAY)
+            .collect();
         let timing = TestTiming {
             shapes: S::shapes(&shapes),
             rays: batches.iter().map(|batch| wire_ray(&batch.ray)).collect(),
             per_ray: S::SHAPES_PER_RAY as u32,
-            passes,
-            // The first round is the untimed one.
-            rounds: 2,
+            orders,
         };
-        let tests = f64::from(passes) * shapes.len() as f64;
         Ok(match self.run(Work::TimeTest(timing))? {
-            Ok(wire::Answer::TimeTest(seconds)) => match seconds.last() {
-                Some(last) => Ok(last / tests),
-                None => return Err(unexpected_answer()),
-            },
+            Ok(wire::Answer::TimeTest(seconds)) => {
+                let each = seconds.iter().zip(tests).skip(1);
+                Ok(Quartiles::of(each.map(|(s, tests)| s / tests as f64)).median)
+            }
             Ok(_) => return Err(unexpected_answer()),
             Err(missing) => Err(missing),
         })

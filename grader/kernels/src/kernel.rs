@@ -89,8 +89,10 @@ pub struct RayAndShapes<S> {
     pub shapes: Vec<S>,
 }
 
-/// Runs a kernel on all its pairs once, and returns the number of hits.
-pub type Pass = Box<dyn FnMut() -> usize>;
+/// Runs a kernel on its pairs, and returns the number of hits. The argument is the order: the
+/// indices of the rays, each with its shapes. In an order that changes from pass to pass, the
+/// branch predictor cannot remember which test hits.
+pub type Pass = Box<dyn FnMut(&[u32]) -> usize>;
 
 /// A [`Test`] for one number type. Arguments and results are `f64`, whatever the kernel computes
 /// with.
@@ -195,13 +197,15 @@ fn pass<S, P: 'static, R: 'static, A>(
     let each = batches.iter().flat_map(|batch| &batch.shapes);
     let shapes: Vec<P> = each.map(prepare).collect();
     let per_ray = batches.first().map_or(1, |batch| batch.shapes.len());
-    Box::new(move || {
+    Box::new(move |order| {
         instructions.run(
             #[inline(always)]
             || {
                 let mut hits = 0;
-                for (ray, shapes) in rays.iter().zip(shapes.chunks_exact(per_ray)) {
-                    for shape in shapes {
+                for i in order {
+                    let i = *i as usize;
+                    let ray = &rays[i];
+                    for shape in &shapes[i * per_ray..(i + 1) * per_ray] {
                         if let Some(answer) = test(shape, ray) {
                             black_box(answer);
                             hits += 1;

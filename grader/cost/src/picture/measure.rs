@@ -140,17 +140,16 @@ fn render_in_turns(
     for (method, pictures) in plan.methods.iter().zip(&pictures) {
         for ((step, _), pictures) in method.steps.iter().zip(pictures) {
             let flags = format!("{} {step}", method.flags);
-            contenders.push(Contender::elsewhere(move || {
-                let mut pictures = pictures.borrow_mut();
+            contenders.push(Contender::elsewhere(move |round| {
                 let request = RenderRequest {
                     flags: &flags,
-                    seed: request.seed.wrapping_add(pictures.len() as u64),
+                    seed: request.seed.wrapping_add(round as u64),
                     ..request
                 };
                 Ok(match program.render(&request)? {
                     Ok(picture) => {
                         let seconds = picture.seconds;
-                        pictures.push(picture);
+                        pictures.borrow_mut().push(picture);
                         Ok(seconds)
                     }
                     Err(why) => Err(format!("{}: {why}", method.name)),

@@ -27,38 +27,45 @@ impl Clock for SystemClock {
 /// Why a contender cannot be timed, as the end of the sentence "Your code is not measured: ...".
 pub(crate) type MissingReason = String;
 
+/// The number of timed passes in a turn. Their median is not affected by one or two interruptions
+/// by other programs.
+pub(crate) const TIMED_PASSES: usize = 5;
+
+/// The seconds of one unit of work.
+pub(crate) type TurnResult = Result<Result<f64, MissingReason>, GraderError>;
+
 /// Something that is timed in turns with others.
 ///
-/// Each timed pass follows an untimed one of the same contender with the same input, so that it
-/// finds caches and branch predictors as this contender leaves them, whichever contender was before
-/// it.
+/// In its turn a contender does its work in several passes with the same input. The first pass is
+/// not timed: the others then find the caches as this contender leaves them, whichever contender was
+/// before it. The time of the turn is the median of the timed passes. The work gets the number of
+/// the round: the input may depend on it, in the same way for all contenders.
 pub(crate) enum Contender<'a> {
-    /// Work in this process. [`Rounds::measure`](super::Rounds::measure) runs both passes.
+    /// Work in this process. [`Rounds::measure`](super::Rounds::measure) runs the passes.
     Here {
         /// The work.
-        work: Box<dyn FnMut() + 'a>,
+        work: Box<dyn FnMut(usize) + 'a>,
         /// The number of units in it; the result is the time of one.
         units: usize,
     },
-    /// Work in a process of its own, which runs both passes. Returns the seconds of one unit.
-    Elsewhere(Box<dyn FnMut() -> Result<Result<f64, MissingReason>, GraderError> + 'a>),
+    /// Work in a process of its own, which runs an untimed pass and [`TIMED_PASSES`] others. Returns
+    /// the median seconds of one unit.
+    Elsewhere(Box<dyn FnMut(usize) -> TurnResult + 'a>),
 }
 
 impl<'a> Contender<'a> {
     /// Work in this process.
-    pub(crate) fn here<T>(units: usize, mut work: impl FnMut() -> T + 'a) -> Contender<'a> {
+    pub(crate) fn here<T>(units: usize, mut work: impl FnMut(usize) -> T + 'a) -> Contender<'a> {
         Contender::Here {
-            work: Box::new(move || {
-                std::hint::black_box(work());
+            work: Box::new(move |round| {
+                std::hint::black_box(work(round));
             }),
             units,
         }
     }
 
     /// Work in a process of its own.
-    pub(crate) fn elsewhere(
-        turn: impl FnMut() -> Result<Result<f64, MissingReason>, GraderError> + 'a,
-    ) -> Contender<'a> {
+    pub(crate) fn elsewhere(turn: impl FnMut(usize) -> TurnResult + 'a) -> Contender<'a> {
         Contender::Elsewhere(Box::new(turn))
     }
 }

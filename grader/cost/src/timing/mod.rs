@@ -9,7 +9,9 @@ mod rounds;
 #[cfg(test)]
 mod simulated;
 
-pub(crate) use contender::{Clock, Contender, MissingReason, SystemClock};
+pub(crate) use contender::{
+    Clock, Contender, MissingReason, SystemClock, TIMED_PASSES, TurnResult,
+};
 pub(crate) use rounds::Rounds;
 #[cfg(test)]
 pub(crate) use simulated::Machine;

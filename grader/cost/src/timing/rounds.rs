@@ -1,15 +1,20 @@
 //! Rounds in which each contender has one turn.
 
-use super::{Clock, Contender, MissingReason, Timing};
+use super::{Clock, Contender, MissingReason, TIMED_PASSES, Timing, TurnResult};
+use crate::quartiles::Quartiles;
 use grader::error::GraderError;
 
 /// The seconds of one unit, for each contender and each round; or why the contender is missing.
 #[derive(Debug)]
 pub(crate) struct Rounds(Vec<Result<Vec<f64>, MissingReason>>);
 
-/// Target time of a timed pass: long enough for the resolution of the clock, short enough that a
-/// round ends before the machine's speed changes. Shorter work is repeated.
+/// Target time of a pass: long enough for the resolution of the clock, short enough that most passes
+/// are not interrupted. Shorter work is repeated.
 const PASS_S: f64 = 300e-6;
+
+/// Time after which no further pass of a turn is begun, so that a round ends before the machine's
+/// speed changes.
+const TURN_S: f64 = 20e-3;
 
 impl Rounds {
     /// Times all contenders in `rounds` rounds. Every other round is in reverse order, and each
@@ -34,7 +39,7 @@ impl Rounds {
                 };
                 let i = (turn + round / 2) % count;
                 let Ok(own) = &mut seconds[i] else { continue };
-                match take_turn(clock, &mut contenders[i], repeats[i])? {
+                match take_turn(clock, &mut contenders[i], repeats[i], round)? {
                     Ok(unit) => own.push(unit),
                     Err(missing) => seconds[i] = Err(missing),
                 }
@@ -62,9 +67,12 @@ fn repeats(clock: &impl Clock, contender: &mut Contender) -> usize {
     let Contender::Here { work, .. } = contender else {
         return 1;
     };
-    let seconds = time_second_pass(clock, work, 1);
+    work(0);
+    let started = clock.seconds();
+    work(0);
     // A clock of coarse resolution may measure nothing.
-    (PASS_S / seconds.max(1e-3 * PASS_S)).ceil().max(1.0) as usize
+    let seconds = (clock.seconds() - started).max(1e-3 * PASS_S);
+    (PASS_S / seconds).ceil().max(1.0) as usize
 }
 
 /// Times one unit of the contender's work.
@@ -72,23 +80,29 @@ fn take_turn(
     clock: &impl Clock,
     contender: &mut Contender,
     repeats: usize,
-) -> Result<Result<f64, MissingReason>, GraderError> {
+    round: usize,
+) -> TurnResult {
     match contender {
         Contender::Here { work, units } => {
-            let seconds = time_second_pass(clock, work, repeats);
+            let pass = || (0..repeats).for_each(|_| work(round));
+            let seconds = time_after_warming(clock, pass);
             Ok(Ok(seconds / (repeats * *units) as f64))
         }
-        Contender::Elsewhere(turn) => turn(),
+        Contender::Elsewhere(turn) => turn(round),
     }
 }
 
-/// Runs two passes and returns the seconds of the second one.
-fn time_second_pass(clock: &impl Clock, work: &mut impl FnMut(), repeats: usize) -> f64 {
-    let mut pass = || (0..repeats).for_each(|_| work());
+/// Runs an untimed pass, then timed ones, and returns their median seconds.
+fn time_after_warming(clock: &impl Clock, mut pass: impl FnMut()) -> f64 {
     pass();
-    let started = clock.seconds();
-    pass();
-    clock.seconds() - started
+    let begun = clock.seconds();
+    let mut seconds = Vec::new();
+    while seconds.is_empty() || (seconds.len() < TIMED_PASSES && clock.seconds() - begun < TURN_S) {
+        let started = clock.seconds();
+        pass();
+        seconds.push(clock.seconds() - started);
+    }
+    Quartiles::of(seconds).median
 }
 
 #[cfg(test)]
@@ -150,21 +164,36 @@ mod tests {
     fn short_work_is_repeated_until_the_clock_can_measure_it() {
         let machine = Machine::default();
         let mut calls = 0;
-        let work = || {
+        let work = |_| {
             calls += 1;
             machine.run("data", 1e-6);
         };
         let rounds = Rounds::measure(&machine, &mut [Contender::here(10, work)], 2).unwrap();
         assert!((rounds.seconds(0).unwrap()[1] - 1e-7).abs() < 1e-12);
         // To choose the number of repeats it is called twice.
-        assert_eq!(calls, 2 + 2 * 2 * 300);
+        assert_eq!(calls, 2 + 2 * (1 + TIMED_PASSES) * 300);
+    }
+
+    #[test]
+    fn interruptions_of_a_pass_do_not_change_the_time() {
+        let machine = Machine::default();
+        let mut passes = 0;
+        let work = |_| {
+            passes += 1;
+            // Another program runs for three times as long in two of five passes.
+            let seconds = if passes % 5 < 2 { 4e-3 } else { 1e-3 };
+            machine.run("data", seconds);
+        };
+        let rounds = Rounds::measure(&machine, &mut [Contender::here(1, work)], 10).unwrap();
+        let ns = Timing::of(rounds.seconds(0).unwrap(), &[]).ns;
+        assert!((ns.median - 1e6).abs() < 1.0 && ns.plus_minus() < 1.0);
     }
 
     #[test]
     fn a_contender_that_fails_does_not_stop_the_others() {
         let machine = Machine::default();
         let mut turns = 0;
-        let broken = Contender::elsewhere(|| {
+        let broken = Contender::elsewhere(|_| {
             turns += 1;
             Ok(if turns < 3 {
                 Ok(1.0)

@@ -41,12 +41,12 @@ impl Machine {
 
     /// Work of one unit in this process.
     pub(crate) fn here(&self, data: &'static str, seconds: f64) -> Contender<'_> {
-        Contender::here(1, move || self.run(data, seconds))
+        Contender::here(1, move |_| self.run(data, seconds))
     }
 
     /// Work of one unit in a process of its own, which warms its cache.
     pub(crate) fn elsewhere(&self, data: &'static str, seconds: f64) -> Contender<'_> {
-        Contender::elsewhere(move || {
+        Contender::elsewhere(move |_| {
             self.run(data, seconds);
             let started = self.seconds();
             self.run(data, seconds);

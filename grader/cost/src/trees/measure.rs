@@ -5,7 +5,9 @@ use super::{BreakEven, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
 use crate::measure::SampleCounts;
 use crate::quartiles::Quartiles;
 use crate::student::Student;
-use crate::timing::{Contender, MissingReason, Rounds, SystemClock};
+use crate::timing::{
+    Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES, Timing, TurnResult,
+};
 use grader::error::GraderError;
 use grader::speedup;
 use grader::workspace::Workspace;
@@ -28,11 +30,11 @@ const MAX_LEAF_SIZE: usize = 4;
 /// compared with it.
 const SLACKS: [u32; 3] = [0, 2, 16];
 
-/// One of this many rays of the speedup's grid is traced, so that a pass is short and most passes
-/// are not interrupted. Odd, so that the rays are in all columns of the grid.
-const TRACED_EVERY: usize = 17;
+/// Each round times another part of the rays, one ray in this many: a pass is short, so that most
+/// passes are not interrupted. Odd, so that a part has rays in all columns of the speedup's grid.
+const PARTS: usize = 17;
 
-/// Number of traced rays that are compared with brute force.
+/// Number of rays that are compared with brute force.
 const CHECKED_RAYS: usize = 256;
 
 /// The scene that all trees are built over.
@@ -64,7 +66,7 @@ pub(crate) fn measure(
     // The contenders: each builder, the first tree with each slack, the other trees, the student.
     let mut contenders: Vec<Contender> = builders
         .iter()
-        .map(|builder| Contender::here(1, || build(builder)))
+        .map(|builder| Contender::here(1, |_| build(builder)))
         .collect();
     let first_slack = contenders.len();
     let [.., safe_slack] = SLACKS;
@@ -76,7 +78,7 @@ pub(crate) fn measure(
             .map(|tree| scene.contender(tree, safe_slack)),
     );
     if let Ok(student) = &student {
-        contenders.push(Contender::elsewhere(|| student.turn()));
+        contenders.push(Contender::elsewhere(|round| student.turn(round)));
     }
     let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, size.tree_rounds)?;
     drop(contenders);
@@ -130,15 +132,17 @@ pub(crate) fn measure(
     }))
 }
 
-/// Returns the rays that are traced, as they are sent to a worker.
-fn wire_rays() -> Vec<wire::work::Ray> {
-    speedup::rays().into_iter().step_by(TRACED_EVERY).collect()
+/// Returns the part of the rays that is timed in `round`. All parts have the same size.
+fn part<T>(rays: &[T], round: usize) -> impl Iterator<Item = &T> {
+    let rays_of_part = rays.len() / PARTS;
+    let rays = rays.iter().skip(round % PARTS).step_by(PARTS);
+    rays.take(rays_of_part)
 }
 
 impl Scene {
     fn new(seed: u64, size: SampleCounts) -> Scene {
         let triangles = generate(MESH, size.mesh);
-        let rays: Vec<Ray> = wire_rays().iter().map(convert::ray).collect();
+        let rays: Vec<Ray> = speedup::rays().iter().map(convert::ray).collect();
         // The worker chooses the same ones.
         let checked = (0..CHECKED_RAYS).map(|i| rays[i * rays.len() / CHECKED_RAYS]);
         let checked = checked.map(|ray| (ray, brute_force(&triangles, &ray)));
@@ -150,12 +154,12 @@ impl Scene {
         }
     }
 
-    /// The traversal of a tree by all rays.
+    /// The traversal of a tree by a part of the rays.
     fn contender<'a>(&'a self, tree: &'a Bvh, slack_ulp: u32) -> Contender<'a> {
         let mut traversal = Traversal::new(slack_ulp);
-        Contender::here(self.rays.len(), move || {
+        Contender::here(self.rays.len() / PARTS, move |round| {
             let closest = |ray| traversal.closest(tree, &self.triangles, ray);
-            self.rays.iter().filter_map(closest).count()
+            part(&self.rays, round).filter_map(closest).count()
         })
     }
 
@@ -185,6 +189,7 @@ impl Scene {
 /// The student's tree over the same mesh, traversed by the student's own code.
 struct StudentTree {
     worker: Student,
+    /// The work of counting; turns differ from it in rays and rounds.
     work: TimingWork,
     /// Test counts and comparison with brute force.
     counts: TimingAnswer,
@@ -205,37 +210,37 @@ impl StudentTree {
         let work = TimingWork {
             scene: SceneSource::Generated(MESH.name().into(), size.mesh as u32),
             max_leaf_size: MAX_LEAF_SIZE as u32,
-            rays: wire_rays(),
+            rays: speedup::rays(),
             brute_force_rays: scene.checked.len() as u32,
             rounds: 1,
         };
         Ok(run(&worker, &work)?.map(|counts| StudentTree {
             worker,
-            work: TimingWork {
-                brute_force_rays: 0,
-                // The first round is the untimed one.
-                rounds: 2,
-                ..work
-            },
+            work,
             counts,
             build_s: RefCell::default(),
         }))
     }
 
-    /// Builds and traverses the tree twice; returns the seconds of a ray the second time.
-    fn turn(&self) -> Result<Result<f64, MissingReason>, GraderError> {
-        let times = match run(&self.worker, &self.work)? {
+    /// Builds and traverses the tree several times. The first time does not count. Returns the
+    /// median seconds of a ray.
+    fn turn(&self, round: usize) -> TurnResult {
+        let work = TimingWork {
+            rays: part(&self.work.rays, round).copied().collect(),
+            brute_force_rays: 0,
+            rounds: 1 + TIMED_PASSES as u32,
+            ..self.work.clone()
+        };
+        let times = match run(&self.worker, &work)? {
             Ok(times) => times,
             Err(missing) => return Ok(Err(missing)),
         };
-        let (Some(build_s), Some(tree_s)) = (times.build_s.last(), times.tree_s.last()) else {
-            return Ok(Err("the worker's answer contains no times".into()));
-        };
-        self.build_s.borrow_mut().push(*build_s);
-        Ok(Ok(tree_s / times.tree_rays.max(1) as f64))
+        let median = |seconds: &[f64]| Quartiles::of(seconds.iter().copied().skip(1)).median;
+        self.build_s.borrow_mut().push(median(&times.build_s));
+        Ok(Ok(median(&times.tree_s) / times.tree_rays.max(1) as f64))
     }
 
-    fn row(self, time: crate::timing::Timing) -> TreeRow {
+    fn row(self, time: Timing) -> TreeRow {
         let counts = &self.counts;
         let rays = counts.tree_rays.max(1) as f64;
         TreeRow {

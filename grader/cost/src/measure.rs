@@ -54,7 +54,7 @@ impl SampleCounts {
         leak_rays: 6_000,
         rounds: 20,
         mesh: 20_000,
-        tree_rounds: 16,
+        tree_rounds: 24,
     };
 }
 

@@ -270,3 +270,6 @@ pub(crate) fn precision(of: Precision) -> report::Precision {
         Precision::F32InF64 => report::Precision::F32InF64,
     }
 }
+
+#[cfg(test)]
+mod tests;

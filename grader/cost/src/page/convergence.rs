@@ -5,6 +5,7 @@ use super::formatting::{figures, list, percent, tick};
 use super::plot::{Axis, Plot, legend};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment};
+use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
 use grader::error::GraderError;
 
@@ -23,10 +24,6 @@ const HALF_SLOPE: SeriesStyle = SeriesStyle {
     hollow: false,
     dashes: Some([1.5, 3.0]),
 };
-
-/// Smallest ratio of two times that the caption reports as a difference: measured times vary from
-/// run to run.
-const DIFFERENT: f64 = 1.1;
 
 /// Draws the plots of one experiment; returns the SVG and its caption.
 pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), GraderError> {
@@ -176,18 +173,24 @@ fn times_to_equal_error(experiment: &Experiment) -> String {
     let error = |p: &CurvePoint| p.error(experiment.is_relative).value;
     // The times are compared at the last point of the first curve whose error the other curve also
     // reaches.
-    let speedup = |curve: &Curve| {
+    let compare = |curve: &Curve| {
         first.points.iter().rev().find_map(|p| {
-            let seconds = curve.at_error(error(p), error, |p| p.seconds.median)?;
-            Some((error(p), p.seconds.median / seconds))
+            let at = |x: fn(&CurvePoint) -> f64| curve.at_error(error(p), error, x);
+            let own = Quartiles {
+                lower: at(|p| p.seconds.lower)?,
+                median: at(|p| p.seconds.median)?,
+                upper: at(|p| p.seconds.upper)?,
+            };
+            let ties = own.lower <= p.seconds.upper && p.seconds.lower <= own.upper;
+            Some((error(p), p.seconds.median / own.median, ties))
         })
     };
     let mut text = Vec::new();
     for curve in others {
-        if let Some((error, speedup)) = speedup(curve) {
-            text.push(if (1.0 / DIFFERENT..DIFFERENT).contains(&speedup) {
+        if let Some((error, speedup, ties)) = compare(curve) {
+            text.push(if ties {
                 format!(
-                    "{} reaches an error of {} in the same time",
+                    "{} reaches an error of {} in the same time within the error bars",
                     curve.name,
                     percent(error)
                 )

@@ -59,8 +59,7 @@ fn by_build(trees: &TreeReport) -> Table {
                 at_least,
                 at_most,
             } => {
-                let [rays, at_least, at_most] = [rays, at_least, at_most].map(power);
-                format!("{rays} [{at_least}, {at_most}]")
+                format!("{rays:.1e} [{at_least:.0e}, {at_most:.0e}]")
             }
         };
         table.add_row(
@@ -79,8 +78,8 @@ fn headings() -> impl Iterator<Item = String> {
         "vs. first",
         "box\ntests",
         "triangle\ntests",
-        "wrong hits of\ntimed rays",
-        "wrong hits of\ncrafted rays",
+        "wrong of\ntimed rays",
+        "wrong of\ncrafted rays",
     ]
     .into_iter()
     .map(String::from)
@@ -99,10 +98,5 @@ fn cells(trace: &TraversalCost) -> [Cell; 6] {
 }
 
 fn wrong(hits: WrongHits) -> String {
-    format!("{} of {}", hits.wrong, hits.rays)
-}
-
-/// Formats with two digits and a power of ten.
-fn power(rays: f64) -> String {
-    format!("{rays:.1e}")
+    format!("{}/{}", hits.wrong, hits.rays)
 }

@@ -132,11 +132,12 @@ fn number(
     taken: &mut Vec<(Position, f64)>,
 ) -> DrawResult {
     let half = NUMBER * 0.62;
+    // From above on: beside the marker is its error bar.
     let around = (0..6).flat_map(|ring| {
         (0..12).map(move |k| {
             (
                 10.0 + 8.0 * f64::from(ring),
-                f64::from(k) * std::f64::consts::PI / 6.0,
+                f64::from(k + 3) * std::f64::consts::PI / 6.0,
             )
         })
     });

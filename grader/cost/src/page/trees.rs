@@ -103,7 +103,7 @@ fn caption(trees: &TreeReport) -> String {
                 at_least,
                 at_most,
             } => format!(
-                "{} breaks even after {} rays (from {} to {} for the quartiles of its tracing time). ",
+                "{} breaks even after {} rays (from {} to {} for the quartiles of its times). ",
                 tree.name,
                 figures(rays),
                 figures(at_least),

@@ -13,11 +13,11 @@ pub enum BreakEven {
     Immediate,
     /// After a number of rays.
     After {
-        /// The number for the median tracing time.
+        /// The number for the median times.
         rays: f64,
-        /// The number if the tracing time is at its lower quartile.
+        /// The number for the quartiles of building and tracing that favour the tree.
         at_least: f64,
-        /// The number if the tracing time is at its upper quartile.
+        /// The number for the other quartiles.
         at_most: f64,
     },
     /// It is slower to trace.
@@ -36,16 +36,16 @@ impl BreakEven {
         if ratio.median > 1.0 {
             return BreakEven::Never;
         }
-        let longer_s = tree.build_s.median - base.build_s.median;
-        if longer_s <= 0.0 {
+        let (own, base_s) = (tree.build_s, base.build_s);
+        if own.median <= base_s.median {
             return BreakEven::Immediate;
         }
         let ray_s = 1e-9 * base.trace.time.ns.median;
-        let rays = |ratio: f64| longer_s / (ray_s * (1.0 - ratio));
+        let rays = |longer_s: f64, ratio: f64| longer_s.max(0.0) / (ray_s * (1.0 - ratio));
         BreakEven::After {
-            rays: rays(ratio.median),
-            at_least: rays(ratio.lower),
-            at_most: rays(ratio.upper),
+            rays: rays(own.median - base_s.median, ratio.median),
+            at_least: rays(own.lower - base_s.upper, ratio.lower),
+            at_most: rays(own.upper - base_s.lower, ratio.upper),
         }
     }
 }
@@ -57,17 +57,21 @@ mod tests {
     use crate::timing::Timing;
     use crate::trees::{TraversalCost, WrongHits};
 
-    fn tree(build_s: f64, [lower, median, upper]: [f64; 3]) -> TreeRow {
-        let ratio = Quartiles {
+    fn quartiles([lower, median, upper]: [f64; 3]) -> Quartiles {
+        Quartiles {
             lower,
             median,
             upper,
-        };
+        }
+    }
+
+    fn tree(build_s: [f64; 3], ratio: [f64; 3]) -> TreeRow {
+        let ratio = quartiles(ratio);
         TreeRow {
             name: String::new(),
             paper: String::new(),
             student: false,
-            build_s: Quartiles::of([build_s]),
+            build_s: quartiles(build_s),
             nodes: None,
             trace: TraversalCost {
                 time: Timing {
@@ -83,8 +87,9 @@ mod tests {
         }
     }
 
+    /// Compares a tree that takes this long to build with one that takes 1 s.
     fn compared(build_s: f64, ratio: [f64; 3]) -> BreakEven {
-        BreakEven::of(&tree(build_s, ratio), &tree(1.0, [1.0; 3]))
+        BreakEven::of(&tree([build_s; 3], ratio), &tree([1.0; 3], [1.0; 3]))
     }
 
     #[test]
@@ -100,6 +105,19 @@ mod tests {
         assert!((rays - 4e6).abs() < 1.0);
         assert!((at_least - 2e6 / 0.6).abs() < 1.0 && (at_most - 8e6).abs() < 1.0);
         assert_eq!(compared(1.0, [0.9; 3]), BreakEven::Immediate);
+    }
+
+    #[test]
+    fn the_error_of_the_build_times_counts() {
+        let base = tree([0.5, 1.0, 2.5], [1.0; 3]);
+        let BreakEven::After {
+            at_least, at_most, ..
+        } = BreakEven::of(&tree([2.0, 3.0, 4.0], [0.5; 3]), &base)
+        else {
+            panic!("2 s longer to build, 500 ns saved in a ray");
+        };
+        assert_eq!(at_least, 0.0);
+        assert!((at_most - 7e6).abs() < 1.0);
     }
 
     #[test]

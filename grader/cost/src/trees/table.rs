@@ -10,7 +10,7 @@ const LEGEND: &str = "\
 Times are medians of interleaved rounds, each pass after an untimed one with the same rays; ± reaches the farther quartile;\n\
 ~ marks a tie. Wrong: hits that differ from brute force, for some of the timed rays and for crafted rays, which are aimed at\n\
 triangles that overlap in one plane. Break-even: rays after which the tracing time saved equals the additional build time,\n\
-against the first tree; in brackets for the quartiles of the tracing time.\n";
+against the first tree; in brackets for the quartiles of both times.\n";
 
 /// Formats both tables.
 pub(crate) fn show(trees: &TreeReport) -> String {

@@ -232,6 +232,16 @@ pub(crate) fn plus_minus(measured: &Quartiles, decimals: usize) -> String {
     format!("{:.decimals$} ±{error:.decimals$}", measured.median)
 }
 
+/// Formats a factor of any size with its error.
+pub(crate) fn factor(measured: &Quartiles) -> String {
+    let decimals = match measured.median {
+        ..9.95 => 2,
+        ..99.5 => 1,
+        _ => 0,
+    };
+    plus_minus(measured, decimals)
+}
+
 /// Formats a count per million.
 pub(super) fn count(per_million: f64) -> String {
     if per_million == 0.0 {

@@ -6,7 +6,7 @@ use super::plot::{Axis, Plot, legend};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment};
 use crate::quartiles::Quartiles;
-use crate::table::plus_minus;
+use crate::table::factor;
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
@@ -151,7 +151,7 @@ fn efficiencies(experiment: &Experiment) -> String {
     };
     let each = others.iter().filter_map(|curve| {
         let ratio = curve.points.last()?.relative_efficiency?;
-        Some(format!("{} ({})", plus_minus(&ratio, 2), curve.name))
+        Some(format!("{} ({})", factor(&ratio), curve.name))
     });
     let each: Vec<String> = each.collect();
     if each.is_empty() {

@@ -5,7 +5,8 @@ use super::efficiency::relative_efficiency;
 use super::estimate::ConvergedPair;
 use super::plan::{self, ExperimentPlan, RenderMethod};
 use super::program::{Program, RenderRequest, RenderedPicture};
-use crate::timing::{Contender, Rounds, SystemClock};
+use crate::quartiles::Quartiles;
+use crate::timing::{Contender, Rounds, SystemClock, TIMED_PASSES};
 use grader::error::GraderError;
 use grader::speedup::slope;
 use grader::workspace::Workspace;
@@ -14,6 +15,10 @@ use std::cell::RefCell;
 /// Number of seeds reserved for one run, so that runs with another `--seed` use other random
 /// numbers.
 const SEEDS_A_RUN: u64 = 1 << 16;
+
+/// Pictures that take less time are rendered several times: one interruption by another program may
+/// take longer.
+const SHORT_S: f64 = 50e-3;
 
 /// Fewest points for a slope: two points always are on a line.
 const POINTS_OF_A_LINE: usize = 3;
@@ -127,7 +132,7 @@ type Pictures = Vec<Vec<Vec<RenderedPicture>>>;
 /// some are. Each round has another seed, from that of `request` on.
 ///
 /// Each picture is rendered by a process of its own, which starts with cold caches whatever ran
-/// before; so none needs an untimed pass.
+/// before.
 fn render_in_turns(
     program: &Program,
     plan: &ExperimentPlan,
@@ -146,7 +151,7 @@ fn render_in_turns(
                     seed: request.seed.wrapping_add(round as u64),
                     ..request
                 };
-                Ok(match program.render(&request)? {
+                Ok(match render_and_time(program, &request)? {
                     Ok(picture) => {
                         let seconds = picture.seconds;
                         pictures.borrow_mut().push(picture);
@@ -164,6 +169,29 @@ fn render_in_turns(
         steps.into_iter().map(RefCell::into_inner).collect()
     };
     Ok((pictures.into_iter().map(taken).collect(), missing))
+}
+
+/// Renders a picture; if that takes little time, several times, for the median of the times. Then
+/// the first time does not count.
+fn render_and_time(
+    program: &Program,
+    request: &RenderRequest,
+) -> Result<Result<RenderedPicture, String>, GraderError> {
+    let mut picture = match program.render(request)? {
+        Ok(picture) => picture,
+        Err(why) => return Ok(Err(why)),
+    };
+    if picture.seconds < SHORT_S {
+        let mut seconds = Vec::new();
+        for _ in 0..TIMED_PASSES {
+            match program.render(request)? {
+                Ok(again) => seconds.push(again.seconds),
+                Err(why) => return Ok(Err(why)),
+            }
+        }
+        picture.seconds = Quartiles::of(seconds).median;
+    }
+    Ok(Ok(picture))
 }
 
 /// Returns the curve of a method, compared with the pictures of the first method; `None` if a

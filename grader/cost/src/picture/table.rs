@@ -1,7 +1,7 @@
 //! The results for pictures as text tables.
 
 use super::curve::{ConfidenceInterval, Experiment, PictureReport};
-use crate::table::plus_minus;
+use crate::table::{factor, plus_minus};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -67,7 +67,7 @@ fn table(experiment: &Experiment) -> Table {
                     .map_or(String::new(), |bias| format!("{:.1}", 100.0 * bias)),
                 point
                     .relative_efficiency
-                    .map_or(String::new(), |ratio| plus_minus(&ratio, 2)),
+                    .map_or(String::new(), |ratio| factor(&ratio)),
             ];
             let name = if i == 0 { curve.name.as_str() } else { "" };
             let numbers = numbers.map(|n| Cell::new(n).set_alignment(CellAlignment::Right));

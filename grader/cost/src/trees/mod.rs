@@ -1,6 +1,6 @@
 //! The results of `grader cost bvh`, and their measurement.
 //!
-//! Read the types here, then `measure` (one run), `coplanar` (crafted rays), [`break_even`] and
+//! Read the types here, then `measure` (one run), `coplanar` (crafted rays), [`BreakEven`] and
 //! `table`.
 
 mod break_even;

@@ -71,8 +71,7 @@ fn measurements() -> Vec<Case> {
         shapes: Shapes::Boxes(vec![[[0.0; 3], [1.0; 3]]; 20]),
         rays: rays.clone(),
         per_ray: 1,
-        passes: 2,
-        rounds: 3,
+        orders: vec![(0..20).collect(); 3],
     });
     let visits = Work::Visits(VisitsWork {
         scene: scene.scene.clone(),

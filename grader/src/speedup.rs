@@ -4,6 +4,10 @@
 //! Times depend on the machine. The number of tests per ray does not, and explains the times.
 //! Neither earns points here: other cases score the number of tests, one task at a time.
 
+mod growth;
+
+pub use growth::{Growth, slope};
+
 use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::runner::{self, Ending, Worker};
@@ -25,7 +29,8 @@ pub struct Speedups {
     pub missing: Option<String>,
 }
 
-/// The speedup on one mesh. Times are medians of rounds that alternate between BVH and brute force.
+/// The speedup on one mesh. Times are medians of rounds that alternate between BVH and brute force;
+/// each timed pass follows an untimed one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Speedup {
     /// Name of the mesh.
@@ -42,30 +47,17 @@ pub struct Speedup {
     pub brute_rays: u64,
     /// Seconds per ray by brute force.
     pub brute_s: f64,
-    /// `brute_s / tree_s`, without the time to build the BVH.
+    /// Time by brute force / time with the BVH, without the time to build the BVH: the median of the
+    /// ratios within a round.
     pub speedup: f64,
+    /// The smallest and the largest of these ratios.
+    pub speedup_range: [f64; 2],
     /// Box and primitive tests per ray.
     pub work: RayWork,
     /// The recorded tests per ray of the reference.
     pub reference: RayWork,
     /// The number of sampled rays for which BVH and brute force return a different `t`.
     pub differing_hits: u64,
-}
-
-/// How the cost of a ray grows with the number of triangles n: as n^k. The exponent k is the slope
-/// of log(cost) over log(n), fitted by least squares.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Growth {
-    /// Name of the mesh.
-    pub mesh: String,
-    /// Exponent of the time per ray by brute force; 1 means proportional.
-    pub brute: f64,
-    /// Exponent of the time per ray with the BVH.
-    pub tree: f64,
-    /// Exponent of the box and primitive tests per ray with the BVH.
-    pub tests: f64,
-    /// Exponent of the time to build the BVH.
-    pub build: f64,
 }
 
 /// The timed meshes: one smooth, one rough.
@@ -196,17 +188,25 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
 impl Speedup {
     fn new(mesh: &str, size: u32, times: &TimingAnswer) -> Speedup {
         let rays = times.tree_rays as f64;
-        let tree_s = median(&times.tree_s) / rays;
-        let brute_s = median(&times.brute_s) / times.brute_rays as f64;
+        let per_ray =
+            |seconds: &[f64], rays: f64| -> Vec<f64> { seconds.iter().map(|s| s / rays).collect() };
+        let tree_s = per_ray(&times.tree_s, rays);
+        let brute_s = per_ray(&times.brute_s, times.brute_rays as f64);
+        let in_rounds = brute_s.iter().zip(&tree_s);
+        let speedups: Vec<f64> = in_rounds.map(|(brute, tree)| brute / tree).collect();
         Speedup {
             mesh: mesh.into(),
             triangles: times.primitives,
             build_s: median(&times.build_s),
             tree_rays: times.tree_rays,
-            tree_s,
+            tree_s: median(&tree_s),
             brute_rays: times.brute_rays,
-            brute_s,
-            speedup: brute_s / tree_s,
+            brute_s: median(&brute_s),
+            speedup: median(&speedups),
+            speedup_range: [
+                speedups.iter().copied().fold(f64::INFINITY, f64::min),
+                speedups.iter().copied().fold(0.0, f64::max),
+            ],
             work: RayWork {
                 boxes: times.box_tests as f64 / rays,
                 prims: times.prim_tests as f64 / rays,
@@ -215,39 +215,6 @@ impl Speedup {
             differing_hits: times.differing_hits,
         }
     }
-}
-
-impl Growth {
-    /// The exponents of a mesh; `None` unless it was timed in at least two sizes.
-    fn of(mesh: &str, rows: &[Speedup]) -> Option<Growth> {
-        let rows: Vec<&Speedup> = rows.iter().filter(|row| row.mesh == mesh).collect();
-        let of = |cost: fn(&Speedup) -> f64| {
-            let points: Vec<(f64, f64)> = rows
-                .iter()
-                .map(|row| (row.triangles as f64, cost(row)))
-                .collect();
-            slope(&points)
-        };
-        Some(Growth {
-            mesh: mesh.into(),
-            brute: of(|row| row.brute_s)?,
-            tree: of(|row| row.tree_s)?,
-            tests: of(|row| row.work.boxes + row.work.prims)?,
-            build: of(|row| row.build_s)?,
-        })
-    }
-}
-
-/// The slope of the line through the points (ln x, ln y), fitted by least squares; `None` if all x
-/// are equal.
-pub fn slope(points: &[(f64, f64)]) -> Option<f64> {
-    let n = points.len() as f64;
-    let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let mean_x = logs.iter().map(|(x, _)| x).sum::<f64>() / n;
-    let mean_y = logs.iter().map(|(_, y)| y).sum::<f64>() / n;
-    let sum_xx: f64 = logs.iter().map(|(x, _)| (x - mean_x).powi(2)).sum();
-    let sum_xy: f64 = logs.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
-    (sum_xx > 0.0).then_some(sum_xy / sum_xx)
 }
 
 /// The median; of an even number of times, the lower of the two in the middle.
@@ -263,16 +230,31 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_slope_of_a_power_law_is_its_exponent() {
-        let cube_root: Vec<(f64, f64)> = [1e3, 1e4, 1e6].map(|n: f64| (n, 7.0 * n.cbrt())).into();
-        assert!((slope(&cube_root).unwrap() - 1.0 / 3.0).abs() < 1e-12);
-        assert_eq!(slope(&[(1e3, 1.0)]), None);
-    }
-
-    #[test]
     fn one_slow_round_does_not_change_the_median() {
         assert_eq!(median(&[1.0, 99.0, 1.5]), 1.5);
         assert!(median(&[]).is_nan());
+    }
+
+    #[test]
+    fn the_speedup_is_the_median_within_rounds() {
+        // The machine takes five times as long in the second round, and is interrupted in the tree
+        // of the third one.
+        let times = TimingAnswer {
+            primitives: 1000,
+            build_s: vec![1.0; 3],
+            tree_s: vec![2.0, 10.0, 4.0],
+            tree_rays: 100,
+            brute_s: vec![3.0, 15.0, 3.0],
+            brute_rays: 10,
+            box_tests: 0,
+            prim_tests: 0,
+            differing_hits: 0,
+            tree_hits: 0,
+        };
+        let speedup = Speedup::new("smooth", 1000, &times);
+        assert!((speedup.speedup - 15.0).abs() < 1e-9);
+        assert!((speedup.speedup_range[0] - 7.5).abs() < 1e-9);
+        assert!((speedup.speedup_range[1] - 15.0).abs() < 1e-9);
     }
 
     #[test]

@@ -7,6 +7,9 @@ use super::picture::PictureReport;
 use super::trees::TreeReport;
 use serde::{Deserialize, Serialize};
 
+pub use super::ray_family::RayFamily;
+pub use super::timing::Timing;
+
 /// The results of one run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CostReport {
@@ -35,8 +38,7 @@ pub struct Machine {
     pub rustc: String,
     /// The target features that the compiler used, such as `sse2`.
     pub target_features: Vec<String>,
-    /// Whether the processor has a fused multiply-add instruction, which kernels may use at run
-    /// time.
+    /// Whether the processor has a fused multiply-add instruction.
     pub has_fma: bool,
 }
 
@@ -88,78 +90,6 @@ pub struct RayColumn {
     pub about: String,
 }
 
-/// The families of test rays, by what makes them hard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum RayFamily {
-    /// Hits and misses in equal parts. Times are measured on ordinary rays.
-    #[serde(rename = "ordinary")]
-    Ordinary,
-    /// Aimed at an edge; of a sphere, at the rim.
-    #[serde(rename = "edge")]
-    Edge,
-    /// Aimed at a vertex; of a box, at a corner.
-    #[serde(rename = "vertex")]
-    Vertex,
-    /// A triangle whose vertices are almost collinear; a flat box.
-    #[serde(rename = "sliver")]
-    Sliver,
-    /// A triangle with one very short edge; a box that is flat on two axes.
-    #[serde(rename = "needle")]
-    Needle,
-    /// Almost parallel to the triangle or a face of the box; almost tangent to the sphere.
-    #[serde(rename = "grazing")]
-    Grazing,
-    /// Everything is far from the world's origin; a sphere is far from the ray's origin.
-    #[serde(rename = "far offset")]
-    FarOffset,
-    /// Everything is very small.
-    #[serde(rename = "tiny scale")]
-    TinyScale,
-    /// Everything is very large.
-    #[serde(rename = "huge scale")]
-    HugeScale,
-    /// The ray starts inside the shape.
-    #[serde(rename = "inside")]
-    Inside,
-    /// The ray starts on the shape, as a shadow ray does.
-    #[serde(rename = "on the surface")]
-    OnTheSurface,
-}
-
-impl RayFamily {
-    /// All families, in the order of the columns.
-    pub const ALL: [RayFamily; 11] = [
-        RayFamily::Ordinary,
-        RayFamily::Edge,
-        RayFamily::Vertex,
-        RayFamily::Sliver,
-        RayFamily::Needle,
-        RayFamily::Grazing,
-        RayFamily::FarOffset,
-        RayFamily::TinyScale,
-        RayFamily::HugeScale,
-        RayFamily::Inside,
-        RayFamily::OnTheSurface,
-    ];
-
-    /// The name, as in the JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            RayFamily::Ordinary => "ordinary",
-            RayFamily::Edge => "edge",
-            RayFamily::Vertex => "vertex",
-            RayFamily::Sliver => "sliver",
-            RayFamily::Needle => "needle",
-            RayFamily::Grazing => "grazing",
-            RayFamily::FarOffset => "far offset",
-            RayFamily::TinyScale => "tiny scale",
-            RayFamily::HugeScale => "huge scale",
-            RayFamily::Inside => "inside",
-            RayFamily::OnTheSurface => "on the surface",
-        }
-    }
-}
-
 /// The precision of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Precision {
@@ -200,8 +130,16 @@ pub struct KernelRow {
     pub student: bool,
     /// Whether this is the kernel that times are compared with.
     pub textbook: bool,
-    /// Time of hit or miss, `t` and hit point for one ordinary ray.
+    /// Whether the kernel contains fused multiply-adds, perhaps only for rare rays; unknown for the
+    /// student's kernel, which counts as one without.
+    pub uses_fma: bool,
+    /// Time of hit or miss, `t` and hit point for one ordinary ray, with the instructions that the
+    /// program is built for. Its ratio is to the time of the textbook's kernel.
     pub time: Timing,
+    /// The same with AVX2 and FMA, found at run time; the ratio is to the textbook's kernel with
+    /// these instructions, too. `None` if the machine does not have them, if the program is built
+    /// for them, and for the student's kernel.
+    pub time_with_fma: Option<Timing>,
     /// Mean number of operations for one ordinary ray; unknown for the student's kernel.
     pub operations: Option<Operations>,
     /// Rays from inside closed meshes, aimed at edges and vertices, that leave without a hit.
@@ -211,21 +149,26 @@ pub struct KernelRow {
     pub by_ray_family: Vec<Accuracy>,
 }
 
-/// Time in nanoseconds, and its ratio to the textbook's. The measurements are interleaved: each
-/// round times every kernel once. A spread is the interquartile range of the rounds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Timing {
-    /// Median of the rounds.
-    pub ns_median: f64,
-    /// Spread of the rounds.
-    pub ns_spread: f64,
-    /// Median over the rounds of the ratio to the time of the textbook's kernel in the same round;
-    /// 1 if there is nothing to compare with.
-    pub ratio_to_textbook: f64,
-    /// Spread of these ratios.
-    pub ratio_spread: f64,
-    /// Whether the difference of the ratio from 1 is at most the spread: no significant difference.
-    pub inside_noise: bool,
+impl KernelRow {
+    /// Returns the time that plots and rankings use: for kernels with fused multiply-adds that with
+    /// FMA instructions, if the machine has them, for others that of the build. Its ratio is always
+    /// to the textbook's kernel with the same instructions.
+    pub fn ranked_time(&self) -> &Timing {
+        let with_fma = self.time_with_fma.as_ref().filter(|_| self.uses_fma);
+        with_fma.unwrap_or(&self.time)
+    }
+
+    /// Returns the correct bits of `t`, averaged over all families of rays: see
+    /// [`Errors::correct_bits`]. A family with hits in which the kernel finds none counts as 0
+    /// bits.
+    pub fn mean_correct_bits(&self) -> f64 {
+        let families = self.by_ray_family.iter();
+        let with_hits = families.filter(|a| a.t.is_some() || a.false_misses_per_million > 0.0);
+        let bits: kit::Tally = with_hits
+            .map(|a| a.t.map_or(0.0, |t| t.correct_bits()))
+            .collect();
+        bits.mean()
+    }
 }
 
 /// Mean number of operations of one test. Subtractions count as additions; negation and `abs` are
@@ -307,11 +250,22 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// Returns the number of leading bits that are correct for at least half of the rays: `-log2`
-    /// of the median relative error, 53 at most.
+    /// Returns the number of leading bits that are correct for at least half of the rays.
     pub fn correct_bits(&self) -> f64 {
-        (-self.relative.p50.log2()).clamp(0.0, 53.0) + 0.0
+        correct_bits(self.relative.p50)
     }
+}
+
+/// Returns the number of leading bits that are correct with a relative error: `-log2` of it, from 0
+/// to 53.
+pub fn correct_bits(relative: f64) -> f64 {
+    // The sum makes -0 a 0.
+    (-relative.log2()).clamp(0.0, 53.0) + 0.0
+}
+
+/// Rounds a number of correct bits down: tables, captions and rankings use whole bits.
+pub fn whole_bits(bits: f64) -> u32 {
+    bits as u32
 }
 
 /// Three quantiles of a distribution (nearest rank).

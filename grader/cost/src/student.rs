@@ -3,7 +3,9 @@
 
 use super::accuracy::TestSet;
 use super::leaks::ClosedMeshes;
+use super::quartiles::Quartiles;
 use super::report::Accuracy;
+use super::timing::{MissingReason, TurnResult};
 use super::truth::{Answer, OracleShape};
 use grader::compile::{BuildOutcome, BuildRoot};
 use grader::error::GraderError;
@@ -38,10 +40,6 @@ pub(crate) struct Student {
     worker: Worker,
     task: &'static str,
 }
-
-/// Why the student's code is not measured, as the end of the sentence "Your code is not measured:
-/// ...".
-pub(crate) type MissingReason = String;
 
 /// Time limit of one case: a million tests of a slow kernel.
 const LIMIT_MS: u64 = 60_000;
@@ -139,26 +137,29 @@ impl Student {
         Ok(Ok(closed.per_million(leaks)))
     }
 
-    /// Times the student's test: nanoseconds per test for each round of `passes` passes.
-    pub(crate) fn times<S: StudentShape>(
+    /// Times the student's test in each of these orders of the rays; the first one is not timed.
+    /// Returns the median seconds of one test.
+    pub(crate) fn time<S: StudentShape>(
         &self,
         batches: &[RayAndShapes<S>],
-        passes: u32,
-        rounds: usize,
-    ) -> Result<Result<Vec<f64>, MissingReason>, GraderError> {
+        orders: Vec<Vec<u32>>,
+    ) -> TurnResult {
         let each = batches.iter().flat_map(|batch| &batch.shapes);
         let shapes: Vec<S> = each.copied().collect();
+        let tests: Vec<usize> = orders
+            .iter()
+            .map(|order| order.len() * S::SHAPES_PER_RAY)
+            .collect();
         let timing = TestTiming {
             shapes: S::shapes(&shapes),
             rays: batches.iter().map(|batch| wire_ray(&batch.ray)).collect(),
             per_ray: S::SHAPES_PER_RAY as u32,
-            passes,
-            rounds: rounds as u32,
+            orders,
         };
-        let tests = f64::from(passes) * shapes.len() as f64;
         Ok(match self.run(Work::TimeTest(timing))? {
             Ok(wire::Answer::TimeTest(seconds)) => {
-                Ok(seconds.iter().map(|s| 1e9 * s / tests).collect())
+                let each = seconds.iter().zip(tests).skip(1);
+                Ok(Quartiles::of(each.map(|(s, tests)| s / tests as f64)).median)
             }
             Ok(_) => return Err(unexpected_answer()),
             Err(missing) => Err(missing),

@@ -1,8 +1,11 @@
 //! The results as text tables.
 
 use super::picture;
-use super::report::{Accuracy, CostReport, KernelFamily, KernelRow, RayFamily, Timing};
-use super::trees_table;
+use super::quartiles::Quartiles;
+use super::report::{
+    Accuracy, CostReport, KernelFamily, KernelRow, RayFamily, Timing, correct_bits, whole_bits,
+};
+use super::trees;
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -36,6 +39,7 @@ pub fn show(report: &CostReport) -> String {
             continue;
         }
         let _ = writeln!(text, "\n{}", times(family));
+        let _ = writeln!(text, "{}", errors(family));
         let _ = writeln!(text, "{}", decisions(family));
         let _ = writeln!(text, "{}", bits(family));
         if let Some(missing) = &family.student_missing {
@@ -49,7 +53,7 @@ pub fn show(report: &CostReport) -> String {
         text.push_str(LEGEND);
     }
     if let Some(trees) = &report.bvh {
-        text.push_str(&trees_table::show(trees));
+        text.push_str(&trees::table::show(trees));
     }
     if let Some(pictures) = &report.pictures {
         text.push_str(&picture::table::show(pictures));
@@ -59,19 +63,48 @@ pub fn show(report: &CostReport) -> String {
 
 /// Explains the columns.
 const LEGEND: &str = "\n\
-Time: ns for hit or miss, t and hit point, in interleaved rounds; ± is the interquartile range; ~ marks differences within the noise.\n\
+Time: ns for hit or miss, t and hit point: the median of interleaved rounds, each pass after an untimed one; ± reaches the\n\
+farther quartile; ~ marks a tie with the textbook. With AVX2 and FMA all kernels use these instructions, the textbook's too.\n\
 Wrong: false hits + false misses per million rays that are decidable for a robust f64 kernel. Kernels in f32 are\n\
 judged on rounded inputs. Leaks: rays per million that leave a closed mesh without a hit, aimed at its edges from inside.\n\
-Bits: leading bits of t that are correct for 50 % and for 99.9 % of the rays. * marks your own code.\n";
+Bits: leading bits of t that are correct for 50 % and for 99.9 % of the rays; mean: of 50 %, over all families of rays, as in\n\
+the plot of --html. * marks your own code.\n";
 
-/// The table of names, times, operations, leaks, and errors on ordinary rays.
+/// The table of times and operations.
 fn times(family: &KernelFamily) -> Table {
+    let has_fma = family.rows.iter().any(|row| row.time_with_fma.is_some());
+    let mut header = vec![family.shape.name(), "ns", "vs. textbook"];
+    if has_fma {
+        header.extend(["ns with\nAVX2, FMA", "vs. textbook\nwith AVX2, FMA"]);
+    }
+    header.push("operations");
+    let mut table = narrow(header);
+    for row in &family.rows {
+        let mut cells = vec![
+            name(row),
+            number(nanoseconds(&row.time)),
+            number(ratio(&row.time)),
+        ];
+        if has_fma {
+            let with_fma = row.time_with_fma.as_ref();
+            cells.push(number(with_fma.map_or(String::new(), nanoseconds)));
+            cells.push(number(with_fma.map_or(String::new(), ratio)));
+        }
+        let operations = row.operations.map_or(String::new(), |o| figures(o.total()));
+        cells.push(number(operations));
+        table.add_row(cells);
+    }
+    table
+}
+
+/// The table of leaks, and of errors on ordinary rays.
+fn errors(family: &KernelFamily) -> Table {
     let has_leaks = family
         .rows
         .iter()
         .any(|row| row.leaks_per_million.is_some());
     let has_surface = family.rows.iter().any(|row| ordinary_off(row).is_some());
-    let mut header = vec![family.shape.name(), "ns", "vs. textbook", "operations"];
+    let mut header = vec![family.shape.name()];
     if has_leaks {
         header.push("leaks");
     }
@@ -81,12 +114,7 @@ fn times(family: &KernelFamily) -> Table {
     }
     let mut table = narrow(header);
     for row in &family.rows {
-        let mut cells = vec![
-            name(row),
-            number(nanoseconds(&row.time)),
-            number(ratio(&row.time)),
-            number(row.operations.map_or(String::new(), |o| figures(o.total()))),
-        ];
+        let mut cells = vec![name(row)];
         if has_leaks {
             cells.push(number(row.leaks_per_million.map_or(String::new(), count)));
         }
@@ -126,33 +154,43 @@ pub(super) fn narrow<H: Into<Cell>>(header: impl IntoIterator<Item = H>) -> Tabl
 
 /// The table of wrong decisions, one column per family of rays.
 fn decisions(family: &KernelFamily) -> Table {
-    by_family(family, "wrong per million", |accuracy| {
-        count(accuracy.false_hits_per_million + accuracy.false_misses_per_million)
-    })
+    let wrong = |accuracy: &Accuracy| count(accuracy.wrong_per_million());
+    by_family(family, "wrong per million", wrong, None)
 }
 
-/// The table of correct bits, one column per family of rays.
+/// The table of correct bits, one column per family of rays, and their mean.
 fn bits(family: &KernelFamily) -> Table {
-    by_family(family, "correct bits of t", |accuracy| {
-        // Whole bits; the cast also makes -0 a 0.
-        let bits = |relative: f64| (-relative.log2()).clamp(0.0, 53.0) as u32;
+    let bits = |accuracy: &Accuracy| {
         accuracy.t.map_or(String::new(), |t| {
-            format!("{} {:2}", bits(t.relative.p50), bits(t.relative.p999))
+            let [p50, p999] = [t.relative.p50, t.relative.p999].map(correct_bits);
+            format!("{} {:2}", whole_bits(p50), whole_bits(p999))
         })
-    })
+    };
+    let mean = |row: &KernelRow| whole_bits(row.mean_correct_bits()).to_string();
+    by_family(family, "correct bits of t", bits, Some(("mean", &mean)))
 }
 
-fn by_family(family: &KernelFamily, what: &str, cell: impl Fn(&Accuracy) -> String) -> Table {
+/// A heading and the cells of an additional column.
+type LastColumn<'a> = (&'a str, &'a dyn Fn(&KernelRow) -> String);
+
+fn by_family(
+    family: &KernelFamily,
+    what: &str,
+    cell: impl Fn(&Accuracy) -> String,
+    last: Option<LastColumn>,
+) -> Table {
     let columns = family.columns.iter();
     let columns = columns.map(|column| heading(column.family).to_string());
     let corner = format!("{}: {what}", family.shape.name());
-    let mut table = narrow(std::iter::once(corner).chain(columns));
+    let header = std::iter::once(corner).chain(columns);
+    let mut table = narrow(header.chain(last.map(|(heading, _)| heading.to_string())));
     for row in &family.rows {
         let cells = row
             .by_ray_family
             .iter()
             .map(|accuracy| number(cell(accuracy)));
-        table.add_row(std::iter::once(name(row)).chain(cells));
+        let last = last.map(|(_, cell)| number(cell(row)));
+        table.add_row(std::iter::once(name(row)).chain(cells).chain(last));
     }
     table
 }
@@ -180,15 +218,28 @@ pub(super) fn number(text: String) -> Cell {
 }
 
 pub(super) fn nanoseconds(time: &Timing) -> String {
-    format!("{:.1} ±{:.1}", time.ns_median, time.ns_spread)
+    plus_minus(&time.ns, 1)
 }
 
 pub(super) fn ratio(time: &Timing) -> String {
-    let about = if time.inside_noise { "~" } else { "" };
-    format!(
-        "{about}{:.2} ±{:.2}",
-        time.ratio_to_textbook, time.ratio_spread
-    )
+    let tie = if time.ties_with_base() { "~" } else { "" };
+    format!("{tie}{}", plus_minus(&time.ratio, 2))
+}
+
+/// Formats a median with the distance to the farther quartile.
+pub(crate) fn plus_minus(measured: &Quartiles, decimals: usize) -> String {
+    let error = measured.plus_minus();
+    format!("{:.decimals$} ±{error:.decimals$}", measured.median)
+}
+
+/// Formats a factor of any size with its error.
+pub(crate) fn factor(measured: &Quartiles) -> String {
+    let decimals = match measured.median {
+        ..9.95 => 2,
+        ..99.5 => 1,
+        _ => 0,
+    };
+    plus_minus(measured, decimals)
 }
 
 /// Formats a count per million.

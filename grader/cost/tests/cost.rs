@@ -2,16 +2,16 @@
 //! tested.
 
 use cost::report::{Accuracy, CostReport, KernelFamily, KernelRow, Precision, RayFamily, Shape};
+use cost::trees::WrongHits;
 use cost::{CostRequest, SampleCounts, measure};
 
 /// Few rays, for a short test.
 const SMALL: SampleCounts = SampleCounts {
     rays: 3_000,
     leak_rays: 2_000,
-    turns: 1,
     rounds: 1,
     mesh: 1_000,
-    builds: 1,
+    tree_rounds: 1,
 };
 
 fn small(shape: Shape, seed: u64) -> CostReport {
@@ -41,13 +41,14 @@ fn on(row: &KernelRow, rays: RayFamily) -> &Accuracy {
 }
 
 fn wrong(accuracy: &Accuracy) -> f64 {
-    accuracy.false_hits_per_million + accuracy.false_misses_per_million
+    accuracy.wrong_per_million()
 }
 
 /// Returns the report without the times, which differ from run to run.
 fn timeless(mut report: CostReport) -> CostReport {
     for row in report.families.iter_mut().flat_map(|f| &mut f.rows) {
         row.time = Default::default();
+        row.time_with_fma = None;
     }
     report
 }
@@ -194,13 +195,27 @@ fn traversal_needs_slack_to_equal_brute_force() {
         seed: 0,
     };
     let trees = measure(None, &request).unwrap().bvh.expect("trees");
-    let wrong: Vec<f64> = trees
+    let crafted: Vec<WrongHits> = trees
         .by_slack
         .iter()
-        .map(|row| row.trace.wrong_per_million)
+        .map(|row| row.trace.crafted.expect("crafted rays"))
         .collect();
-    assert!(wrong[0] > 1_000.0 && wrong[0] > 3.0 * wrong[1], "{wrong:?}");
-    assert_eq!(wrong[2], 0.0);
+    let wrong: Vec<usize> = crafted.iter().map(|hits| hits.wrong).collect();
+    assert!(
+        1_000 * wrong[0] > crafted[0].rays && wrong[0] > 3 * wrong[1],
+        "{wrong:?}"
+    );
+    assert_eq!(wrong[2], 0);
+    // Crafted rays are not counted as ordinary ones: those are right even without slack.
+    for row in &trees.by_slack {
+        assert_eq!(
+            row.trace.ordinary,
+            WrongHits {
+                rays: 256,
+                wrong: 0
+            }
+        );
+    }
     let of = |name: &str| {
         let mut trees = trees.by_build.iter();
         trees.find(|tree| tree.name == name).expect("such a tree")
@@ -211,7 +226,7 @@ fn traversal_needs_slack_to_equal_brute_force() {
         trees
             .by_build
             .iter()
-            .all(|tree| tree.trace.wrong_per_million == 0.0)
+            .all(|tree| tree.trace.crafted.is_some_and(|hits| hits.wrong == 0))
     );
     assert!(trees.by_build.iter().all(|tree| tree.nodes > Some(500)));
 }

@@ -3,11 +3,25 @@
 
 use cost::page::page;
 use cost::picture::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
+use cost::quartiles::Quartiles;
 use cost::report::{
     Accuracy, CostReport, Errors, KernelFamily, KernelRow, Machine, Precision, Quantiles,
     RayColumn, RayFamily, Shape, Timing,
 };
-use cost::trees::{SlackRow, TraversalCost, TreeReport, TreeRow};
+use cost::trees::{BreakEven, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
+
+/// A time of `ratio ± 0.02` times the base's `base_ns`.
+fn timing(base_ns: f64, ratio: f64) -> Timing {
+    let ratio = Quartiles {
+        lower: ratio - 0.02,
+        median: ratio,
+        upper: ratio + 0.02,
+    };
+    Timing {
+        ns: ratio.scaled(base_ns),
+        ratio,
+    }
+}
 
 fn accuracy(family: RayFamily, relative: f64, wrong: f64) -> Accuracy {
     let quantiles = |p50: f64| Quantiles {
@@ -48,13 +62,9 @@ fn row(name: &str, precision: Precision, ratio: f64, leaks: f64, wrong: f64) -> 
         paper: "a paper".into(),
         student: name == "yours",
         textbook: ratio == 1.0,
-        time: Timing {
-            ns_median: 10.0 * ratio,
-            ns_spread: 0.1,
-            ratio_to_textbook: ratio,
-            ratio_spread: 0.01,
-            inside_noise: false,
-        },
+        uses_fma: name == "fused",
+        time: timing(10.0, ratio),
+        time_with_fma: (name != "yours").then(|| timing(9.0, ratio.min(1.2))),
         operations: None,
         leaks_per_million: Some(leaks),
         by_ray_family: vec![
@@ -95,13 +105,13 @@ fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
     let point = |samples: f64| CurvePoint {
         flags: format!("-s {samples}"),
         samples,
-        seconds: 1e-3 * samples,
-        seconds_spread: 1e-4,
+        seconds: Quartiles::of([0.9, 1.0, 1.2]).scaled(1e-3 * samples),
         rmse: exact(samples.powf(slope)),
         relative_mse: exact(samples.powf(2.0 * slope)),
         variance: samples.powf(2.0 * slope),
         bias,
         efficiency: Some(1e3 / samples.powf(2.0 * slope + 1.0)),
+        relative_efficiency: Some(Quartiles::of([1.9, 2.0, 2.2])),
     };
     Curve {
         name: name.into(),
@@ -113,39 +123,41 @@ fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
 
 /// The better tree takes 10 ms more to build and saves 100 ns per ray.
 fn trees() -> TreeReport {
-    let trace = |ns: f64, wrong: f64| TraversalCost {
-        time: Timing {
-            ns_median: ns,
-            ns_spread: 1.0,
-            ratio_to_textbook: ns / 400.0,
-            ratio_spread: 0.01,
-            inside_noise: false,
-        },
+    let trace = |ns: f64, wrong: usize| TraversalCost {
+        time: timing(400.0, ns / 400.0),
         box_tests: 30.0,
         prim_tests: 5.0,
-        checked_rays: 1000,
-        wrong_per_million: wrong,
+        ordinary: WrongHits {
+            rays: 256,
+            wrong: 0,
+        },
+        crafted: Some(WrongHits { rays: 9000, wrong }),
     };
-    let tree = |name: &str, build_s: f64, ns: f64, break_even_rays| TreeRow {
+    let tree = |name: &str, build_s: f64, ns: f64, break_even| TreeRow {
         name: name.into(),
         paper: String::new(),
         student: false,
-        build_s,
-        build_spread_s: 1e-4,
+        build_s: Quartiles::of([build_s]),
         nodes: Some(100),
-        trace: trace(ns, 0.0),
-        break_even_rays,
+        trace: trace(ns, 0),
+        break_even,
+    };
+    let after = BreakEven::After {
+        rays: 1e5,
+        at_least: 9e4,
+        at_most: 2e5,
     };
     TreeReport {
         mesh: "smooth".into(),
         triangles: 10_000,
         by_slack: vec![SlackRow {
             slack_ulp: 2,
-            trace: trace(440.0, 7.0),
+            trace: trace(440.0, 7),
         }],
         by_build: vec![
-            tree("midpoint", 5e-3, 400.0, Some(0.0)),
-            tree("SAH", 15e-3, 300.0, Some(1e5)),
+            tree("midpoint", 5e-3, 400.0, BreakEven::Base),
+            tree("SAH", 15e-3, 300.0, after),
+            tree("median", 6e-3, 404.0, BreakEven::WithinNoise),
         ],
         student_missing: None,
     }
@@ -272,11 +284,11 @@ fn no_text_is_clipped() {
 fn captions_follow_the_numbers() {
     let tight = html(&report(rows(0.0, 0.0), None));
     assert!(tight.contains(
-        "The fastest known kernel without leaks is Woop f64: it takes 1.5 times the textbook"
+        "The fastest known kernel without leaks is Woop f64: it takes 1.50 ±0.02 times the textbook"
     ));
     assert!(tight.contains("and no leaks: Woop f64."));
     assert!(tight.contains("“edge” (1 of 3 kernels)"));
-    assert!(tight.contains("Your code (star) takes 0.90 times the textbook"));
+    assert!(tight.contains("Your code (star) takes 0.90 ±0.02 times the textbook"));
 
     let leaking = html(&report(rows(5.0, 2000.0), None));
     assert!(leaking.contains("There is no known kernel without leaks"));
@@ -289,13 +301,56 @@ fn captions_follow_the_numbers() {
         tight.contains("stratified reaches an error of 12 % 4.0 times as fast"),
         "{tight}"
     );
-    assert!(tight.contains("SAH breaks even after 100000 rays."));
+    assert!(tight.contains("SAH breaks even after 100000 rays (from 90000 to 200000 for"));
     assert!(
-        tight.contains("With 2 ulp of slack 7.0 closest hits per million are wrong (1.1 times")
+        tight.contains("The tracing time of median, 1.01 ±0.02 times that of the first tree, ties")
     );
+    assert!(tight.contains(
+        "With 2 ulp of slack the hits of 0 of 256 timed rays and of 7 of 9000 crafted rays are wrong (1.10 ±0.02 times"
+    ));
+    assert!(tight.contains("relative to independent: 2.00 ±0.20 (stratified)"));
     assert!(tight.contains("No curve has a significant bias"));
     let biased = html(&report(rows(0.0, 0.0), Some(0.02)));
     assert!(biased.contains("number of samples of a curve it is 2.0 % (stratified)"));
+}
+
+#[test]
+fn ties_and_kernels_with_fma_are_stated() {
+    let tied = row("Woop, other", Precision::F64, 1.52, 0.0, 0.0);
+    let fused = row("fused", Precision::F64, 2.2, 0.0, 0.0);
+    let with = |added: KernelRow| {
+        let mut rows = rows(0.0, 0.0);
+        rows.insert(3, added);
+        html(&report(rows, None))
+    };
+    assert!(
+        with(tied.clone()).contains("without leaks are Woop f64, which takes 1.50 ±0.02 times")
+    );
+    assert!(with(tied).contains("and within the error bars Woop, other f64."));
+    let page = with(fused);
+    assert!(page.contains("the same instructions: fused f64 1.20 ±0.02 (else 2.20 ±0.02)"));
+    assert!(page.contains("The fastest known kernel without leaks is fused f64: it takes 1.20 ±"));
+}
+
+/// Each kernel has a bar from quartile to quartile of its time, with a stroke at both ends.
+#[test]
+fn times_have_error_bars() {
+    let page = html(&report(rows(0.0, 0.0), None));
+    let pareto = roxmltree::Document::parse(plots(&page)[0]).expect("well-formed");
+    let lines = pareto.descendants().filter_map(|node| {
+        let ends: Vec<(f64, f64)> = node
+            .attribute("points")?
+            .split_whitespace()
+            .filter_map(|end| {
+                let (x, y) = end.split_once(',')?;
+                Some((x.parse().ok()?, y.parse().ok()?))
+            })
+            .collect();
+        <[(f64, f64); 2]>::try_from(ends).ok()
+    });
+    // The strokes are 5 points long; four units are one point.
+    let strokes = lines.filter(|[a, b]| a.0 == b.0 && b.1 - a.1 == 20.0);
+    assert_eq!(strokes.count(), 2 * 4);
 }
 
 #[test]

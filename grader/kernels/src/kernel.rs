@@ -1,6 +1,7 @@
 //! The kernel interface: run it on a pair, time it, count its operations.
 
 use crate::counting::{CountingF64, OperationCounts};
+use crate::instructions::Instructions;
 use crate::scalar::{Precision, Scalar};
 use crate::shapes::{Ray, Shape, Vector3};
 use std::hint::black_box;
@@ -14,6 +15,8 @@ pub struct KernelInfo {
     pub paper: &'static str,
     /// Whether it culls triangles seen from behind.
     pub culls: bool,
+    /// Whether it contains fused multiply-adds, perhaps only for rare rays.
+    pub uses_fma: bool,
 }
 
 /// A ray intersection test, generic over the number type.
@@ -86,8 +89,10 @@ pub struct RayAndShapes<S> {
     pub shapes: Vec<S>,
 }
 
-/// Runs a kernel on all its pairs once, and returns the number of hits.
-pub type Pass = Box<dyn FnMut() -> usize>;
+/// Runs a kernel on its pairs, and returns the number of hits. The argument is the order: the
+/// indices of the rays, each with its shapes. In an order that changes from pass to pass, the
+/// branch predictor cannot remember which test hits.
+pub type Pass = Box<dyn FnMut(&[u32]) -> usize>;
 
 /// A [`Test`] for one number type. Arguments and results are `f64`, whatever the kernel computes
 /// with.
@@ -98,7 +103,7 @@ pub struct Kernel<S, W> {
     /// The number type.
     pub precision: Precision,
     answer: fn(&S, &kit::Ray) -> Option<W>,
-    pass: fn(&[RayAndShapes<S>]) -> Pass,
+    pass: fn(&[RayAndShapes<S>], Instructions) -> Pass,
     count: fn(&S, &kit::Ray) -> OperationCounts,
 }
 
@@ -111,12 +116,14 @@ impl<S: Shape, W: 'static> Kernel<S, W> {
             answer: |shape, ray| {
                 K::test(&K::prepare::<R>(&shape.rounded()), &Ray::from_kit(ray)).map(ToF64::to_f64)
             },
-            pass: |batches| {
+            pass: |batches, instructions| {
                 pass(
                     batches,
                     |shape| K::prepare::<R>(&shape.rounded()),
                     Ray::from_kit,
-                    K::test::<R>,
+                    #[inline(always)]
+                    |shape, ray| K::test::<R>(shape, ray),
+                    instructions,
                 )
             },
             count: count::<K>,
@@ -125,6 +132,7 @@ impl<S: Shape, W: 'static> Kernel<S, W> {
 
     /// Returns `K` in `f64`, for shapes and rays that are stored in `f32`.
     pub fn new_f32_in_f64<K: Test<Shape = S, AnswerF64 = W>>() -> Kernel<S, W> {
+        #[inline(always)]
         fn test<K: Test>(
             shape: &<K::Shape as Shape>::In<f32>,
             ray: &Ray<f32>,
@@ -137,7 +145,16 @@ impl<S: Shape, W: 'static> Kernel<S, W> {
             answer: |shape, ray| {
                 test::<K>(&shape.rounded(), &Ray::from_kit(ray)).map(ToF64::to_f64)
             },
-            pass: |batches| pass(batches, |shape| shape.rounded(), Ray::from_kit, test::<K>),
+            pass: |batches, instructions| {
+                pass(
+                    batches,
+                    |shape| shape.rounded(),
+                    Ray::from_kit,
+                    #[inline(always)]
+                    |shape, ray| test::<K>(shape, ray),
+                    instructions,
+                )
+            },
             count: count::<K>,
         }
     }
@@ -148,9 +165,9 @@ impl<S: Shape, W: 'static> Kernel<S, W> {
     }
 
     /// Prepares a pass over `batches` that can be timed repeatedly: conversion and precomputation
-    /// are done here.
-    pub fn pass(&self, batches: &[RayAndShapes<S>]) -> Pass {
-        (self.pass)(batches)
+    /// are done here. The pass runs with `instructions`.
+    pub fn pass(&self, batches: &[RayAndShapes<S>], instructions: Instructions) -> Pass {
+        (self.pass)(batches, instructions)
     }
 
     /// Counts the operations of one test.
@@ -174,21 +191,29 @@ fn pass<S, P: 'static, R: 'static, A>(
     prepare: impl Fn(&S) -> P,
     ray: impl Fn(&kit::Ray) -> R,
     test: impl Fn(&P, &R) -> Option<A> + 'static,
+    instructions: Instructions,
 ) -> Pass {
     let rays: Vec<R> = batches.iter().map(|batch| ray(&batch.ray)).collect();
     let each = batches.iter().flat_map(|batch| &batch.shapes);
     let shapes: Vec<P> = each.map(prepare).collect();
     let per_ray = batches.first().map_or(1, |batch| batch.shapes.len());
-    Box::new(move || {
-        let mut hits = 0;
-        for (ray, shapes) in rays.iter().zip(shapes.chunks_exact(per_ray)) {
-            for shape in shapes {
-                if let Some(answer) = test(shape, ray) {
-                    black_box(answer);
-                    hits += 1;
+    Box::new(move |order| {
+        instructions.run(
+            #[inline(always)]
+            || {
+                let mut hits = 0;
+                for i in order {
+                    let i = *i as usize;
+                    let ray = &rays[i];
+                    for shape in &shapes[i * per_ray..(i + 1) * per_ray] {
+                        if let Some(answer) = test(shape, ray) {
+                            black_box(answer);
+                            hits += 1;
+                        }
+                    }
                 }
-            }
-        }
-        hits
+                hits
+            },
+        )
     })
 }

@@ -2,7 +2,8 @@
 //!
 //! Every kernel is generic over its number type. Run on `f32` and `f64` it shows the cost and the
 //! accuracy of each precision; run on [`CountingF64`] it counts its operations. Read [`scalar`]
-//! (the number types), [`kernel`] (the kernel interface), then the kernels:
+//! (the number types), [`kernel`] (the kernel interface), [`instructions`] (with and without fused
+//! multiply-add), then the kernels:
 //!
 //! - `triangle`: Möller-Trumbore (plain, with the usual epsilon, culling), plane then sides,
 //!   Baldwin-Weber, Plücker, Woop, Woop with fused edges (everywhere, at zero), a filter with an
@@ -16,6 +17,7 @@
 //! A handout does not contain the kernels that solve one of its tasks.
 
 mod counting;
+pub mod instructions;
 pub mod kernel;
 pub mod scalar;
 pub mod shapes;
@@ -43,6 +45,7 @@ mod traversal;
 // END SOLUTION(part2.task3)
 
 pub use counting::{CountingF64, OperationCounts};
+pub use instructions::Instructions;
 pub use kernel::{HitF64, Kernel, Pass, RayAndShapes};
 pub use scalar::{Precision, Scalar};
 pub use tree::{Builder, ClosestHit, Traversal, brute_force};

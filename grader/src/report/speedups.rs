@@ -23,7 +23,7 @@ pub(crate) fn format_speedups(speedups: &Speedups) -> String {
         };
         let _ = writeln!(
             text,
-            "* estimated from a sample of rays: {} for the largest mesh, {} for the smallest. Times are medians of interleaved rounds.",
+            "* estimated from a sample of rays: {} for the largest mesh, {} for the smallest. Times are medians of interleaved rounds; ± reaches the farthest round.",
             sample_size(u64::min),
             sample_size(u64::max),
         );
@@ -63,7 +63,7 @@ fn table(rows: &[Speedup]) -> Table {
             seconds(row.build_s),
             rate(row.brute_s),
             rate(row.tree_s),
-            format!("{}x", three_digits(row.speedup)),
+            speedup(row),
             format!("{:.1} ({:.1})", row.work.boxes, row.reference.boxes),
             format!("{:.1} ({:.1})", row.work.prims, row.reference.prims),
         ];
@@ -71,6 +71,13 @@ fn table(rows: &[Speedup]) -> Table {
         table.add_row([Cell::new(&row.mesh)].into_iter().chain(cells));
     }
     table
+}
+
+fn speedup(row: &Speedup) -> String {
+    let [low, high] = row.speedup_range;
+    let error = (row.speedup - low).max(high - row.speedup);
+    let decimals = decimals(row.speedup);
+    format!("{:.decimals$}x ±{error:.decimals$}", row.speedup)
 }
 
 fn growth_sentence(growth: &Growth) -> String {
@@ -101,8 +108,12 @@ fn rate(seconds_per_ray: f64) -> String {
 
 /// A number with three significant digits, but with all digits before the decimal point.
 fn three_digits(x: f64) -> String {
-    let decimals = (2.0 - x.abs().log10().floor()).clamp(0.0, 7.0);
-    format!("{x:.*}", decimals as usize)
+    format!("{x:.*}", decimals(x))
+}
+
+/// The number of decimals of a number with three significant digits.
+fn decimals(x: f64) -> usize {
+    (2.0 - x.abs().log10().floor()).clamp(0.0, 7.0) as usize
 }
 
 #[cfg(test)]

@@ -274,7 +274,8 @@ pub struct TimingWork {
     pub rays: Vec<Ray>,
     /// How many of the rays, at regular intervals, are also traced by brute force.
     pub brute_force_rays: u32,
-    /// The number of rounds; each round times the tree, then brute force.
+    /// The number of rounds. Each times construction, then the tree, then brute force; the two
+    /// passes of rays are timed after an untimed one.
     pub rounds: u32,
 }
 
@@ -287,10 +288,8 @@ pub struct TestTiming {
     pub rays: Vec<Ray>,
     /// The number of shapes that each ray is tested against.
     pub per_ray: u32,
-    /// The number of passes over all rays in each round.
-    pub passes: u32,
-    /// The number of timed rounds.
-    pub rounds: u32,
+    /// For each timed round, the indices of the rays in the order in which they are tested.
+    pub orders: Vec<Vec<u32>>,
 }
 
 /// Shapes of one kind.

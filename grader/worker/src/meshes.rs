@@ -4,6 +4,7 @@ use crate::bvh::kit_tree;
 use crate::convert;
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, Vec2, Vec3, World};
 use meshes::{MeshKind, cornell_with, generate};
+use std::hint::black_box;
 use std::time::{Duration, Instant};
 use wire::answer::{HitsAnswer, TimingAnswer};
 use wire::work::{SceneSource, SceneWork, TimingWork};
@@ -109,15 +110,16 @@ impl World for SceneWorld<'_> {
     }
 }
 
-/// Time limit of tracing the rays of one round through a tree. If they take longer, only the first
-/// rays are traced.
+/// Time limit of the first pass of the rays through a tree. If it takes longer, only the rays so far
+/// are traced in all passes.
 const TREE_TIME: Duration = Duration::from_millis(700);
 
 /// The number of rays between two readings of the clock.
 const BATCH: usize = 64;
 
-/// Times the tree and brute force in alternation, so that a change of the machine's speed affects
-/// both.
+/// Times construction, the tree and brute force in alternation, so that a change of the machine's
+/// speed affects all of them. Each timed pass of rays follows an untimed one: construction and brute
+/// force leave other data in the caches.
 pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
     let scene = load(&timing.scene)?;
     let bounds = scene.primitive_bounds();
@@ -142,26 +144,8 @@ pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
         answer.build_s.push(started.elapsed().as_secs_f64());
 
         let mut world = SceneWorld::new(&scene);
-        let started = Instant::now();
-        let mut done = 0;
-        for batch in rays.chunks(BATCH) {
-            for ray in batch {
-                harness::call(done);
-                done += 1;
-                let hit = bvh::intersect_bvh(&tree, &mut { *ray }, &mut world);
-                answer.tree_hits += u64::from(round == 0 && hit.is_some());
-            }
-            if round == 0 && started.elapsed() > TREE_TIME {
-                break;
-            }
-        }
-        answer.tree_s.push(started.elapsed().as_secs_f64());
         if round == 0 {
-            // Every round traces the rays that the first one had time for.
-            rays.truncate(done);
-            answer.tree_rays = done as u64;
-            answer.box_tests = world.box_tests;
-            answer.prim_tests = world.prim_tests;
+            rays.truncate(count(&tree, &rays, &mut world, &mut answer));
             let through_tree = sample
                 .iter()
                 .map(|ray| bvh::intersect_bvh(&tree, &mut { *ray }, &mut world));
@@ -170,14 +154,54 @@ pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
             });
             answer.differing_hits = differs.count() as u64;
         }
-
-        let started = Instant::now();
-        for ray in &sample {
-            std::hint::black_box(brute_force(&scene, ray));
-        }
-        answer.brute_s.push(started.elapsed().as_secs_f64());
+        answer.tree_s.push(time_second_pass(|| {
+            for (done, ray) in rays.iter().enumerate() {
+                harness::call(done);
+                black_box(bvh::intersect_bvh(&tree, &mut { *ray }, &mut world));
+            }
+        }));
+        answer.brute_s.push(time_second_pass(|| {
+            for ray in &sample {
+                black_box(brute_force(&scene, ray));
+            }
+        }));
     }
     Ok(answer)
+}
+
+/// Runs a pass twice and returns the seconds of the second time.
+fn time_second_pass(mut pass: impl FnMut()) -> f64 {
+    pass();
+    let started = Instant::now();
+    pass();
+    started.elapsed().as_secs_f64()
+}
+
+/// Counts hits and tests of the rays through the tree, until [`TREE_TIME`] is over. Returns the
+/// number of rays.
+fn count(
+    tree: &kit::Bvh,
+    rays: &[Ray],
+    world: &mut SceneWorld,
+    answer: &mut TimingAnswer,
+) -> usize {
+    let started = Instant::now();
+    let mut done = 0;
+    for batch in rays.chunks(BATCH) {
+        for ray in batch {
+            harness::call(done);
+            done += 1;
+            let hit = bvh::intersect_bvh(tree, &mut { *ray }, world);
+            answer.tree_hits += u64::from(hit.is_some());
+        }
+        if started.elapsed() > TREE_TIME {
+            break;
+        }
+    }
+    answer.tree_rays = done as u64;
+    answer.box_tests = world.box_tests;
+    answer.prim_tests = world.prim_tests;
+    done
 }
 
 /// `count` of the rays, at regular intervals.

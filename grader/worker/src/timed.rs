@@ -39,23 +39,21 @@ fn time<W, S, A>(
     let shapes: Vec<S> = shapes.iter().map(shape).collect();
     let rays: Vec<kit::Ray> = timing.rays.iter().map(convert::ray).collect();
     let per_ray = timing.per_ray.max(1) as usize;
-    let pass = || {
-        for (ray, shapes) in rays.iter().zip(shapes.chunks_exact(per_ray)) {
-            for shape in shapes {
+    let pass = |order: &[u32]| {
+        for i in order {
+            let i = *i as usize;
+            let ray = &rays[i];
+            for shape in &shapes[i * per_ray..(i + 1) * per_ray] {
                 if let Some(answer) = test(shape, ray) {
                     black_box(answer);
                 }
             }
         }
     };
-    // Warms caches and branch predictors.
-    pass();
-    let rounds = (0..timing.rounds as usize).map(|round| {
+    let rounds = timing.orders.iter().enumerate().map(|(round, order)| {
         harness::call(round);
         let started = Instant::now();
-        for _ in 0..timing.passes {
-            pass();
-        }
+        pass(order);
         started.elapsed().as_secs_f64()
     });
     rounds.collect()

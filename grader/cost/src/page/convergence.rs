@@ -5,12 +5,17 @@ use super::formatting::{figures, list, percent, tick};
 use super::plot::{Axis, Plot, legend};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment};
+use crate::quartiles::Quartiles;
+use crate::table::factor;
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 300.0;
 /// Width of each of the two plots; the rest is for the legend.
 const PLOT: f64 = 345.0;
+
+/// The index of the plot against time.
+const TIME: usize = 1;
 
 /// The style of the line of slope -1/2.
 const HALF_SLOPE: SeriesStyle = SeriesStyle {
@@ -19,10 +24,6 @@ const HALF_SLOPE: SeriesStyle = SeriesStyle {
     hollow: false,
     dashes: Some([1.5, 3.0]),
 };
-
-/// Smallest ratio of two times that the caption reports as a difference: measured times vary from
-/// run to run.
-const DIFFERENT: f64 = 1.1;
 
 /// Draws the plots of one experiment; returns the SVG and its caption.
 pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), GraderError> {
@@ -38,6 +39,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
         } else {
             "RMSE / mean of the picture"
         };
+        let seconds = points().flat_map(|p| [p.seconds.lower, p.seconds.upper]);
         let axes = [
             (
                 "error against samples",
@@ -46,8 +48,8 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
             ),
             (
                 "error against time",
-                Axis::log("seconds on one thread", points().map(|p| p.seconds), tick),
-                (|p| p.seconds) as fn(&CurvePoint) -> f64,
+                Axis::log("seconds on one thread", seconds, tick),
+                (|p| p.seconds.median) as fn(&CurvePoint) -> f64,
             ),
         ];
         for (i, (title, x, of)) in axes.into_iter().enumerate() {
@@ -65,6 +67,10 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
                 plot.line(style, &values, 1.4)?;
                 for point in &curve.points {
                     plot.error_bar(style, of(point), error(point).low, error(point).high)?;
+                    if i == TIME {
+                        let ends = [point.seconds.lower, point.seconds.upper];
+                        plot.time_bar(style, ends, error(point).value)?;
+                    }
                     plot.marker(style, (of(point), error(point).value), 30.0)?;
                 }
             }
@@ -113,7 +119,7 @@ fn caption(experiment: &Experiment) -> String {
     let Experiment { seeds, .. } = experiment;
     let mut text = format!(
         "Each point is the mean over {seeds} pictures of {} with independent random numbers; error bars are 95 % confidence \
-         intervals of the mean error. The reference picture has a remaining error of {}. ",
+         intervals of the mean error, and quartiles of the times. The reference picture has a remaining error of {}. ",
         experiment.scene,
         percent(experiment.converged_rmse),
     );
@@ -137,26 +143,22 @@ fn caption(experiment: &Experiment) -> String {
     text
 }
 
-/// Returns the sentence about efficiency, 1/(variance · seconds), at the largest number of samples,
-/// relative to the first curve.
+/// Returns the sentence about efficiency at the largest number of samples, relative to the first
+/// curve.
 fn efficiencies(experiment: &Experiment) -> String {
-    let of = |curve: &Curve| curve.points.iter().rev().find_map(|p| p.efficiency);
     let [first, others @ ..] = experiment.curves.as_slice() else {
         return String::new();
     };
-    let Some(first_efficiency) = of(first) else {
-        return String::new();
-    };
     let each = others.iter().filter_map(|curve| {
-        let ratio = figures(of(curve)? / first_efficiency);
-        Some(format!("{ratio} ({})", curve.name))
+        let ratio = curve.points.last()?.relative_efficiency?;
+        Some(format!("{} ({})", factor(&ratio), curve.name))
     });
     let each: Vec<String> = each.collect();
     if each.is_empty() {
         return String::new();
     }
     format!(
-        "Efficiency, 1/(variance · seconds), at the largest number of samples, relative to {}: {}. ",
+        "Efficiency, 1/(MSE · seconds) with the squared bias as a part of the MSE, at the largest number of samples, relative to {}: {}. ",
         first.name,
         list(&each)
     )
@@ -171,18 +173,24 @@ fn times_to_equal_error(experiment: &Experiment) -> String {
     let error = |p: &CurvePoint| p.error(experiment.is_relative).value;
     // The times are compared at the last point of the first curve whose error the other curve also
     // reaches.
-    let speedup = |curve: &Curve| {
+    let compare = |curve: &Curve| {
         first.points.iter().rev().find_map(|p| {
-            let seconds = curve.at_error(error(p), error, |p| p.seconds)?;
-            Some((error(p), p.seconds / seconds))
+            let at = |x: fn(&CurvePoint) -> f64| curve.at_error(error(p), error, x);
+            let own = Quartiles {
+                lower: at(|p| p.seconds.lower)?,
+                median: at(|p| p.seconds.median)?,
+                upper: at(|p| p.seconds.upper)?,
+            };
+            let ties = own.lower <= p.seconds.upper && p.seconds.lower <= own.upper;
+            Some((error(p), p.seconds.median / own.median, ties))
         })
     };
     let mut text = Vec::new();
     for curve in others {
-        if let Some((error, speedup)) = speedup(curve) {
-            text.push(if (1.0 / DIFFERENT..DIFFERENT).contains(&speedup) {
+        if let Some((error, speedup, ties)) = compare(curve) {
+            text.push(if ties {
                 format!(
-                    "{} reaches an error of {} in the same time",
+                    "{} reaches an error of {} in the same time within the error bars",
                     curve.name,
                     percent(error)
                 )

@@ -136,6 +136,6 @@ fn add(
         );
     }
     if let Some(missing) = missing {
-        let _ = writeln!(section, "<p>MissingReason: {}.</p>", escape(missing));
+        let _ = writeln!(section, "<p>Missing: {}.</p>", escape(missing));
     }
 }

@@ -46,7 +46,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<(String, String)>, 
         let mut known = known.iter().filter(|kernel| !kernel.info.culls);
         known
             .find(|kernel| {
-                let precision = crate::measure::precision(kernel.precision);
+                let precision = crate::measure_kernels::precision(kernel.precision);
                 kernel.info.name == row.name && precision == row.precision
             })
             .copied()
@@ -65,7 +65,10 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<(String, String)>, 
         });
     let tight = rows()
         .filter(|(row, _)| row.leaks_per_million == Some(0.0))
-        .min_by(|a, b| a.0.time.ns_median.total_cmp(&b.0.time.ns_median));
+        .min_by(|a, b| {
+            let [a, b] = [a, b].map(|(row, _)| row.ranked_time().ratio.median);
+            a.total_cmp(&b)
+        });
     let (Some(leaking), Some(textbook)) = (leaking, known.first()) else {
         return Ok(None);
     };

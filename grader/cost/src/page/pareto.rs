@@ -1,7 +1,9 @@
-//! Accuracy against time, with the Pareto front of the kernels.
+//! Accuracy against time with its error, and the Pareto front of the kernels.
 
 use super::canvas::{Canvas, DrawResult, Label, Position, svg};
-use super::formatting::{figures, list, name, percent, tick};
+use super::formatting::{name, tick};
+use super::front::front;
+use super::pareto_caption::caption;
 use super::plot::{Axis, Plot};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
@@ -20,10 +22,11 @@ const NUMBER: f64 = 9.0;
 
 /// Draws the plot; returns the SVG and its caption.
 pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderError> {
-    let height = PLOT[1].max(34.0 + LINE * (family.rows.len() + 4) as f64);
+    let height = PLOT[1].max(34.0 + LINE * (family.rows.len() + 5) as f64);
     let label = format!("Correct bits against time: {}", family.shape.name());
     let figure_html = svg(WIDTH, height, &label, |canvas| -> DrawResult {
-        let times = family.rows.iter().map(|row| row.time.ratio_to_textbook);
+        let times = family.rows.iter().map(|row| row.ranked_time().ratio);
+        let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
         let x = Axis::log("time / time of the textbook kernel", times, tick);
         let ticks = (0..=5)
             .map(|i| f64::from(10 * i))
@@ -36,6 +39,11 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
         );
         let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), PLOT, x, y)?;
         front_line(&plot, family)?;
+        for (i, row) in family.rows.iter().enumerate() {
+            let ratio = row.ranked_time().ratio;
+            let ends = [ratio.lower, ratio.upper];
+            plot.time_bar(style_of(i, row), ends, row.mean_correct_bits())?;
+        }
         // Large markers first, so that they do not hide small ones.
         let mut order: Vec<usize> = (0..family.rows.len()).collect();
         order.sort_by(|a, b| {
@@ -44,12 +52,14 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
         let mut taken: Vec<(Position, f64)> = Vec::new();
         for i in &order {
             let row = &family.rows[*i];
-            let position = plot.at(row.time.ratio_to_textbook, bits(row));
+            let (x, y) = at(row);
+            let position = plot.at(x, y);
             style::marker(canvas, style_of(*i, row), position, area(row))?;
             taken.push((position, (area(row) / std::f64::consts::PI).sqrt() + 1.0));
         }
         for (i, row) in family.rows.iter().enumerate() {
-            let position = plot.at(row.time.ratio_to_textbook, bits(row));
+            let (x, y) = at(row);
+            let position = plot.at(x, y);
             number(canvas, i + 1, position, &mut taken)?;
         }
         names(canvas, family)
@@ -57,21 +67,14 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
     Ok((figure_html, caption(family)))
 }
 
-/// Returns the leading bits of `t` that are correct for half of the rays, averaged over all
-/// families of rays. A family with hits in which the kernel finds none counts as 0 bits.
-fn bits(row: &KernelRow) -> f64 {
-    let bits: kit::Tally = row
-        .by_ray_family
-        .iter()
-        .filter(|a| a.t.is_some() || a.false_misses_per_million > 0.0)
-        .map(|a| a.t.map_or(0.0, |t| t.correct_bits()))
-        .collect();
-    bits.mean()
+/// Returns the values that a kernel is drawn at.
+fn at(row: &KernelRow) -> (f64, f64) {
+    (row.ranked_time().ratio.median, row.mean_correct_bits())
 }
 
 /// Returns the fraction of leaks, or for spheres and boxes the fraction of wrong decisions in the
 /// worst family of rays.
-fn failure_rate(row: &KernelRow) -> f64 {
+pub(super) fn failure_rate(row: &KernelRow) -> f64 {
     let wrong = row.by_ray_family.iter().map(|a| a.wrong_per_million());
     row.leaks_per_million.unwrap_or(wrong.fold(0.0, f64::max)) / 1e6
 }
@@ -99,32 +102,18 @@ fn style_of(_: usize, row: &KernelRow) -> SeriesStyle {
     }
 }
 
-/// Returns the Pareto front: the kernels for which no other kernel is both as fast and as accurate,
-/// from the fastest on.
-fn front(family: &KernelFamily) -> Vec<&KernelRow> {
-    let mut rows: Vec<&KernelRow> = family.rows.iter().collect();
-    rows.sort_by(|a, b| {
-        a.time
-            .ratio_to_textbook
-            .total_cmp(&b.time.ratio_to_textbook)
-    });
-    let mut front: Vec<&KernelRow> = Vec::new();
-    for row in rows {
-        if front.last().is_none_or(|last| bits(row) > bits(last)) {
-            front.push(row);
-        }
-    }
-    front
-}
-
-/// Draws the front as a step function.
+/// Draws the front as a step function, through the fastest kernel of each step.
 fn front_line(plot: &Plot, family: &KernelFamily) -> DrawResult {
     let mut corners: Vec<(f64, f64)> = Vec::new();
-    for row in front(family) {
+    for step in front(&family.rows) {
+        let Some(fastest) = step.first() else {
+            continue;
+        };
+        let (x, y) = at(fastest);
         if let Some((_, before)) = corners.last().copied() {
-            corners.push((row.time.ratio_to_textbook, before));
+            corners.push((x, before));
         }
-        corners.push((row.time.ratio_to_textbook, bits(row)));
+        corners.push((x, y));
     }
     let style = SeriesStyle {
         color: INK,
@@ -143,11 +132,12 @@ fn number(
     taken: &mut Vec<(Position, f64)>,
 ) -> DrawResult {
     let half = NUMBER * 0.62;
+    // From above on: beside the marker is its error bar.
     let around = (0..6).flat_map(|ring| {
         (0..12).map(move |k| {
             (
                 10.0 + 8.0 * f64::from(ring),
-                f64::from(k) * std::f64::consts::PI / 6.0,
+                f64::from(k + 3) * std::f64::consts::PI / 6.0,
             )
         })
     });
@@ -202,85 +192,7 @@ fn names(canvas: &Canvas, family: &KernelFamily) -> DrawResult {
         canvas.text(&text, (x + 40.0, y), Label::left(NUMBER + 0.5))?;
         y += LINE * 1.15;
     }
-    canvas.text("dashed: Pareto front", (x + 6.0, y), Label::left(NUMBER))
-}
-
-/// Returns the caption, computed from the numbers.
-fn caption(family: &KernelFamily) -> String {
-    let on_front: Vec<String> = front(family)
-        .iter()
-        .map(|row| {
-            format!(
-                "{} ({} times the textbook's time, {:.0} bits{})",
-                name(row),
-                figures(row.time.ratio_to_textbook),
-                bits(row),
-                if failure_rate(row) > 0.0 {
-                    format!(
-                        ", {} {}",
-                        failure_name(family.shape),
-                        percent(failure_rate(row))
-                    )
-                } else {
-                    String::new()
-                }
-            )
-        })
-        .collect();
-    let mut text = format!(
-        "The Pareto front (no other kernel is both as fast and as accurate), from the fastest on: {}. ",
-        list(&on_front)
-    );
-    let safe = family
-        .rows
-        .iter()
-        .filter(|row| !row.student && failure_rate(row) == 0.0);
-    let fastest = safe.min_by(|a, b| {
-        a.time
-            .ratio_to_textbook
-            .total_cmp(&b.time.ratio_to_textbook)
-    });
-    let without = match family.shape {
-        Shape::Triangle => "without leaks",
-        Shape::Sphere | Shape::Box => "without wrong decisions",
-    };
-    text += &match fastest {
-        Some(row) => format!(
-            "The fastest known kernel {without} is {}: it takes {} times the textbook's time{}. ",
-            name(row),
-            figures(row.time.ratio_to_textbook),
-            if row.time.inside_noise {
-                ", a difference within the noise"
-            } else {
-                ""
-            }
-        ),
-        None => format!("There is no known kernel {without}. "),
-    };
-    if let Some(yours) = family.rows.iter().find(|row| row.student) {
-        let better = family.rows.iter().filter(|row| {
-            !row.student
-                && bits(row) >= bits(yours)
-                && row.time.ratio_to_textbook <= yours.time.ratio_to_textbook
-        });
-        let better: Vec<String> = better.map(name).collect();
-        text += &format!(
-            "Your code (star) takes {} times the textbook's time and has {:.0} correct bits; {}.",
-            figures(yours.time.ratio_to_textbook),
-            bits(yours),
-            if better.is_empty() {
-                "no other kernel is both as fast and as accurate".into()
-            } else {
-                format!("these are both as fast and as accurate: {}", list(&better))
-            }
-        );
-    }
-    text
-}
-
-fn failure_name(shape: Shape) -> &'static str {
-    match shape {
-        Shape::Triangle => "leaks",
-        Shape::Sphere | Shape::Box => "wrong decisions in the worst family:",
-    }
+    let label = Label::left(NUMBER);
+    canvas.text("dashed: Pareto front", (x + 6.0, y), label)?;
+    canvas.text("bars: quartiles of the times", (x + 6.0, y + LINE), label)
 }

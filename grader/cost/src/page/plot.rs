@@ -12,6 +12,9 @@ const BELOW: f64 = 38.0;
 const ABOVE: f64 = 20.0;
 const RIGHT: f64 = 8.0;
 
+/// Half the length of the strokes at the ends of an error bar, in points.
+const CAP: f64 = 2.5;
+
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Axis {
@@ -198,6 +201,19 @@ impl<'a, 'b> Plot<'a, 'b> {
         let (from, to) = self.y.ends();
         let ends = [low, high].map(|y| self.at(x, y.clamp(from, to)));
         self.canvas.line(&ends, style.color, 1.0)
+    }
+
+    /// Draws an error bar from `low` to `high` at `y`, with short strokes at its ends. Clamped to
+    /// the range of the x axis.
+    pub(crate) fn time_bar(&self, style: SeriesStyle, [low, high]: [f64; 2], y: f64) -> DrawResult {
+        let (from, to) = self.x.ends();
+        let ends = [low, high].map(|x| self.at(x.clamp(from, to), y));
+        self.canvas.line(&ends, style.color, 1.0)?;
+        for (x, y) in ends {
+            let stroke = [(x, y - CAP), (x, y + CAP)];
+            self.canvas.line(&stroke, style.color, 1.0)?;
+        }
+        Ok(())
     }
 }
 

@@ -4,7 +4,9 @@ use super::canvas::{DrawResult, svg};
 use super::formatting::{figures, list, tick};
 use super::plot::{Axis, Plot, legend};
 use super::style::{self, SeriesStyle};
-use crate::trees::{TreeReport, TreeRow};
+use crate::quartiles::Quartiles;
+use crate::table::plus_minus;
+use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
 use grader::error::GraderError;
 
 const WIDTH: f64 = 860.0;
@@ -22,7 +24,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<(String, String), GraderError
         |canvas| -> DrawResult {
             let x = Axis::log("rays", RAYS, tick);
             let all = trees.by_build.iter();
-            let times = all.flat_map(|tree| RAYS.map(|rays| seconds(tree, rays)));
+            let times = all.flat_map(|tree| RAYS.map(|rays| seconds(tree, rays).median));
             let y = Axis::log("seconds to build and trace", times, tick);
             let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), PLOT, x, y)?;
             let mut entries = Vec::new();
@@ -30,73 +32,102 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<(String, String), GraderError
                 let style = SeriesStyle::of(k);
                 // Two points per decade, because the line is curved.
                 let ray_counts = (0..=10).map(|i| RAYS[0] * 10.0_f64.powf(0.5 * f64::from(i)));
-                let line: Vec<(f64, f64)> =
+                let points: Vec<(f64, Quartiles)> =
                     ray_counts.map(|rays| (rays, seconds(tree, rays))).collect();
+                let line: Vec<(f64, f64)> =
+                    points.iter().map(|(rays, s)| (*rays, s.median)).collect();
                 plot.line(style, &line, if tree.student { 2.2 } else { 1.4 })?;
-                if let Some(rays) = break_even(tree) {
-                    style::marker(canvas, style, plot.at(rays, seconds(tree, rays)), 40.0)?;
+                for (rays, s) in points {
+                    plot.error_bar(style, rays, s.lower, s.upper)?;
+                }
+                if let BreakEven::After {
+                    rays,
+                    at_least,
+                    at_most,
+                } = tree.break_even
+                    && (RAYS[0]..=RAYS[1]).contains(&rays)
+                {
+                    let y = seconds(tree, rays).median;
+                    plot.time_bar(style, [at_least, at_most], y)?;
+                    style::marker(canvas, style, plot.at(rays, y), 40.0)?;
                 }
                 entries.push((Some(style), tree.name.clone()));
             }
-            entries.push((None, "markers: break-even with midpoint".into()));
+            entries.push((None, "markers: break-even with the first".into()));
             legend(canvas, (PLOT[0] + 10.0, 34.0), &entries)
         },
     )?;
     Ok((figure_html, caption(trees)))
 }
 
-fn seconds(tree: &TreeRow, rays: f64) -> f64 {
-    tree.build_s + 1e-9 * tree.trace.time.ns_median * rays
-}
-
-/// Returns the number of rays at which the tree breaks even, if that is on the plot.
-fn break_even(tree: &TreeRow) -> Option<f64> {
-    tree.break_even_rays
-        .filter(|rays| (RAYS[0]..=RAYS[1]).contains(rays))
+/// Returns the seconds to build the tree and to trace `rays` rays.
+fn seconds(tree: &TreeRow, rays: f64) -> Quartiles {
+    let (build, ns) = (&tree.build_s, &tree.trace.time.ns);
+    let total = |build: f64, ns: f64| build + 1e-9 * ns * rays;
+    Quartiles {
+        lower: total(build.lower, ns.lower),
+        median: total(build.median, ns.median),
+        upper: total(build.upper, ns.upper),
+    }
 }
 
 /// Returns the caption, computed from the numbers.
 fn caption(trees: &TreeReport) -> String {
-    let builds: Vec<String> = trees
-        .by_build
-        .iter()
+    let rows = trees.by_build.iter();
+    let builds: Vec<String> = rows
         .map(|tree| {
             format!(
                 "{} takes {} ms to build and {} ns per ray",
                 tree.name,
-                figures(1e3 * tree.build_s),
-                figures(tree.trace.time.ns_median)
+                plus_minus(&tree.build_s.scaled(1e3), 1),
+                plus_minus(&tree.trace.time.ns, 0)
             )
         })
         .collect();
     let mut text = format!(
-        "Trees over the {} mesh of {} triangles: {}. ",
+        "Trees over the {} mesh of {} triangles: {}. Bars reach from quartile to quartile. ",
         trees.mesh,
         trees.triangles,
         list(&builds)
     );
     for tree in &trees.by_build {
-        match tree.break_even_rays {
-            Some(rays) if rays > 0.0 => {
-                text += &format!("{} breaks even after {} rays. ", tree.name, figures(rays));
-            }
-            _ => {}
-        }
+        let ratio = plus_minus(&tree.trace.time.ratio, 2);
+        text += &match tree.break_even {
+            BreakEven::Base | BreakEven::Never | BreakEven::Immediate => continue,
+            BreakEven::WithinNoise => format!(
+                "The tracing time of {}, {ratio} times that of the first tree, ties with it. ",
+                tree.name
+            ),
+            BreakEven::After {
+                rays,
+                at_least,
+                at_most,
+            } => format!(
+                "{} breaks even after {} rays (from {} to {} for the quartiles of its times). ",
+                tree.name,
+                figures(rays),
+                figures(at_least),
+                figures(at_most)
+            ),
+        };
     }
-    let walks: Vec<String> = trees
-        .by_slack
-        .iter()
-        .map(|row| {
-            format!(
-                "{} ulp of slack {} closest hits per million are wrong ({} times the tracing time without slack)",
-                row.slack_ulp,
-                figures(row.trace.wrong_per_million),
-                figures(row.trace.time.ratio_to_textbook)
-            )
-        })
-        .collect();
+    let walks: Vec<String> = trees.by_slack.iter().map(slack).collect();
     if !walks.is_empty() {
         text += &format!("With {}.", list(&walks));
     }
     text
+}
+
+/// Returns the wrong hits and the time with one value of pruning slack.
+fn slack(row: &SlackRow) -> String {
+    let wrong = |hits: WrongHits| format!("{} of {}", hits.wrong, hits.rays);
+    let crafted = row.trace.crafted.map_or(String::new(), |hits| {
+        format!(" and of {} crafted rays", wrong(hits))
+    });
+    format!(
+        "{} ulp of slack the hits of {} timed rays{crafted} are wrong ({} times the tracing time without slack)",
+        row.slack_ulp,
+        wrong(row.trace.ordinary),
+        plus_minus(&row.trace.time.ratio, 2)
+    )
 }

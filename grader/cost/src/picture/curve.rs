@@ -1,5 +1,6 @@
 //! The results for pictures: error against samples and against seconds.
 
+use crate::quartiles::Quartiles;
 use serde::{Deserialize, Serialize};
 
 /// The results of all experiments.
@@ -60,11 +61,8 @@ pub struct CurvePoint {
     pub flags: String,
     /// Mean number of samples per pixel.
     pub samples: f64,
-    /// Seconds to render on one thread, without loading and tree construction: the median of the
-    /// pictures.
-    pub seconds: f64,
-    /// Interquartile range of the seconds.
-    pub seconds_spread: f64,
+    /// Seconds to render on one thread, without loading and tree construction, over the pictures.
+    pub seconds: Quartiles,
     /// Root mean square error.
     pub rmse: ConfidenceInterval,
     /// Mean of the squared error over the squared value of each pixel: dark and bright pixels have
@@ -75,9 +73,12 @@ pub struct CurvePoint {
     /// Root mean square bias: the difference of the pictures' mean from the converged picture.
     /// `None` if it is not significant, less than three standard errors from 0.
     pub bias: Option<f64>,
-    /// 1/(variance · seconds): at twice the efficiency the same error takes half the time. `None`
-    /// if nothing is random.
+    /// 1/(MSE · seconds), where the mean squared error includes the squared bias: see
+    /// [`efficiency`](super::efficiency). `None` if the estimate of the error is not positive.
     pub efficiency: Option<f64>,
+    /// Ratio to the efficiency of the first method with its number of samples at the same place of
+    /// its curve, over rounds. `None` if the first method has no such point.
+    pub relative_efficiency: Option<Quartiles>,
 }
 
 /// A mean with its 95 % confidence interval.
@@ -181,8 +182,7 @@ mod tests {
         CurvePoint {
             flags: String::new(),
             samples,
-            seconds: samples,
-            seconds_spread: 0.0,
+            seconds: Quartiles::of([samples]),
             rmse: ConfidenceInterval {
                 value: rmse,
                 low: rmse,
@@ -192,6 +192,7 @@ mod tests {
             variance: 1.0,
             bias: None,
             efficiency: None,
+            relative_efficiency: None,
         }
     }
 

@@ -7,6 +7,7 @@
 //! variance of that picture.
 
 use super::curve::{ConfidenceInterval, CurvePoint};
+use super::efficiency::efficiency;
 use super::program::RenderedPicture;
 use crate::quartiles::Quartiles;
 use kit::Tally;
@@ -48,13 +49,15 @@ impl ConvergedPair {
     }
 
     /// Estimates errors, variance and bias from pictures with independent random numbers. `samples`
-    /// is the number of samples per pixel, used if the program does not print it. `None` if a
-    /// picture has another size or a value that is not finite.
+    /// is the number of samples per pixel, used if the program does not print it. `is_relative`:
+    /// the efficiency is that of the relative error. `None` if a picture has another size or a
+    /// value that is not finite.
     pub fn point(
         &self,
         flags: &str,
         samples: f64,
         pictures: &[RenderedPicture],
+        is_relative: bool,
     ) -> Option<CurvePoint> {
         let is_whole = |picture: &RenderedPicture| {
             picture.pixels.len() == self.a.len()
@@ -63,17 +66,11 @@ impl ConvergedPair {
         if pictures.is_empty() || !pictures.iter().all(is_whole) {
             return None;
         }
-        let squared = self.mean * self.mean;
-        let mse: Vec<f64> = pictures
-            .iter()
-            .map(|s| self.mse(&s.pixels) / squared)
-            .collect();
-        let relative: Vec<f64> = pictures
-            .iter()
-            .map(|s| self.relative_mse(&s.pixels))
-            .collect();
+        let [mse, relative_mse] = [false, true].map(|is_relative| {
+            let each = pictures.iter().map(|p| self.mse(&p.pixels, is_relative));
+            ConfidenceInterval::of_mean(&each.collect::<Vec<f64>>())
+        });
         let (variance, bias) = self.variance_and_bias(pictures);
-        let variance = variance / squared;
         let seconds = Quartiles::of(pictures.iter().map(|picture| picture.seconds));
         let samples: Tally = pictures
             .iter()
@@ -82,14 +79,16 @@ impl ConvergedPair {
         Some(CurvePoint {
             flags: flags.into(),
             samples: samples.mean(),
-            seconds: seconds.median,
-            seconds_spread: seconds.spread(),
-            rmse: ConfidenceInterval::of_mean(&mse).sqrt(),
-            relative_mse: ConfidenceInterval::of_mean(&relative),
-            variance,
+            seconds,
+            rmse: mse.sqrt(),
+            relative_mse,
+            variance: variance / (self.mean * self.mean),
             bias: bias.map(|bias| bias / self.mean),
-            efficiency: (variance > 0.0 && seconds.median > 0.0)
-                .then(|| 1.0 / (variance * seconds.median)),
+            efficiency: efficiency(
+                if is_relative { relative_mse } else { mse }.value,
+                seconds.median,
+            ),
+            relative_efficiency: None,
         })
     }
 
@@ -100,18 +99,19 @@ impl ConvergedPair {
         each.map(|(e, (a, b))| ((e - a) * (e - b), 0.5 * (a + b)))
     }
 
-    fn mse(&self, e: &[[f64; 3]]) -> f64 {
-        self.products(e)
-            .map(|(product, _)| product)
-            .collect::<Tally>()
-            .mean()
-    }
-
-    fn relative_mse(&self, e: &[[f64; 3]]) -> f64 {
-        let dark = (DARK * self.mean).powi(2);
-        let shares = self
-            .products(e)
-            .map(|(product, converged)| product / (converged * converged + dark));
+    /// Estimates the mean squared error of a picture, relative to the squared mean of all pixels or
+    /// to the squared value of each.
+    pub(super) fn mse(&self, e: &[[f64; 3]], is_relative: bool) -> f64 {
+        let squared = self.mean * self.mean;
+        let dark = DARK * DARK * squared;
+        let shares = self.products(e).map(|(product, converged)| {
+            product
+                / if is_relative {
+                    converged * converged + dark
+                } else {
+                    squared
+                }
+        });
         shares.collect::<Tally>().mean()
     }
 
@@ -142,40 +142,24 @@ impl ConvergedPair {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kit::PixelSampler;
-
-    /// Returns a grey picture with value 2 and uniform noise of this standard deviation.
-    fn noisy(seed: u32, deviation: f64, offset: f64) -> Vec<[f64; 3]> {
-        let mut random = PixelSampler::new(seed, 0, 7);
-        let width = deviation * 12.0_f64.sqrt();
-        let pixel = |_| [(); 3].map(|()| 2.0 + offset + width * (random.next_1d() - 0.5));
-        (0..4000).map(pixel).collect()
-    }
+    use crate::picture::simulated;
+    use crate::picture::simulated::converged;
 
     fn pictures(deviation: f64, offset: f64) -> Vec<RenderedPicture> {
-        let picture = |seed| RenderedPicture {
-            pixels: noisy(seed, deviation, offset),
-            seconds: 0.5,
-            samples: None,
-        };
-        (10..15).map(picture).collect()
-    }
-
-    fn converged() -> ConvergedPair {
-        ConvergedPair::new(noisy(1, 0.1, 0.0), noisy(2, 0.1, 0.0)).expect("pictures")
+        simulated::pictures(deviation, offset, 0.5)
     }
 
     #[test]
     fn noise_is_variance_without_bias() {
         let point = converged()
-            .point("-s 4", 4.0, &pictures(0.2, 0.0))
+            .point("-s 4", 4.0, &pictures(0.2, 0.0), false)
             .expect("a point");
         // A deviation of 0.2 in a picture whose mean is 2.
         assert!((point.rmse.value - 0.1).abs() < 0.002, "{point:?}");
         assert!(point.rmse.low < 0.1 && 0.1 < point.rmse.high);
         assert!((point.variance - 0.01).abs() < 0.0003);
         assert_eq!(point.bias, None);
-        assert!((point.efficiency.expect("random") - 200.0).abs() < 6.0);
+        assert!((point.efficiency.expect("an error") - 200.0).abs() < 8.0);
         assert!((point.relative_mse.value - 0.01).abs() < 0.0005);
     }
 
@@ -183,7 +167,7 @@ mod tests {
     #[test]
     fn the_error_may_be_below_that_of_the_converged_pictures() {
         let point = converged()
-            .point("-s 4", 4.0, &pictures(0.02, 0.0))
+            .point("-s 4", 4.0, &pictures(0.02, 0.0), false)
             .expect("a point");
         assert!((point.rmse.value - 0.01).abs() < 0.005, "{point:?}");
         assert!((converged().rmse() - 0.1 / 8.0_f64.sqrt()).abs() < 0.05);
@@ -192,29 +176,33 @@ mod tests {
     #[test]
     fn an_offset_is_bias() {
         let point = converged()
-            .point("-s 4", 4.0, &pictures(0.2, 0.1))
+            .point("-s 4", 4.0, &pictures(0.2, 0.1), false)
             .expect("a point");
         assert!(
             (point.bias.expect("a significant bias") - 0.05).abs() < 0.003,
             "{point:?}"
         );
-        assert!((point.rmse.value - (0.01_f64 + 0.0025).sqrt()).abs() < 0.003);
+        let mse: f64 = 0.01 + 0.05 * 0.05;
+        assert!((point.rmse.value - mse.sqrt()).abs() < 0.003);
+        assert!((point.efficiency.expect("an error") - 2.0 / mse).abs() < 6.0);
     }
 
     #[test]
-    fn pictures_without_noise_have_no_efficiency() {
+    fn the_bias_of_pictures_without_noise_is_an_error() {
         let mut all = pictures(0.2, 0.1);
         let first = all[0].clone();
         all.fill(first);
-        let point = converged().point("-s 1", 1.0, &all).expect("a point");
-        assert_eq!((point.variance, point.efficiency), (0.0, None));
+        let point = converged().point("-s 1", 1.0, &all, false);
+        let point = point.expect("a point");
+        assert_eq!((point.variance, point.is_random()), (0.0, false));
+        assert!(point.efficiency.expect("an error") < 200.0);
     }
 
     #[test]
     fn pictures_with_nan_or_without_light_are_rejected() {
         let mut all = pictures(0.2, 0.0);
         all[1].pixels[7][1] = f64::NAN;
-        assert_eq!(converged().point("-s 4", 4.0, &all), None);
+        assert_eq!(converged().point("-s 4", 4.0, &all, false), None);
         assert!(ConvergedPair::new(vec![[0.0; 3]], vec![[0.0; 3]]).is_none());
     }
 }

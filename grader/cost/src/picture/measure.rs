@@ -1,16 +1,24 @@
 //! Renders the pictures of all experiments.
 
 use super::curve::{Curve, CurvePoint, Experiment, PictureReport};
+use super::efficiency::relative_efficiency;
 use super::estimate::ConvergedPair;
 use super::plan::{self, ExperimentPlan, RenderMethod};
 use super::program::{Program, RenderRequest, RenderedPicture};
+use crate::quartiles::Quartiles;
+use crate::timing::{Contender, Rounds, SystemClock, TIMED_PASSES};
 use grader::error::GraderError;
 use grader::speedup::slope;
 use grader::workspace::Workspace;
+use std::cell::RefCell;
 
 /// Number of seeds reserved for one run, so that runs with another `--seed` use other random
 /// numbers.
 const SEEDS_A_RUN: u64 = 1 << 16;
+
+/// Pictures that take less time are rendered several times: one interruption by another program may
+/// take longer.
+const SHORT_S: f64 = 50e-3;
 
 /// Fewest points for a slope: two points always are on a line.
 const POINTS_OF_A_LINE: usize = 3;
@@ -92,30 +100,23 @@ fn experiment(
         return Ok(experiment);
     };
     experiment.converged_rmse = converged.rmse();
-    // The methods are interleaved, so that a change of the machine's speed affects all of them.
-    let mut pictures: Vec<Vec<Vec<RenderedPicture>>> = plan
-        .methods
-        .iter()
-        .map(|w| vec![Vec::new(); w.steps.len()])
-        .collect();
-    for round in 0..u64::from(plan.seeds) {
-        for (method, pictures) in plan.methods.iter().zip(&mut pictures) {
-            for ((step, _), pictures) in method.steps.iter().zip(pictures) {
-                let flags = format!("{} {step}", method.flags);
-                match program.render(&RenderRequest {
-                    seed: first.wrapping_add(2 + round),
-                    flags: &flags,
-                    ..request
-                })? {
-                    Ok(picture) => pictures.push(picture),
-                    Err(why) => experiment.missing = Some(format!("{}: {why}", method.name)),
-                }
-            }
+    let request = RenderRequest {
+        seed: first.wrapping_add(2),
+        ..request
+    };
+    let pictures = match render_in_turns(program, plan, request)? {
+        (pictures, None) => pictures,
+        (pictures, why) => {
+            experiment.missing = why;
+            pictures
         }
-    }
+    };
+    let base = pictures.first();
     let curves = plan.methods.iter().zip(&pictures);
     experiment.curves = curves
-        .filter_map(|(method, pictures)| curve(&converged, method, pictures, plan.is_relative))
+        .filter_map(|(method, pictures)| {
+            curve(&converged, method, pictures, base?, plan.is_relative)
+        })
         .collect();
     if experiment.curves.len() < plan.methods.len() && experiment.missing.is_none() {
         experiment.missing =
@@ -124,16 +125,96 @@ fn experiment(
     Ok(experiment)
 }
 
-/// Returns the curve of a method; `None` if a picture is missing.
+/// Pictures by method, by step and by round.
+type Pictures = Vec<Vec<Vec<RenderedPicture>>>;
+
+/// Renders the pictures of all steps of all methods in turns; also returns why some are missing, if
+/// some are. Each round has another seed, from that of `request` on.
+///
+/// Each picture is rendered by a process of its own, which starts with cold caches whatever ran
+/// before.
+fn render_in_turns(
+    program: &Program,
+    plan: &ExperimentPlan,
+    request: RenderRequest,
+) -> Result<(Pictures, Option<String>), GraderError> {
+    let steps = |method: &RenderMethod| vec![RefCell::new(Vec::new()); method.steps.len()];
+    let pictures: Vec<Vec<RefCell<Vec<RenderedPicture>>>> =
+        plan.methods.iter().map(steps).collect();
+    let mut contenders = Vec::new();
+    for (method, pictures) in plan.methods.iter().zip(&pictures) {
+        for ((step, _), pictures) in method.steps.iter().zip(pictures) {
+            let flags = format!("{} {step}", method.flags);
+            contenders.push(Contender::elsewhere(move |round| {
+                let request = RenderRequest {
+                    flags: &flags,
+                    seed: request.seed.wrapping_add(round as u64),
+                    ..request
+                };
+                Ok(match render_and_time(program, &request)? {
+                    Ok(picture) => {
+                        let seconds = picture.seconds;
+                        pictures.borrow_mut().push(picture);
+                        Ok(seconds)
+                    }
+                    Err(why) => Err(format!("{}: {why}", method.name)),
+                })
+            }));
+        }
+    }
+    let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, plan.seeds as usize)?;
+    let missing = (0..contenders.len()).find_map(|i| rounds.seconds(i).err());
+    drop(contenders);
+    let taken = |steps: Vec<RefCell<Vec<RenderedPicture>>>| {
+        steps.into_iter().map(RefCell::into_inner).collect()
+    };
+    Ok((pictures.into_iter().map(taken).collect(), missing))
+}
+
+/// Renders a picture; if that takes little time, several times, for the median of the times. Then
+/// the first time does not count.
+fn render_and_time(
+    program: &Program,
+    request: &RenderRequest,
+) -> Result<Result<RenderedPicture, String>, GraderError> {
+    let mut picture = match program.render(request)? {
+        Ok(picture) => picture,
+        Err(why) => return Ok(Err(why)),
+    };
+    if picture.seconds < SHORT_S {
+        let mut seconds = Vec::new();
+        for _ in 0..TIMED_PASSES {
+            match program.render(request)? {
+                Ok(again) => seconds.push(again.seconds),
+                Err(why) => return Ok(Err(why)),
+            }
+        }
+        picture.seconds = Quartiles::of(seconds).median;
+    }
+    Ok(Ok(picture))
+}
+
+/// Returns the curve of a method, compared with the pictures of the first method; `None` if a
+/// picture is missing.
 fn curve(
     converged: &ConvergedPair,
     method: &RenderMethod,
     pictures: &[Vec<RenderedPicture>],
+    base: &[Vec<RenderedPicture>],
     is_relative: bool,
 ) -> Option<Curve> {
-    let steps = method.steps.iter().zip(pictures);
+    let steps = method.steps.iter().zip(pictures).enumerate();
     let points: Vec<CurvePoint> = steps
-        .map(|((flags, samples), pictures)| converged.point(flags, f64::from(*samples), pictures))
+        .map(|(i, ((flags, samples), pictures))| {
+            let samples = f64::from(*samples);
+            let point = converged.point(flags, samples, pictures, is_relative)?;
+            let compare =
+                |base: &Vec<_>| relative_efficiency(converged, pictures, base, is_relative);
+            Some(CurvePoint {
+                relative_efficiency: base.get(i).and_then(compare),
+                ..point
+            })
+        })
         .collect::<Option<_>>()?;
     let random_points = Curve::random_points(&points, is_relative);
     Some(Curve {

@@ -173,6 +173,12 @@ fn samples(output: &str) -> Option<f64> {
 mod tests {
     use super::*;
 
+    /// Guards against a build of this crate alone: the feature is also one of `pathtracer`.
+    #[test]
+    fn pictures_of_the_program_can_be_read() {
+        assert!(image::ImageFormat::OpenExr.reading_enabled());
+    }
+
     #[test]
     fn times_and_samples_are_parsed_from_the_output() {
         let output = "Rendering   of mine\nScene       a.dae: 2 primitives, loaded in 0.0004 s\n\

@@ -1,6 +1,7 @@
 //! The results for pictures as text tables.
 
-use super::curve::{ConfidenceInterval, CurvePoint, Experiment, PictureReport};
+use super::curve::{ConfidenceInterval, Experiment, PictureReport};
+use crate::table::{factor, plus_minus};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -8,7 +9,8 @@ use std::fmt::Write;
 const LEGEND: &str = "\
 Errors are in % of the picture's mean (RMSE) and of each pixel's own value (relative); in brackets the 95 % confidence\n\
 interval of the mean error. Slope: exponent of the error as a power of the samples. Bias: significant difference of the\n\
-mean picture from the converged one. Efficiency: 1/(variance x seconds), relative to the first method.\n";
+mean picture from the converged one. Efficiency: 1/(MSE x seconds), relative to the first method's picture of the same round;\n\
+the squared bias is a part of the MSE (in adaptive sampling, of the relative one). ± reaches the farther quartile.\n";
 
 /// Formats all experiments.
 pub fn show(pictures: &PictureReport) -> String {
@@ -48,14 +50,11 @@ fn table(experiment: &Experiment) -> Table {
         "bias %",
         "efficiency",
     ]);
-    let first = experiment.curves.first();
     for curve in &experiment.curves {
         for (i, point) in curve.points.iter().enumerate() {
-            let one = first.and_then(|first| first.points.get(i)?.efficiency);
-            let efficiency = point.efficiency.zip(one).map(|(this, one)| this / one);
             let numbers = [
                 format!("{:.0}", point.samples),
-                milliseconds(point),
+                plus_minus(&point.seconds.scaled(1e3), 1),
                 share(point.rmse),
                 share(point.relative_mse.sqrt()),
                 // Once per curve, in its last row.
@@ -66,7 +65,9 @@ fn table(experiment: &Experiment) -> Table {
                 point
                     .bias
                     .map_or(String::new(), |bias| format!("{:.1}", 100.0 * bias)),
-                efficiency.map_or(String::new(), |times| format!("{times:.2}")),
+                point
+                    .relative_efficiency
+                    .map_or(String::new(), |ratio| factor(&ratio)),
             ];
             let name = if i == 0 { curve.name.as_str() } else { "" };
             let numbers = numbers.map(|n| Cell::new(n).set_alignment(CellAlignment::Right));
@@ -74,14 +75,6 @@ fn table(experiment: &Experiment) -> Table {
         }
     }
     table
-}
-
-fn milliseconds(point: &CurvePoint) -> String {
-    format!(
-        "{:.1} ±{:.1}",
-        1e3 * point.seconds,
-        1e3 * point.seconds_spread
-    )
 }
 
 fn share(error: ConfidenceInterval) -> String {

@@ -89,6 +89,19 @@ pub(crate) fn timed_batches<S: Target>(seed: u64, tests: usize) -> Vec<RayAndSha
         .collect()
 }
 
+/// Returns `passes` random orders of `rays` rays.
+pub(crate) fn orders(seed: u64, rays: usize, passes: usize) -> Vec<Vec<u32>> {
+    let mut dice = ProbeRng::new("cost orders", seed);
+    let mut order: Vec<u32> = (0..rays as u32).collect();
+    let shuffled = (0..passes).map(|_| {
+        for i in (1..rays).rev() {
+            order.swap(i, dice.below(i + 1));
+        }
+        order.clone()
+    });
+    shuffled.collect()
+}
+
 /// Returns the ray rounded to what a kernel can store.
 pub(crate) fn stored_ray(ray: &Ray, precision: Precision) -> Ray {
     Ray {
@@ -102,4 +115,19 @@ pub(crate) fn stored_ray(ray: &Ray, precision: Precision) -> Ray {
 /// Returns the vector rounded to what a kernel can store.
 fn stored_vec(v: Vec3, precision: Precision) -> Vec3 {
     Vec3::from_array(v.to_array().map(|x| precision.stored(x)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_pass_tests_all_rays_in_another_order() {
+        let mut orders = orders(0, 100, 3);
+        assert!(orders[0] != orders[1] && orders[1] != orders[2]);
+        for order in &mut orders {
+            order.sort_unstable();
+            assert!(order.iter().copied().eq(0..100));
+        }
+    }
 }

@@ -30,7 +30,7 @@ impl Check for Timing {
 
     fn fits(work: &TimingWork, answer: &TimingAnswer) -> Result<(), String> {
         for seconds in [&answer.build_s, &answer.tree_s, &answer.brute_s] {
-            times_fit(work.rounds, seconds)?;
+            times_fit(work.rounds as usize, seconds)?;
         }
         Ok(())
     }
@@ -47,11 +47,11 @@ impl Check for TimeTest {
     type Answer = Vec<f64>;
 
     fn calls(work: &TestTiming) -> usize {
-        work.rounds as usize
+        work.orders.len()
     }
 
     fn fits(work: &TestTiming, seconds: &Vec<f64>) -> Result<(), String> {
-        times_fit(work.rounds, seconds)
+        times_fit(work.orders.len(), seconds)
     }
 
     fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
@@ -89,8 +89,8 @@ impl Check for Visits {
 }
 
 /// Checks that there is a valid time for each round.
-fn times_fit(rounds: u32, seconds: &[f64]) -> Result<(), String> {
-    if seconds.len() != rounds as usize {
+fn times_fit(rounds: usize, seconds: &[f64]) -> Result<(), String> {
+    if seconds.len() != rounds {
         return Err(format!(
             "expected the times of {rounds} rounds, found {}",
             seconds.len()

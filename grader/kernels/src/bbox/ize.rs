@@ -18,6 +18,7 @@ impl BoxTest for Ize {
         name: "Ize, 2 ulp",
         paper: "Ize 2013",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

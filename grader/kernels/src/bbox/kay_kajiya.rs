@@ -16,6 +16,7 @@ impl BoxTest for KayKajiya {
         name: "naive slabs",
         paper: "Kay, Kajiya 1986",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

@@ -17,6 +17,7 @@ impl BoxTest for NanSafe {
         name: "NaN-safe slabs",
         paper: "Barnes 2022",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

@@ -17,6 +17,7 @@ impl BoxTest for Williams {
         name: "Williams",
         paper: "Williams et al. 2005",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

@@ -19,6 +19,7 @@ impl SphereTest for Haines {
         name: "Haines's discriminant",
         paper: "Haines et al. 2019",
         culls: false,
+        uses_fma: false,
     };
     const REPROJECTED: KernelInfo = KernelInfo {
         name: "Haines's, reprojected",

@@ -16,6 +16,7 @@ impl SphereTest for QForm {
         name: "q form",
         paper: "Press et al. 1992",
         culls: false,
+        uses_fma: false,
     };
     const REPROJECTED: KernelInfo = KernelInfo {
         name: "q form, reprojected",

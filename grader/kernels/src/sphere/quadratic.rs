@@ -17,6 +17,7 @@ impl SphereTest for Quadratic {
         name: "quadratic formula",
         paper: "Haines 1989",
         culls: false,
+        uses_fma: false,
     };
     const REPROJECTED: KernelInfo = KernelInfo {
         name: "quadratic, reprojected",

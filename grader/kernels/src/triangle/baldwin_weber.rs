@@ -30,6 +30,7 @@ impl Test for BaldwinWeber {
         name: "Baldwin-Weber",
         paper: "Baldwin, Weber 2016",
         culls: false,
+        uses_fma: false,
     };
 
     /// The fixed column of the paper is the axis of the largest component of the normal. Its

@@ -18,6 +18,7 @@ impl TriangleTest for Filtered {
         name: "filter, exact fallback",
         paper: "Shewchuk 1997",
         culls: false,
+        uses_fma: true,
     };
 
     #[inline(always)]

@@ -19,6 +19,7 @@ impl TriangleTest for MollerTrumbore {
         name: "Möller-Trumbore",
         paper: PAPER,
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]
@@ -39,6 +40,7 @@ impl TriangleTest for UsualEpsilon {
         name: "Möller-Trumbore ε",
         paper: PAPER,
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]
@@ -85,6 +87,7 @@ impl TriangleTest for Culling {
         name: "Möller-Trumbore cull",
         paper: PAPER,
         culls: true,
+        uses_fma: false,
     };
 
     #[inline(always)]

@@ -17,6 +17,7 @@ impl TriangleTest for PlaneThenSides {
         name: "plane, then sides",
         paper: "Haines 1989",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

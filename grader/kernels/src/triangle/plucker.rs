@@ -18,6 +18,7 @@ impl TriangleTest for Plucker {
         name: "Plücker",
         paper: "Amanatides, Choi 1997",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

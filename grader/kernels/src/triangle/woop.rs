@@ -19,6 +19,7 @@ impl TriangleTest for Woop {
         name: "Woop",
         paper: "Woop, Benthin, Wald 2013",
         culls: false,
+        uses_fma: false,
     };
 
     #[inline(always)]

@@ -22,6 +22,7 @@ impl TriangleTest for Fused {
         name: "Woop, FMA edges",
         paper: PAPER,
         culls: false,
+        uses_fma: true,
     };
 
     #[inline(always)]
@@ -40,6 +41,7 @@ impl TriangleTest for FusedAtZero {
         name: "Woop, FMA at zero",
         paper: PAPER,
         culls: false,
+        uses_fma: true,
     };
 
     #[inline(always)]

@@ -1,12 +1,19 @@
 //! The results for trees as text tables.
 
-use super::table::{count, figures, nanoseconds, narrow, number, ratio};
-use super::trees::{TraversalCost, TreeReport};
+use super::{BreakEven, TraversalCost, TreeReport, WrongHits};
+use crate::table::{figures, nanoseconds, narrow, number, plus_minus, ratio};
 use comfy_table::{Cell, Table};
 use std::fmt::Write;
 
+/// Explains the columns.
+const LEGEND: &str = "\
+Times are medians of interleaved rounds, each pass after an untimed one with the same rays; ± reaches the farther quartile;\n\
+~ marks a tie. Wrong: hits that differ from brute force, for some of the timed rays and for crafted rays, which are aimed at\n\
+triangles that overlap in one plane. Break-even: rays after which the tracing time saved equals the additional build time,\n\
+against the first tree; in brackets for the quartiles of both times.\n";
+
 /// Formats both tables.
-pub(super) fn show(trees: &TreeReport) -> String {
+pub(crate) fn show(trees: &TreeReport) -> String {
     let mut text = format!(
         "\nTrees over the {} mesh of {} triangles\n",
         trees.mesh, trees.triangles
@@ -15,10 +22,7 @@ pub(super) fn show(trees: &TreeReport) -> String {
     if let Some(missing) = &trees.student_missing {
         let _ = writeln!(text, "Your code is not measured: {missing}.");
     }
-    text.push_str(
-        "Wrong: closest hits that differ from brute force; most checked rays are aimed at coplanar overlapping triangles.\n\
-         Break-even: rays after which the tracing time saved equals the additional build time, against the first tree.\n",
-    );
+    text.push_str(LEGEND);
     text
 }
 
@@ -38,22 +42,25 @@ fn by_slack(trees: &TreeReport) -> Table {
 fn by_build(trees: &TreeReport) -> Table {
     let header = ["split".into(), "build, ms".into(), "nodes".into()];
     let header = header.into_iter().chain(headings());
-    let mut table = narrow(header.chain(["break-even".into()]));
-    for (i, tree) in trees.by_build.iter().enumerate() {
+    let mut table = narrow(header.chain(["break-even, rays".into()]));
+    for tree in &trees.by_build {
         let star = if tree.student { "* " } else { "" };
-        let build = format!(
-            "{:.1} ±{:.1}",
-            1e3 * tree.build_s,
-            1e3 * tree.build_spread_s
-        );
+        let build = plus_minus(&tree.build_s.scaled(1e3), 1);
         let nodes = tree.nodes.map_or(String::new(), |nodes| nodes.to_string());
         let name = Cell::new(format!("{star}{}", tree.name));
         let start = [name, number(build), number(nodes)];
-        let pays = match tree.break_even_rays {
-            _ if i == 0 => String::new(),
-            None => "never".into(),
-            Some(0.0) => "immediate".into(),
-            Some(rays) => format!("{} rays", figures(rays)),
+        let pays = match tree.break_even {
+            BreakEven::Base => String::new(),
+            BreakEven::Immediate => "immediate".into(),
+            BreakEven::Never => "never".into(),
+            BreakEven::WithinNoise => "within noise".into(),
+            BreakEven::After {
+                rays,
+                at_least,
+                at_most,
+            } => {
+                format!("{rays:.1e} [{at_least:.0e}, {at_most:.0e}]")
+            }
         };
         table.add_row(
             start
@@ -69,21 +76,27 @@ fn headings() -> impl Iterator<Item = String> {
     [
         "ns/ray",
         "vs. first",
-        "box tests",
-        "triangle tests",
-        "wrong/million",
+        "box\ntests",
+        "triangle\ntests",
+        "wrong of\ntimed rays",
+        "wrong of\ncrafted rays",
     ]
     .into_iter()
     .map(String::from)
 }
 
-fn cells(trace: &TraversalCost) -> [Cell; 5] {
+fn cells(trace: &TraversalCost) -> [Cell; 6] {
     [
         nanoseconds(&trace.time),
         ratio(&trace.time),
         figures(trace.box_tests),
         figures(trace.prim_tests),
-        count(trace.wrong_per_million),
+        wrong(trace.ordinary),
+        trace.crafted.map_or(String::new(), wrong),
     ]
     .map(number)
+}
+
+fn wrong(hits: WrongHits) -> String {
+    format!("{}/{}", hits.wrong, hits.rays)
 }

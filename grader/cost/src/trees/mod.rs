@@ -1,6 +1,18 @@
-//! The results of `grader cost bvh`.
+//! The results of `grader cost bvh`, and their measurement.
+//!
+//! Read the types here, then `measure` (one run), `coplanar` (crafted rays), [`BreakEven`] and
+//! `table`.
 
-use super::report::Timing;
+mod break_even;
+mod coplanar;
+mod measure;
+pub(crate) mod table;
+
+pub use break_even::BreakEven;
+pub(crate) use measure::measure;
+
+use crate::quartiles::Quartiles;
+use crate::timing::Timing;
 use serde::{Deserialize, Serialize};
 
 /// Results for trees over one mesh.
@@ -37,33 +49,40 @@ pub struct TreeRow {
     pub paper: String,
     /// Whether this is the student's builder.
     pub student: bool,
-    /// Build time in seconds, median of the rounds.
-    pub build_s: f64,
-    /// Interquartile range of the build times of the rounds, in seconds.
-    pub build_spread_s: f64,
+    /// Build time in seconds, over the rounds.
+    pub build_s: Quartiles,
     /// Number of nodes including leaves; unknown for the student's tree.
     pub nodes: Option<usize>,
     /// Time, tests and wrong hits of the traversal.
     pub trace: TraversalCost,
-    /// Number of rays after which the time saved in tracing equals the additional build time,
-    /// compared with the midpoint tree. 0 if neither build nor tracing is slower; `None` if it
-    /// never happens.
-    pub break_even_rays: Option<f64>,
+    /// When the time saved in tracing equals the additional build time, compared with the first
+    /// tree.
+    pub break_even: BreakEven,
 }
 
 /// Cost of closest-hit traversal of a tree, over many rays.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TraversalCost {
-    /// Time per ray. Its ratio is to the time of the first row, instead of the textbook's kernel.
+    /// Time per ray. Its ratio is to the time of the first row.
     pub time: Timing,
     /// Box tests per ray.
     pub box_tests: f64,
     /// Triangle tests per ray.
     pub prim_tests: f64,
-    /// Number of rays that were compared with brute force: ordinary rays, and rays aimed at
-    /// overlapping triangles in one plane.
-    pub checked_rays: usize,
-    /// Number of wrong hits per million checked rays: the closest hit has another `t` or another
-    /// primitive than that of brute force with the same triangle test.
-    pub wrong_per_million: f64,
+    /// Wrong hits of the timed rays.
+    pub ordinary: WrongHits,
+    /// Wrong hits of rays that are aimed at overlapping triangles in one plane: they are crafted to
+    /// be wrong without slack. `None` for the student's tree, which is traversed by the student's
+    /// own code.
+    pub crafted: Option<WrongHits>,
+}
+
+/// The result of a comparison with brute force. A hit is wrong if it has another `t` or another
+/// primitive than that of brute force with the same triangle test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct WrongHits {
+    /// Number of rays that were compared.
+    pub rays: usize,
+    /// Number of wrong hits.
+    pub wrong: usize,
 }

@@ -2,6 +2,7 @@
 //! boxes. All are hit at the same exact `t`; which one is the closest depends on rounding, and the
 //! box test rounds its entry differently.
 
+use super::WrongHits;
 use judge::cases::probes::{ProbeRng, through};
 use kernels::{Builder, ClosestHit, Traversal, brute_force};
 use kit::{Ray, Triangle, Vec3};
@@ -47,14 +48,9 @@ impl CoplanarScenes {
         }
     }
 
-    /// Returns the number of rays.
-    pub(crate) fn rays(&self) -> usize {
-        self.scenes.iter().map(|plane| plane.rays.len()).sum()
-    }
-
-    /// Returns the number of rays for which the traversal of such a tree differs from brute force.
-    pub(crate) fn wrong(&self, builder: &Builder, slack_ulp: u32) -> usize {
-        let each = self.scenes.iter().map(|CoplanarScene { triangles, rays }| {
+    /// Compares the traversal of such a tree with brute force.
+    pub(crate) fn wrong(&self, builder: &Builder, slack_ulp: u32) -> WrongHits {
+        let wrong = self.scenes.iter().map(|CoplanarScene { triangles, rays }| {
             let bounds: Vec<_> = triangles.iter().map(Triangle::bounds).collect();
             let tree = (builder.build)(&bounds, MAX_LEAF_SIZE);
             let mut traversal = Traversal::new(slack_ulp);
@@ -62,7 +58,10 @@ impl CoplanarScenes {
             rays.filter(|(ray, truth)| traversal.closest(&tree, triangles, ray) != *truth)
                 .count()
         });
-        each.sum()
+        WrongHits {
+            rays: self.scenes.iter().map(|scene| scene.rays.len()).sum(),
+            wrong: wrong.sum(),
+        }
     }
 }
 

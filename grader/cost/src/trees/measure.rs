@@ -1,0 +1,276 @@
+//! Measurements of tree construction and traversal, in turns.
+
+use super::coplanar::CoplanarScenes;
+use super::{BreakEven, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
+use crate::measure::SampleCounts;
+use crate::quartiles::Quartiles;
+use crate::student::Student;
+use crate::timing::{
+    Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES, Timing, TurnResult,
+};
+use grader::error::GraderError;
+use grader::speedup;
+use grader::workspace::Workspace;
+use judge::convert;
+use kernels::{Builder, ClosestHit, Traversal, brute_force};
+use kit::{Bvh, Ray, Triangle};
+use meshes::{MeshKind, generate};
+use std::cell::RefCell;
+use wire::Work;
+use wire::answer::TimingAnswer;
+use wire::work::{SceneSource, TimingWork};
+
+/// A rough mesh: its triangles vary in size, and much of it is occluded.
+const MESH: MeshKind = MeshKind::Terrain;
+
+/// Largest number of primitives in a leaf: the assignment's choice.
+const MAX_LEAF_SIZE: usize = 4;
+
+/// The values of slack that are compared, in ulp. The last one is enough for every ray: trees are
+/// compared with it.
+const SLACKS: [u32; 3] = [0, 2, 16];
+
+/// Each round times another part of the rays, one ray in this many: a pass is short, so that most
+/// passes are not interrupted. Odd, so that a part has rays in all columns of the speedup's grid.
+const PARTS: usize = 17;
+
+/// Number of rays that are compared with brute force.
+const CHECKED_RAYS: usize = 256;
+
+/// The scene that all trees are built over.
+struct Scene {
+    triangles: Vec<Triangle>,
+    rays: Vec<Ray>,
+    /// Some of the rays, with the hits of brute force.
+    checked: Vec<(Ray, ClosestHit)>,
+    coplanar: CoplanarScenes,
+}
+
+/// Measures trees over one mesh, the student's through the worker. `None` in a handout that does
+/// not contain the builders, because they would be a solution.
+pub(crate) fn measure(
+    workspace: Option<&Workspace>,
+    seed: u64,
+    size: SampleCounts,
+) -> Result<Option<TreeReport>, GraderError> {
+    let builders = kernels::builders();
+    if builders.is_empty() {
+        return Ok(None);
+    }
+    let scene = Scene::new(seed, size);
+    let bounds: Vec<_> = scene.triangles.iter().map(Triangle::bounds).collect();
+    let build = |builder: &Builder| (builder.build)(&bounds, MAX_LEAF_SIZE);
+    let trees: Vec<Bvh> = builders.iter().map(build).collect();
+    let student = StudentTree::new(workspace, &scene, size)?;
+
+    // The contenders: each builder, the first tree with each slack, the other trees, the student.
+    let mut contenders: Vec<Contender> = builders
+        .iter()
+        .map(|builder| Contender::here(1, |_| build(builder)))
+        .collect();
+    let first_slack = contenders.len();
+    let [.., safe_slack] = SLACKS;
+    contenders.extend(SLACKS.map(|slack| scene.contender(&trees[0], slack)));
+    let first_tree = contenders.len() - 1;
+    contenders.extend(
+        trees[1..]
+            .iter()
+            .map(|tree| scene.contender(tree, safe_slack)),
+    );
+    if let Ok(student) = &student {
+        contenders.push(Contender::elsewhere(|round| student.turn(round)));
+    }
+    let rounds = Rounds::measure(&SystemClock::start(), &mut contenders, size.tree_rounds)?;
+    drop(contenders);
+
+    let in_process = |missing: MissingReason| GraderError::new(missing);
+    let mut by_slack = Vec::new();
+    for (i, slack_ulp) in SLACKS.into_iter().enumerate() {
+        let time = rounds.timing(first_slack + i, first_slack);
+        by_slack.push(SlackRow {
+            slack_ulp,
+            trace: TraversalCost {
+                time: time.map_err(in_process)?,
+                ..scene.counts(&trees[0], slack_ulp, &builders[0])
+            },
+        });
+    }
+    let mut by_build = Vec::new();
+    for (i, (builder, tree)) in builders.iter().zip(&trees).enumerate() {
+        let time = rounds.timing(first_tree + i, first_tree);
+        let build_s = rounds.seconds(i).map_err(in_process)?;
+        by_build.push(TreeRow {
+            name: builder.name.into(),
+            paper: builder.paper.into(),
+            student: false,
+            build_s: Quartiles::of(build_s.iter().copied()),
+            nodes: Some(tree.nodes.len()),
+            trace: TraversalCost {
+                time: time.map_err(in_process)?,
+                ..scene.counts(tree, safe_slack, builder)
+            },
+            break_even: BreakEven::Base,
+        });
+    }
+    let student_time = student.and_then(|student| {
+        let time = rounds.timing(first_tree + trees.len(), first_tree)?;
+        Ok(student.row(time))
+    });
+    let student_missing = student_time.map(|row| by_build.push(row)).err();
+    let [base, others @ ..] = by_build.as_mut_slice() else {
+        return Ok(None);
+    };
+    for tree in others {
+        tree.break_even = BreakEven::of(tree, base);
+    }
+    Ok(Some(TreeReport {
+        mesh: MESH.name().into(),
+        triangles: scene.triangles.len(),
+        by_slack,
+        by_build,
+        student_missing,
+    }))
+}
+
+/// Returns the part of the rays that is timed in `round`. All parts have the same size.
+fn part<T>(rays: &[T], round: usize) -> impl Iterator<Item = &T> {
+    let rays_of_part = rays.len() / PARTS;
+    let rays = rays.iter().skip(round % PARTS).step_by(PARTS);
+    rays.take(rays_of_part)
+}
+
+impl Scene {
+    fn new(seed: u64, size: SampleCounts) -> Scene {
+        let triangles = generate(MESH, size.mesh);
+        let rays: Vec<Ray> = speedup::rays().iter().map(convert::ray).collect();
+        // The worker chooses the same ones.
+        let checked = (0..CHECKED_RAYS).map(|i| rays[i * rays.len() / CHECKED_RAYS]);
+        let checked = checked.map(|ray| (ray, brute_force(&triangles, &ray)));
+        Scene {
+            checked: checked.collect(),
+            coplanar: CoplanarScenes::new(seed, size.rays),
+            triangles,
+            rays,
+        }
+    }
+
+    /// The traversal of a tree by a part of the rays.
+    fn contender<'a>(&'a self, tree: &'a Bvh, slack_ulp: u32) -> Contender<'a> {
+        let mut traversal = Traversal::new(slack_ulp);
+        Contender::here(self.rays.len() / PARTS, move |round| {
+            let closest = |ray| traversal.closest(tree, &self.triangles, ray);
+            part(&self.rays, round).filter_map(closest).count()
+        })
+    }
+
+    /// Counts the tests of a traversal and its wrong hits. The time is left at 0.
+    fn counts(&self, tree: &Bvh, slack_ulp: u32, builder: &Builder) -> TraversalCost {
+        let mut traversal = Traversal::new(slack_ulp);
+        for ray in &self.rays {
+            traversal.closest(tree, &self.triangles, ray);
+        }
+        let rays = self.rays.len() as f64;
+        let (box_tests, prim_tests) = (traversal.box_tests, traversal.prim_tests);
+        let differs =
+            |(ray, hit): &&(Ray, ClosestHit)| traversal.closest(tree, &self.triangles, ray) != *hit;
+        TraversalCost {
+            time: Default::default(),
+            box_tests: box_tests as f64 / rays,
+            prim_tests: prim_tests as f64 / rays,
+            ordinary: WrongHits {
+                rays: self.checked.len(),
+                wrong: self.checked.iter().filter(differs).count(),
+            },
+            crafted: Some(self.coplanar.wrong(builder, slack_ulp)),
+        }
+    }
+}
+
+/// The student's tree over the same mesh, traversed by the student's own code.
+struct StudentTree {
+    worker: Student,
+    /// The work of counting; turns differ from it in rays and rounds.
+    work: TimingWork,
+    /// Test counts and comparison with brute force.
+    counts: TimingAnswer,
+    /// The build time in each turn.
+    build_s: RefCell<Vec<f64>>,
+}
+
+impl StudentTree {
+    fn new(
+        workspace: Option<&Workspace>,
+        scene: &Scene,
+        size: SampleCounts,
+    ) -> Result<Result<StudentTree, MissingReason>, GraderError> {
+        let worker = match Student::build_with("meshes", "part2.task1", workspace)? {
+            Ok(worker) => worker,
+            Err(missing) => return Ok(Err(missing)),
+        };
+        let work = TimingWork {
+            scene: SceneSource::Generated(MESH.name().into(), size.mesh as u32),
+            max_leaf_size: MAX_LEAF_SIZE as u32,
+            rays: speedup::rays(),
+            brute_force_rays: scene.checked.len() as u32,
+            rounds: 1,
+        };
+        Ok(run(&worker, &work)?.map(|counts| StudentTree {
+            worker,
+            work,
+            counts,
+            build_s: RefCell::default(),
+        }))
+    }
+
+    /// Builds and traverses the tree several times. The first time does not count. Returns the
+    /// median seconds of a ray.
+    fn turn(&self, round: usize) -> TurnResult {
+        let work = TimingWork {
+            rays: part(&self.work.rays, round).copied().collect(),
+            brute_force_rays: 0,
+            rounds: 1 + TIMED_PASSES as u32,
+            ..self.work.clone()
+        };
+        let times = match run(&self.worker, &work)? {
+            Ok(times) => times,
+            Err(missing) => return Ok(Err(missing)),
+        };
+        let median = |seconds: &[f64]| Quartiles::of(seconds.iter().copied().skip(1)).median;
+        self.build_s.borrow_mut().push(median(&times.build_s));
+        Ok(Ok(median(&times.tree_s) / times.tree_rays.max(1) as f64))
+    }
+
+    fn row(self, time: Timing) -> TreeRow {
+        let counts = &self.counts;
+        let rays = counts.tree_rays.max(1) as f64;
+        TreeRow {
+            name: "yours".into(),
+            paper: "stages/bvh".into(),
+            student: true,
+            build_s: Quartiles::of(self.build_s.into_inner()),
+            nodes: None,
+            trace: TraversalCost {
+                time,
+                box_tests: counts.box_tests as f64 / rays,
+                prim_tests: counts.prim_tests as f64 / rays,
+                ordinary: WrongHits {
+                    rays: counts.brute_rays as usize,
+                    wrong: counts.differing_hits as usize,
+                },
+                crafted: None,
+            },
+            break_even: BreakEven::Base,
+        }
+    }
+}
+
+fn run(
+    worker: &Student,
+    work: &TimingWork,
+) -> Result<Result<TimingAnswer, MissingReason>, GraderError> {
+    Ok(match worker.run(Work::Timing(work.clone()))? {
+        Ok(wire::Answer::Timing(times)) => Ok(times),
+        Ok(_) => Err("the worker's answer is for another kind of work".into()),
+        Err(missing) => Err(missing),
+    })
+}

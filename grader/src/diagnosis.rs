@@ -99,6 +99,10 @@ const MADE: f64 = 0.75;
 /// also the student's.
 const CANDIDATE: f64 = 0.2;
 
+/// At most this many mistakes are combined to pairs, those that explain the most: every pair takes a
+/// millisecond.
+const MOST_CANDIDATES: usize = 32;
+
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
     let path = path(workspace, task);
@@ -259,14 +263,14 @@ fn two_at_once(
     student: &Signature,
     alone: f64,
 ) -> Option<Diagnosis> {
-    let candidates: Vec<&Known> = ranked
-        .iter()
-        .filter(|(known, agreement)| {
-            let shares = agreement.equal as f64 >= CANDIDATE * agreement.second as f64;
-            known.mistakes.len() == 1 && agreement.equal > 0 && shares
-        })
-        .map(|(known, _)| *known)
-        .collect();
+    let is_candidate = |(known, agreement): &&(&Known, Agreement)| {
+        let shares = agreement.equal as f64 >= CANDIDATE * agreement.second as f64;
+        known.mistakes.len() == 1 && agreement.equal > 0 && shares
+    };
+    let mut candidates: Vec<&(&Known, Agreement)> = ranked.iter().filter(is_candidate).collect();
+    candidates.sort_by_key(|(_, agreement)| std::cmp::Reverse(agreement.equal));
+    candidates.truncate(MOST_CANDIDATES);
+    let candidates: Vec<&Known> = candidates.into_iter().map(|(known, _)| *known).collect();
     let pairs = candidates
         .iter()
         .enumerate()

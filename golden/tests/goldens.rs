@@ -1,13 +1,16 @@
-//! Every golden is what the reference answers, and what the oracle confirms.
+//! Every golden is what the reference answers, and is not refused by the oracle, which judges every
+//! aspect of every answer. `<task>/not_judged.txt` lists what it does not judge.
 //!
 //! `FIRSTLIGHT_BLESS=part1.task3` (or `part1`, or `all`) writes pictures that differ as `.new.png`
-//! beside the goldens; insta does the same for snapshots, as `INSTA_UPDATE` says.
+//! beside the goldens, and lists as `not_judged.txt.new`; insta does the same for snapshots, as
+//! `INSTA_UPDATE` says.
 
 use grader::course::Course;
 use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use judge::snapshot;
-use judge::{self, tally::Finding};
+use judge::tally::Finding;
+use judge::whole::{Whole, judge_whole};
 use pages::picture;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -97,42 +100,66 @@ fn check(part: &str) {
         .tasks()
         .filter(|task| task.part_key() == part && chosen(&task.key))
     {
+        let bless = !blessed.is_empty();
+        let mut not_judged = Some(String::new());
         for spec in specs
             .iter()
             .filter(|spec| task.cases.iter().any(|case| spec.is(&task.key, &case.name)))
         {
-            if let Err(why) = check_case(&workspace, spec, !blessed.is_empty()) {
-                wrong.push(format!("{} {}: {why}", spec.task, spec.name));
+            match answer(spec) {
+                Ok(None) => not_judged = None,
+                Ok(Some(answer)) => {
+                    let whole = judge_whole(spec, judge::Tier::Robust, &answer);
+                    if let Err(why) = check_case(&workspace, spec, &answer, &whole, bless) {
+                        wrong.push(format!("{} {}: {why}", spec.task, spec.name));
+                    }
+                    if let Some(list) = &mut not_judged {
+                        list.push_str(&whole.not_judged_lines(spec.name));
+                    }
+                }
+                Err(why) => wrong.push(format!("{} {}: {why}", spec.task, spec.name)),
             }
+        }
+        // What is refused is not blessed, nor is a list of what is not judged in it.
+        if let Some(list) = not_judged
+            && (!bless || wrong.is_empty())
+            && let Err(why) = check_not_judged(&workspace, &task.key, &list, bless)
+        {
+            wrong.push(format!("{}: {why}", task.key));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-fn check_case(workspace: &Workspace, spec: &Spec, bless: bool) -> Result<(), String> {
+/// The reference's answer; `None` in a handout, whose tasks are carved and whose goldens wait for
+/// the student.
+fn answer(spec: &Spec) -> Result<Option<Answer>, String> {
     let record = worker::run(0, &spec.case());
-    let answer = match record.outcome {
-        Outcome::Answered(answer) if record.untouched.is_empty() => answer,
-        // A handout: the task is carved, and its goldens wait for the student.
-        Outcome::Answered(_) | Outcome::NotAttempted { .. } => return Ok(()),
-        outcome => return Err(format!("{outcome:?}")),
-    };
-    let tier = judge::Tier::Robust;
-    let lost: Vec<String> = judge::judge(spec, tier, &answer)
-        .iter()
-        .filter(|finding| !finding.passed())
-        .map(Finding::to_string)
-        .collect();
-    let unconfirmed =
-        (!lost.is_empty()).then(|| format!("the oracle does not confirm it: {}", lost.join("; ")));
-    if bless && let Some(why) = unconfirmed {
+    match record.outcome {
+        Outcome::Answered(answer) if record.untouched.is_empty() => Ok(Some(answer)),
+        Outcome::Answered(_) | Outcome::NotAttempted { .. } => Ok(None),
+        outcome => Err(format!("{outcome:?}")),
+    }
+}
+
+fn check_case(
+    workspace: &Workspace,
+    spec: &Spec,
+    answer: &Answer,
+    whole: &Whole,
+    bless: bool,
+) -> Result<(), String> {
+    let wrong: Vec<String> = whole.wrong.iter().map(Finding::to_string).collect();
+    let refused =
+        (!wrong.is_empty()).then(|| format!("the oracle refuses it: {}", wrong.join("; ")));
+    if bless && let Some(why) = refused {
         return Err(why);
     }
-    // What is not confirmed is left beside the golden, too: a reviewer wants to see it.
+    // What is refused is left beside the golden, too: a reviewer wants to see it.
     let complaints = [
-        unconfirmed,
-        check_snapshot(workspace, spec, &answer).err(),
-        check_picture(workspace, spec, &answer, bless).err(),
+        refused,
+        check_snapshot(workspace, spec, answer).err(),
+        check_picture(workspace, spec, answer, bless).err(),
     ];
     let complaints: Vec<String> = complaints.into_iter().flatten().collect();
     if complaints.is_empty() {
@@ -140,6 +167,30 @@ fn check_case(workspace: &Workspace, spec: &Spec, bless: bool) -> Result<(), Str
     } else {
         Err(complaints.join("\n    "))
     }
+}
+
+/// Compares the `list` of what is not judged with the stored one.
+fn check_not_judged(
+    workspace: &Workspace,
+    task: &str,
+    list: &str,
+    bless: bool,
+) -> Result<(), String> {
+    let path = workspace.not_judged(task);
+    let stored = std::fs::read_to_string(&path).unwrap_or_default();
+    if stored == list {
+        return Ok(());
+    }
+    let new = path.with_extension("txt.new");
+    std::fs::write(&new, list).map_err(|e| e.to_string())?;
+    if bless {
+        return Ok(());
+    }
+    Err(format!(
+        "the oracle judges more or fewer aspects than {} lists: look at {}",
+        path.display(),
+        new.display()
+    ))
 }
 
 fn check_snapshot(workspace: &Workspace, spec: &Spec, answer: &Answer) -> Result<(), String> {

@@ -22,6 +22,8 @@ pub struct Known {
     pub hints: Vec<String>,
     /// The answers that it makes wrong.
     pub signature: Signature,
+    /// Whether it is a symptom that many mistakes have: it is only named if every answer agrees.
+    pub is_symptom: bool,
 }
 
 /// What a student's wrong answers look like.
@@ -37,13 +39,42 @@ pub struct Diagnosis {
     pub equal: usize,
     /// Calls on which either is wrong.
     pub of: usize,
+    /// How certain it is.
+    pub certainty: Certainty,
 }
 
 impl Diagnosis {
-    /// Whether the answers agree on more than half of the calls. If not, the diagnosis rests only
-    /// on the kinds of the faults.
+    /// Whether it likely explains the wrong answers.
     pub fn is_likely(&self) -> bool {
-        2 * self.equal > self.of
+        self.certainty == Certainty::Likely
+    }
+}
+
+/// How certain a diagnosis is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Certainty {
+    /// The answers equal those of the mistake, but for a few.
+    Likely,
+    /// The answers look like those of the mistake, and nothing contradicts it.
+    Perhaps,
+}
+
+impl Certainty {
+    /// The certainty of a diagnosis that explains this share of the wrong answers.
+    fn of(likeness: f64) -> Certainty {
+        match likeness >= SURE {
+            true => Certainty::Likely,
+            false => Certainty::Perhaps,
+        }
+    }
+
+    /// The word with which reports begin a diagnosis.
+    pub fn label(self) -> &'static str {
+        match self {
+            Certainty::Likely => "Likely",
+            Certainty::Perhaps => "Perhaps",
+        }
     }
 }
 
@@ -94,31 +125,46 @@ fn path(workspace: &Workspace, task: &str) -> PathBuf {
         .join(format!("{task}.txt"))
 }
 
+/// The known mistakes that are most like `student`, best first: their names, the likeness, and
+/// whether right answers contradict them. For authors who wonder about a diagnosis.
+pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64, bool)> {
+    let mut all: Vec<(Vec<String>, f64, bool)> = within(known, &student.functions())
+        .iter()
+        .map(|known| {
+            let likeness = student.agreement(&known.signature).likeness();
+            let contradicted = student.contradicts(&known.signature)
+                || student.disagrees_throughout(&known.signature);
+            (known.mistakes.clone(), likeness, contradicted)
+        })
+        .collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all
+}
+
 /// What `student` looks like, if it looks like anything known.
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
-    let in_functions = within(known, &student.functions());
-    let possible = in_functions
-        .iter()
-        .filter(|known| !student.contradicts(&known.signature));
-    let mut ranked: Vec<(&Known, Agreement)> = possible
-        .map(|known| (known, student.agreement(&known.signature)))
-        .collect();
-    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
-    let &(best, agreement) = ranked.first()?;
-    let likeness = agreement.likeness();
-    if let Some(pair) = two_at_once(&ranked, student, likeness) {
+    let mut in_functions = within(known, &student.functions());
+    in_functions.retain(|known| !known.is_symptom || known.signature.shows_the_same(student));
+    let ranked = ranked(in_functions.iter(), student, Signature::contradicts);
+    // A side that disagrees throughout may be the other mistake of two.
+    let alone = ranked.iter().map(|(known, _)| *known);
+    let alone = self::ranked(alone, student, Signature::disagrees_throughout);
+    let likeness = alone.first().map_or(0.0, |(_, best)| best.likeness());
+    if likeness < SURE
+        && let Some(pair) = two_at_once(&ranked, student, likeness)
+    {
         return Some(pair);
     }
-    let (best, likeness) = match likeness < LIKELY {
-        true => (alone_of_its_kind(&ranked, student)?, likeness),
-        false => (best, likeness),
+    let best = match likeness < LIKELY {
+        true => alone_of_its_kind(&ranked, student)?,
+        false => alone.first()?.0,
     };
     let (equal, of) = student.calls_alike(&best.signature);
     let (mistakes, says, hint) = with_twins(&ranked, best);
-    let verb = if likeness >= SURE {
-        "equal"
-    } else {
-        "look most like"
+    let certainty = Certainty::of(likeness);
+    let verb = match certainty {
+        Certainty::Likely => "equal",
+        Certainty::Perhaps => "look most like",
     };
     Some(Diagnosis {
         mistakes,
@@ -126,7 +172,22 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         hint,
         equal,
         of,
+        certainty,
     })
+}
+
+/// Those of the known mistakes that `is_against` does not exclude, the most alike first.
+fn ranked<'a>(
+    known: impl Iterator<Item = &'a Known>,
+    student: &Signature,
+    is_against: impl Fn(&Signature, &Signature) -> bool,
+) -> Vec<(&'a Known, Agreement)> {
+    let possible = known.filter(|known| !is_against(student, &known.signature));
+    let mut ranked: Vec<(&Known, Agreement)> = possible
+        .map(|known| (known, student.agreement(&known.signature)))
+        .collect();
+    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
+    ranked
 }
 
 /// The known mistakes, restricted to their effect in these functions: a mistake that passes from
@@ -241,6 +302,7 @@ fn two_at_once(
             hint: format!("{hint} {and_hint}"),
             equal: together.equal,
             of: together.either,
+            certainty: Certainty::of(likeness),
         }
     })
 }
@@ -256,6 +318,7 @@ mod tests {
             descriptions: vec![format!("does {name}")],
             hints: vec![format!("Not {name}.")],
             signature,
+            is_symptom: false,
         }
     }
 
@@ -269,14 +332,44 @@ mod tests {
     }
 
     #[test]
-    fn agreement_on_half_of_the_calls_is_only_a_possible_mistake() {
-        let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
-        let all = [known("this", signature(&[t, n, p]))];
-        let likely = |codes| {
-            let diagnosis = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
-            diagnosis.expect("the mistake is known").is_likely()
+    fn a_symptom_is_named_only_if_every_answer_agrees() {
+        let symptom = Known {
+            is_symptom: true,
+            ..known("misses", signature(&[("case decision", "50*a")]))
         };
-        assert!(likely("6 4*b"));
-        assert!(!likely("5 5*b"));
+        let named = |codes| {
+            let student = signature(&[("case decision", codes)]);
+            diagnose(std::slice::from_ref(&symptom), &student).is_some()
+        };
+        assert!(named("50*a"));
+        assert!(!named("1 49*a"));
+    }
+
+    #[test]
+    fn a_case_that_disagrees_throughout_vetoes_a_name() {
+        let [weights, lights] = ["weights radiance", "lights radiance"];
+        let all = [known(
+            "this",
+            signature(&[(weights, "500*a"), (lights, "6*a")]),
+        )];
+        let is_named = |codes| diagnose(&all, &signature(&[(weights, "500*a"), (lights, codes)]));
+        assert!(is_named("6*a").is_some());
+        assert!(is_named("6*b").is_none());
+        assert!(is_named("1*a 5*b").is_some());
+    }
+
+    #[test]
+    fn answers_that_differ_in_part_are_only_perhaps_a_mistake() {
+        let [t, n, p] = ["case t", "case normal", "case position"].map(|side| (side, "10*a"));
+        let all = [known(
+            "this",
+            signature(&[t, n, p, ("case barycentrics", "10*a")]),
+        )];
+        let certainty = |codes| {
+            let diagnosis = diagnose(&all, &signature(&[t, n, p, ("case barycentrics", codes)]));
+            diagnosis.expect("the mistake is known").certainty
+        };
+        assert_eq!(certainty("9*a 1*b"), Certainty::Likely);
+        assert_eq!(certainty("6*a 4*b"), Certainty::Perhaps);
     }
 }

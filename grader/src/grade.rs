@@ -2,8 +2,9 @@
 
 use crate::compile::BuildRoot;
 use crate::course::{Course, Task, stages_of};
-use crate::diagnosis;
+use crate::diagnosis::{self, Diagnosis};
 use crate::error::GraderError;
+use crate::regularity;
 use crate::report::{Report, TaskReport};
 use crate::runner::Ending;
 use crate::score::{CaseResult, Status, TaskResult};
@@ -144,8 +145,14 @@ fn explain(
             return Ok(result.into());
         }
         let known = diagnosis::known(workspace, &result.key)?;
+        let diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
+        let is_explained = diagnosis.as_ref().is_some_and(Diagnosis::is_likely);
         Ok(TaskReport {
-            diagnosis: diagnosis::diagnose(&known, &Signature::of(&result.cases)),
+            diagnosis,
+            regularities: match is_explained {
+                true => Vec::new(),
+                false => regularity::of(&result.key, &result.cases, specs),
+            },
             worst_as_test: repro::worst(failed_cases(&result.cases), specs, &result.key),
             result,
         })
@@ -180,7 +187,17 @@ pub fn grade_tasks(
 ) -> Result<Vec<TaskResult>, GraderError> {
     let chosen = chosen(tasks, specs)?;
     let endings = workers.run(&chosen, printed)?;
-    let mut endings = chosen.iter().zip(&endings);
+    score_tasks(course, tasks, &chosen, &endings)
+}
+
+/// Scores the endings of the cases `chosen`, which are those of `tasks` in their order.
+pub fn score_tasks(
+    course: &Course,
+    tasks: &[&Task],
+    chosen: &[&Spec],
+    endings: &[Result<Ending, String>],
+) -> Result<Vec<TaskResult>, GraderError> {
+    let mut endings = chosen.iter().zip(endings);
     let mut results = Vec::new();
     for task in tasks {
         let mut case_results = Vec::new();

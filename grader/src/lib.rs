@@ -25,6 +25,7 @@ pub mod error;
 pub mod grade;
 pub mod interrupt;
 pub mod records;
+pub mod regularity;
 pub mod report;
 pub mod runner;
 pub mod score;

@@ -70,4 +70,9 @@ impl Workspace {
             .join(task)
             .join(format!("{case}.png"))
     }
+
+    /// The path of the list of what the oracle does not judge in the goldens of a task.
+    pub fn not_judged(&self, task: &str) -> PathBuf {
+        self.root.join("golden").join(task).join("not_judged.txt")
+    }
 }

@@ -15,9 +15,9 @@
 //! written, but ignored when read.
 
 use crate::collada::limits::MAX_COORDINATE;
-use crate::collada::read_text;
 use crate::diagnostic::{Diagnostic, SceneError};
 use crate::placement::View;
+use crate::text_file;
 use kit::camera::half_tan;
 use kit::{Camera, FilmSize, Mat3, Vec3, math};
 use std::fmt;
@@ -100,7 +100,7 @@ impl CameraFile {
     pub fn load(path: impl AsRef<Path>) -> Result<CameraFile, SceneError> {
         let path = path.as_ref();
         let name = path.display().to_string();
-        CameraFile::parse(&name, &read_text(path, &name)?)
+        CameraFile::parse(&name, &text_file::read(path, &name)?.text)
     }
 
     /// Parses the text of a camera file. `name` is the file name for error messages.

@@ -16,11 +16,15 @@ pub struct Diagnostic {
     title: String,
     location: Option<Location>,
     help: Option<String>,
+    /// Where else the same was found.
+    note: Option<String>,
 }
 
 /// A position in the file, and what was expected there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Location {
+    /// The byte of the file at which the mark starts.
+    start: usize,
     line: usize,
     column: usize,
     excerpt: String,
@@ -46,6 +50,7 @@ impl Diagnostic {
             title: title.into(),
             location: None,
             help: None,
+            note: None,
         }
     }
 
@@ -56,18 +61,21 @@ impl Diagnostic {
         self
     }
 
-    /// Replaces the label of the location.
-    pub(crate) fn relabel(mut self, label: impl Into<String>) -> Self {
-        if let Some(location) = &mut self.location {
-            location.label = label.into();
-        }
-        self
-    }
-
     /// Sets the advice on what to do.
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
+    }
+
+    /// Sets the note on where else the same was found.
+    pub(crate) fn note(mut self, note: impl Into<String>) -> Self {
+        self.note = Some(note.into());
+        self
+    }
+
+    /// The byte of the file at which the location starts.
+    pub(crate) fn start(&self) -> Option<usize> {
+        self.location.as_ref().map(|location| location.start)
     }
 
     /// The name of the file, as it was given.
@@ -100,6 +108,11 @@ impl Diagnostic {
         self.help.as_deref()
     }
 
+    /// Where else the same was found, if a warning stands for several places.
+    pub fn elsewhere(&self) -> Option<&str> {
+        self.note.as_deref()
+    }
+
     fn render(&self, level: Level<'static>, renderer: &Renderer) -> String {
         let mut group = Group::with_title(level.primary_title(&self.title));
         match &self.location {
@@ -124,6 +137,9 @@ impl Diagnostic {
         }
         if let Some(help) = &self.help {
             group = group.element(Level::HELP.message(help));
+        }
+        if let Some(note) = &self.note {
+            group = group.element(Level::NOTE.message(note));
         }
         renderer.render(&[group])
     }
@@ -158,6 +174,7 @@ impl Location {
         let excerpt = format!("{before}{}{after}", &source[from..to]);
         let shift = |byte: usize| byte.min(to) - from + before.len();
         Location {
+            start,
             line: source[..start].matches('\n').count() + 1,
             column: source[line_start..start].chars().count() + 1,
             mark: shift(start)..shift(end),

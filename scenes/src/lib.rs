@@ -12,6 +12,7 @@ pub mod camera_file;
 pub mod collada;
 pub mod diagnostic;
 pub mod placement;
+mod text_file;
 
 pub use camera_file::CameraFile;
 pub use collada::{Loaded, load, parse};

@@ -50,6 +50,17 @@ fn every_course_file_loads() {
     }
 }
 
+#[test]
+fn every_file_in_the_folder_loads() {
+    let Some(folder) = folder() else { return };
+    for file in std::fs::read_dir(folder).expect("a folder") {
+        let path = file.expect("an entry").path();
+        if path.extension().is_some_and(|ending| ending == "dae") {
+            scenes::load(&path).unwrap_or_else(|e| panic!("{e}"));
+        }
+    }
+}
+
 /// The direction from which the original program frames a scene: the point one unit in front of the
 /// file's camera, used as a direction from the origin.
 fn original_direction(camera: &kit::Camera, matrix_scale: f64) -> kit::Vec3 {

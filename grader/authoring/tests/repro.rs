@@ -228,6 +228,7 @@ impl Reproduction {
             replace: replace.to_string(),
         });
         let mutant = Mutant {
+            code: None,
             mistakes: vec![self.name.into()],
             on: "reference".into(),
             how: String::new(),

@@ -20,6 +20,10 @@ pub(crate) const MAX_TESTS: usize = 100;
 /// The smallest number of estimates that is tested: a mean of fewer is not normally distributed.
 pub(crate) const MIN_ESTIMATES: usize = 500;
 
+/// Why the distribution of a few random results is not judged.
+pub(crate) const TOO_FEW: &str =
+    "any random numbers are right, and they are too few to test their distribution";
+
 /// Probability of a false alarm of each test.
 pub(crate) fn test_false_alarm() -> f64 {
     sidak(RUN_FALSE_ALARM, MAX_TESTS)

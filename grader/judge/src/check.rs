@@ -60,6 +60,17 @@ pub(crate) trait Check {
         answer: &Self::Answer,
     );
 
+    /// Judges the aspects that [`Check::judge`] leaves out, because no case grades them, and records
+    /// what remains not judged. With it, an answer is judged whole (see [`crate::whole`]).
+    fn judge_rest(
+        _tally: &mut Tally,
+        _spec: &Spec,
+        _tier: Tier,
+        _question: &Self::Question,
+        _answer: &Self::Answer,
+    ) {
+    }
+
     /// The content of a snapshot of the answer; `None` for answers that differ on every run
     /// (times).
     fn lines(question: &Self::Question, answer: &Self::Answer) -> Option<Content>;
@@ -102,6 +113,9 @@ pub(crate) trait ErasedCheck {
 
     /// As [`Check::judge`].
     fn judge(&self, tally: &mut Tally, spec: &Spec, tier: Tier, answer: &Answer);
+
+    /// As [`Check::judge_rest`].
+    fn judge_rest(&self, tally: &mut Tally, spec: &Spec, tier: Tier, answer: &Answer);
 
     /// As [`Check::lines`].
     fn lines(&self, answer: &Answer) -> Option<Content>;
@@ -155,6 +169,12 @@ impl<C: Check> ErasedCheck for CheckedQuestion<'_, C> {
         debug_assert_eq!(self.fits(answer), Ok(()), "{} {}", spec.task, spec.name);
         if let Some(answer) = (self.answer_of_kind)(answer) {
             C::judge(tally, spec, tier, self.question, answer);
+        }
+    }
+
+    fn judge_rest(&self, tally: &mut Tally, spec: &Spec, tier: Tier, answer: &Answer) {
+        if let Some(answer) = (self.answer_of_kind)(answer) {
+            C::judge_rest(tally, spec, tier, self.question, answer);
         }
     }
 

@@ -6,6 +6,7 @@ use super::scene;
 use crate::Tier;
 use crate::cases::Spec;
 use crate::tasks;
+use crate::tree_tests::NeededTests;
 use oracle::closest::Closest;
 use std::sync::OnceLock;
 use wire::work::{Ray, SceneSource};
@@ -16,6 +17,7 @@ pub(crate) struct ExpectedCache {
     scene: OnceLock<Vec<Closest>>,
     core: OnceLock<Vec<Expected>>,
     robust: OnceLock<Vec<Expected>>,
+    tests: OnceLock<NeededTests>,
 }
 
 impl ExpectedCache {
@@ -24,14 +26,28 @@ impl ExpectedCache {
         self.scene.get_or_init(|| scene::closest_hits(source, rays))
     }
 
+    /// The tests that rays through a whole scene need; `compute` computes them at first use.
+    pub(super) fn tests(&self, compute: impl FnOnce() -> NeededTests) -> NeededTests {
+        *self.tests.get_or_init(compute)
+    }
+
     /// The results that score for each probe or ray of `spec`, the case of this cache; empty for
     /// cases that are about neither single shapes nor a list of shapes.
     pub(super) fn of_shapes(&self, spec: &Spec, tier: Tier) -> &[Expected] {
+        self.of_tier(tier, || expected(spec, tier))
+    }
+
+    /// The results that score at `tier`; `compute` computes them at first use.
+    pub(super) fn of_tier(
+        &self,
+        tier: Tier,
+        compute: impl FnOnce() -> Vec<Expected>,
+    ) -> &[Expected] {
         let results = match tier {
             Tier::Core => &self.core,
             Tier::Robust => &self.robust,
         };
-        results.get_or_init(|| expected(spec, tier))
+        results.get_or_init(compute)
     }
 }
 

@@ -11,6 +11,26 @@ use wire::work::Ray;
 /// accepts the vector from a sphere's centre to a rounded `o + t d`, divided by the radius.
 const UNIT_BOUND: f64 = 1e-9;
 
+/// A bound that is this large, relative to the number, also accepts the numbers of typical mistakes:
+/// within it, an answer is not judged.
+pub(crate) const WIDE: f64 = 0.01;
+
+/// Why a number within a bound of [`WIDE`] is not judged.
+pub(crate) const TOO_WIDE: &str =
+    "the rounding errors of right code are as large as those of a mistake";
+
+/// Why hit and miss are not judged.
+pub(crate) const ROUNDING_DECIDES: &str =
+    "rounding decides between hit and miss, and both are right";
+
+/// Why a primitive is not judged.
+pub(crate) const SEVERAL_FIRST: &str =
+    "several primitives are hit at this t, up to rounding errors";
+
+/// Why a normal is not judged.
+const ANY_NORMAL: &str =
+    "any unit vector is right: the vertex normals cancel, or the sphere has no size";
+
 /// A call of one of the student's functions, with the tally that collects its findings.
 pub(crate) struct Call<'a> {
     pub(crate) tally: &'a mut Tally,
@@ -74,6 +94,20 @@ impl Call<'_> {
             });
     }
 
+    /// Records that `aspect` is not judged in this call.
+    fn not_judged(&mut self, aspect: Aspect, why: &'static str) {
+        self.tally.not_judged(aspect, self.number, why);
+    }
+
+    /// Records that `aspect` is not judged if numbers of this `size` may be off by too much.
+    fn check_width(&mut self, aspect: Aspect, bound: f64, size: f64) {
+        // NaN is too wide.
+        let narrow = bound <= WIDE * size || size == 0.0 && bound.is_finite();
+        if !narrow {
+            self.not_judged(aspect, TOO_WIDE);
+        }
+    }
+
     /// Hit or miss.
     pub(crate) fn decision(&mut self, expected: &Expected, answered: Option<f64>) {
         let right = match expected.decision() {
@@ -81,7 +115,13 @@ impl Call<'_> {
             HitOrMiss::Hit => answered.is_some(),
             HitOrMiss::Miss => answered.is_none(),
         };
-        let class = decision_class(right, answered.is_some());
+        if expected.decision() == HitOrMiss::Either {
+            self.not_judged(Aspect::HitOrMiss, ROUNDING_DECIDES);
+        }
+        let class = match answered {
+            Some(t) if !right && t.is_nan() => Some(Class::Named("a hit at NaN")),
+            _ => decision_class(right, answered.is_some()),
+        };
         self.judge_class(Aspect::HitOrMiss, class, 1.0, |function| match answered {
             None => {
                 let t = expected.hits.first().map_or(f64::NAN, |hit| hit.t);
@@ -103,6 +143,7 @@ impl Call<'_> {
             of_bound: off / bound,
         };
         self.tally.measure(Aspect::T, error);
+        self.check_width(Aspect::T, bound, right.abs());
         let class = wrong_unless(off <= bound, || Class::of_number(answered, right));
         self.judge_class(Aspect::T, class, off / bound, |function| {
             format!(
@@ -116,6 +157,7 @@ impl Call<'_> {
         let Some((right, bound)) = expected.uv else {
             return;
         };
+        self.check_width(Aspect::Barycentrics, bound, 1.0);
         let off = worst([b1 - right.x, b2 - right.y]);
         let swapped = worst([b1 - right.y, b2 - right.x]) <= bound;
         let class = wrong_unless(off <= bound, || match [b1, b2] {
@@ -135,9 +177,24 @@ impl Call<'_> {
     /// Which primitive.
     pub(crate) fn primitive(&mut self, expected: &Expected, prim: u32) {
         let right = expected.hits.iter().any(|hit| hit.prim == prim);
+        if expected
+            .hits
+            .iter()
+            .any(|hit| hit.prim != expected.hits[0].prim)
+        {
+            self.not_judged(Aspect::Primitive, SEVERAL_FIRST);
+        }
         self.judge(Aspect::Primitive, right, 1.0, |function| {
             let right = expected.hits.first().map_or(0, |hit| hit.prim);
             format!("{function}: your result: primitive {prim}; expected: primitive {right}")
+        });
+    }
+
+    /// The surface parameters of a sphere, which are (0, 0).
+    pub(crate) fn no_parameters(&mut self, uv: [f64; 2]) {
+        let right = uv == [0.0; 2];
+        self.judge(Aspect::Barycentrics, right, 1.0, |function| {
+            format!("{function}: your result: uv = {uv:?}; expected: (0, 0), as for every sphere")
         });
     }
 
@@ -157,6 +214,8 @@ impl Call<'_> {
 
     fn position(&mut self, expected: &ExpectedHit, p: Vec3) {
         let (right, bound) = (expected.p, expected.p_bound);
+        let far = (right - Vec3::from(self.ray.o)).length();
+        self.check_width(Aspect::Position, bound, far);
         let off = worst((p - right).to_array());
         let class = wrong_unless(off <= bound, || self.position_class(expected, p));
         self.judge_class(Aspect::Position, class, off / bound, |function| {
@@ -197,6 +256,10 @@ impl Call<'_> {
         let length_off = worst([length - 1.0]);
         let is_unit = length_off <= UNIT_BOUND;
         let off = right.map_or(0.0, |n| worst((given - n).to_array()));
+        match right {
+            None => self.not_judged(aspect, ANY_NORMAL),
+            Some(_) => self.check_width(aspect, bound, 1.0),
+        }
         let class = wrong_unless(is_unit && off <= bound, || {
             right.map_or(Class::Wrong, |right| {
                 Class::of_certain_direction(given, right)

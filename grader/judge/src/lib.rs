@@ -1,18 +1,21 @@
 //! Judges the results of the student's code: which aspects of them are right, and which are wrong.
 //!
 //! Each kind of work has a `check::Check` in the folder of its task, in `tasks`; one list there
-//! maps each kind to its check. [`fits`] validates the form of an answer, [`judge`] its values.
+//! maps each kind to its check. [`fits`] validates the form of an answer, [`judge`] its values, in
+//! the aspects that a case is about. [`whole`] judges an answer in all its aspects, before it
+//! becomes a golden.
 //!
 //! Shared modules: `hits` judges hit records, `numbers` colours and directions, `chance` statistics
-//! of many samples, `independence` the samples of different pixels. `order` puts
-//! the findings that explain the most first. [`truth`] computes the exact results for triangles and spheres with the oracle,
-//! [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
+//! of many samples, `independence` the samples of different pixels. `order` puts the findings that
+//! explain the most first. [`truth`] computes the exact results for triangles and spheres with the
+//! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
 //! them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
 //! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
 
 pub mod cases;
 mod chance;
 mod check;
+pub mod circumstances;
 pub mod convert;
 pub mod errors;
 pub mod expected;
@@ -29,13 +32,15 @@ pub mod snapshot;
 pub mod tally;
 mod tasks;
 mod tier;
+mod tree_tests;
 pub mod truth;
+pub mod whole;
 
 pub use plural::plural;
 pub use tier::Tier;
 
 use cases::Spec;
-use tally::{Finding, Tally};
+use tally::{Aspect, Finding, Tally};
 use wire::{Answer, Work};
 
 /// Checks that `answer`, which comes from an untrusted worker, has the form that `work` requires:
@@ -47,14 +52,22 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
 
 /// Judges `answer`, which [`fits`], to the case `spec`, whose points are of `tier`: core points
 /// allow the rounding errors of textbook code, robust points only those of numerically stable code.
+///
+/// Only the aspects that the case is about count, so that one mistake does not fail every case. A
+/// case about an aspect of hits is also about hit or miss: an answer without a hit has no normal.
 /// The findings that explain the most come first.
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     let mut tally = Tally::default();
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
     let mut findings = tally.into_findings();
-    let in_scope = |finding: &Finding| {
-        spec.about_aspects.is_empty() || spec.about_aspects.contains(&finding.aspect)
-    };
-    findings.retain(in_scope);
+    findings.retain(|finding| is_about(spec, finding.aspect));
     order::by_explanation(findings)
+}
+
+/// Whether the case is about `aspect`.
+fn is_about(spec: &Spec, aspect: Aspect) -> bool {
+    let about = spec.about_aspects;
+    about.is_empty()
+        || about.contains(&aspect)
+        || aspect == Aspect::HitOrMiss && about.iter().any(|aspect| aspect.needs_a_hit())
 }

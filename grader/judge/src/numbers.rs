@@ -1,6 +1,6 @@
 //! Judges colours, numbers and directions.
 
-use super::hits::show;
+use super::hits::{TOO_WIDE, WIDE, show};
 use super::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use wire::work::Xyz;
@@ -28,6 +28,13 @@ fn class_of(answered: Xyz, right: Xyz) -> Class {
     }
 }
 
+/// Records that an answer is not judged if it may be off by too much.
+fn check_width(tally: &mut Tally, aspect: Aspect, call: usize, bound: f64) {
+    if bound > WIDE {
+        tally.not_judged(aspect, call, TOO_WIDE);
+    }
+}
+
 /// Judges a colour.
 pub(crate) fn colour(
     tally: &mut Tally,
@@ -40,6 +47,7 @@ pub(crate) fn colour(
 ) {
     let off = (Vec3::from(answered) - Vec3::from(right)).length();
     let class = (!same_colour(answered, right, bound)).then(|| class_of(answered, right));
+    check_width(tally, aspect, call, bound);
     tally.judge_class(aspect, call, class, off, || {
         format!(
             "your result: {answered:?}; expected: {right:?}. {}",
@@ -61,6 +69,7 @@ pub(crate) fn number(
     let off = (answered - right).abs();
     let is_right = off <= bound * right.abs() || answered == right;
     let class = (!is_right).then(|| Class::of_number(answered, right));
+    check_width(tally, aspect, call, bound);
     tally.judge_class(aspect, call, class, off, || {
         format!("your result: {answered}; expected: {right}. {}", about())
     });
@@ -79,6 +88,7 @@ pub(crate) fn direction(
     let answered = Vec3::from(answered);
     let off = (answered - right).length();
     let class = (off.is_nan() || off > bound).then(|| Class::of_direction(answered, right));
+    check_width(tally, aspect, call, bound);
     tally.judge_class(aspect, call, class, off, || {
         format!(
             "your result: {}; expected: {}. {}",

@@ -1,6 +1,7 @@
 //! Counts right and wrong answers, aspect by aspect.
 
 use super::errors::{ErrorSpread, NumberError};
+use super::whole::NotJudged;
 use kit::Vec3;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -85,6 +86,39 @@ pub enum Aspect {
 }
 
 impl Aspect {
+    /// Whether only an answer that is a hit, or a sample, has the aspect. A false miss lacks it, so
+    /// a case about the aspect is also about hit or miss.
+    pub(crate) fn needs_a_hit(self) -> bool {
+        matches!(
+            self,
+            Aspect::Primitive
+                | Aspect::T
+                | Aspect::Barycentrics
+                | Aspect::Position
+                | Aspect::Normal
+                | Aspect::GeometricNormal
+                | Aspect::Interval
+                | Aspect::SampledDirection
+                | Aspect::SampleRecord
+        )
+    }
+
+    /// Whether the aspect is one of all answers of a case together. Its faults are recorded at one
+    /// call, but no call is to blame alone.
+    pub(crate) fn is_of_all_calls(self) -> bool {
+        matches!(
+            self,
+            Aspect::Mean
+                | Aspect::Spread
+                | Aspect::Work
+                | Aspect::BuildTime
+                | Aspect::Structure
+                | Aspect::Bounds
+                | Aspect::LeafSize
+                | Aspect::Repeatable
+        )
+    }
+
     /// The name of the aspect in reports.
     pub fn label(self) -> &'static str {
         match self {
@@ -223,7 +257,9 @@ impl Class {
             Class::NotANumber
         } else if (answered + right).length() < SAME {
             Class::Negated
-        } else if (answered.normalize_or_zero() - right).length() < SAME {
+        } else if (answered.normalize_or_zero() - right).length() < SAME
+            && (answered.length() - 1.0).abs() > SAME
+        {
             Class::WrongLength
         } else {
             Class::of_size((answered - right).length())
@@ -294,8 +330,9 @@ pub struct Finding {
     /// The error of each number.
     #[serde(skip)]
     pub errors: Vec<NumberError>,
+    /// The calls that were judged, in order.
     #[serde(skip)]
-    last_judged: Option<u32>,
+    pub judged_calls: Vec<u32>,
 }
 
 /// The worst wrong answer.
@@ -333,6 +370,7 @@ impl fmt::Display for Finding {
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     findings: Vec<Finding>,
+    not_judged: Vec<NotJudged>,
     function: Option<&'static str>,
 }
 
@@ -374,7 +412,10 @@ impl Tally {
         let function = self.function;
         let finding = self.entry(aspect);
         // Two functions may be judged on the same aspect in one call: it counts once.
-        finding.judged += u32::from(finding.last_judged.replace(call) != Some(call));
+        if finding.judged_calls.last() != Some(&call) {
+            finding.judged += 1;
+            finding.judged_calls.push(call);
+        }
         let Some(class) = class else { return };
         let again = finding.faults.last().is_some_and(|last| last.call == call);
         finding.wrong += u32::from(!again);
@@ -400,6 +441,24 @@ impl Tally {
                 message: message(),
             });
         }
+    }
+
+    /// Records that `aspect` of the answer to call number `call` is not judged, because of `why`:
+    /// no answer, or none within wide limits, would count as wrong.
+    pub(crate) fn not_judged(&mut self, aspect: Aspect, call: usize, why: &'static str) {
+        let call = Some(u32::try_from(call).unwrap_or(u32::MAX));
+        self.not_judged.push(NotJudged { aspect, call, why });
+    }
+
+    /// Records that `aspect` is judged in no answer of the case, because of `why`.
+    pub(crate) fn never_judged(&mut self, aspect: Aspect, why: &'static str) {
+        let call = None;
+        self.not_judged.push(NotJudged { aspect, call, why });
+    }
+
+    /// What is not judged, in the order in which it was recorded.
+    pub(crate) fn take_not_judged(&mut self) -> Vec<NotJudged> {
+        std::mem::take(&mut self.not_judged)
     }
 
     /// Whether no answer so far has a wrong `aspect`.
@@ -443,7 +502,7 @@ impl Tally {
                     faults: Vec::new(),
                     spread: None,
                     errors: Vec::new(),
-                    last_judged: None,
+                    judged_calls: Vec::new(),
                 });
                 self.findings.len() - 1
             });

@@ -107,7 +107,7 @@ fn triangle_hit(
     let p = triangle_point(triangle, &at);
     let n = triangle_normal(triangle, &at);
     let ng = geometric_normal(triangle);
-    let direction = ng.n?;
+    let direction = (*ng.n.get(kernel))?;
     Some(ExpectedHit {
         prim,
         t: candidate.t.to_f64(),
@@ -120,7 +120,7 @@ fn triangle_hit(
             kit::Vec2::new(at.b1.to_f64(), at.b2.to_f64()),
             *at.b_tolerance.get(kernel),
         )),
-        n: n.n,
+        n: *n.n.get(kernel),
         n_bound: *n.tolerance.get(kernel),
         ng: Some(direction),
         ng_bound: *ng.tolerance.get(kernel),
@@ -143,7 +143,7 @@ fn sphere_hit(
         None => (ray.at(candidate.t.to_f64()), f64::INFINITY),
     };
     let normal = sphere_normal(verdict, sphere, ray, root);
-    let outward = normal.and_then(|normal| normal.n);
+    let outward = normal.and_then(|normal| *normal.n.get(kernel));
     let n_bound = normal.map_or(f64::INFINITY, |normal| *normal.tolerance.get(kernel));
     Some(ExpectedHit {
         prim,

@@ -27,9 +27,9 @@ impl PointTruth {
 /// The true normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalTruth {
-    /// The unit normal; `None` if it is undefined, for example because vertex normals cancel. Then
-    /// every unit vector scores.
-    pub n: Option<Vec3>,
+    /// The unit normal; `None` if it is undefined, for example because vertex normals cancel, or if
+    /// rounding errors of this class of code leave none of it. Then every unit vector scores.
+    pub n: PerKernel<Option<Vec3>>,
     /// Largest error that scores, per component.
     pub tolerance: PerKernel<f64>,
 }
@@ -43,7 +43,7 @@ impl NormalTruth {
     pub fn accepts(&self, kernel: KernelClass, n: Vec3) -> bool {
         let is_unit = (n.length() - 1.0).abs() <= UNIT_ERROR;
         let is_close = |truth| within(n, truth, *self.tolerance.get(kernel));
-        is_unit && self.n.is_none_or(is_close)
+        is_unit && self.n.get(kernel).is_none_or(is_close)
     }
 
     /// Returns the normalised `v`, whose components are known up to `error`.
@@ -52,7 +52,7 @@ impl NormalTruth {
         // The direction changes by error/length, plus a few roundings.
         let tolerance = PerKernel::each(|k| 2.0 * error.get(k) / length + 2.0 * gamma(8.0));
         NormalTruth {
-            n: (tolerance.textbook < 1.0).then(|| v / length),
+            n: PerKernel::each(|k| (*tolerance.get(k) < 1.0).then(|| v / length)),
             tolerance,
         }
     }

@@ -1,7 +1,9 @@
 //! Blessing: stores the reference's current answers as goldens, after showing what changes.
 //!
-//! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`), with
-//! the same writer that checks them; blessing compares the pairs, and renames.
+//! The goldens' own test writes the new files beside the old ones (`.snap.new`, `.new.png`,
+//! `not_judged.txt.new`), with the same writer that checks them; blessing compares the pairs, and
+//! renames. The test judges every new answer whole (`judge::whole`): if one is wrong in any aspect,
+//! nothing is blessed. What is not judged is printed with each change.
 
 use grader::child_processes;
 use grader::compile;
@@ -24,6 +26,8 @@ pub struct Change {
     pub new: PathBuf,
     /// A description of the change.
     pub meaning: String,
+    /// The aspects of the new answers that the oracle does not judge, with the reasons.
+    pub not_judged: Vec<String>,
 }
 
 /// Runs the goldens' test for `key` (`all`, a part, a task) and lists what would change.
@@ -68,6 +72,7 @@ pub fn propose(workspace: &Workspace, key: &str) -> Result<Vec<Change>, GraderEr
         .map(|(golden, new)| {
             Ok(Change {
                 meaning: meaning(&golden, &new)?,
+                not_judged: not_judged(&golden)?,
                 golden,
                 new,
             })
@@ -164,7 +169,47 @@ fn meaning(golden: &Path, new: &Path) -> Result<String, GraderError> {
     {
         return pixels(golden, new);
     }
+    if golden
+        .extension()
+        .is_some_and(|extension| extension == "txt")
+    {
+        return Ok(changed_lines(&read(golden)?, &read(new)?));
+    }
     Ok(changes(&snapshot(golden)?, &snapshot(new)?).to_string())
+}
+
+/// The lines that were removed and those that were added.
+fn changed_lines(old: &str, new: &str) -> String {
+    let only_in = |a: &str, b: &str, sign: char| {
+        let lines = a
+            .lines()
+            .filter(|line| !b.lines().any(|other| other == *line));
+        lines
+            .map(|line| format!("\n  {sign} {line}"))
+            .collect::<String>()
+    };
+    format!(
+        "what the exact oracle does not judge{}{}",
+        only_in(old, new, '-'),
+        only_in(new, old, '+')
+    )
+}
+
+/// What the oracle does not judge in the new answers of the case of a golden: the lines about it in
+/// the list beside the golden, or in the new one.
+fn not_judged(golden: &Path) -> Result<Vec<String>, GraderError> {
+    let list = golden.with_file_name("not_judged.txt");
+    let new = list.with_extension("txt.new");
+    let case = golden.file_stem().unwrap_or_default().display().to_string();
+    let list = match [new, list].into_iter().find(|list| list.is_file()) {
+        Some(list) => read(&list)?,
+        None => String::new(),
+    };
+    let about_it = list.lines().filter_map(|line| {
+        let (name, sentence) = line.split_once(": ")?;
+        (name == case).then(|| sentence.to_string())
+    });
+    Ok(about_it.collect())
 }
 
 /// Reads the snapshot `path`.
@@ -210,7 +255,7 @@ fn provenance(workspace: &Workspace) -> Result<String, GraderError> {
     );
     let _ = writeln!(
         text,
-        "seed = 0\noracle = \"every golden passes the judge at the robust bounds\"\n\n[scenes]"
+        "seed = 0\noracle = \"every golden is judged in all aspects at the robust bounds, except for what not_judged.txt lists\"\n\n[scenes]"
     );
     let folder = workspace.root().join("scenes/dae");
     let mut scenes = Vec::new();
@@ -280,6 +325,38 @@ cases = [{ name = "a", tier = "core", points = 1 }]
         let goldens: Vec<&Path> = found.iter().map(|(golden, _)| golden.as_path()).collect();
         let folder = workspace.root().join("golden/part1.task1");
         assert_eq!(goldens, [folder.join("a.png"), folder.join("a.snap")]);
+    }
+
+    #[test]
+    fn what_is_not_judged_is_told_with_each_change_of_its_case() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        let list = "a: normal, in 3 calls: the normals cancel\nab: work: no record\n";
+        for (path, text) in [
+            ("golden/part1.task1/not_judged.txt", list),
+            ("golden/part1.task2/not_judged.txt", list),
+            ("golden/part1.task2/not_judged.txt.new", "a: t: new\n"),
+        ] {
+            submission::file_tree::write(&root.join(path), text.as_bytes()).unwrap();
+        }
+        let of = |golden: &str| not_judged(&root.join("golden").join(golden)).unwrap();
+        assert_eq!(
+            of("part1.task1/a.snap"),
+            ["normal, in 3 calls: the normals cancel"]
+        );
+        assert_eq!(of("part1.task1/ab.png"), ["work: no record"]);
+        assert_eq!(of("part1.task2/a.snap"), ["t: new"]);
+        assert_eq!(of("part1.task3/a.snap"), Vec::<String>::new());
+        let lists = [
+            ("part1.task2/not_judged.txt"),
+            ("part1.task2/not_judged.txt.new"),
+        ];
+        let [golden, new] = lists.map(|path| root.join("golden").join(path));
+        assert_eq!(
+            meaning(&golden, &new).unwrap(),
+            "what the exact oracle does not judge\
+             \n  - a: normal, in 3 calls: the normals cancel\n  - ab: work: no record\n  + a: t: new"
+        );
     }
 
     #[test]

@@ -13,6 +13,7 @@ use judge::Tier;
 use judge::cases::Spec;
 use judge::snapshot::{self, Changes, Fields, Line, Snapshot, changes};
 use judge::tally::{Aspect, Finding};
+use judge::whole::{Counts, Whole, judge_whole};
 use pages::picture::{compose, read_png};
 use std::collections::{BTreeMap, BTreeSet};
 use wire::Answer;
@@ -30,8 +31,9 @@ pub struct Case {
     pub state: State,
     /// The first calls that differ.
     pub rows: Vec<Row>,
-    /// What the exact oracle finds wrong about actual answers, call by call.
-    pub wrong: BTreeMap<u32, Vec<&'static str>>,
+    /// What the exact oracle finds about the actual answers, judged whole; empty if nothing
+    /// differs.
+    pub whole: Whole,
     /// The picture that it makes, if it makes one.
     pub picture: Option<Picture>,
 }
@@ -49,9 +51,13 @@ pub enum State {
         calls: usize,
         /// How many pixels have another colour.
         pixels: usize,
-        /// What the exact oracle finds wrong about the actual answers; none if it confirms them
-        /// all.
+        /// How many of the case's actual answers the exact oracle confirms, refuses or does not
+        /// judge. All of them count: a row does not show every field of its answer.
+        counts: Counts,
+        /// What the exact oracle finds wrong about the actual answers.
         wrong: Vec<String>,
+        /// What it does not judge.
+        not_judged: Vec<String>,
     },
     /// There is no answer, for this reason.
     Silent(String),
@@ -87,7 +93,7 @@ impl Case {
             about: spec.about,
             state: State::Silent(why.into()),
             rows: Vec::new(),
-            wrong: BTreeMap::new(),
+            whole: Whole::default(),
             picture: None,
         }
     }
@@ -111,18 +117,15 @@ impl Case {
         let pictures = pictures(workspace, spec, answer)?;
         let pixels = pictures.as_ref().map_or(0, recoloured);
         let differs = !changes.is_empty() || pixels > 0;
-        let mut findings = Vec::new();
-        if differs {
-            findings = judge::judge(spec, tier, answer);
-            findings.retain(|finding| !finding.passed());
-        }
-        let wrong = wrong(&findings);
+        let whole = match differs {
+            true => judge_whole(spec, tier, answer),
+            false => Whole::default(),
+        };
+        let wrong = whole.wrong_calls();
         let snapshots = [&golden, &actual, &full];
         let picture = match pictures {
             None => None,
-            Some(pictures) => Some(picture(
-                spec, snapshots, pictures, &wrong, answer, together,
-            )?),
+            Some(pictures) => Some(picture(spec, snapshots, pictures, wrong, answer, together)?),
         };
         let mut case = Case {
             task: spec.task,
@@ -130,7 +133,7 @@ impl Case {
             about: spec.about,
             state: State::Same,
             rows: Vec::new(),
-            wrong: BTreeMap::new(),
+            whole: Whole::default(),
             picture,
         };
         if differs {
@@ -138,18 +141,17 @@ impl Case {
                 .picture
                 .as_ref()
                 .and_then(|picture| picture.pixels.as_ref());
-            let calls = differing(snapshots, &changes, pixels_of, &wrong);
+            let calls = differing(snapshots, &changes, pixels_of, wrong);
             case.rows = rows(spec, snapshots, pixels_of, &calls);
-            case.wrong = wrong
-                .into_iter()
-                .map(|(call, aspects)| (call, aspects.into_iter().map(Aspect::label).collect()))
-                .collect();
             case.state = State::Differs {
                 changes,
                 calls: calls.len(),
                 pixels,
-                wrong: findings.iter().map(Finding::to_string).collect(),
+                counts: whole.count(0..full.calls as u32),
+                wrong: whole.wrong.iter().map(Finding::to_string).collect(),
+                not_judged: whole.not_judged_sentences(),
             };
+            case.whole = whole;
         }
         Ok(case)
     }
@@ -208,20 +210,6 @@ fn picture(
         actual: new,
         pixels,
     })
-}
-
-/// The aspects that are wrong, for each call.
-fn wrong(findings: &[Finding]) -> BTreeMap<u32, Vec<Aspect>> {
-    let mut wrong: BTreeMap<u32, Vec<Aspect>> = BTreeMap::new();
-    for finding in findings {
-        for fault in &finding.faults {
-            let aspects = wrong.entry(fault.call).or_default();
-            if !aspects.contains(&finding.aspect) {
-                aspects.push(finding.aspect);
-            }
-        }
-    }
-    wrong
 }
 
 /// The calls that are known to differ: those whose rows differ. If the golden does not have all

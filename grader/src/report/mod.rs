@@ -39,6 +39,9 @@ pub struct TaskReport {
     pub result: TaskResult,
     /// The known mistake that explains the wrong answers, if there is one.
     pub diagnosis: Option<Diagnosis>,
+    /// What the wrong answers have in common, unless a known mistake likely explains them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub regularities: Vec<String>,
     /// A Rust test that reproduces the worst wrong answer.
     pub worst_as_test: Option<String>,
 }
@@ -49,6 +52,7 @@ impl From<TaskResult> for TaskReport {
         TaskReport {
             result,
             diagnosis: None,
+            regularities: Vec::new(),
             worst_as_test: None,
         }
     }

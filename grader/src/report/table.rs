@@ -258,18 +258,21 @@ fn diagnosis(text: &mut String, report: &TaskReport) {
             let _ = writeln!(
                 text,
                 "  {}: {}.\n  Hint: {}",
-                if diagnosis.is_likely() {
-                    "Likely"
-                } else {
-                    "Perhaps"
-                },
+                diagnosis.certainty.label(),
                 diagnosis.says,
                 diagnosis.hint
             );
         }
-        None => {
-            let _ = writeln!(text, "  The answers match no known mistake. Failed cases:");
-        }
+        None => text.push_str("  The answers match no known mistake.\n"),
+    }
+    if !report.regularities.is_empty() {
+        text.push_str("  What the wrong answers have in common:\n");
+    }
+    for sentence in &report.regularities {
+        let _ = writeln!(text, "  - {sentence}");
+    }
+    if report.diagnosis.is_none() {
+        text.push_str("  Failed cases:\n");
     }
 }
 

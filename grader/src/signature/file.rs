@@ -1,9 +1,9 @@
 //! Writes and reads the file with the known mistakes of a task: lines of text, for programs.
 //!
 //! The file begins with comments, the [`Alphabet`] of the codes and the keys of all signatures. One
-//! section per mistake follows: its name (two names for a pair) with description and hint, and the
-//! codes of its core and its robust cases, each after the number of its key. `@7` means the same
-//! codes as the eighth text of codes in the file.
+//! section per mistake follows: its name (two names for a pair) with description and hint, `symptom` if
+//! it is only one, and the codes of its core and its robust cases, each after the number of its key.
+//! `@7` means the same codes as the eighth text of codes in the file.
 
 use super::Cases;
 use super::codes::Codes;
@@ -48,6 +48,9 @@ pub(crate) fn write(task: &str, known: &[Known]) -> String {
                 writer.text,
                 "mistake {mistake}\ndescription {description}\nhint {hint}"
             );
+        }
+        if known.is_symptom {
+            writer.text.push_str("symptom\n");
         }
         writer.cases("core", &known.signature.core);
         writer.cases("robust", &known.signature.robust);
@@ -137,6 +140,7 @@ impl Reader {
             }
             "description" => self.last()?.descriptions.push(rest.to_string()),
             "hint" => self.last()?.hints.push(rest.to_string()),
+            "symptom" => self.last()?.is_symptom = true,
             "core" => self.robust = Some(false),
             "robust" => self.robust = Some(true),
             _ => self.codes(word, rest)?,
@@ -191,6 +195,7 @@ mod tests {
                 core: signature(core).core,
                 robust: signature(robust).core,
             },
+            is_symptom: names == ["other"],
         };
         let t = ("one t@refract", "2 3*a");
         let crash = ("two crashed", "1*ffff");

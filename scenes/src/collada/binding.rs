@@ -67,43 +67,52 @@ impl<'r, 'a> Materials<'r, 'a> {
         let bindings = Bindings::read(instance);
         symbols
             .into_iter()
-            .map(|symbol| match bindings.element_of(symbol) {
-                Some(binding) => {
-                    if let Some(symbol) = symbol.filter(|symbol| !bindings.by_symbol.contains_key(symbol)) {
-                        self.doc.warn(|| {
-                            let title = format!("no material is bound to `{}`", truncated(symbol));
-                            let label = "expected an <instance_material> with this symbol; using this one instead";
-                            self.doc.on(binding, title, label)
-                        });
-                    }
-                    self.bound_material(binding)
-                }
-                None => {
-                    self.doc.warn(|| {
-                        let title = format!("{} has no material", describe(instance));
-                        let label = "expected <bind_material>; using grey, 0.5 0.5 0.5";
-                        self.doc.on(instance, title, label)
-                    });
-                    Ok(self.default_material())
-                }
-            })
+            .map(|symbol| self.bind_part(instance, &bindings, symbol))
             .collect()
     }
 
-    fn bound_material(&mut self, binding: Element<'a>) -> Result<u32, SceneError> {
+    /// The material of the part with this symbol. An unbound symbol that is the id of a material
+    /// stands for this material, as some exporters write it.
+    fn bind_part(
+        &mut self,
+        instance: Element<'a>,
+        bindings: &Bindings<'a>,
+        symbol: Option<&str>,
+    ) -> Result<u32, SceneError> {
         let doc = self.doc;
-        let reference = doc.attribute(binding, "target")?;
-        let Some(element) = doc.find(reference, "material") else {
-            doc.warn(|| {
-                let label = "the surface uses grey, 0.5 0.5 0.5";
-                doc.unresolved(binding, "target", "material").relabel(label)
-            });
+        if let Some(symbol) = symbol.filter(|symbol| !bindings.by_symbol.contains_key(symbol)) {
+            if let Some(material) = doc.find(&format!("#{symbol}"), "material") {
+                return self.material(material);
+            }
+            if let Some(first) = bindings.first {
+                let title = format!("no material is bound to `{}`", truncated(symbol));
+                let label =
+                    "expected an <instance_material> with this symbol; using this one instead";
+                doc.on(first, title, label).warn();
+            }
+        }
+        let Some(binding) = bindings.element_of(symbol) else {
+            let title = format!("{} has no material", describe(instance));
+            let label = "expected <bind_material>; using grey, 0.5 0.5 0.5";
+            doc.on(instance, title, label).warn();
             return Ok(self.default_material());
         };
+        match doc.find(doc.attribute(binding, "target")?, "material") {
+            Some(material) => self.material(material),
+            None => {
+                let label = "the surface uses grey, 0.5 0.5 0.5";
+                let finding = doc.unresolved(binding, "target", "material");
+                finding.relabel(label).warn();
+                Ok(self.default_material())
+            }
+        }
+    }
+
+    fn material(&mut self, element: Element<'a>) -> Result<u32, SceneError> {
         if let Some(index) = self.by_element.get(&Some(element.id())) {
             return Ok(*index);
         }
-        let material = material::read(doc, element)?;
+        let material = material::read(self.doc, element)?;
         Ok(self.add_material(Some(element.id()), name_of(element), material))
     }
 

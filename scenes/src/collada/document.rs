@@ -1,15 +1,14 @@
-//! The XML document: ids, references, and diagnostics with positions in the file.
+//! The XML document: its elements and attributes, errors and warnings with positions in the file.
 
+use super::finding::Finding;
+use super::references::Ids;
+use super::warnings::WarningList;
 use crate::diagnostic::{Diagnostic, SceneError, Warning};
-use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::cell::RefCell;
 use std::ops::Range;
 
 /// An element of the document.
 pub(super) type Element<'a> = roxmltree::Node<'a, 'a>;
-
-/// Maximum number of warnings. If there are more, one additional warning contains their number.
-const MAX_WARNINGS: usize = 50;
 
 /// Maximum length of names from the file, in characters.
 const MAX_NAME: usize = 80;
@@ -18,30 +17,20 @@ const MAX_NAME: usize = 80;
 pub(super) struct Document<'a> {
     file: &'a str,
     xml: &'a roxmltree::Document<'a>,
-    /// Elements by tag and id. For a duplicate id, the first element.
-    by_id: HashMap<(&'a str, &'a str), Element<'a>>,
+    ids: Ids<'a>,
     has_textures: bool,
-    warnings: RefCell<Vec<Warning>>,
-    omitted_warnings: Cell<usize>,
+    warnings: RefCell<WarningList>,
 }
 
 impl<'a> Document<'a> {
     pub(super) fn new(file: &'a str, xml: &'a roxmltree::Document<'a>) -> Document<'a> {
-        let mut by_id = HashMap::new();
-        let mut has_textures = false;
-        for element in xml.descendants().filter(|node| node.is_element()) {
-            has_textures |= tag(element) == "texture";
-            if let Some(id) = element.attribute("id") {
-                by_id.entry((tag(element), id)).or_insert(element);
-            }
-        }
+        let mut elements = xml.descendants().filter(|node| node.is_element());
         Document {
             file,
             xml,
-            by_id,
-            has_textures,
+            ids: Ids::of(xml),
+            has_textures: elements.any(|element| tag(element) == "texture"),
             warnings: RefCell::default(),
-            omitted_warnings: Cell::new(0),
         }
     }
 
@@ -54,27 +43,36 @@ impl<'a> Document<'a> {
         self.xml.root_element()
     }
 
+    /// The name of the file.
+    pub(super) fn file(&self) -> &'a str {
+        self.file
+    }
+
     pub(super) fn source(&self) -> &'a str {
         self.xml.input_text()
     }
 
-    /// A diagnostic at the bytes `mark`, with a title and a label that describes what was expected.
+    pub(super) fn ids(&self) -> &Ids<'a> {
+        &self.ids
+    }
+
+    /// A finding at the bytes `mark`, with a title and a label that describes what was expected.
     pub(super) fn at(
         &self,
         mark: Range<usize>,
         title: impl Into<String>,
         expected: impl Into<String>,
-    ) -> Diagnostic {
-        Diagnostic::about_file(self.file, title).at(self.source(), mark, expected)
+    ) -> Finding<'_, 'a> {
+        Finding::new(self, mark, title, expected)
     }
 
-    /// A diagnostic at the start tag of `element`.
+    /// A finding at the start tag of `element`.
     pub(super) fn on(
         &self,
         element: Element<'a>,
         title: impl Into<String>,
         expected: impl Into<String>,
-    ) -> Diagnostic {
+    ) -> Finding<'_, 'a> {
         let start = element.range().start;
         let length = self.source()[start..]
             .find(|c: char| c.is_whitespace() || c == '>' || c == '/')
@@ -82,42 +80,41 @@ impl<'a> Document<'a> {
         self.at(start..start + length, title, expected)
     }
 
-    /// A diagnostic at an attribute of `element`.
+    /// A finding at an attribute of `element`.
     pub(super) fn on_attribute(
         &self,
         element: Element<'a>,
         name: &str,
         title: impl Into<String>,
         expected: impl Into<String>,
-    ) -> Diagnostic {
+    ) -> Finding<'_, 'a> {
         match element.attribute_node(name) {
             Some(attribute) => self.at(attribute.range(), title, expected),
             None => self.on(element, title, expected),
         }
     }
 
-    /// Adds a warning. Calls `diagnostic` only if the warning is kept, because computing the line
-    /// takes time.
-    pub(super) fn warn(&self, diagnostic: impl FnOnce() -> Diagnostic) {
-        let mut warnings = self.warnings.borrow_mut();
-        if warnings.len() < MAX_WARNINGS {
-            let warning = Warning(diagnostic());
-            if !warnings.contains(&warning) {
-                warnings.push(warning);
-            }
-        } else {
-            self.omitted_warnings.set(self.omitted_warnings.get() + 1);
-        }
+    /// Adds a warning: see [`WarningList::add`].
+    pub(super) fn add_warning(
+        &self,
+        title: &str,
+        start: usize,
+        diagnostic: impl FnOnce() -> Diagnostic,
+    ) {
+        self.warnings.borrow_mut().add(title, start, diagnostic);
+    }
+
+    /// Makes an error a warning. `result` is what the reader does instead.
+    pub(super) fn warn_of(&self, error: SceneError, result: &str) {
+        let diagnostic = *error.0;
+        let title = diagnostic.title().to_owned();
+        let start = diagnostic.start().unwrap_or_default();
+        self.add_warning(&title, start, || diagnostic.help(result));
     }
 
     pub(super) fn into_warnings(self) -> Vec<Warning> {
-        let mut warnings = self.warnings.into_inner();
-        let more = self.omitted_warnings.get();
-        if more > 0 {
-            let title = format!("{more} more warnings are not shown");
-            warnings.push(Warning(Diagnostic::about_file(self.file, title)));
-        }
-        warnings
+        let source = self.source();
+        self.warnings.into_inner().into_warnings(self.file, source)
     }
 
     /// The first child with the tag `name`; an error if there is none.
@@ -149,78 +146,6 @@ impl<'a> Document<'a> {
             .into()
         })
     }
-
-    /// The element with the tag `tag` that a reference such as `url="#id"` refers to, if it exists.
-    pub(super) fn find(&self, reference: &str, tag: &'a str) -> Option<Element<'a>> {
-        let id = reference.trim().strip_prefix('#')?;
-        self.by_id.get(&(tag, id)).copied()
-    }
-
-    /// The element with the tag `tag` that attribute `name` of `element` refers to; an error if it
-    /// does not exist.
-    pub(super) fn target(
-        &self,
-        element: Element<'a>,
-        name: &str,
-        tag: &'a str,
-    ) -> Result<Element<'a>, SceneError> {
-        let reference = self.attribute(element, name)?;
-        self.find(reference, tag)
-            .ok_or_else(|| self.unresolved(element, name, tag).into())
-    }
-
-    /// The diagnostic for a reference that does not refer to an element with the tag `tag`.
-    pub(super) fn unresolved(&self, element: Element<'a>, name: &str, tag: &str) -> Diagnostic {
-        let reference = element.attribute(name).unwrap_or_default().trim();
-        let shown = truncated(reference);
-        let diagnostic =
-            |title: String, expected: String| self.on_attribute(element, name, title, expected);
-        let Some(id) = reference.strip_prefix('#') else {
-            let expected = format!("expected `#` and the id of a <{tag}> in this file");
-            return if reference.contains('#') {
-                diagnostic(format!("`{shown}` is in another file"), expected)
-                    .help("only this file is read: export everything into it")
-            } else {
-                diagnostic(format!("`{shown}` is not a reference"), expected)
-                    .help(format!("write {name}=\"#{shown}\" if that is the id"))
-            };
-        };
-        let same_id = self.by_id.keys().filter(|(_, other)| *other == id);
-        if let Some((other_tag, _)) = same_id.min() {
-            return diagnostic(
-                format!("`{shown}` is the id of a <{other_tag}>"),
-                format!("expected the id of a <{tag}>"),
-            )
-            .help(self.known_ids(tag));
-        }
-        diagnostic(
-            format!("there is no <{tag}> with the id `{}`", truncated(id)),
-            format!("refers to a <{tag}> that is not in the file"),
-        )
-        .help(self.known_ids(tag))
-    }
-
-    fn known_ids(&self, tag: &str) -> String {
-        let mut ids: Vec<&str> = self
-            .by_id
-            .keys()
-            .filter(|key| key.0 == tag)
-            .map(|key| key.1)
-            .collect();
-        ids.sort_unstable();
-        if ids.is_empty() {
-            return format!(
-                "the file has no <{tag}> with an id: add one, or export the file again"
-            );
-        }
-        let shown: Vec<String> = ids
-            .iter()
-            .take(5)
-            .map(|id| format!("#{}", truncated(id)))
-            .collect();
-        let more = if ids.len() > 5 { ", ..." } else { "" };
-        format!("the file has {}{more}", shown.join(", "))
-    }
 }
 
 /// An element's name without its namespace.
@@ -236,6 +161,13 @@ pub(super) fn child<'a>(parent: Element<'a>, name: &str) -> Option<Element<'a>> 
 /// The child elements of `parent`.
 pub(super) fn children<'a>(parent: Element<'a>) -> impl Iterator<Item = Element<'a>> {
     parent.children().filter(|node| node.is_element())
+}
+
+/// The text of an element without the comments inside, trimmed.
+pub(super) fn text(element: Element<'_>) -> String {
+    let texts = element.children().filter(|node| node.is_text());
+    let whole: String = texts.filter_map(|node| node.text()).collect();
+    whole.trim().to_owned()
 }
 
 /// Follows a path of tags, each time to the first child with that tag.

@@ -27,20 +27,21 @@ pub(super) fn read<'a>(
             return read_sphere(doc, sphere);
         }
         if let Some(other) = children(technique).next() {
-            doc.warn(|| {
-                let title = format!("<{}> is not a shape", tag(other));
-                doc.on(other, title, "expected <sphere>; it is ignored")
-            });
+            let title = format!("<{}> is not a shape", tag(other));
+            doc.on(other, title, "expected <sphere>; it is ignored")
+                .warn();
         }
     }
     if let Some(mesh) = child(geometry, "mesh") {
         return Ok(Shape::Mesh(meshes.read(doc, mesh)?));
     }
-    doc.warn(|| {
-        let title = format!("{} has no shape", describe(geometry));
-        let expected = "expected <mesh>, or <sphere> in the profile CGL; it is ignored";
-        doc.on(geometry, title, expected)
-    });
+    let other = children(geometry).find(|shape| !matches!(tag(*shape), "asset" | "extra"));
+    let title = match other {
+        Some(other) => format!("<{}> is not supported", tag(other)),
+        None => format!("{} has no shape", describe(geometry)),
+    };
+    let expected = "expected <mesh>, or <sphere> in the profile CGL; it is ignored";
+    doc.on(other.unwrap_or(geometry), title, expected).warn();
     Ok(Shape::Nothing)
 }
 

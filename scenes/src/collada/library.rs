@@ -1,6 +1,7 @@
 //! The contents of nodes. Each element is read only once, even if it has many instances.
 
 use super::binding::Materials;
+use super::controller;
 use super::document::{Document, Element, children, name_of, tag};
 use super::geometry::{self, Shape};
 use super::light::{self, LocalLight};
@@ -46,7 +47,26 @@ pub(super) struct ShapeInstance<'a> {
     pub(super) shape: Rc<Shape<'a>>,
     /// For each part of the shape, the index of its material in the scene.
     pub(super) materials: Vec<u32>,
+    /// For a skin: the transform to the coordinates of the visual scene, in place of the node's.
+    pub(super) bind_shape: Option<Affine>,
     pub(super) instance: Element<'a>,
+}
+
+/// What the reader does about a camera that it cannot use.
+const NO_CAMERA: &str = "the camera is left out: without another one, the scene is framed";
+
+/// What a node can contain other than cameras.
+const RENDERED: [&str; 4] = [
+    "instance_geometry",
+    "instance_controller",
+    "instance_light",
+    "instance_node",
+];
+
+/// Whether a node, or a node inside it, contains an element with one of these tags.
+fn contains(node: Element<'_>, tags: &[&str]) -> bool {
+    node.descendants()
+        .any(|element| element.is_element() && tags.contains(&tag(element)))
 }
 
 /// Nodes, shapes, lights and materials that were read so far.
@@ -77,73 +97,117 @@ impl<'r, 'a> Library<'r, 'a> {
     }
 
     /// Reads a node and its contents. Child nodes are not read yet.
+    ///
+    /// If the transform of a node with nothing to render is invalid, the node is left out, with a
+    /// warning. This concerns cameras: without one, the scene is framed.
     pub(super) fn node(&mut self, element: Element<'a>) -> Result<Rc<Node<'a>>, SceneError> {
         if let Some(node) = self.nodes.get(&element.id()) {
             return Ok(Rc::clone(node));
         }
-        let doc = self.doc;
-        let mut transform = Affine::IDENTITY;
-        let mut contents = Vec::new();
-        for part in children(element) {
-            if let Some(next) = transform::read(doc, part)? {
-                transform = transform.after(&next);
-                continue;
-            }
-            match tag(part) {
-                "node" => contents.push(Content::Node {
-                    node: part,
-                    instance: part,
-                }),
-                "instance_node" => {
-                    let node = doc.target(part, "url", "node")?;
-                    contents.push(Content::Node {
-                        node,
-                        instance: part,
-                    });
-                }
-                "instance_geometry" => {
-                    let geometry = doc.target(part, "url", "geometry")?;
-                    let shape = self.shape(geometry)?;
-                    let materials = self.materials.bind(part, &shape)?;
-                    contents.push(Content::Shape(Rc::new(ShapeInstance {
-                        name: name_of(element),
-                        shape,
-                        materials,
-                        instance: part,
-                    })));
-                }
-                "instance_light" => {
-                    let light = doc.target(part, "url", "light")?;
-                    if let Some(light) = self.light(light)? {
-                        contents.push(Content::Light {
-                            light,
-                            instance: part,
-                        });
-                    }
-                }
-                "instance_camera" => {
-                    let camera = doc.target(part, "url", "camera")?;
-                    if let Some(optics) = optics::read(doc, camera)? {
-                        contents.push(Content::Camera {
-                            optics,
-                            instance: part,
-                        });
-                    }
-                }
-                "asset" | "extra" => {}
-                other => doc.warn(|| {
-                    let expected = "only nodes, geometries, lights and cameras are supported here";
-                    doc.on(part, format!("<{other}> is ignored"), expected)
-                }),
-            }
-        }
-        let node = Rc::new(Node {
+        let mut node = Node {
             name: name_of(element),
-            transform,
-            contents,
-        });
+            transform: Affine::IDENTITY,
+            contents: Vec::new(),
+        };
+        match transform::of_node(self.doc, element) {
+            Ok(transform) => {
+                node.transform = transform;
+                for part in children(element) {
+                    node.contents.extend(self.content(element, part)?);
+                }
+            }
+            Err(error) if !contains(element, &RENDERED) => {
+                let result = match contains(element, &["instance_camera"]) {
+                    true => NO_CAMERA,
+                    false => "the node is left out: it contains nothing to render",
+                };
+                self.doc.warn_of(error, result);
+            }
+            Err(error) => return Err(error),
+        }
+        let node = Rc::new(node);
         self.nodes.insert(element.id(), Rc::clone(&node));
         Ok(node)
+    }
+
+    /// The content that the child `part` of a node stands for, if any.
+    fn content(
+        &mut self,
+        node: Element<'a>,
+        part: Element<'a>,
+    ) -> Result<Option<Content<'a>>, SceneError> {
+        let doc = self.doc;
+        let instance = part;
+        Ok(match tag(part) {
+            "node" => Some(Content::Node {
+                node: part,
+                instance,
+            }),
+            "instance_node" => Some(Content::Node {
+                node: doc.target(part, "url", "node")?,
+                instance,
+            }),
+            "instance_geometry" => {
+                let geometry = doc.target(part, "url", "geometry")?;
+                Some(self.shape_instance(node, instance, geometry, None)?)
+            }
+            "instance_controller" => {
+                let controller = doc.target(part, "url", "controller")?;
+                match controller::read(doc, controller)? {
+                    Some(mesh) => {
+                        let (geometry, bind_shape) = (mesh.geometry, mesh.bind_shape);
+                        Some(self.shape_instance(node, instance, geometry, bind_shape)?)
+                    }
+                    None => None,
+                }
+            }
+            "instance_light" => match doc.find(doc.attribute(part, "url")?, "light") {
+                Some(light) => self
+                    .light(light)?
+                    .map(|light| Content::Light { light, instance }),
+                None => {
+                    let finding = doc.unresolved(part, "url", "light");
+                    finding.help("the light is left out").warn();
+                    None
+                }
+            },
+            "instance_camera" => {
+                let camera = doc.target(part, "url", "camera");
+                match camera.and_then(|camera| optics::read(doc, camera)) {
+                    Ok(optics) => optics.map(|optics| Content::Camera { optics, instance }),
+                    Err(error) => {
+                        doc.warn_of(error, NO_CAMERA);
+                        None
+                    }
+                }
+            }
+            "asset" | "extra" => None,
+            transform if transform::is_transform(transform) => None,
+            other => {
+                let expected = "only nodes, shapes, lights and cameras are supported here";
+                doc.on(part, format!("<{other}> is ignored"), expected)
+                    .warn();
+                None
+            }
+        })
+    }
+
+    fn shape_instance(
+        &mut self,
+        node: Element<'a>,
+        instance: Element<'a>,
+        geometry: Element<'a>,
+        bind_shape: Option<Affine>,
+    ) -> Result<Content<'a>, SceneError> {
+        let shape = self.shape(geometry)?;
+        let materials = self.materials.bind(instance, &shape)?;
+        Ok(Content::Shape(Rc::new(ShapeInstance {
+            name: name_of(node),
+            shape,
+            materials,
+            bind_shape,
+            instance,
+        })))
     }
 
     fn shape(&mut self, geometry: Element<'a>) -> Result<Rc<Shape<'a>>, SceneError> {

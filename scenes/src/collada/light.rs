@@ -40,15 +40,10 @@ pub(super) fn read<'a>(
     light: Element<'a>,
 ) -> Result<Option<LocalLight>, SceneError> {
     let technique = course_technique(light).or_else(|| child(light, "technique_common"));
+    let expected = "expected area, point, spot, directional or ambient; it is ignored";
     let Some(element) = technique.and_then(|technique| children(technique).next()) else {
-        doc.warn(|| {
-            let title = format!("{} has no light type", describe(light));
-            doc.on(
-                light,
-                title,
-                "expected area, point, spot, directional or ambient; it is ignored",
-            )
-        });
+        let title = format!("{} has no light type", describe(light));
+        doc.on(light, title, expected).warn();
         return Ok(None);
     };
     let kind = match tag(element) {
@@ -61,14 +56,8 @@ pub(super) fn read<'a>(
         "directional" => Kind::Directional,
         "ambient" => Kind::Ambient,
         other => {
-            doc.warn(|| {
-                let title = format!("<{other}> is not a light type");
-                doc.on(
-                    element,
-                    title,
-                    "expected area, point, spot, directional or ambient; it is ignored",
-                )
-            });
+            let title = format!("<{other}> is not a light type");
+            doc.on(element, title, expected).warn();
             return Ok(None);
         }
     };
@@ -81,12 +70,17 @@ fn falloff_angle<'a>(doc: &Document<'a>, spot: Element<'a>) -> Result<f64, Scene
         return Ok(DEFAULT_FALLOFF_ANGLE);
     };
     let [angle] = exactly(doc, element, "degrees")?;
-    if angle > 0.0 && angle <= 180.0 {
+    if angle > 0.0 && angle <= DEFAULT_FALLOFF_ANGLE {
         return Ok(angle);
     }
     let title = format!("the opening angle is {angle} degrees");
-    Err(doc
-        .on(element, title, "expected more than 0 and at most 180")
+    let finding = doc.on(element, title, "expected more than 0 and at most 180");
+    if angle > DEFAULT_FALLOFF_ANGLE {
+        // assimp writes 360 for a light that it does not know the angle of.
+        finding.help("using 180").warn();
+        return Ok(DEFAULT_FALLOFF_ANGLE);
+    }
+    Err(finding
         .help("write the full opening angle of the cone, in degrees")
         .into())
 }

@@ -4,7 +4,7 @@
 use kit::Vec3;
 
 /// Largest file size, in bytes.
-pub(super) const MAX_FILE_BYTES: u64 = 1 << 30;
+pub(crate) const MAX_FILE_BYTES: u64 = 1 << 30;
 
 /// Attributes of a tag. Files have up to about five.
 pub(super) const MAX_ATTRIBUTES: usize = 1000;

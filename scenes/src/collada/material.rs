@@ -10,6 +10,7 @@ use super::document::{
     Document, Element, child, children, course_technique, descendant, describe, tag,
 };
 use super::numbers::{exactly, floats};
+use super::parameter;
 use super::texture;
 use crate::diagnostic::SceneError;
 use kit::{Material, Spectrum};
@@ -40,30 +41,49 @@ impl From<Material> for TexturedMaterial {
     }
 }
 
-/// Reads a `<material>` element.
+/// Reads a `<material>` element. Without an effect, with a warning: the default grey.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     material: Element<'a>,
 ) -> Result<TexturedMaterial, SceneError> {
-    let instance = doc.child(material, "instance_effect")?;
-    let effect = doc.target(instance, "url", "effect")?;
-    if let Some(technique) = course_technique(effect) {
-        match children(technique).next() {
-            Some(element) => return course_material(doc, element).map(TexturedMaterial::from),
-            None => doc.warn(|| {
-                let expected = "expected emission, mirror, glossy, glass or refraction";
-                doc.on(technique, "the technique contains no material", expected)
-                    .help("the common profile of the effect is used instead")
-            }),
+    let instance = doc.child(material, "instance_effect");
+    let effect = instance
+        .clone()
+        .and_then(|instance| doc.target(instance, "url", "effect"));
+    let (instance, effect) = match (instance, effect) {
+        (Ok(instance), Ok(effect)) => (instance, effect),
+        (Err(error), _) | (_, Err(error)) => {
+            doc.warn_of(error, "the surface uses grey, 0.5 0.5 0.5");
+            return Ok(TexturedMaterial::DEFAULT);
         }
+    };
+    if let Some(technique) = course_technique(effect) {
+        let expected = "expected emission, mirror, glossy, glass or refraction";
+        let element = children(technique).next();
+        if let Some(element) = element
+            && let Some(material) = course_material(doc, element)?
+        {
+            return Ok(material.into());
+        }
+        let title = match element {
+            Some(other) => format!("<{}> is not a material", tag(other)),
+            None => "the technique contains no material".to_owned(),
+        };
+        doc.on(element.unwrap_or(technique), title, expected)
+            .help("the common profile of the effect is used instead")
+            .warn();
     }
-    common_material(doc, effect)
+    common_material(doc, instance, effect)
 }
 
-fn course_material<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Material, SceneError> {
+/// A material of the course's extension. `None` if it is unknown.
+fn course_material<'a>(
+    doc: &Document<'a>,
+    element: Element<'a>,
+) -> Result<Option<Material>, SceneError> {
     let tint = |name: &str| tint(doc, element, name);
     let number = |name: &str, least: f64| number(doc, element, name, least);
-    Ok(match tag(element) {
+    Ok(Some(match tag(element) {
         "emission" => Material::Emission {
             radiance: color(doc, doc.child(element, "radiance")?)?,
         },
@@ -85,22 +105,14 @@ fn course_material<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Mater
             roughness: roughness(doc, element)?,
             ior: number("ior", f64::MIN_POSITIVE)?,
         },
-        other => {
-            return Err(doc
-                .on(
-                    element,
-                    format!("<{other}> is not a material"),
-                    "expected emission, mirror, glossy, glass or refraction",
-                )
-                .help("for a diffuse surface remove the <extra> and write a diffuse colour")
-                .into());
-        }
-    })
+        _ => return Ok(None),
+    }))
 }
 
 /// The diffuse colour or texture of the common profile.
 fn common_material<'a>(
     doc: &Document<'a>,
+    instance: Element<'a>,
     effect: Element<'a>,
 ) -> Result<TexturedMaterial, SceneError> {
     let technique = descendant(effect, &["profile_COMMON", "technique"]);
@@ -119,33 +131,28 @@ fn common_material<'a>(
             None => TexturedMaterial::DEFAULT,
         });
     }
-    let Some(diffuse) = diffuse.and_then(|diffuse| child(diffuse, "color")) else {
-        doc.warn(|| {
-            let title = format!("{} has no diffuse colour", describe(effect));
-            let at = diffuse.or(shader).unwrap_or(effect);
-            doc.on(
-                at,
-                title,
-                "expected <color> in <diffuse> of phong, lambert or blinn",
-            )
+    let color_element = diffuse.and_then(|diffuse| {
+        let param = child(diffuse, "param");
+        child(diffuse, "color").or(param.and_then(|p| parameter::color(instance, effect, p)))
+    });
+    let Some(color_element) = color_element else {
+        let title = format!("{} has no diffuse colour", describe(effect));
+        let expected = "expected <color> in <diffuse> of phong, lambert or blinn";
+        doc.on(diffuse.or(shader).unwrap_or(effect), title, expected)
             .help("using grey, 0.5 0.5 0.5")
-        });
+            .warn();
         return Ok(TexturedMaterial::DEFAULT);
     };
     if let Some(emission) = shader.and_then(|shader| descendant(shader, &["emission", "color"]))
         && !color(doc, emission)?.is_black()
     {
-        doc.warn(|| {
-            doc.on(
-                emission,
-                "the emission of the common profile is ignored",
-                "this surface emits no light",
-            )
+        let title = "the emission of the common profile is ignored";
+        doc.on(emission, title, "this surface emits no light")
             .help("write <extra><technique profile=\"CGL\"><emission><radiance> in the effect")
-        });
+            .warn();
     }
     Ok(TexturedMaterial::from(Material::Diffuse {
-        reflectance: clamped_color(doc, diffuse)?,
+        reflectance: clamped_color(doc, color_element)?,
     }))
 }
 
@@ -174,14 +181,9 @@ pub(super) fn color<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spec
 fn clamped_color<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Spectrum, SceneError> {
     let given = color(doc, element)?;
     if given.max_channel() > 1.0 {
-        doc.warn(|| {
-            let title = format!("{} has a channel above 1", describe(element));
-            doc.on(
-                element,
-                title,
-                "expected at most 1; larger channels are clamped to 1",
-            )
-        });
+        let title = format!("{} has a channel above 1", describe(element));
+        let result = "expected at most 1; larger channels are clamped to 1";
+        doc.on(element, title, result).warn();
     }
     Ok(Spectrum::new(
         given.r.min(1.0),
@@ -195,10 +197,9 @@ fn tint<'a>(doc: &Document<'a>, material: Element<'a>, name: &str) -> Result<Spe
     match child(material, name) {
         Some(element) => clamped_color(doc, element),
         None => {
-            doc.warn(|| {
-                let title = format!("<{}> has no <{name}>", tag(material));
-                doc.on(material, title, format!("expected <{name}>; using 1 1 1"))
-            });
+            let title = format!("<{}> has no <{name}>", tag(material));
+            let result = format!("expected <{name}>; using 1 1 1");
+            doc.on(material, title, result).warn();
             Ok(Spectrum::WHITE)
         }
     }

@@ -33,24 +33,31 @@ impl<'a> MeshReader<'a> {
         doc: &Document<'a>,
         mesh: Element<'a>,
     ) -> Result<Vec<MeshPart<'a>>, SceneError> {
-        let vertices = Vertices::read(doc, doc.child(mesh, "vertices")?, &mut self.sources)?;
-        let mut parts: Vec<(Option<&'a str>, Vec<Corners>)> = Vec::new();
+        let mut primitives = Vec::new();
         for element in children(mesh) {
             match tag(element) {
                 "source" | "vertices" | "extra" => {}
                 "triangles" | "polylist" | "polygons" | "tristrips" | "trifans" => {
-                    let corners = match PartReader::new(doc, element, &vertices, &mut self.sources)?
-                    {
-                        Some(reader) => reader.corners(&mut self.counter)?,
-                        None => Vec::new(),
-                    };
-                    parts.push((element.attribute("material"), corners));
+                    primitives.push(element);
                 }
-                other => doc.warn(|| {
+                other => {
                     let expected =
                         "only triangles, polylist, polygons, tristrips and trifans are supported";
                     doc.on(element, format!("<{other}> is ignored"), expected)
-                }),
+                        .warn();
+                }
+            }
+        }
+        if primitives.is_empty() {
+            return Ok(Vec::new());
+        }
+        let vertices = Vertices::read(doc, doc.child(mesh, "vertices")?, &mut self.sources)?;
+        let mut parts: Vec<(Option<&'a str>, Vec<Corners>)> = Vec::new();
+        for element in primitives {
+            // An empty element needs no material.
+            if let Some(reader) = PartReader::new(doc, element, &vertices, &mut self.sources)? {
+                let corners = reader.corners(&mut self.counter)?;
+                parts.push((element.attribute("material"), corners));
             }
         }
         let positions = &vertices.positions.values;
@@ -80,10 +87,9 @@ impl<'a> MeshReader<'a> {
             finished.push(part);
         }
         if flat > 0 {
-            doc.warn(|| {
-                let title = format!("triangles without area: {flat}");
-                doc.on(mesh, title, "they are invisible and are ignored")
-            });
+            let title = format!("triangles without area: {flat}");
+            doc.on(mesh, title, "they are invisible and are ignored")
+                .warn();
         }
         Ok(finished)
     }

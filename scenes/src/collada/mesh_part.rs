@@ -1,13 +1,13 @@
 //! One primitive element of a mesh: converts its index lists to triangles.
 
 use super::document::{Document, Element, describe};
-use super::numbers::{check_count, token_range};
-use super::polygon::{TestCounter, triangulate};
-use super::primitives::{Polygons, read_polygons};
-use super::vertices::{Sources, Vectors, Vertices};
-use crate::diagnostic::{Diagnostic, SceneError};
+use super::holes;
+use super::index_into::{Found, IndexInto};
+use super::polygon::{TestCounter, TooComplex, triangulate};
+use super::primitives::{Polygon, Polygons};
+use super::vertices::{Sources, Vertices};
+use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
-use std::rc::Rc;
 
 /// A triangle whose vertices are indices of positions, with the normals and texture coordinates of
 /// the file, if any.
@@ -15,12 +15,6 @@ pub(super) struct Corners {
     pub(super) positions: [usize; 3],
     pub(super) normals: Option<[Vec3; 3]>,
     pub(super) tex_coords: Option<[Vec2; 3]>,
-}
-
-/// The offset of an input in a group of indices, and the list that its index refers to.
-struct IndexInto<'a, T = Vec3> {
-    offset: usize,
-    vectors: Rc<Vectors<'a, T>>,
 }
 
 /// Converts the index lists of a primitive element to triangles.
@@ -43,32 +37,32 @@ impl<'r, 'a> PartReader<'r, 'a> {
         vertices: &Vertices<'a>,
         sources: &mut Sources<'a>,
     ) -> Result<Option<PartReader<'r, 'a>>, SceneError> {
-        let polygons = read_polygons(doc, element)?;
+        let polygons = Polygons::read(doc, element)?;
+        if polygons.polygons.is_empty() {
+            return Ok(None);
+        }
         let mut vertex_offset = None;
         let mut normals = None;
         let mut tex_coords = None;
-        for input in &polygons.inputs {
+        for input in &polygons.lists.inputs {
             let offset = input.offset;
             match doc.attribute(input.element, "semantic")? {
                 "VERTEX" => {
-                    same_mesh(doc, input.element, vertices)?;
+                    check_same_mesh(doc, input.element, vertices)?;
                     vertex_offset = Some(offset);
                 }
                 "NORMAL" => {
-                    let vectors = sources.of(doc, input.element)?;
-                    normals = Some(IndexInto { offset, vectors });
+                    let vectors = sources.normals(doc, input.element);
+                    normals = vectors.map(|vectors| IndexInto { offset, vectors });
                 }
-                "TEXCOORD" if tex_coords.is_none() && doc.has_textures() => {
-                    let vectors = sources.pairs_of(doc, input.element)?;
-                    tex_coords = Some(IndexInto { offset, vectors });
+                "TEXCOORD" if tex_coords.is_none() => {
+                    let vectors = sources.tex_coords(doc, input.element);
+                    tex_coords = vectors.map(|vectors| IndexInto { offset, vectors });
                 }
                 _ => {}
             }
         }
         let Some(offset) = vertex_offset else {
-            if polygons.is_empty() {
-                return Ok(None);
-            }
             return Err(doc
                 .on(
                     element,
@@ -78,134 +72,182 @@ impl<'r, 'a> PartReader<'r, 'a> {
                 .help("refer to the <vertices> of the mesh")
                 .into());
         };
-        let index_into = |vectors: &Rc<Vectors<'a>>| IndexInto {
-            offset,
-            vectors: Rc::clone(vectors),
-        };
+        polygons.check_count(doc, element);
         Ok(Some(PartReader {
             doc,
             element,
             polygons,
-            positions: index_into(&vertices.positions),
-            normals: normals.or_else(|| vertices.normals.as_ref().map(index_into)),
-            tex_coords,
+            positions: IndexInto::new(offset, &vertices.positions),
+            normals: normals
+                .or_else(|| vertices.normals.as_ref().map(|n| IndexInto::new(offset, n))),
+            tex_coords: tex_coords.or_else(|| {
+                vertices
+                    .tex_coords
+                    .as_ref()
+                    .map(|uv| IndexInto::new(offset, uv))
+            }),
         }))
     }
 
     /// The triangles of all polygons.
     pub(super) fn corners(&self, counter: &mut TestCounter) -> Result<Vec<Corners>, SceneError> {
-        let doc = self.doc;
-        let element = self.element;
-        check_count(
-            doc,
-            element,
-            self.polygons.declared as u64,
-            self.polygons.what,
-        )?;
-        let mut corners = Vec::with_capacity(self.polygons.triangle_count());
-        for polygon in self.polygons.iter() {
-            let positions = polygon
-                .groups()
-                .map(|group| self.index(polygon.list, group, &self.positions))
-                .collect::<Result<Vec<usize>, SceneError>>()?;
-            let points: Vec<Vec3> = positions
-                .iter()
-                .map(|i| self.positions.vectors.values[*i])
-                .collect();
-            let triangulation = triangulate(&points, counter).map_err(|_| {
-                let title = format!(
-                    "the polygons of {} are too complex to triangulate",
-                    describe(element)
-                );
-                doc.on(
-                    element,
-                    title,
-                    "expected triangles, or polygons of fewer corners",
-                )
-                .help("triangulate the mesh in the modelling program before the export")
-            })?;
-            if !triangulation.simple {
-                doc.warn(|| self.self_intersection(polygon.list, polygon.first));
-            }
-            for [a, b, c] in triangulation.triangles {
+        let lists = &self.polygons.lists;
+        let mut corners = Vec::with_capacity(self.polygons.polygons.len());
+        let mut problems = Problems::default();
+        for polygon in &self.polygons.polygons {
+            for [a, b, c] in self.triangles(polygon, counter, &mut problems)? {
                 // The winding order of a strip alternates: every second triangle is reversed.
-                let triangle = if polygon.reversed {
+                let groups = if polygon.reversed {
                     [a, c, b]
                 } else {
                     [a, b, c]
                 };
-                let groups = triangle.map(|corner| polygon.group(corner));
+                let tex_coords = |into: &IndexInto<'a, Vec2>| {
+                    let coordinates = into.values(lists, groups, &mut problems.tex_coords);
+                    coordinates.unwrap_or([Vec2::ZERO; 3])
+                };
                 corners.push(Corners {
-                    positions: triangle.map(|corner| positions[corner]),
-                    normals: self.at_corners(polygon.list, groups, &self.normals)?,
-                    tex_coords: self.at_corners(polygon.list, groups, &self.tex_coords)?,
+                    positions: groups.map(|group| lists.index(group, self.positions.offset)),
+                    tex_coords: self.tex_coords.as_ref().map(tex_coords),
+                    normals: self
+                        .normals
+                        .as_ref()
+                        .and_then(|into| into.values(lists, groups, &mut problems.normals)),
                 });
             }
         }
+        self.warn(&problems);
         Ok(corners)
     }
 
-    fn self_intersection(&self, list: usize, first: usize) -> Diagnostic {
-        let p = self.polygons.lists[list].element;
-        let range = token_range(self.doc, p, first * self.polygons.stride);
-        let expected = "in the polygon that starts here; its triangles may overlap";
-        self.doc.at(
-            range,
-            "a polygon intersects itself or has no area",
-            expected,
-        )
+    /// The triangles of a polygon, as the groups of their corners. None if a position is NaN.
+    fn triangles(
+        &self,
+        polygon: &Polygon,
+        counter: &mut TestCounter,
+        problems: &mut Problems,
+    ) -> Result<Vec<[usize; 3]>, SceneError> {
+        let mut groups: Vec<usize> = polygon.groups().collect();
+        let outline = groups.len();
+        let mut holes = Vec::new();
+        for hole in self.polygons.holes(polygon) {
+            let first = groups.len();
+            groups.extend(hole.clone());
+            holes.push(first..groups.len());
+        }
+        let position = |group: &usize| self.position(*group);
+        let mut points = groups
+            .iter()
+            .map(position)
+            .collect::<Result<Vec<Vec3>, SceneError>>()?;
+        if points.iter().any(|p| p.is_nan()) {
+            return Ok(Vec::new());
+        }
+        if !holes.is_empty() {
+            let boundary = holes::connect(&points, outline, &holes, counter)
+                .map_err(|TooComplex| self.too_complex())?;
+            problems.holes.add(boundary.ignored, polygon.first);
+            points = boundary.corners.iter().map(|i| points[*i]).collect();
+            groups = boundary.corners.iter().map(|i| groups[*i]).collect();
+        }
+        let triangulation =
+            triangulate(&points, counter).map_err(|TooComplex| self.too_complex())?;
+        let intersects = usize::from(!triangulation.simple);
+        problems.self_intersections.add(intersects, polygon.first);
+        let triangles = triangulation.triangles.into_iter();
+        Ok(triangles
+            .map(|corners| corners.map(|corner| groups[corner]))
+            .collect())
     }
 
-    /// The values at three corners, if the file has this input.
-    fn at_corners<T: Copy + Default>(
-        &self,
-        list: usize,
-        groups: [usize; 3],
-        into: &Option<IndexInto<'a, T>>,
-    ) -> Result<Option<[T; 3]>, SceneError> {
-        let Some(into) = into else {
-            return Ok(None);
-        };
-        let mut values = [T::default(); 3];
-        for (value, group) in values.iter_mut().zip(groups) {
-            *value = into.vectors.values[self.index(list, group, into)?];
+    /// The position of a corner. An error if its index is out of range.
+    fn position(&self, group: usize) -> Result<Vec3, SceneError> {
+        let IndexInto { offset, vectors } = &self.positions;
+        let index = self.polygons.lists.index(group, *offset);
+        if let Some(position) = vectors.values.get(index) {
+            return Ok(*position);
         }
-        Ok(Some(values))
-    }
-
-    /// The index of an input in a group of a `<p>`. Checks that it is in range.
-    fn index<T>(
-        &self,
-        list: usize,
-        group: usize,
-        into: &IndexInto<'a, T>,
-    ) -> Result<usize, SceneError> {
-        let position = group * self.polygons.stride + into.offset;
-        let list = &self.polygons.lists[list];
-        let index = list.indices[position] as usize;
-        let count = into.vectors.values.len();
-        if index < count {
-            return Ok(index);
-        }
-        let source = describe(into.vectors.element);
+        let (source, count) = (describe(vectors.element), vectors.values.len());
         let title = format!("index {index} is out of range: {source} has {count} entries");
-        let expected = match count {
-            0 => "the source is empty".to_owned(),
-            _ => format!("expected 0 to {}", count - 1),
-        };
-        let range = token_range(self.doc, list.element, position);
+        let range = self.polygons.lists.range(self.doc, group, *offset);
         let help = "the source or the index list is damaged: export the file again";
-        Err(self.doc.at(range, title, expected).help(help).into())
+        let finding = self.doc.at(range, title, vectors.expected_index());
+        Err(finding.help(help).into())
+    }
+
+    fn too_complex(&self) -> SceneError {
+        let described = describe(self.element);
+        let title = format!("the polygons of {described} are too complex to triangulate");
+        let expected = "expected triangles, or polygons of fewer corners";
+        self.doc
+            .on(self.element, title, expected)
+            .help("triangulate the mesh in the modelling program before the export")
+            .into()
+    }
+
+    fn warn(&self, problems: &Problems) {
+        let warn = |found: &Found, offset: usize, what: &str, label: &str| {
+            if let Some(group) = found.first {
+                let range = self.polygons.lists.range(self.doc, group, offset);
+                let title = format!("{what}: {}", found.count);
+                self.doc.at(range, title, label).warn();
+            }
+        };
+        warn(
+            &problems.self_intersections,
+            0,
+            "polygons that intersect themselves or have no area",
+            "the first one starts here; its triangles may overlap",
+        );
+        warn(
+            &problems.holes,
+            0,
+            "holes outside of their polygon",
+            "the first such polygon starts here; these holes are ignored",
+        );
+        if let Some(IndexInto { offset, vectors }) = &self.normals {
+            let label = format!(
+                "{}; the normals of these triangles are computed",
+                vectors.expected_index()
+            );
+            warn(
+                &problems.normals,
+                *offset,
+                "triangles with a normal out of range",
+                &label,
+            );
+        }
+        if let Some(IndexInto { offset, vectors }) = &self.tex_coords {
+            let label = format!("{}; using 0 0", vectors.expected_index());
+            let what = "triangles with a texture coordinate out of range";
+            warn(&problems.tex_coords, *offset, what, &label);
+        }
     }
 }
 
-/// Checks that the input VERTEX refers to the vertices of the same mesh.
-fn same_mesh<'a>(
+/// What was repaired in the polygons of an element.
+#[derive(Default)]
+struct Problems {
+    self_intersections: Found,
+    holes: Found,
+    normals: Found,
+    tex_coords: Found,
+}
+
+/// Checks that the input VERTEX does not refer to the vertices of another mesh. A reference to no
+/// vertices can only mean those of this mesh.
+fn check_same_mesh<'a>(
     doc: &Document<'a>,
     input: Element<'a>,
     vertices: &Vertices<'a>,
 ) -> Result<(), SceneError> {
-    let target = doc.target(input, "source", "vertices")?;
+    let Some(target) = doc.find(doc.attribute(input, "source")?, "vertices") else {
+        let used = format!("using {}", describe(vertices.element));
+        doc.unresolved(input, "source", "vertices")
+            .relabel(used)
+            .warn();
+        return Ok(());
+    };
     if target == vertices.element {
         return Ok(());
     }

@@ -1,63 +1,85 @@
-//! The COLLADA 1.4.1 reader.
+//! The reader of COLLADA 1.4 and 1.5.
 //!
 //! # What is read
 //!
 //! - Meshes: `triangles`, `polylist`, `polygons`, `tristrips`, `trifans`. Polygons are
-//!   triangulated, also concave ones. `NORMAL`s of the file are used, otherwise the area-weighted
-//!   mean of the face normals around each vertex. If a material has a texture: the first set of
-//!   texture coordinates.
+//!   triangulated, also concave ones and those with holes. `NORMAL`s of the file are used,
+//!   otherwise the area-weighted mean of the face normals around each vertex. If a material has a
+//!   texture: the first set of texture coordinates.
 //! - The shapes, materials and lights of the course's extension in
 //!   `<extra><technique profile="CGL">`, or `CMU462` with the same meaning: `sphere{radius}`,
 //!   `area{color}`, `emission{radiance}`, `mirror{reflectance}`, `glossy{reflectance, shininess}`,
 //!   `glass{reflectance, transmittance, roughness, ior}`,
-//!   `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour, or the texture
-//!   (`<texture>`, an image file beside the scene), of `phong`, `lambert` or `blinn`. The image
-//!   itself is not read here.
+//!   `refraction{transmittance, roughness, ior}`. Otherwise the diffuse colour, which may be a
+//!   parameter of the effect, or the texture (`<texture>`, an image file beside the scene), of
+//!   `phong`, `lambert` or `blinn`. The image itself is not read here.
 //! - Lights: `area` (the unit square in x and y, emitting to -z), `point`, `spot`, `directional`,
 //!   and `ambient` as a uniform sky. Attenuation elements are ignored: intensity falls with the
 //!   squared distance anyway.
 //! - Perspective cameras: `xfov`, `yfov`, `aspect_ratio`, `znear`, `zfar`.
-//! - Nested nodes and instances of nodes, with `matrix`, `translate`, `rotate`, `scale` and
+//! - Nested nodes and instances of nodes, with `matrix`, `translate`, `rotate`, `scale`, `skew` and
 //!   `lookat`. Everything is transformed to world space with +y up, whatever `up_axis` is. `unit`
 //!   is ignored, as by the original course program: lengths are those of the file.
+//! - References to the same file: `#id`, percent-encoded or not, also after the file's own name.
+//!   `xml:base` applies to image files.
 //!
-//! # What is repaired or ignored, with a warning
+//! # What is repaired or left out, with a warning
+//!
+//! Warnings of one kind are counted together.
 //!
 //! | in the file | result |
 //! |---|---|
-//! | a `matrix` with 12 to 15 numbers | the rest of its last row is 0 0 0 1 |
-//! | no `count` at an array or a primitive | the number of entries found |
-//! | a missing or unbound material, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
+//! | a `matrix` whose last row is cut off | the rest is that of 0 0 0 1 |
+//! | a camera with an invalid transform, or without angle of view, or not in the file | left out |
+//! | an invalid `znear`, `zfar`, `aspect_ratio`, or one of two angles of view | ignored |
+//! | a second camera, or one that is not perspective | left out |
+//! | a light that is not in the file, of an unknown type, or with a singular transform | left out |
+//! | a missing or wrong `count` | what is there |
+//! | a number with a decimal comma | read as with a point |
+//! | a position that is not finite | its polygons are left out |
+//! | a normal that is not finite, invalid or out of range | computed |
+//! | texture coordinates that are not finite, invalid or out of range | 0, or ignored |
+//! | no material or effect, no diffuse colour, a `<texture>` without an image | grey, 0.5 |
 //! | an unbound symbol next to a bound one | the material of the bound one |
+//! | an unknown material of the course's extension | the common profile |
 //! | a reflectance or transmittance above 1, or a missing one | 1 |
 //! | `emission` in the common profile | no light; the `emission` of the extension is used |
-//! | polygons with fewer than 3 corners, with holes, without area | ignored |
+//! | polygons with fewer than 3 corners or without area, holes outside | ignored |
 //! | a polygon that intersects itself | triangles that may overlap |
-//! | lines, splines, controllers, unknown lights and shapes | ignored |
-//! | a light or a camera with a singular transform | ignored |
-//! | a second camera, or one that is not perspective | ignored; the default view if none is left |
-//! | no `<scene>` | the only visual scene |
+//! | a skin | its mesh in the bind pose |
+//! | a morph | its mesh without blend shapes |
+//! | lines, splines, convex meshes, solid bodies, unknown shapes | left out |
+//! | no `<scene>` | the first visual scene |
+//!
+//! If no camera is left, [`crate::placement`] frames the scene. Animations, physics and kinematics
+//! are ignored.
 //!
 //! # What is an error
 //!
-//! Everything else: malformed XML, missing elements and references, counts that do not agree,
-//! indices out of range, malformed, NaN or infinite numbers, negative radii and colours,
-//! non-uniform scale of a sphere, `skew`, nodes that contain themselves or are nested too deeply,
-//! too many instances, empty scenes. No file makes the reader panic, hang or use unlimited memory:
-//! `limits` has the limits.
+//! Everything else: malformed XML, missing elements, references to shapes and nodes that are not in
+//! the file, positions out of range, lists whose lengths do not agree, malformed numbers, NaN or
+//! infinite ones in transforms and colours, negative radii and colours, non-uniform scale of a
+//! sphere, nodes that contain themselves or are nested too deeply, too many instances, empty
+//! scenes. No file makes the reader panic, hang or use unlimited memory: `limits` has the limits.
 //!
 //! # Modules
 //!
-//! Reading order: `precheck` and `document` (ids, references, diagnostics with positions),
-//! `numbers`, `source` and `vertices` (lists of numbers), `primitives`, `polygon`, `mesh_part`,
-//! `normals` and `mesh` (from index lists to triangles), `geometry`, `material`, `texture`, `light`
-//! and `optics` (the contents of nodes), `transform`, `binding` and `library` (nodes), `bake` and
-//! `nodes` (the node tree in world space).
+//! Reading order: `precheck` and `document` with `references`, `uri`, `finding` and `warnings`
+//! (elements, ids, diagnostics with positions), `numbers`, `source` and `vertices` (lists of
+//! numbers), `index_lists`, `primitives`, `projection`, `polygon`, `holes`, `index_into`,
+//! `mesh_part`, `normals` and `mesh` (from index lists to triangles), `geometry`, `controller`,
+//! `material`, `parameter`, `texture`, `light` and `optics` (the contents of nodes), `transform`,
+//! `binding` and `library` (nodes), `bake` and `nodes` (the node tree in world space).
 
 mod bake;
 mod binding;
+mod controller;
 mod document;
+mod finding;
 mod geometry;
+mod holes;
+mod index_into;
+mod index_lists;
 mod library;
 mod light;
 pub(crate) mod limits;
@@ -68,18 +90,23 @@ mod nodes;
 mod normals;
 mod numbers;
 mod optics;
+mod parameter;
 mod polygon;
 mod precheck;
 mod primitives;
+mod projection;
+mod references;
 mod source;
 mod texture;
 mod transform;
+mod uri;
 mod vertices;
+mod warnings;
 
 use crate::diagnostic::{Diagnostic, SceneError, Warning};
-use document::{Document, Element, child, children, tag};
+use crate::text_file;
+use document::{Document, Element, children, descendant, tag};
 use kit::Scene;
-use std::io::Read;
 use std::path::Path;
 
 /// A scene and the warnings of the reader.
@@ -96,43 +123,22 @@ pub struct Loaded {
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
     let path = path.as_ref();
     let name = path.display().to_string();
-    parse(&name, &read_text(path, &name)?)
-}
-
-/// Reads a text file. Its errors include advice.
-pub(crate) fn read_text(path: &Path, name: &str) -> Result<String, SceneError> {
-    let unreadable = |error: std::io::Error| {
-        let help = match error.kind() {
-            std::io::ErrorKind::NotFound => "check the path: it is relative to the current folder",
-            std::io::ErrorKind::PermissionDenied => "change the permissions of the file",
-            _ => "pass the path of a file",
-        };
-        Diagnostic::about_file(name, format!("the file cannot be read: {error}")).help(help)
-    };
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(limits::MAX_FILE_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(unreadable)?;
-    if bytes.len() as u64 > limits::MAX_FILE_BYTES {
-        let title = format!("the file has more than {} bytes", limits::MAX_FILE_BYTES);
-        let diagnostic =
-            Diagnostic::about_file(name, title).help("simplify the meshes before the export");
-        return Err(diagnostic.into());
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        let title = format!("the file is not valid UTF-8 at byte {at}");
-        Diagnostic::about_file(name, title)
-            .help("save it as UTF-8; a compressed .zae must be unpacked first")
-            .into()
-    })
+    let decoded = text_file::read(path, &name)?;
+    let mut loaded = parse(&name, &decoded.text)?;
+    loaded.warnings.splice(0..0, decoded.warning.map(Warning));
+    Ok(loaded)
 }
 
 /// Parses the text of a COLLADA file. `name` is the file name for messages.
 pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
     precheck::check(name, text)?;
-    let xml = roxmltree::Document::parse(text).map_err(|error| malformed(name, text, &error))?;
+    let options = roxmltree::ParsingOptions {
+        // A few entities that contain each other can expand to any size.
+        allow_dtd: !text.contains("<!ENTITY"),
+        ..roxmltree::ParsingOptions::default()
+    };
+    let xml = roxmltree::Document::parse_with_options(text, options)
+        .map_err(|error| malformed(name, text, &error))?;
     let doc = Document::new(name, &xml);
     let scene = build(&doc)?;
     Ok(Loaded {
@@ -169,34 +175,37 @@ fn build<'a>(doc: &Document<'a>) -> Result<Scene, SceneError> {
     Ok(scene)
 }
 
-/// The visual scene that `<scene>` refers to. Without one: the only visual scene, with a warning.
+/// The visual scene that `<scene>` refers to. Without one: the first visual scene, with a warning.
 fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>, SceneError> {
-    if let Some(instance) =
-        child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"))
-    {
+    if let Some(instance) = descendant(root, &["scene", "instance_visual_scene"]) {
         return doc.target(instance, "url", "visual_scene");
     }
+    let title = "no <scene> selects a visual scene";
     let libraries = children(root).filter(|element| tag(*element) == "library_visual_scenes");
     let mut scenes = libraries
         .flat_map(children)
         .filter(|element| tag(*element) == "visual_scene");
-    match (scenes.next(), scenes.next()) {
-        (Some(only), None) => {
-            doc.warn(|| {
-                let title = "no <scene> selects a visual scene";
-                doc.on(only, title, "using the only visual scene")
-            });
-            Ok(only)
-        }
-        _ => Err(doc
-            .on(
-                root,
-                "no <scene> selects a visual scene",
-                "expected <scene> with <instance_visual_scene url=\"#...\"/>",
-            )
-            .help("export the file again, with a scene")
-            .into()),
+    if let Some(first) = scenes.next() {
+        let used = match scenes.next() {
+            None => "using the only visual scene",
+            Some(_) => "using the first visual scene",
+        };
+        doc.on(first, title, used).warn();
+        return Ok(first);
     }
+    let help = match root.attribute("version") {
+        Some(old)
+            if ["1.0", "1.1", "1.2", "1.3"]
+                .iter()
+                .any(|v| old.trim().starts_with(v)) =>
+        {
+            "versions before 1.4 are not supported: import it into a modelling program and export \
+             it as COLLADA 1.4.1"
+        }
+        _ => "export the file again, with a scene",
+    };
+    let expected = "expected <scene> with <instance_visual_scene url=\"#...\"/>";
+    Err(doc.on(root, title, expected).help(help).into())
 }
 
 /// The error for malformed XML.
@@ -212,7 +221,9 @@ fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
         .take(pos.col.saturating_sub(1) as usize);
     let at = line_start + column.map(char::len_utf8).sum::<usize>();
     let help = match error {
-        roxmltree::Error::DtdDetected => "remove the <!DOCTYPE ...>: COLLADA needs none",
+        roxmltree::Error::DtdDetected => {
+            "remove the <!ENTITY ...> of the <!DOCTYPE>: COLLADA needs none"
+        }
         _ => {
             "correct the XML here, or export the file again; an incomplete download is a common cause"
         }

@@ -19,6 +19,8 @@ pub(super) struct Builder<'r, 'a> {
     doc: &'r Document<'a>,
     library: Library<'r, 'a>,
     scene: Scene,
+    /// From the coordinates of the visual scene to world space.
+    scene_to_world: Affine,
     /// Path of nodes from the root to the current one, to detect cycles.
     path: Vec<NodeId>,
     instances: usize,
@@ -39,6 +41,7 @@ impl<'r, 'a> Builder<'r, 'a> {
             doc,
             library: Library::new(doc),
             scene: Scene::default(),
+            scene_to_world: Affine::IDENTITY,
             path: Vec::new(),
             instances: 0,
             primitives: 0,
@@ -54,8 +57,14 @@ impl<'r, 'a> Builder<'r, 'a> {
         visual_scene: Element<'a>,
         to_world: &Affine,
     ) -> Result<Scene, SceneError> {
-        for node in children(visual_scene).filter(|element| tag(*element) == "node") {
-            self.add_node(node, node, to_world)?;
+        self.scene_to_world = *to_world;
+        for part in children(visual_scene) {
+            let node = match tag(part) {
+                "node" => part,
+                "instance_node" => self.doc.target(part, "url", "node")?,
+                _ => continue,
+            };
+            self.add_node(node, part, to_world)?;
         }
         for (shape, to_world) in std::mem::take(&mut self.shapes) {
             self.add_shape(&shape, &to_world)?;
@@ -106,6 +115,10 @@ impl<'r, 'a> Builder<'r, 'a> {
                 Content::Shape(shape) => {
                     self.count(1 + shape.materials.len(), shape.instance)?;
                     self.count_primitives(&shape.shape, shape.instance)?;
+                    let to_world = match &shape.bind_shape {
+                        Some(bind_shape) => self.scene_to_world.after(bind_shape),
+                        None => to_world,
+                    };
                     self.shapes.push((Rc::clone(shape), to_world));
                 }
                 Content::Light { light, instance } => {
@@ -204,14 +217,11 @@ impl<'r, 'a> Builder<'r, 'a> {
                 name: name.to_owned(),
                 light,
             }),
-            None => self.doc.warn(|| {
+            None => {
                 let title = "this light has no direction or no area after its transform";
-                self.doc.on(
-                    instance,
-                    title,
-                    "expected an invertible transform; the light is ignored",
-                )
-            }),
+                let expected = "expected an invertible transform; the light is ignored";
+                self.doc.on(instance, title, expected).warn();
+            }
         }
         Ok(())
     }
@@ -225,26 +235,16 @@ impl<'r, 'a> Builder<'r, 'a> {
     ) -> Result<(), SceneError> {
         self.count(1, instance)?;
         if self.scene.camera.is_some() {
-            self.doc.warn(|| {
-                let title = "the scene has more than one camera";
-                self.doc.on(
-                    instance,
-                    title,
-                    "the first one is used, this one is ignored",
-                )
-            });
+            let title = "the scene has more than one camera";
+            let result = "the first one is used, this one is ignored";
+            self.doc.on(instance, title, result).warn();
             return Ok(());
         }
         self.scene.camera = optics.place(to_world);
         if self.scene.camera.is_none() {
-            self.doc.warn(|| {
-                let title = "this camera has no direction after its transform";
-                self.doc.on(
-                    instance,
-                    title,
-                    "expected an invertible transform; the default view is used",
-                )
-            });
+            let title = "this camera has no direction after its transform";
+            let expected = "expected an invertible transform; the default view is used";
+            self.doc.on(instance, title, expected).warn();
         }
         Ok(())
     }

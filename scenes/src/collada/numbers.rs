@@ -51,14 +51,58 @@ pub(super) fn token_range<'a>(
 pub(super) fn floats<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<Vec<f64>, SceneError> {
     check_only_text(doc, element)?;
     tokens(doc, element)
-        .map(|(token, range)| {
-            let number = token
-                .parse::<f64>()
-                .ok()
-                .filter(|number| number.is_finite());
-            number.ok_or_else(|| not_a_number(doc, element, token, range))
+        .map(|(token, range)| match parse(doc, token, &range) {
+            Some(number) if number.is_finite() => Ok(number),
+            number => Err(not_a_number(doc, element, token, number, range)),
         })
         .collect()
+}
+
+/// All numbers of an element's text. Numbers that are not finite are NaN, with a warning; `result`
+/// describes what the reader does with them.
+pub(super) fn floats_or_nan<'a>(
+    doc: &Document<'a>,
+    element: Element<'a>,
+    result: &str,
+) -> Result<Vec<f64>, SceneError> {
+    check_only_text(doc, element)?;
+    tokens(doc, element)
+        .map(|(token, range)| match parse(doc, token, &range) {
+            Some(number) if number.is_finite() => Ok(number),
+            Some(_) => {
+                let shown = truncated(token);
+                let title = format!("`{shown}` in {} is not finite", describe(element));
+                doc.at(range, title, result).warn();
+                Ok(f64::NAN)
+            }
+            None => Err(not_a_number(doc, element, token, None, range)),
+        })
+        .collect()
+}
+
+/// The number that `token` stands for. Not only as XML Schema and Rust write it: a decimal comma
+/// gives a warning, and C programs on Windows wrote NaN and infinity as `1.#QNAN` and `1.#INF`.
+fn parse<'a>(doc: &Document<'a>, token: &str, range: &Range<usize>) -> Option<f64> {
+    if let Ok(number) = token.parse::<f64>() {
+        return Some(number);
+    }
+    let magnitude = token.strip_prefix(['-', '+']).unwrap_or(token);
+    if magnitude.starts_with("1.#INF") {
+        return Some(f64::INFINITY);
+    }
+    if magnitude.starts_with("1.#") || magnitude.to_ascii_lowercase().starts_with("nan(") {
+        return Some(f64::NAN);
+    }
+    let number = token.replacen(',', ".", 1).parse::<f64>().ok()?;
+    // `1,` and `,1` are rather lists with commas between the numbers.
+    let digits = |part: &str| part.contains(|c: char| c.is_ascii_digit());
+    let (before, after) = token
+        .split_once(',')
+        .filter(|(a, b)| digits(a) && digits(b))?;
+    let title = format!("`{}` has a decimal comma", truncated(token));
+    let read_as = format!("expected a decimal point; read as {before}.{after}");
+    doc.at(range.clone(), title, truncated(&read_as)).warn();
+    Some(number)
 }
 
 /// All integers of an element's text, none negative: indices and vertex counts.
@@ -97,23 +141,25 @@ fn check_only_text<'a>(doc: &Document<'a>, element: Element<'a>) -> Result<(), S
     }
 }
 
+/// The error for a token that is no number, or for a `number` that is not finite.
 fn not_a_number<'a>(
     doc: &Document<'a>,
     element: Element<'a>,
     token: &str,
+    number: Option<f64>,
     range: Range<usize>,
 ) -> SceneError {
     let token = truncated(token);
-    let (title, help) = match token.parse::<f64>() {
-        Ok(number) if number.is_nan() => (
+    let (title, help) = match number {
+        Some(number) if number.is_nan() => (
             format!("a number in {} is NaN", describe(element)),
             "the program that wrote the file computed an undefined number: correct the scene there",
         ),
-        Ok(_) => (
+        Some(_) => (
             format!("`{token}` in {} is infinite", describe(element)),
             "the largest number is 1.8e308",
         ),
-        Err(_) => (
+        None => (
             format!("`{token}` in {} is not a number", describe(element)),
             "write numbers like -1.5 or 2e-3, with a decimal point and spaces between them",
         ),
@@ -160,34 +206,22 @@ pub(super) fn integer_attribute<'a>(
     })
 }
 
-/// Compares the attribute `count` with the number of entries. A difference is an error, because
-/// entries are missing. A missing attribute is a warning.
-pub(super) fn check_count<'a>(
-    doc: &Document<'a>,
-    element: Element<'a>,
-    found: u64,
-    of: &str,
-) -> Result<(), SceneError> {
-    match integer_attribute(doc, element, "count")? {
-        Some(count) if count == found => Ok(()),
-        Some(count) => {
-            let title = format!(
-                "{} has count=\"{count}\", but contains {found} {of}",
-                describe(element)
-            );
-            let help =
-                "part of the file is missing or duplicated: export it again, or correct the count";
-            Err(doc
-                .on_attribute(element, "count", title, format!("expected {found}"))
-                .help(help)
-                .into())
-        }
-        None => {
-            doc.warn(|| {
-                let title = format!("{} has no attribute `count`", describe(element));
-                doc.on(element, title, format!("using {found}"))
-            });
-            Ok(())
-        }
+/// Compares the attribute `count` with the number of entries, and warns of a difference: the
+/// entries that were found are used.
+pub(super) fn check_count<'a>(doc: &Document<'a>, element: Element<'a>, found: u64, of: &str) {
+    let Some(text) = element.attribute("count") else {
+        let title = format!("{} has no attribute `count`", describe(element));
+        doc.on(element, title, format!("using {found}")).warn();
+        return;
+    };
+    if text.trim().parse() != Ok(found) {
+        let shown = truncated(text);
+        let title = format!(
+            "{} has count=\"{shown}\", but contains {found} {of}",
+            describe(element)
+        );
+        doc.on_attribute(element, "count", title, format!("using {found}"))
+            .help("part of the file may be missing: compare the picture with the original")
+            .warn();
     }
 }

@@ -25,95 +25,85 @@ pub(super) struct Optics {
     f_clip: f64,
 }
 
-/// Reads a camera. `None`, with a warning, if it is not perspective.
+/// Reads a camera. `None`, with a warning, if it is not perspective. An error if it has no valid
+/// angle of view; other values that are not valid are ignored, with a warning.
 pub(super) fn read<'a>(
     doc: &Document<'a>,
     camera: Element<'a>,
 ) -> Result<Option<Optics>, SceneError> {
-    let Some(perspective) = descendant(camera, &["optics", "technique_common", "perspective"])
-    else {
-        doc.warn(|| {
-            let other = descendant(camera, &["optics", "technique_common"])
-                .and_then(|common| children(common).next());
-            let what = other.map_or("no optics".to_owned(), |other| format!("<{}>", tag(other)));
-            let title = format!("{} has {what}", describe(camera));
-            doc.on(
-                camera,
-                title,
-                "expected <perspective>; the camera is ignored, and the default view is used",
-            )
-        });
+    let common = descendant(camera, &["optics", "technique_common"]);
+    let Some(perspective) = common.and_then(|common| child(common, "perspective")) else {
+        let other = common.and_then(|common| children(common).next());
+        let what = other.map_or("no optics".to_owned(), |other| format!("<{}>", tag(other)));
+        let title = format!("{} has {what}", describe(camera));
+        let expected =
+            "expected <perspective>; the camera is ignored, and the default view is used";
+        doc.on(camera, title, expected).warn();
         return Ok(None);
     };
     let degrees = |name: &str| {
-        optional(
-            doc,
-            perspective,
-            name,
-            "degrees from 0.001 to 179.999",
-            |angle| (0.001..=179.999).contains(&angle),
-        )
+        let expected = "degrees from 0.001 to 179.999";
+        let is_valid = |angle| (0.001..=179.999).contains(&angle);
+        optional(doc, perspective, name, expected, is_valid)
     };
     // Outside of this range the missing angle would round to 0 or 180 degrees.
-    let aspect = optional(
-        doc,
-        perspective,
-        "aspect_ratio",
-        "a number from 0.001 to 1000",
-        |aspect| (0.001..=1000.0).contains(&aspect),
-    )?
-    .unwrap_or(DEFAULT_ASPECT);
-    let (h_fov, v_fov) = match (degrees("xfov")?, degrees("yfov")?) {
+    let is_valid = |aspect| (0.001..=1000.0).contains(&aspect);
+    let expected = "a number from 0.001 to 1000";
+    let aspect = optional(doc, perspective, "aspect_ratio", expected, is_valid);
+    let aspect = aspect.unwrap_or(DEFAULT_ASPECT);
+    let (h_fov, v_fov) = match (degrees("xfov"), degrees("yfov")) {
         (Some(x), Some(y)) => (x, y),
         (Some(x), None) => (x, scale_fov(x, 1.0 / aspect)),
         (None, Some(y)) => (scale_fov(y, aspect), y),
         (None, None) => {
-            return Err(doc
-                .on(
-                    perspective,
-                    "<perspective> has no angle of view",
-                    "expected <xfov> or <yfov>",
-                )
-                .help("write the horizontal angle of view in degrees, such as <xfov>50</xfov>")
-                .into());
+            let title = "<perspective> has no angle of view";
+            let finding = doc.on(perspective, title, "expected <xfov> or <yfov>, in degrees");
+            return Err(finding.into());
         }
     };
-    let near = optional(doc, perspective, "znear", "a number >= 0", |near| {
-        near >= 0.0
-    })?
-    .unwrap_or(0.0);
+    let is_valid = |near| (0.0..FAR_AWAY).contains(&near);
+    let near = optional(
+        doc,
+        perspective,
+        "znear",
+        "a number >= 0, below 1e30",
+        is_valid,
+    );
+    let near = near.unwrap_or(0.0);
     let beyond = format!("more than znear, {near}");
-    let far = optional(doc, perspective, "zfar", &beyond, |far| far > near)?.unwrap_or(FAR_AWAY);
+    let far = optional(doc, perspective, "zfar", &beyond, |far| far > near);
     Ok(Some(Optics {
         h_fov,
         v_fov,
         n_clip: near,
-        f_clip: far,
+        f_clip: far.unwrap_or(FAR_AWAY),
     }))
 }
 
+/// The number in the child `name`, if there is one. `None`, with a warning, if it is not valid.
 fn optional<'a>(
     doc: &Document<'a>,
     parent: Element<'a>,
     name: &str,
     expected: &str,
     is_valid: impl Fn(f64) -> bool,
-) -> Result<Option<f64>, SceneError> {
-    let Some(element) = child(parent, name) else {
-        return Ok(None);
-    };
-    let [number] = exactly(doc, element, name)?;
-    if is_valid(number) {
-        return Ok(Some(number));
+) -> Option<f64> {
+    let element = child(parent, name)?;
+    let ignored = format!("<{name}> is ignored");
+    match exactly(doc, element, name) {
+        Ok([number]) if is_valid(number) => Some(number),
+        Ok([number]) => {
+            let title = format!("{name} is {number}");
+            doc.on(element, title, format!("expected {expected}"))
+                .help(ignored)
+                .warn();
+            None
+        }
+        Err(error) => {
+            doc.warn_of(error, &ignored);
+            None
+        }
     }
-    Err(doc
-        .on(
-            element,
-            format!("{name} is {number}"),
-            format!("expected {expected}"),
-        )
-        .help(format!("correct <{name}>"))
-        .into())
 }
 
 impl Optics {

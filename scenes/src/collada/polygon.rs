@@ -1,6 +1,7 @@
 //! Triangulation of polygons: a fan for a convex polygon, otherwise ear clipping (G. Meisters,
 //! "Polygons have ears", 1975).
 
+use super::projection::{Projection, turn};
 use kit::{Vec2, Vec3};
 
 /// Maximum number of point-in-triangle tests for a file, about one or two seconds. The time of ear
@@ -11,6 +12,17 @@ const MAX_TESTS: u64 = 200_000_000;
 #[derive(Debug, Default)]
 pub(super) struct TestCounter {
     tests: u64,
+}
+
+impl TestCounter {
+    /// Counts `more` tests. An error if there are too many.
+    pub(super) fn count(&mut self, more: usize) -> Result<(), TooComplex> {
+        self.tests += more as u64;
+        if self.tests > MAX_TESTS {
+            return Err(TooComplex);
+        }
+        Ok(())
+    }
 }
 
 /// Error: the polygons of a file need more than [`MAX_TESTS`] tests.
@@ -41,48 +53,14 @@ pub(super) fn triangulate(
     if corners.len() == 3 {
         return Ok(fan(true));
     }
-    let Some(flat) = project(corners) else {
+    let Some(projection) = Projection::of(corners) else {
         return Ok(fan(false));
     };
+    let flat: Vec<Vec2> = corners.iter().map(|p| projection.apply(*p)).collect();
     if is_convex(&flat) {
         return Ok(fan(true));
     }
     clip_ears(&flat, counter)
-}
-
-/// The corners projected along the polygon's normal, such that the winding order is
-/// counter-clockwise. `None` if the polygon has no area.
-fn project(corners: &[Vec3]) -> Option<Vec<Vec2>> {
-    let size = corners.iter().fold(0.0, |size: f64, p| {
-        size.max((*p - corners[0]).abs().max_element())
-    });
-    if !(size > 0.0 && size.is_finite()) {
-        return None;
-    }
-    // Relative to the polygon's size, so that nothing underflows or overflows.
-    let unit: Vec<Vec3> = corners.iter().map(|p| (*p - corners[0]) / size).collect();
-    let next = |i: usize| unit[(i + 1) % unit.len()];
-    let normal: Vec3 = (0..unit.len()).map(|i| unit[i].cross(next(i))).sum();
-    let magnitude = normal.abs();
-    if magnitude.max_element() == 0.0 {
-        return None;
-    }
-    // Drops the coordinate in which the normal is largest, and keeps the winding order.
-    let flat = unit.iter().map(|p| {
-        if magnitude.z >= magnitude.x && magnitude.z >= magnitude.y {
-            Vec2::new(p.x * normal.z.signum(), p.y)
-        } else if magnitude.y >= magnitude.x {
-            Vec2::new(p.z * normal.y.signum(), p.x)
-        } else {
-            Vec2::new(p.y * normal.x.signum(), p.z)
-        }
-    });
-    Some(flat.collect())
-}
-
-/// Twice the signed area of the triangle `a b c`: positive if it is counter-clockwise.
-fn turn(a: Vec2, b: Vec2, c: Vec2) -> f64 {
-    (b - a).perp_dot(c - a)
 }
 
 /// Whether every corner is a strict left turn and the polygon winds around once.
@@ -137,14 +115,7 @@ fn is_ear(
 ) -> Result<bool, TooComplex> {
     let [a, b, c] = ear.map(|i| flat[i]);
     let turns_left = turn(a, b, c) > 0.0;
-    counter.tests += if turns_left {
-        remaining.len() as u64
-    } else {
-        1
-    };
-    if counter.tests > MAX_TESTS {
-        return Err(TooComplex);
-    }
+    counter.count(if turns_left { remaining.len() } else { 1 })?;
     if !turns_left {
         return Ok(false);
     }

@@ -50,7 +50,9 @@ fn markup_length(markup: &str) -> usize {
     } else if markup.starts_with("<?") {
         until("?>")
     } else {
-        // The value of an attribute may contain a `>`.
+        // The value of an attribute may contain a `>`. The declarations inside a DOCTYPE are
+        // checked one by one.
+        let opens_list = markup.starts_with("<!DOCTYPE");
         let mut quote = None;
         let end = markup.char_indices().find(|(_, c)| match (quote, c) {
             (None, '"' | '\'') => {
@@ -58,6 +60,7 @@ fn markup_length(markup: &str) -> usize {
                 false
             }
             (None, '>') => true,
+            (None, '[') => opens_list,
             (Some(open), c) if open == *c => {
                 quote = None;
                 false

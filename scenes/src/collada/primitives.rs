@@ -1,307 +1,221 @@
-//! `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>`, `<trifans>`: groups of indices.
-//!
-//! Each `<p>` is a list of groups, one per corner. A group has one index for each input, at the
-//! offset of the input. The five elements differ in how groups form polygons.
+//! `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>`, `<trifans>`: how the corners in the
+//! index lists form polygons.
 
 use super::document::{Document, Element, child, children, describe, tag};
-use super::numbers::{indices, integer_attribute, token_range};
+use super::index_lists::IndexLists;
+use super::numbers::{check_count, indices, token_range};
 use crate::diagnostic::SceneError;
+use std::ops::Range;
 
-/// Maximum number of indices per corner. Files have up to about ten.
-const MAX_STRIDE: u64 = 64;
-
-/// The index lists of a primitive element, and its polygons.
+/// The polygons of a primitive element.
 pub(super) struct Polygons<'a> {
-    pub(super) inputs: Vec<InputAt<'a>>,
-    pub(super) lists: Vec<IndexList<'a>>,
-    /// Number of indices per corner.
-    pub(super) stride: usize,
-    /// Number of polygons, strips or fans, to be compared with the attribute `count`.
-    pub(super) declared: usize,
-    /// What `declared` counts, for messages.
-    pub(super) what: &'static str,
-    polygons: Vec<Polygon>,
-}
-
-/// An `<input>` and its offset in a group.
-pub(super) struct InputAt<'a> {
-    pub(super) element: Element<'a>,
-    pub(super) offset: usize,
-}
-
-/// A `<p>` element.
-pub(super) struct IndexList<'a> {
-    pub(super) element: Element<'a>,
-    pub(super) indices: Vec<u32>,
+    pub(super) lists: IndexLists<'a>,
+    pub(super) polygons: Vec<Polygon>,
+    /// The groups of the holes of all polygons.
+    holes: Vec<Range<usize>>,
+    /// Number of triangles, polygons, strips or fans, to be compared with the attribute `count`.
+    declared: usize,
+    /// Polygons with fewer than 3 corners, and where the first one is.
+    too_small: usize,
+    first_too_small: Option<Range<usize>>,
 }
 
 /// A polygon of consecutive groups. In a fan, the first corner is the same for all triangles.
-#[derive(Clone, Copy)]
 pub(super) struct Polygon {
-    pub(super) list: usize,
     pub(super) first: usize,
     corners: usize,
     /// The group of the corner that all triangles of a fan share.
     hub: Option<usize>,
     /// Whether the winding order is reversed, as in every second triangle of a strip.
     pub(super) reversed: bool,
+    /// Its part of [`Polygons::holes`].
+    holes: Range<usize>,
 }
 
 impl Polygon {
-    /// The group of corner `corner`.
-    pub(super) fn group(&self, corner: usize) -> usize {
-        match self.hub {
-            Some(hub) if corner == 0 => hub,
-            Some(_) => self.first + corner - 1,
-            None => self.first + corner,
-        }
-    }
-
-    /// The groups of all corners.
-    pub(super) fn groups(&self) -> impl Iterator<Item = usize> {
-        (0..self.corners).map(|corner| self.group(corner))
-    }
-}
-
-impl Polygons<'_> {
-    pub(super) fn is_empty(&self) -> bool {
-        self.polygons.is_empty()
-    }
-
-    pub(super) fn iter(&self) -> impl Iterator<Item = &Polygon> {
-        self.polygons.iter()
-    }
-
-    /// Number of triangles of all polygons.
-    pub(super) fn triangle_count(&self) -> usize {
-        self.polygons
-            .iter()
-            .map(|polygon| polygon.corners - 2)
-            .sum()
-    }
-}
-
-/// Reads the inputs and the index lists of a primitive element.
-pub(super) fn read_polygons<'a>(
-    doc: &Document<'a>,
-    element: Element<'a>,
-) -> Result<Polygons<'a>, SceneError> {
-    let inputs = read_inputs(doc, element)?;
-    let stride = inputs
-        .iter()
-        .map(|input| input.offset + 1)
-        .max()
-        .unwrap_or(1);
-    let mut lists = Vec::new();
-    for part in children(element) {
-        match tag(part) {
-            "p" => lists.push(IndexList {
-                element: part,
-                indices: indices(doc, part)?,
-            }),
-            "ph" => doc.warn(|| {
-                let help = "triangulate the mesh in the modelling program before the export";
-                doc.on(
-                    part,
-                    "a polygon with holes is ignored",
-                    "holes are not supported",
-                )
-                .help(help)
-            }),
-            _ => {}
-        }
-    }
-    for list in &lists {
-        if !list.indices.len().is_multiple_of(stride) {
-            let title = format!(
-                "<p> has {} indices, not a multiple of {stride}",
-                list.indices.len()
-            );
-            return Err(doc
-                .on(
-                    list.element,
-                    title,
-                    format!("expected {stride} indices per corner, one for each offset"),
-                )
-                .help("part of the list is missing, or an <input> has a wrong offset")
-                .into());
-        }
-    }
-    let mut polygons = Polygons {
-        inputs,
-        lists,
-        stride,
-        declared: 0,
-        what: "polygons",
-        polygons: Vec::new(),
-    };
-    match tag(element) {
-        "triangles" => polygons.split_triangles(doc)?,
-        "polylist" => polygons.split_polylist(doc, element)?,
-        "polygons" => polygons.split_lists(doc),
-        strips_or_fans => polygons.split_strips(strips_or_fans == "trifans"),
-    }
-    Ok(polygons)
-}
-
-fn read_inputs<'a>(
-    doc: &Document<'a>,
-    element: Element<'a>,
-) -> Result<Vec<InputAt<'a>>, SceneError> {
-    let inputs = children(element).filter(|child| tag(*child) == "input");
-    inputs
-        .map(|input| match integer_attribute(doc, input, "offset")? {
-            Some(offset) if offset < MAX_STRIDE => Ok(InputAt {
-                element: input,
-                offset: offset as usize,
-            }),
-            Some(offset) => {
-                let title = format!("offset=\"{offset}\" is too large");
-                let expected = format!("expected at most {}", MAX_STRIDE - 1);
-                let help = "an offset is the position of an index in its corner, from 0";
-                Err(doc
-                    .on_attribute(input, "offset", title, expected)
-                    .help(help)
-                    .into())
-            }
-            None => Err(doc
-                .attribute(input, "offset")
-                .expect_err("the attribute is missing")),
-        })
-        .collect()
-}
-
-impl<'a> Polygons<'a> {
-    fn corners_in(&self, list: usize) -> usize {
-        self.lists[list].indices.len() / self.stride
-    }
-
-    fn push(&mut self, list: usize, first: usize, corners: usize) {
-        let polygon = Polygon {
-            list,
+    fn new(first: usize, corners: usize) -> Polygon {
+        Polygon {
             first,
             corners,
             hub: None,
             reversed: false,
-        };
-        self.polygons.push(polygon);
+            holes: 0..0,
+        }
     }
 
-    fn split_triangles(&mut self, doc: &Document<'a>) -> Result<(), SceneError> {
-        self.what = "triangles";
-        for list in 0..self.lists.len() {
-            let corners = self.corners_in(list);
-            if !corners.is_multiple_of(3) {
-                let title = format!("<p> has {corners} corners, not a multiple of 3");
-                let expected = "expected three corners per triangle";
+    /// The groups of the corners on the boundary.
+    pub(super) fn groups(&self) -> impl Iterator<Item = usize> {
+        let others = self.corners - usize::from(self.hub.is_some());
+        self.hub.into_iter().chain(self.first..self.first + others)
+    }
+}
+
+impl<'a> Polygons<'a> {
+    /// Reads the inputs and the index lists of a primitive element.
+    pub(super) fn read(
+        doc: &Document<'a>,
+        element: Element<'a>,
+    ) -> Result<Polygons<'a>, SceneError> {
+        let mut polygons = Polygons {
+            lists: IndexLists::new(doc, element)?,
+            polygons: Vec::new(),
+            holes: Vec::new(),
+            declared: 0,
+            too_small: 0,
+            first_too_small: None,
+        };
+        for part in children(element) {
+            match tag(part) {
+                "p" => {
+                    let groups = polygons.lists.add(doc, part)?;
+                    polygons.add_list(doc, element, part, groups)?;
+                }
+                "ph" => polygons.add_with_holes(doc, part)?,
+                _ => {}
+            }
+        }
+        if tag(element) == "polylist" {
+            polygons.split_polylist(doc, element)?;
+        }
+        if let Some(first) = &polygons.first_too_small {
+            let title = format!("polygons with fewer than 3 corners: {}", polygons.too_small);
+            doc.at(first.clone(), title, "they are ignored").warn();
+        }
+        Ok(polygons)
+    }
+
+    /// Warns if the attribute `count` is not the number of polygons.
+    pub(super) fn check_count(&self, doc: &Document<'a>, element: Element<'a>) {
+        let what = match tag(element) {
+            "triangles" => "triangles",
+            "tristrips" => "strips",
+            "trifans" => "fans",
+            _ => "polygons",
+        };
+        check_count(doc, element, self.declared as u64, what);
+    }
+
+    /// The groups of the holes of a polygon.
+    pub(super) fn holes(&self, polygon: &Polygon) -> &[Range<usize>] {
+        &self.holes[polygon.holes.clone()]
+    }
+
+    /// Adds the polygons of a `<p>` with these groups. The `<p>` of a polylist is split later.
+    fn add_list(
+        &mut self,
+        doc: &Document<'a>,
+        element: Element<'a>,
+        list: Element<'a>,
+        groups: Range<usize>,
+    ) -> Result<(), SceneError> {
+        self.declared += match tag(element) {
+            "triangles" => groups.len() / 3,
+            "polylist" => 0,
+            _ => 1,
+        };
+        match tag(element) {
+            "triangles" if !groups.len().is_multiple_of(3) => {
+                let title = format!("<p> has {} corners, not a multiple of 3", groups.len());
                 let help = "part of the list is missing: export the file again";
-                return Err(doc
-                    .on(self.lists[list].element, title, expected)
-                    .help(help)
-                    .into());
+                let finding = doc.on(list, title, "expected three corners per triangle");
+                return Err(finding.help(help).into());
             }
-            for first in (0..corners).step_by(3) {
-                self.push(list, first, 3);
+            "triangles" => {
+                let triangles = groups.step_by(3).map(|first| Polygon::new(first, 3));
+                self.polygons.extend(triangles);
             }
-            self.declared += corners / 3;
+            "polygons" => self.add_polygon(list.range(), groups),
+            // All triples of consecutive corners, with alternating winding order.
+            "tristrips" => {
+                let count = groups.len().saturating_sub(2);
+                let triangles = groups.take(count).enumerate().map(|(i, first)| Polygon {
+                    reversed: i % 2 == 1,
+                    ..Polygon::new(first, 3)
+                });
+                self.polygons.extend(triangles);
+            }
+            // The first corner with all pairs of consecutive other corners.
+            "trifans" => {
+                let hub = Some(groups.start);
+                let count = groups.len().saturating_sub(2);
+                let firsts = groups.skip(1).take(count);
+                let triangles = firsts.map(|first| Polygon {
+                    hub,
+                    ..Polygon::new(first, 3)
+                });
+                self.polygons.extend(triangles);
+            }
+            _ => {}
         }
         Ok(())
     }
 
+    /// Adds a polygon with these groups, if it has enough corners. `mark` is where it is.
+    fn add_polygon(&mut self, mark: Range<usize>, groups: Range<usize>) {
+        if groups.len() >= 3 {
+            self.polygons.push(Polygon::new(groups.start, groups.len()));
+        } else {
+            self.too_small += 1;
+            self.first_too_small.get_or_insert(mark);
+        }
+    }
+
+    /// Adds the polygon of a `<ph>`: a `<p>`, and an `<h>` for each hole.
+    fn add_with_holes(&mut self, doc: &Document<'a>, ph: Element<'a>) -> Result<(), SceneError> {
+        let outline = doc.child(ph, "p")?;
+        let groups = self.lists.add(doc, outline)?;
+        let before = self.polygons.len();
+        self.add_polygon(outline.range(), groups);
+        self.declared += 1;
+        let first_hole = self.holes.len();
+        for hole in children(ph).filter(|child| tag(*child) == "h") {
+            let groups = self.lists.add(doc, hole)?;
+            if groups.len() >= 3 {
+                self.holes.push(groups);
+            }
+        }
+        if let Some(polygon) = self.polygons.get_mut(before) {
+            polygon.holes = first_hole..self.holes.len();
+        }
+        Ok(())
+    }
+
+    /// `<polylist>`: `<vcount>` has the number of corners of each polygon.
     fn split_polylist(
         &mut self,
         doc: &Document<'a>,
         element: Element<'a>,
     ) -> Result<(), SceneError> {
+        let found = self.lists.group_count();
         let Some(vcount) = child(element, "vcount") else {
-            return match self.lists.as_slice() {
-                [] => Ok(()),
+            return match found {
+                0 => Ok(()),
                 _ => doc.child(element, "vcount").map(|_| ()),
             };
         };
         let counts = indices(doc, vcount)?;
         let needed: u64 = counts.iter().map(|count| u64::from(*count)).sum();
-        let found: usize = (0..self.lists.len())
-            .map(|list| self.corners_in(list))
-            .sum();
-        if needed != found as u64 || self.lists.len() > 1 {
+        if needed != found as u64 {
             let title = format!(
                 "<vcount> of {} needs {needed} corners, <p> has {found}",
                 describe(element)
             );
+            let expected = format!("expected counts that add up to {found}");
             return Err(doc
-                .on(
-                    vcount,
-                    title,
-                    format!("expected counts that add up to {found}, in one <p>"),
-                )
+                .on(vcount, title, expected)
                 .help("part of a list is missing or duplicated: export the file again")
                 .into());
         }
         let mut first = 0;
-        let mut too_small = 0;
         for (i, count) in counts.iter().map(|count| *count as usize).enumerate() {
-            if count >= 3 {
-                self.push(0, first, count);
-            } else {
-                too_small += 1;
-                if too_small == 1 {
-                    doc.warn(|| {
-                        let title = format!("a polygon has {count} corners");
-                        doc.at(
-                            token_range(doc, vcount, i),
-                            title,
-                            "expected at least 3; it is ignored",
-                        )
-                    });
-                }
-            }
+            let mark = match (count, &self.first_too_small) {
+                (0..3, None) => token_range(doc, vcount, i),
+                _ => 0..0,
+            };
+            self.add_polygon(mark, first..first + count);
             first += count;
         }
         self.declared = counts.len();
         Ok(())
-    }
-
-    /// `<polygons>`: each `<p>` is a polygon.
-    fn split_lists(&mut self, doc: &Document<'a>) {
-        self.declared = self.lists.len();
-        for list in 0..self.lists.len() {
-            match self.corners_in(list) {
-                corners @ 3.. => self.push(list, 0, corners),
-                corners => doc.warn(|| {
-                    let title = format!("a polygon has {corners} corners");
-                    let expected = "expected at least 3; it is ignored";
-                    doc.on(self.lists[list].element, title, expected)
-                }),
-            }
-        }
-    }
-
-    /// Each `<p>` is a strip (all triples of consecutive corners, with alternating winding order)
-    /// or a fan (the first corner with all pairs of consecutive other corners).
-    fn split_strips(&mut self, fans: bool) {
-        self.what = if fans { "fans" } else { "strips" };
-        self.declared = self.lists.len();
-        for list in 0..self.lists.len() {
-            for i in 0..self.corners_in(list).saturating_sub(2) {
-                self.polygons.push(if fans {
-                    Polygon {
-                        list,
-                        first: i + 1,
-                        corners: 3,
-                        hub: Some(0),
-                        reversed: false,
-                    }
-                } else {
-                    Polygon {
-                        list,
-                        first: i,
-                        corners: 3,
-                        hub: None,
-                        reversed: i % 2 == 1,
-                    }
-                });
-            }
-        }
     }
 }

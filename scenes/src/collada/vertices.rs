@@ -5,7 +5,7 @@ use super::source::{pairs, vectors};
 use crate::diagnostic::SceneError;
 use kit::{Vec2, Vec3};
 use roxmltree::NodeId;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 /// Points, directions or texture coordinates, and the element from which they were read.
@@ -14,16 +14,28 @@ pub(super) struct Vectors<'a, T = Vec3> {
     pub(super) values: Vec<T>,
 }
 
+impl<T> Vectors<'_, T> {
+    /// The valid indices, for messages.
+    pub(super) fn expected_index(&self) -> String {
+        match self.values.len() {
+            0 => "the source is empty".to_owned(),
+            count => format!("expected 0 to {}", count - 1),
+        }
+    }
+}
+
 /// The sources that were read so far. Several inputs may refer to the same source.
 #[derive(Default)]
 pub(super) struct Sources<'a> {
     vectors: HashMap<NodeId, Rc<Vectors<'a>>>,
     pairs: HashMap<NodeId, Rc<Vectors<'a, Vec2>>>,
+    /// References to sources of normals or texture coordinates that cannot be read.
+    unreadable: HashSet<&'a str>,
 }
 
 impl<'a> Sources<'a> {
-    /// The vectors that an `<input>` refers to.
-    pub(super) fn of(
+    /// The positions that an `<input>` refers to.
+    pub(super) fn positions(
         &mut self,
         doc: &Document<'a>,
         input: Element<'a>,
@@ -32,14 +44,51 @@ impl<'a> Sources<'a> {
         get_or_read(&mut self.vectors, element, || vectors(doc, element))
     }
 
-    /// The texture coordinates that an `<input>` refers to.
-    pub(super) fn pairs_of(
+    /// The normals that an `<input>` refers to. `None`, with a warning, if they cannot be read.
+    pub(super) fn normals(
         &mut self,
         doc: &Document<'a>,
         input: Element<'a>,
-    ) -> Result<Rc<Vectors<'a, Vec2>>, SceneError> {
-        let element = doc.target(input, "source", "source")?;
-        get_or_read(&mut self.pairs, element, || pairs(doc, element))
+    ) -> Option<Rc<Vectors<'a>>> {
+        let result = "normals are computed from the triangles";
+        self.readable(doc, input, result, |sources| sources.positions(doc, input))
+    }
+
+    /// The texture coordinates that an `<input>` refers to. `None` if the file has no textures, and
+    /// with a warning, if the coordinates cannot be read.
+    pub(super) fn tex_coords(
+        &mut self,
+        doc: &Document<'a>,
+        input: Element<'a>,
+    ) -> Option<Rc<Vectors<'a, Vec2>>> {
+        if !doc.has_textures() {
+            return None;
+        }
+        let result = "the texture coordinates are ignored";
+        self.readable(doc, input, result, |sources| {
+            let element = doc.target(input, "source", "source")?;
+            get_or_read(&mut sources.pairs, element, || pairs(doc, element))
+        })
+    }
+
+    /// What `read` returns. If that is an error: `None`, and a warning with the `result`.
+    fn readable<T>(
+        &mut self,
+        doc: &Document<'a>,
+        input: Element<'a>,
+        result: &str,
+        read: impl FnOnce(&mut Self) -> Result<T, SceneError>,
+    ) -> Option<T> {
+        let source = input.attribute("source").unwrap_or_default();
+        if self.unreadable.contains(source) {
+            return None;
+        }
+        let values = read(self);
+        let warn = |error| {
+            doc.warn_of(error, result);
+            self.unreadable.insert(source);
+        };
+        values.map_err(warn).ok()
     }
 }
 
@@ -63,6 +112,8 @@ pub(super) struct Vertices<'a> {
     pub(super) element: Element<'a>,
     pub(super) positions: Rc<Vectors<'a>>,
     pub(super) normals: Option<Rc<Vectors<'a>>>,
+    /// The first set, if the file has textures.
+    pub(super) tex_coords: Option<Rc<Vectors<'a, Vec2>>>,
 }
 
 impl<'a> Vertices<'a> {
@@ -73,10 +124,12 @@ impl<'a> Vertices<'a> {
     ) -> Result<Vertices<'a>, SceneError> {
         let mut positions = None;
         let mut normals = None;
+        let mut tex_coords = None;
         for input in children(element).filter(|child| tag(*child) == "input") {
             match doc.attribute(input, "semantic")? {
-                "POSITION" => positions = Some(sources.of(doc, input)?),
-                "NORMAL" => normals = Some(sources.of(doc, input)?),
+                "POSITION" => positions = Some(sources.positions(doc, input)?),
+                "NORMAL" => normals = sources.normals(doc, input),
+                "TEXCOORD" if tex_coords.is_none() => tex_coords = sources.tex_coords(doc, input),
                 _ => {}
             }
         }
@@ -85,6 +138,7 @@ impl<'a> Vertices<'a> {
                 element,
                 positions,
                 normals,
+                tex_coords,
             }),
             None => Err(doc
                 .on(

@@ -111,18 +111,50 @@ fn texture_coordinates_are_not_read_without_a_texture() {
     assert_eq!(read(&damaged).textures, kit::texture::TextureMap::default());
 }
 
-#[test]
-fn invalid_texture_coordinates_are_an_error() {
+/// The scene with one edit that makes its texture coordinates invalid, and the title of its only
+/// warning.
+fn damaged(from: &str, to: &str) -> (Scene, String) {
     let text = textured(PARAMETERS, "t", IMAGES);
-    let error_text = |from: &str, to: &str| {
-        let error = scenes::parse("small.dae", &text.replacen(from, to, 1)).expect_err("damaged");
-        error.to_string()
-    };
-    let stride = error_text("count=\"4\" stride=\"2\"", "count=\"4\" stride=\"1\"");
-    assert!(
-        stride.contains("does not read two numbers per entry"),
-        "{stride}"
+    assert!(text.contains(from), "`{from}` is not in the file");
+    let loaded = scenes::parse("small.dae", &text.replacen(from, to, 1));
+    let loaded = loaded.unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(loaded.warnings.len(), 1, "{:?}", loaded.warnings);
+    (loaded.scene, loaded.warnings[0].0.title().to_owned())
+}
+
+#[test]
+fn invalid_texture_coordinates_are_ignored() {
+    let (scene, title) = damaged("count=\"4\" stride=\"2\"", "count=\"4\" stride=\"1\"");
+    assert_eq!(title, "<accessor> does not read two numbers per entry");
+    assert_eq!(scene.triangles.len(), 2);
+    let (scene, title) = damaged("source=\"#uv\"", "source=\"#uvw\"");
+    assert_eq!(title, "there is no <source> with the id `uvw`");
+    assert_eq!(scene.triangles.len(), 2);
+    let (scene, title) = damaged("2 2 3 3</p>", "2 2 3 9</p>");
+    assert_eq!(title, "triangles with a texture coordinate out of range: 1");
+    assert_eq!(middle(&scene, 0), Vec2::new(2.0, 0.5));
+    assert_eq!(middle(&scene, 1), Vec2::ZERO);
+    let (scene, title) = damaged("0 0 2 0 2 1 0 1", "0 0 2 0 2 INF 0 1");
+    assert_eq!(
+        title,
+        "`INF` in <float_array id=\"uv-array\"> is not finite"
     );
-    let index = error_text("2 2 3 3</p>", "2 2 3 9</p>");
-    assert!(index.contains("index 9 is out of range"), "{index}");
+    assert_eq!(middle(&scene, 0), Vec2::new(2.0, 0.0));
+}
+
+#[test]
+fn texture_coordinates_may_be_an_input_of_the_vertices() {
+    let text = textured(PARAMETERS, "t", IMAGES)
+        .replace(
+            "<input semantic=\"TEXCOORD\" source=\"#uv\" offset=\"1\"/>",
+            "",
+        )
+        .replace("<p>0 0 1 1 2 2 0 0 2 2 3 3</p>", "<p>0 1 2 0 2 3</p>")
+        .replace(
+            "source=\"#points\"/></vertices>",
+            "source=\"#points\"/><input semantic=\"TEXCOORD\" source=\"#uv\"/></vertices>",
+        );
+    let scene = read(&text);
+    assert_eq!(middle(&scene, 0), Vec2::new(2.0, 0.5));
+    assert_eq!(middle(&scene, 1), Vec2::new(1.0, 1.0));
 }

@@ -1,17 +1,20 @@
 //! The command `grader mutants`: checks that every typical mistake loses points and that no correct
-//! code does.
+//! code does, and that `grader bless` would not accept a mistake of the reference.
 
+use authoring::mutants::blessing::{self, BlessVerdict, Blessing};
 use authoring::mutants::corpus::Corpus;
+use authoring::mutants::groups;
 use authoring::mutants::run;
 use authoring::mutants::table::Table;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use grader::cli::{Verdict, whole_number};
 use grader::course::Course;
-use grader::diagnosis::{self, Known};
+use grader::diagnosis::{self, Diagnosis, Known};
 use grader::error::GraderError;
+use grader::regularity;
 use grader::signature::Signature;
 use grader::workspace::Workspace;
-use judge::plural;
+use judge::{cases, plural};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -42,6 +45,19 @@ pub(crate) fn command() -> Command {
                 .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
         )
         .arg(
+            Arg::new("families")
+                .long("families")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "bless", "with"])
+                .help("Instead, grade every small slip in the reference and the variants (a comparison turned, operands swapped, a constant halved, an update forgotten …), and list groups of them that the diagnosis does not name"),
+        )
+        .arg(
+            Arg::new("against-bless")
+                .long("against-bless")
+                .action(ArgAction::SetTrue)
+                .help("Also print, as a table in Markdown, what `grader bless` would do with each mistake if the reference made it, and the answers that it would confirm although they differ by more than rounding errors"),
+        )
+        .arg(
             Arg::new("bless")
                 .long("bless")
                 .action(ArgAction::SetTrue)
@@ -54,16 +70,26 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let seeds: u64 = *matches.get_one("seeds").expect("it has a default");
     let with: Option<&PathBuf> = matches.get_one("with");
     let bless = matches.get_flag("bless");
+    let against_bless = matches.get_flag("against-bless");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let mut verdict = Verdict::Passed;
     for task in course.select(what)? {
+        if matches.get_flag("families") {
+            let known = diagnosis::known(&workspace, &task.key)?;
+            let graded = run::families(&workspace, &course, task)?;
+            print!("{}", groups::of(graded, &known).to_text(&task.key));
+            continue;
+        }
         if let Some(folder) = with {
             let mutants = Corpus::read_unlisted(folder, task)?;
             if !mutants.is_empty() {
                 let known = diagnosis::known(&workspace, &task.key)?;
                 let graded = run::unlisted(&workspace, &course, task, mutants)?;
                 show_unlisted(&task.key, &graded, &known);
+                if !show_blessings(&task.key, &graded, against_bless) {
+                    verdict = Verdict::Failed;
+                }
             }
             continue;
         }
@@ -80,7 +106,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             let graded = graded.iter().find(|graded| graded.name == name);
             show_diagnosis(name, graded, &known);
         }
-        if !marked_down.is_empty() || !table.survivors().is_empty() {
+        let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
+        if !marked_down.is_empty() || !table.survivors().is_empty() || !none_is_blessed {
             verdict = Verdict::Failed;
         }
         if bless {
@@ -116,9 +143,13 @@ fn same_as_stored(
     Ok(same)
 }
 
+/// So many of the nearest known mistakes are listed beside a diagnosis.
+const NEAREST: usize = 3;
+
 /// Prints what mutants lose that may make unlisted mistakes, and their diagnosis.
 fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
     println!("{task}: {}", plural(graded.len(), "mutant", "mutants"));
+    let specs = cases::all(0);
     for graded in graded {
         let result = &graded.result;
         let loses = |points: f64, most: f64| points < most;
@@ -131,12 +162,70 @@ fn show_unlisted(task: &str, graded: &[run::Graded], known: &[Known]) {
         } else {
             "SURVIVES".to_string()
         };
-        let diagnosis = diagnosis::diagnose(known, &Signature::of(&result.cases));
-        let says = diagnosis.map_or("no mistake is named".to_string(), |diagnosis| {
-            diagnosis.says
-        });
+        let signature = Signature::of(&result.cases);
+        let diagnosis = diagnosis::diagnose(known, &signature);
+        let says = match &diagnosis {
+            Some(diagnosis) => format!("{}: {}", diagnosis.certainty.label(), diagnosis.says),
+            None => "no mistake is named".to_string(),
+        };
         println!("  {}: {lost}\n    {says}", graded.name);
+        if !diagnosis.as_ref().is_some_and(Diagnosis::is_likely) {
+            for sentence in regularity::of(task, &result.cases, &specs) {
+                println!("    - {sentence}");
+            }
+        }
+        let nearest = diagnosis::candidates(known, &signature);
+        for (mistakes, likeness, contradicted) in nearest.into_iter().take(NEAREST) {
+            let but = if contradicted { ", contradicted" } else { "" };
+            println!("      {likeness:.2} {}{but}", mistakes.join(" + "));
+        }
     }
+}
+
+/// Confirmed answers that differ from the reference's by more than this are listed.
+const MORE_THAN_ROUNDING: f64 = 1e-9;
+
+/// Prints the mutants that `grader bless` would accept if the reference made their mistakes;
+/// `in_full`, what it would do with each. Returns whether it would accept none.
+fn show_blessings(task: &str, graded: &[run::Graded], in_full: bool) -> bool {
+    let mutants = graded
+        .iter()
+        .filter(|graded| matches!(graded.kind, run::Kind::Mutant(_)));
+    let mutants: Vec<(&str, &[Blessing])> = mutants
+        .map(|graded| (graded.name.as_str(), graded.blessings.as_slice()))
+        .collect();
+    let of = |wanted: BlessVerdict| {
+        let of = mutants.iter();
+        let of = of.filter(move |(_, blessings)| blessing::verdict(blessings) == Some(wanted));
+        of.map(|(name, _)| *name).collect::<Vec<&str>>()
+    };
+    let accepted = of(BlessVerdict::Confirmed);
+    println!(
+        "  if the reference made the mistake, `grader bless` would refuse {}, list what is not judged for {}, accept {}",
+        of(BlessVerdict::Refused).len(),
+        of(BlessVerdict::NotJudged).len(),
+        accepted.len()
+    );
+    for name in &accepted {
+        println!("  BLESSED: the oracle confirms every answer that {name} changes");
+    }
+    if in_full {
+        println!("{}", blessing::markdown(task, &mutants));
+        for (name, blessings) in &mutants {
+            for Blessing {
+                case, confirmed, ..
+            } in *blessings
+            {
+                if let Some(change) = confirmed
+                    && change.difference > MORE_THAN_ROUNDING
+                {
+                    let (call, golden, actual) = (change.call, &change.golden, &change.actual);
+                    println!("confirmed: {name}, {case} {call}: {golden} -> {actual}");
+                }
+            }
+        }
+    }
+    accepted.is_empty()
 }
 
 /// Prints the diagnosis that a student with this mistake reads.

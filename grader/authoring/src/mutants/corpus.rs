@@ -30,6 +30,9 @@ pub struct Mistake {
     pub description: String,
     /// Where to look, without revealing the solution.
     pub hint: String,
+    /// Whether many mistakes have the same symptom: it is only named if every answer agrees.
+    #[serde(default)]
+    pub symptom: bool,
     /// Its numbers in the list of mistakes that students were observed to make, such as `P1T3-01`.
     #[serde(default)]
     pub references: Vec<String>,

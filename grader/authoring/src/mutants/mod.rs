@@ -4,9 +4,13 @@
 //! Every mutant must lose points, and no variant may lose a core point. [`corpus`] reads mutants
 //! and variants, [`versions_crate`] builds all versions of a stage in one crate, [`run`] grades
 //! them, [`table`] lists which case detects which mistake. [`grader::diagnosis`] compares a
-//! student's results with those of the mutants.
+//! student's results with those of the mutants. [`blessing`] checks that no mistake of the
+//! reference could become golden unnoticed.
 
+pub mod blessing;
 pub mod corpus;
+pub mod families;
+pub mod groups;
 pub mod run;
 pub mod table;
 pub mod versions_crate;

@@ -1,11 +1,13 @@
 //! Grades every mutant and every variant of a task.
 
-use super::corpus::{Corpus, Mutant, REFERENCE, Sources, reference_sources, variants};
+use super::blessing::{Blessing, ReferenceAnswers};
+use super::corpus::{Corpus, Mutant, REFERENCE, Sources, Variant, reference_sources, variants};
+use super::families;
 use super::versions_crate::{self, VERSION_VARIABLE};
 use grader::course::{Course, Task};
 use grader::diagnosis::Known;
 use grader::error::GraderError;
-use grader::grade::grade_tasks;
+use grader::grade::{chosen, score_tasks};
 use grader::runner::Worker;
 use grader::score::TaskResult;
 use grader::signature::Signature;
@@ -25,6 +27,9 @@ pub struct Graded {
     pub kind: Kind,
     /// Its score.
     pub result: TaskResult,
+    /// For a mutant: what `grader bless` would do with each case that it changes, if the reference
+    /// made the mistake.
+    pub blessings: Vec<Blessing>,
 }
 
 /// The kinds of versions.
@@ -56,14 +61,15 @@ pub fn task(
     let mutants = Corpus::read(workspace, task)?.mutants;
     let (kinds, versions) = versions(workspace, task, mutants)?;
     let differs = |version: &usize| *version == 0 || redefines_hole(task, &versions[*version]);
-    let worker = VersionsWorker {
+    let mut worker = VersionsWorker {
         program: versions_crate::worker(workspace, &task.stage, &versions)?,
         course,
         versions: kinds,
+        reference: None,
     };
     let everything = 0..worker.versions.len();
     let specs = cases::all(0);
-    let mut graded = worker.grade(task, &specs, everything.clone())?;
+    let mut graded = worker.grade_all(task, &specs, everything.clone())?;
     let is_correct = |version: &usize| matches!(worker.versions[*version].1, Kind::Correct);
     for seed in 1..seeds {
         let others = cases::all(seed);
@@ -91,26 +97,46 @@ pub fn unlisted(
     let (program, broken) =
         versions_crate::worker_of_those_that_compile(workspace, &task.stage, &versions)?;
     let wrong: Vec<usize> = wrong.filter(|i| !broken.contains(i)).collect();
-    for i in &broken {
-        println!("  DOES NOT COMPILE: {}", kinds[*i].0);
+    if !broken.is_empty() {
+        let names: Vec<&str> = broken.iter().map(|i| kinds[*i].0.as_str()).collect();
+        eprintln!("These do not compile:\n  {}", names.join("\n  "));
     }
-    let worker = VersionsWorker {
+    let mut worker = VersionsWorker {
         program,
         course,
         versions: kinds,
+        reference: None,
     };
-    worker.grade(task, &cases::all(0), wrong.into_iter())
+    worker.grade_all(task, &cases::all(0), wrong.into_iter())
+}
+
+/// Grades every small slip in the reference and the variants of a task; see [`families`].
+pub fn families(
+    workspace: &Workspace,
+    course: &Course,
+    task: &Task,
+) -> Result<Vec<Graded>, GraderError> {
+    let reference = reference_sources(workspace, &task.stage)?;
+    let variants = variants(workspace, &task.stage)?;
+    let own = |variant: &&Variant| defines_hole(task, &variant.text);
+    let variants: Vec<&Variant> = variants.iter().filter(own).collect();
+    let mutants = families::mutants(&task.key, &reference, &variants);
+    unlisted(workspace, course, task, mutants)
 }
 
 /// Whether a variant defines functions of `task` itself and does not use the reference's.
 fn redefines_hole(task: &Task, variant: &Sources) -> bool {
     let own = variant.get(Path::new("lib.rs"));
-    let defines = |text: &String, hole: &String| {
-        [format!("fn {hole}("), format!("fn {hole}<")]
-            .iter()
-            .any(|start| text.contains(start))
+    own.is_some_and(|text| defines_hole(task, text))
+}
+
+/// Whether a source file defines a function of `task`.
+fn defines_hole(task: &Task, text: &str) -> bool {
+    let defines = |hole: &String| {
+        let starts = [format!("fn {hole}("), format!("fn {hole}<")];
+        starts.iter().any(|start| text.contains(start))
     };
-    own.is_some_and(|text| task.holes.iter().any(|hole| defines(text, hole)))
+    task.holes.iter().any(defines)
 }
 
 /// `task` with only those cases that differ between `specs` and `others`.
@@ -130,9 +156,26 @@ struct VersionsWorker<'a> {
     program: PathBuf,
     course: &'a Course,
     versions: Vec<Named>,
+    /// The answers of the reference with seed 0, which is the first version.
+    reference: Option<ReferenceAnswers>,
 }
 
 impl VersionsWorker<'_> {
+    /// Grades some of the versions with seed 0, and compares their answers with the reference's.
+    fn grade_all(
+        &mut self,
+        task: &Task,
+        specs: &[Spec],
+        versions: impl Iterator<Item = usize>,
+    ) -> Result<Vec<Graded>, GraderError> {
+        let chosen = chosen(&[task], specs)?;
+        let endings = self.workers(0).run(&chosen, &mut String::new())?;
+        self.reference = Some(ReferenceAnswers::of(&chosen, &endings));
+        let graded = self.grade(task, specs, versions);
+        self.reference = None;
+        graded
+    }
+
     /// Grades some of the versions, by their numbers.
     fn grade(
         &self,
@@ -153,20 +196,35 @@ impl VersionsWorker<'_> {
         version: usize,
     ) -> Result<Graded, GraderError> {
         let (name, kind) = self.versions[version].clone();
+        let chosen = chosen(&[task], specs)?;
+        let endings = self.workers(version).run(&chosen, &mut String::new())?;
+        let mut results = score_tasks(self.course, &[task], &chosen, &endings)?;
+        let blessings = match (&kind, &self.reference) {
+            (Kind::Mutant(_), Some(reference)) => reference.bless(&chosen, &endings),
+            _ => Vec::new(),
+        };
+        let result = results
+            .pop()
+            .ok_or_else(|| GraderError::new("grading returned no result for the task"))?;
+        Ok(Graded {
+            name,
+            kind,
+            result,
+            blessings,
+        })
+    }
+
+    /// The workers that run one version.
+    fn workers(&self, version: usize) -> StageWorkers {
         let worker = Worker {
             program: self.program.clone(),
             environment: vec![(VERSION_VARIABLE, version.to_string())],
         };
         // The worker links every stage.
-        let workers = StageWorkers {
+        StageWorkers {
             whole_scene: Ok(worker.clone()),
             stage: worker,
-        };
-        let mut results = grade_tasks(self.course, &[task], specs, &workers, &mut String::new())?;
-        let result = results
-            .pop()
-            .ok_or_else(|| GraderError::new("grading returned no result for the task"))?;
-        Ok(Graded { name, kind, result })
+        }
     }
 }
 
@@ -257,6 +315,7 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
                     .map(|mistake| mistake.hint.clone())
                     .collect(),
                 signature: Signature::of(&graded.result.cases),
+                is_symptom: mistakes.iter().any(|mistake| mistake.symptom),
             }
         })
         .filter(|known| !known.signature.is_empty())

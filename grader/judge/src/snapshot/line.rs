@@ -102,19 +102,26 @@ impl Line {
     }
 }
 
+impl Line {
+    /// The answer, as text.
+    pub fn answer_text(&self) -> String {
+        if self.is_miss() {
+            return MISS.into();
+        }
+        let fields = self.answer.iter();
+        let fields: Vec<String> = fields
+            .map(|(name, value)| format!("{name}={value}"))
+            .collect();
+        fields.join(" ")
+    }
+}
+
 impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:", self.call)?;
         for (name, value) in &self.question {
             write!(f, " {name}={value}")?;
         }
-        write!(f, " ->")?;
-        if self.is_miss() {
-            return write!(f, " {MISS}");
-        }
-        for (name, value) in &self.answer {
-            write!(f, " {name}={value}")?;
-        }
-        Ok(())
+        write!(f, " -> {}", self.answer_text())
     }
 }

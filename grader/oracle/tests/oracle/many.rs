@@ -6,7 +6,7 @@ use oracle::closest::ClosestJudgement;
 use oracle::surface::{
     geometric_normal, sphere_normal, sphere_point, triangle_normal, triangle_point,
 };
-use oracle::{KernelClass, any, closest, sphere, triangle};
+use oracle::{KernelClass, PerKernel, any, closest, sphere, triangle};
 
 use crate::rays::{self, Family, Random};
 
@@ -172,7 +172,31 @@ fn any_unit_vector_scores_if_normals_cancel() {
     let ray = Ray::new(Vec3::new(-4.0, 0.0, 1.0), -Vec3::Z);
     let at = triangle(&tri, &ray).crossing.expect("a hit");
     let normal = triangle_normal(&tri, &at);
-    assert_eq!(normal.n, None);
+    assert_eq!(normal.n, PerKernel::default());
     assert!(normal.accepts(KernelClass::Robust, Vec3::X));
     assert!(!normal.accepts(KernelClass::Robust, Vec3::NAN));
+}
+
+/// Textbook code loses all digits of the weights of a thin triangle far from the world's origin, but
+/// robust code does not: each has bounds of its own.
+#[test]
+fn robust_normals_are_judged_where_textbook_code_loses_them() {
+    let far = Vec3::splat(1e6);
+    let tri = Triangle {
+        p0: far,
+        p1: far + Vec3::new(1.0, 0.0, 0.0),
+        p2: far + Vec3::new(0.5, 1e-4, 0.0),
+        n0: Vec3::X,
+        n1: Vec3::Y,
+        n2: Vec3::Z,
+    };
+    let ray = Ray::new(far + Vec3::new(0.5, 4e-5, 1.0), -Vec3::Z);
+    let at = triangle(&tri, &ray).crossing.expect("a hit");
+    let normal = triangle_normal(&tri, &at);
+    assert_eq!(normal.n.textbook, None);
+    let right = normal.n.robust.expect("robust code has digits left");
+    assert!(normal.accepts(KernelClass::Textbook, -right));
+    assert!(normal.accepts(KernelClass::Robust, right));
+    assert!(!normal.accepts(KernelClass::Robust, -right));
+    assert!(!normal.accepts(KernelClass::Robust, Vec3::X));
 }

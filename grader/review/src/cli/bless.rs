@@ -5,7 +5,8 @@ use grader::cli::Verdict;
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::workspace::Workspace;
-use review::bless;
+use judge::plural;
+use review::bless::{self, Change};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
@@ -43,7 +44,11 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             .strip_prefix(workspace.root())
             .unwrap_or(&change.golden);
         println!("{}: {}", golden.display(), change.meaning);
+        for aspect in &change.not_judged {
+            println!("  not judged: {aspect}");
+        }
     }
+    println!("{}", verdict(&proposed));
     if matches.get_flag("yes") || confirmed(proposed.len())? {
         bless::accept(&workspace, &proposed)?;
         println!("{} goldens written.", proposed.len());
@@ -52,6 +57,21 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     bless::reject(&proposed)?;
     println!("No golden was written.");
     Ok(Verdict::Failed)
+}
+
+/// What the exact oracle says about the new answers.
+fn verdict(proposed: &[Change]) -> String {
+    let open = proposed
+        .iter()
+        .filter(|change| !change.not_judged.is_empty());
+    match open.count() {
+        0 => "The exact oracle confirms every answer of these cases.".into(),
+        open => format!(
+            "The exact oracle finds no answer wrong, but it does not judge all aspects of {}: look at \
+             what is listed as not judged yourself, with `grader review`.",
+            plural(open, "golden", "goldens")
+        ),
+    }
 }
 
 /// Asks for confirmation on the terminal. Without a terminal the answer is no.

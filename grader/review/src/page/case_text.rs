@@ -17,6 +17,14 @@ pub(super) fn is_refuted(state: &State) -> bool {
     matches!(state, State::Differs { wrong, .. } if !wrong.is_empty())
 }
 
+/// Whether no new answer is wrong, but some are not judged in every aspect.
+pub(super) fn is_open(state: &State) -> bool {
+    matches!(
+        state,
+        State::Differs { wrong, not_judged, .. } if wrong.is_empty() && !not_judged.is_empty()
+    )
+}
+
 pub(super) fn is_silent(state: &State) -> bool {
     matches!(state, State::Silent(_))
 }
@@ -32,7 +40,9 @@ pub(super) fn describe(case: &Case) -> String {
         State::Differs {
             changes,
             calls,
+            counts,
             wrong,
+            not_judged,
             ..
         } => {
             let _ = writeln!(text, "<p><strong>{}</strong></p>", escape(&meaning(case)));
@@ -41,8 +51,13 @@ pub(super) fn describe(case: &Case) -> String {
                     "<p>No row shows the difference: only the hash of all answers does.</p>\n",
                 );
             }
-            if wrong.is_empty() {
+            if wrong.is_empty() && not_judged.is_empty() {
                 text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
+            } else {
+                let _ = writeln!(text, "<p>All answers by the exact oracle: {counts}.</p>");
+            }
+            for open in not_judged {
+                let _ = writeln!(text, "<p class=\"open\">Not judged: {}</p>", escape(open));
             }
             for wrong in wrong {
                 let _ = writeln!(

@@ -7,7 +7,7 @@ mod snapshots;
 
 use super::case::{Case, State};
 use super::{Author, Review};
-use case_text::{count, differs, is_refuted, is_silent};
+use case_text::{count, differs, is_open, is_refuted, is_silent};
 use grader::error::GraderError;
 use judge::plural;
 use pages::html::escape;
@@ -61,6 +61,13 @@ pub fn summary(review: &Review) -> String {
     if refuted > 0 {
         let _ = write!(text, "; the exact oracle refutes {refuted} of them");
     }
+    let open = count(&cases, is_open);
+    if open > 0 {
+        let _ = write!(
+            text,
+            "; the exact oracle does not judge all aspects of {open}"
+        );
+    }
     if silent > 0 {
         let _ = write!(text, "; {silent} without an answer");
     }
@@ -73,10 +80,15 @@ fn header(review: &Review, author: &Author) -> String {
         Author::Student(folder) => format!("the answers of the stages in {}", escape(folder)),
     };
     let cases: Vec<&Case> = review.cases.iter().collect();
-    let advice = match (count(&cases, differs), count(&cases, is_refuted)) {
-        (0, _) => "",
-        (_, 0) => {
+    let [changed, refuted, open] =
+        [differs, is_refuted, is_open].map(|is: fn(&State) -> bool| count(&cases, is));
+    let advice = match (changed, refuted, open) {
+        (0, ..) => "",
+        (_, 0, 0) => {
             "<p class=\"good\">The exact oracle confirms every new answer: no difference is a mistake.</p>\n"
+        }
+        (_, 0, _) => {
+            "<p class=\"open\">The exact oracle finds no new answer wrong, but it does not judge all their aspects: look at what is listed as not judged.</p>\n"
         }
         _ => {
             "<p class=\"bad\">The exact oracle finds that some of the new answers are wrong.</p>\n"
@@ -94,7 +106,7 @@ fn header(review: &Review, author: &Author) -> String {
 fn overview(review: &Review) -> String {
     let mut text = String::from(
         "<table>\n<thead><tr><th scope=\"col\">task</th><th scope=\"col\" class=\"number\">cases</th><th scope=\"col\" class=\"number\">changed</th>\
-         <th scope=\"col\" class=\"number\">refuted</th><th scope=\"col\" class=\"number\">no answer</th><th scope=\"col\">changed cases</th></tr></thead>\n<tbody>\n",
+         <th scope=\"col\" class=\"number\">refuted</th><th scope=\"col\" class=\"number\">not judged</th><th scope=\"col\" class=\"number\">no answer</th><th scope=\"col\">changed cases</th></tr></thead>\n<tbody>\n",
     );
     for cases in review.cases.chunk_by(|a, b| a.task == b.task) {
         let cases: Vec<&Case> = cases.iter().collect();
@@ -108,12 +120,13 @@ fn overview(review: &Review) -> String {
             .collect();
         let _ = writeln!(
             text,
-            "<tr><th scope=\"row\"><code>{}</code></th><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
+            "<tr><th scope=\"row\"><code>{}</code></th><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
              <td class=\"number\">{}</td><td>{}</td></tr>",
             escape(cases[0].task),
             cases.len(),
             count(&cases, differs),
             count(&cases, is_refuted),
+            count(&cases, is_open),
             count(&cases, is_silent),
             links.join(", ")
         );

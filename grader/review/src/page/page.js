@@ -290,8 +290,10 @@ class Picture {
   oracle(call) {
     if (!this.causes[call]) return [];
     const wrong = this.data.wrong[call];
-    const text = wrong ? `The exact oracle refutes the actual answer: ${wrong.join(", ")}.` : "The exact oracle confirms the actual answer.";
-    return [element("p", { class: wrong ? "bad" : "good" }, text)];
+    if (wrong) return [element("p", { class: "bad" }, `The exact oracle refutes the actual answer: ${wrong.join(", ")}.`)];
+    const open = this.data.notJudged[call];
+    if (open) return [element("p", { class: "open" }, `The exact oracle does not judge all of the actual answer. Not judged: ${open.join("; ")}.`)];
+    return [element("p", { class: "good" }, "The exact oracle confirms the actual answer.")];
   }
 
   boxes(x, y) {

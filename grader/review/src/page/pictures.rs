@@ -7,8 +7,10 @@ use crate::cause::Cause;
 use crate::picture::{Picture, Pixels};
 use grader::error::GraderError;
 use image::RgbImage;
+use judge::whole::Verdict;
 use pages::html::{base64, escape, json_in_script, png_data_uri};
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Formats a case with its picture.
@@ -88,6 +90,7 @@ fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
     let causes: Vec<u8> = pixels.causes.iter().map(|cause| *cause as u8).collect();
     let mut labels = vec![Cause::Same.label()];
     labels.extend(Cause::DIFFERENCES.map(Cause::label));
+    let (wrong, not_judged) = verdicts(case, pixels);
     let exact = pixels.exact.as_ref();
     let hits = pixels.golden.hits.as_ref();
     let hits: Option<Vec<u8>> = hits.map(|hits| hits.iter().map(|&hit| u8::from(hit)).collect());
@@ -104,7 +107,33 @@ fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
         }),
         "actual": pixels.actual,
         "exact": exact.map(|exact| json!({ "calls": exact.calls, "records": exact.records })),
-        "wrong": case.wrong,
+        "wrong": wrong,
+        "notJudged": not_judged,
         "boxes": pixels.boxes,
     })
+}
+
+/// Texts for some calls.
+type Texts = BTreeMap<usize, Vec<String>>;
+
+/// The wrong aspects of the pixels that differ, and those that are not judged.
+fn verdicts(case: &Case, pixels: &Pixels) -> (Texts, Texts) {
+    let (mut wrong, mut not_judged) = (Texts::new(), Texts::new());
+    let causes = pixels.causes.iter().enumerate();
+    for (call, _) in causes.filter(|(_, cause)| **cause != Cause::Same) {
+        match case.whole.verdict(call as u32) {
+            Verdict::Confirmed => {}
+            Verdict::Refused(aspects) => {
+                let labels = aspects.iter().map(|aspect| aspect.label().to_string());
+                wrong.insert(call, labels.collect());
+            }
+            Verdict::NotJudged(open) => {
+                let open = open
+                    .iter()
+                    .map(|open| format!("{} ({})", open.aspect.label(), open.why));
+                not_judged.insert(call, open.collect());
+            }
+        }
+    }
+    (wrong, not_judged)
 }

@@ -2,6 +2,8 @@
 
 use crate::case::{Case, ROWS, Row, State};
 use judge::snapshot::{Line, Value};
+use judge::tally::Aspect;
+use judge::whole::Verdict;
 use pages::html::escape;
 use std::fmt::Write;
 
@@ -27,14 +29,7 @@ pub(super) fn rows(case: &Case) -> String {
          <th scope=\"col\">actual</th><th scope=\"col\">exact oracle</th></tr></thead>\n<tbody>\n",
     );
     for row in &case.rows {
-        let wrong = case.wrong.get(&row.call);
-        let oracle = match wrong {
-            Some(wrong) => format!(
-                "<span class=\"bad\">wrong: {}</span>",
-                escape(&wrong.join(", "))
-            ),
-            None => "<span class=\"good\">confirms</span>".into(),
-        };
+        let oracle = oracle(&case.whole.verdict(row.call));
         let [golden, actual] = sides(row);
         let _ = writeln!(
             text,
@@ -45,6 +40,31 @@ pub(super) fn rows(case: &Case) -> String {
         );
     }
     text + "</tbody>\n</table></div>\n"
+}
+
+/// What the exact oracle says about an answer.
+fn oracle(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Confirmed => "<span class=\"good\">confirms</span>".into(),
+        Verdict::Refused(wrong) => {
+            let wrong: Vec<&str> = wrong.iter().map(|aspect| Aspect::label(*aspect)).collect();
+            format!("<span class=\"bad\">wrong: {}</span>", wrong.join(", "))
+        }
+        Verdict::NotJudged(open) => {
+            let open = open.iter().map(|open| {
+                format!(
+                    "<span title=\"{}\">{}</span>",
+                    escape(open.why),
+                    open.aspect.label()
+                )
+            });
+            let open: Vec<String> = open.collect();
+            format!(
+                "<span class=\"open\">not judged: {}</span>",
+                open.join(", ")
+            )
+        }
+    }
 }
 
 /// The golden and the actual answer, with the differing fields marked. Without a golden answer the

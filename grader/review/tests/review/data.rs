@@ -1,6 +1,7 @@
 //! Tests the data and the text of the page, without a browser.
 
 use crate::{BOXES, FALSE_HIT, FALSE_MISS, LATER_EXIT, MESH};
+use judge::tally::Aspect;
 use review::case::{ROWS, State};
 use review::cause::Cause;
 use review::picture::Pixels;
@@ -64,7 +65,8 @@ fn rows_show_both_answers_and_the_oracles_result() {
         "{}",
         row.question
     );
-    assert_eq!(case.wrong[&row.call], ["hit or miss"]);
+    let wrong = &case.whole.wrong_calls()[&row.call];
+    assert_eq!(wrong, &[Aspect::HitOrMiss]);
     let page = page::write(&review, &Author::Reference).expect("the page is written");
     for text in [
         "1 of 1 case changed; the exact oracle refutes 1 of them",
@@ -116,6 +118,42 @@ fn a_changed_bit_of_a_call_without_a_row_is_found() {
         "The exact oracle confirms the new answers.",
     ] {
         assert!(page.contains(text), "no {text:?}");
+    }
+}
+
+/// The case has an aspect that the oracle does not judge: its totals, without a box test, are none
+/// of a right traversal that the oracle knows.
+#[test]
+fn what_is_not_judged_is_not_confirmed() {
+    let golden = MESH.snapshot();
+    let mut hits = golden.lines.iter().filter(|line| !line.is_miss());
+    let in_full = hits.find(|line| !line.question.is_empty());
+    let at = in_full.expect("a row in full is a hit").call as usize;
+    let change = |change: &dyn Fn(&mut Hit)| {
+        let review = MESH.review(&MESH.hits(|hits| hits[at].iter_mut().for_each(change)));
+        page::write(&review, &Author::Reference).expect("the page is written")
+    };
+    // Another rounding: nothing is wrong.
+    let rounded = change(&|hit| hit.ng[0] = hit.ng[0].next_up());
+    for text in [
+        "1 of 1 case changed; the exact oracle does not judge all aspects of 1",
+        "it does not judge all their aspects",
+        "Not judged: work: there are fewer tests",
+        "not judged: <span title=",
+    ] {
+        assert!(rounded.contains(text), "no {text:?}");
+    }
+    for text in [
+        "confirms every new answer",
+        "confirms</span>",
+        "confirms the new answers",
+    ] {
+        assert!(!rounded.contains(text), "{text:?}");
+    }
+    // The case grades no normals.
+    let flipped = change(&|hit| hit.n = hit.n.map(|x| -x));
+    for text in ["the exact oracle refutes 1 of them", "wrong: normal</span>"] {
+        assert!(flipped.contains(text), "no {text:?}");
     }
 }
 

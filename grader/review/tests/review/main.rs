@@ -138,7 +138,7 @@ fn answer(work: &Work, records: &[Fields]) -> Answer {
             p: vector(fields, "p"),
             n: vector(fields, "n"),
             ng: vector(fields, "ng"),
-            uv: [0.0; 2],
+            uv: numbers(fields, "uv").map_or([0.0; 2], |uv| [uv[0], uv[1]]),
             prim: numbers(fields, "prim")?[0] as u32,
         })
     };

@@ -6,6 +6,9 @@ use crate::tally::Tally;
 use wire::answer::HitsAnswer;
 use wire::work::Ray;
 
+/// What is called, for messages.
+const FUNCTION: &str = "intersect_* on all shapes in order";
+
 /// Judges the closest hits of rays that were tested against all shapes of a list, in order.
 pub(crate) fn brute_force(
     tally: &mut Tally,
@@ -21,7 +24,7 @@ pub(crate) fn brute_force(
         let mut call = Call {
             tally: &mut *tally,
             number,
-            function: "intersect_* on all shapes in order",
+            function: FUNCTION,
             ray,
         };
         record(&mut call, expected, hit.as_ref());
@@ -34,5 +37,29 @@ pub(crate) fn brute_force(
         call.max_t_after(hit_t, *max_t, |max_t| {
             expected.has_right_max_t(hit_t, ray.max_t, max_t)
         });
+    }
+}
+
+/// Judges the surface parameters of the spheres that are hit.
+pub(crate) fn parameters(
+    tally: &mut Tally,
+    rays: &[Ray],
+    expected: &[Expected],
+    answer: &HitsAnswer,
+) {
+    let calls = rays.iter().zip(expected).zip(&answer.hits);
+    for (number, ((ray, expected), hit)) in calls.enumerate() {
+        if let Some(hit) = hit
+            && let Some(right) = expected.closest_to(hit.prim, hit.t)
+            && right.uv.is_none()
+        {
+            let mut call = Call {
+                tally: &mut *tally,
+                number,
+                function: FUNCTION,
+                ray,
+            };
+            call.no_parameters(hit.uv);
+        }
     }
 }

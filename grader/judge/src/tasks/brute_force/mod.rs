@@ -49,6 +49,17 @@ impl Check for BruteForce {
         judge::brute_force(tally, &work.rays, expected, answer);
     }
 
+    fn judge_rest(
+        tally: &mut Tally,
+        spec: &Spec,
+        tier: Tier,
+        work: &BruteForceWork,
+        answer: &HitsAnswer,
+    ) {
+        let expected = spec.expected_cache.of_shapes(spec, tier);
+        judge::parameters(tally, &work.rays, expected, answer);
+    }
+
     fn lines(work: &BruteForceWork, answer: &HitsAnswer) -> Option<Content> {
         let lines = each(&work.rays, &answer.hits, |ray, hit| {
             lines::hit(None, ray, hit.as_ref())

@@ -53,6 +53,31 @@ pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnsw
     }
 }
 
+/// Records the estimates whose random rays are not tested: they are too few.
+pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    if answers.len() >= MIN_ESTIMATES {
+        return;
+    }
+    for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
+        let one = Estimate {
+            work,
+            point,
+            place: ShadingPlace::of(point),
+            answer,
+            call,
+        };
+        let is_random = |source: &Source| !matches!(source, Source::Point(_));
+        let may_be_random = match work.strategy {
+            Strategy::ZeroBounce => false,
+            Strategy::Hemisphere => true,
+            Strategy::Lights => one.sources().iter().any(is_random),
+        };
+        if may_be_random && !answer.rays.is_empty() {
+            tally.not_judged(Aspect::Direction, call, chance::TOO_FEW);
+        }
+    }
+}
+
 /// Tests the statistics of many estimates; all points of `work` are the same.
 fn statistics(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
     let place = ShadingPlace::of(&work.points[0]);

@@ -32,6 +32,16 @@ impl Check for Direct {
         judge::direct(tally, work, answers);
     }
 
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        work: &DirectWork,
+        answers: &Vec<DirectAnswer>,
+    ) {
+        judge::untested(tally, work, answers);
+    }
+
     fn lines(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Option<Content> {
         let lines = each(&work.points, answers, |point, answer| {
             let question = vec![

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
 mod repro;
+mod rest;
 
 use crate::Tier;
 use crate::cases::Spec;
@@ -42,6 +43,16 @@ impl Check for Pixels {
 
     fn judge(tally: &mut Tally, _: &Spec, _: Tier, work: &PixelWork, answers: &Vec<PixelAnswer>) {
         judge::pixels(tally, work, answers);
+    }
+
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        work: &PixelWork,
+        answers: &Vec<PixelAnswer>,
+    ) {
+        rest::pixels(tally, work, answers);
     }
 
     fn lines(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Option<Content> {

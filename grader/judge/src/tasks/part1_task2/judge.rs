@@ -1,7 +1,7 @@
 //! Judges camera rays.
 
 use crate::Tier;
-use crate::hits::show;
+use crate::hits::{TOO_WIDE, WIDE, show};
 use crate::tally::{Aspect, Class, Tally};
 use kit::{Vec3, math};
 use wire::work::{Camera, Ray, Xyz};
@@ -75,6 +75,9 @@ fn one(tally: &mut Tally, tier: Tier, call: usize, camera: &Camera, point: [f64;
         Tier::Robust => ROBUST_DIRECTION_BOUND,
     } + angle_rounding(camera.h_fov)
         + angle_rounding(camera.v_fov);
+    if bound > WIDE {
+        tally.not_judged(Aspect::Direction, call, TOO_WIDE);
+    }
     let is_right = off <= bound;
     let class = (!is_right).then(|| Class::of_certain_direction(d, right));
     tally.judge_class(Aspect::Direction, call, class, off, || {

@@ -39,3 +39,18 @@ pub(crate) fn spheres(
         call.agrees_with(test, answer.test.is_some(), hit.is_some());
     }
 }
+
+/// Judges the surface parameters of the hits.
+pub(crate) fn parameters(tally: &mut Tally, probes: &[Probe], answers: &[SphereAnswer]) {
+    for (number, (probe, answer)) in probes.iter().zip(answers).enumerate() {
+        let mut call = Call {
+            tally: &mut *tally,
+            number,
+            function: "intersect_sphere",
+            ray: &probe.ray,
+        };
+        if let Some(hit) = answer.hit {
+            call.no_parameters(hit.uv);
+        }
+    }
+}

@@ -62,7 +62,7 @@ pub(crate) fn build(
 }
 
 /// For each node, the smallest box around the primitives below it.
-fn tight_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
+pub(super) fn tight_boxes(tree: &Tree, walk: &Walk, bounds: &[[Xyz; 2]]) -> Vec<Aabb> {
     let mut tight = vec![Aabb::EMPTY; tree.nodes.len()];
     for &at in walk.parents_first.iter().rev() {
         tight[at] = match tree.nodes[at].kind {
@@ -118,6 +118,19 @@ fn show(b: &Aabb) -> String {
     )
 }
 
+/// The expected number of tests of a random line through the scene (see [`judge_work`]).
+pub(super) fn cost(tree: &Tree, tight: &[Aabb]) -> f64 {
+    let scene = tight.first().map_or(0.0, Aabb::surface_area);
+    let tests = |node: &Node| match node.kind {
+        NodeKind::Interior { .. } => 2.0,
+        NodeKind::Leaf { count, .. } => f64::from(count),
+    };
+    let costs = tree.nodes.iter();
+    costs
+        .map(|node| tests(node) * aabb(&node.bounds).surface_area() / scene)
+        .sum()
+}
+
 /// Judges the cost of a tree: the expected number of box and primitive tests of a random line
 /// through the scene, by the surface area heuristic (Goldsmith and Salmon, "Automatic creation of
 /// object hierarchies for ray tracing", 1987): a line that hits the scene's box hits a convex box
@@ -126,16 +139,7 @@ fn show(b: &Aabb) -> String {
 /// The areas are those of the nodes' boxes relative to the tight box of the scene, so that loose
 /// boxes increase the cost.
 fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recorded: TreeWork) {
-    let scene = tight.first().map_or(0.0, Aabb::surface_area);
-    let tests = |node: &Node| match node.kind {
-        NodeKind::Interior { .. } => 2.0,
-        NodeKind::Leaf { count, .. } => f64::from(count),
-    };
-    let cost: f64 = tree
-        .nodes
-        .iter()
-        .map(|node| tests(node) * aabb(&node.bounds).surface_area() / scene)
-        .sum();
+    let cost = cost(tree, tight);
     let cheap = cost <= COST_FACTOR * recorded.cost;
     let ratio = cost / recorded.cost;
     let why = cause_of_cost(tree, tight);

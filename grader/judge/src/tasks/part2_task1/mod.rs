@@ -6,6 +6,7 @@ pub(crate) mod judge;
 mod leaves;
 mod lines;
 mod repro;
+mod rest;
 mod structure;
 
 use crate::Tier;
@@ -35,6 +36,10 @@ impl Check for Build {
     fn judge(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
         let recorded = recorded::tree(spec.name);
         judge::build(tally, &work.bounds, work.max_leaf_size, answer, recorded);
+    }
+
+    fn judge_rest(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
+        rest::build(tally, work, answer, recorded::tree(spec.name));
     }
 
     fn lines(_: &BuildWork, answer: &BuildAnswer) -> Option<Content> {

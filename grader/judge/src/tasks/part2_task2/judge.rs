@@ -32,6 +32,9 @@ pub(crate) fn boxes(
         if verdict.hits() && !verdict.undecidable(kernel) {
             tally.expect(Aspect::Interval);
         }
+        if verdict.undecidable(kernel) {
+            tally.not_judged(Aspect::HitOrMiss, call, hits::ROUNDING_DECIDES);
+        }
         let decided = !matches!(judgement, BoxJudgement::FalseHit | BoxJudgement::FalseMiss);
         let about = || {
             format!(

@@ -2,14 +2,15 @@
 
 use crate::hits;
 use crate::tally::{Aspect, Class, Tally};
+use crate::tree_tests::{Tests, TracedRay};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
-use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
+use wire::work::{Ray, ScriptedRay, ScriptedWorld};
 
 /// A traversal may make this many times the tests of one that visits children in a fixed order,
 /// averaged over left to right and right to left. Half of the rays go one way and half the other.
 /// Visiting the farther child first, or every node, makes twice as many tests.
-const WORK_FACTOR: f64 = 1.5;
+pub(crate) const WORK_FACTOR: f64 = 1.5;
 
 /// Judges the results of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
 /// tests. Tests that repeat others are always judged.
@@ -76,7 +77,7 @@ fn function(world: &ScriptedWorld) -> &'static str {
 }
 
 /// The hits in the ray's range: primitive and `t`.
-fn in_range(scripted: &ScriptedRay) -> impl Iterator<Item = (u32, f64)> {
+pub(super) fn in_range(scripted: &ScriptedRay) -> impl Iterator<Item = (u32, f64)> {
     let Ray { min_t, max_t, .. } = scripted.ray;
     let met = (0..).zip(&scripted.prims);
     met.filter_map(|(id, &t)| Some((id, t?)))
@@ -177,20 +178,9 @@ fn odd_tests(answer: &TraverseAnswer) -> String {
     String::new()
 }
 
-/// The number of tests of many rays.
-#[derive(Clone, Copy, Debug, Default)]
-struct Tests {
-    boxes: u64,
-    prims: u64,
-}
-
 /// Judges the number of tests, separately for the rays along each axis.
 fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
     let function = function(world);
-    let orders = [
-        depth_first(&world.tree, false),
-        depth_first(&world.tree, true),
-    ];
     let mut by_axis: BTreeMap<usize, AxisTotal> = BTreeMap::new();
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         let axis = kit::Vec3::from(scripted.ray.d).abs().max_position();
@@ -201,11 +191,11 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         total.tests.prims += u64::from(answer.prim_tests);
         total.hits += u64::from(answer.prim_hits);
         total.could_hit += in_range(scripted).count() as u64;
-        for order in &orders {
-            let tests = plain_tests(world, order, scripted);
-            total.twice_plain.boxes += tests.boxes;
-            total.twice_plain.prims += tests.prims;
-        }
+        traced(world, scripted, |ray| {
+            for mirrored in [false, true] {
+                total.twice_plain += ray.fixed_order(mirrored);
+            }
+        });
     }
     for total in by_axis.into_values() {
         let AxisTotal {
@@ -217,7 +207,10 @@ fn work(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
         let mut count = |what: &str, tests: u64, twice_plain: u64| {
             let plain = twice_plain as f64 / 2.0;
             let times = tests as f64 / plain;
-            let class = (times > WORK_FACTOR).then(|| total.why(times));
+            let class = (times > WORK_FACTOR).then(|| match total.why(times) {
+                Class::Off(_) if what == "primitive" => Class::Named("too many primitive tests"),
+                class => class,
+            });
             tally.judge_class(Aspect::Work, call, class, times, || {
                 format!(
                     "your result: {function} makes {tests} {what} tests; visiting children in a fixed order makes {plain:.0} (up to {WORK_FACTOR} times that passes). {}",
@@ -277,50 +270,19 @@ const ALL_HITS_SHARE: f64 = 0.9;
 /// From this share of hits on, the class is "finds much of what is hit".
 const MANY_HITS_SHARE: f64 = 0.25;
 
-/// All nodes in depth-first order, left before right, or right before left if `mirrored`.
-fn depth_first(tree: &Tree, mirrored: bool) -> Vec<usize> {
-    let mut order = Vec::new();
-    let mut next = Vec::from_iter((!tree.nodes.is_empty()).then_some(0));
-    while let Some(at) = next.pop() {
-        order.push(at);
-        if let NodeKind::Interior { left, right } = tree.nodes[at].kind {
-            let (first, second) = if mirrored {
-                (right, left)
-            } else {
-                (left, right)
-            };
-            next.extend([second as usize, first as usize]);
-        }
-    }
-    order
-}
-
-/// The number of tests of a traversal that visits the nodes in this `order` and culls those out of
-/// range. A node is entered exactly if its box is hit before the closest hit among all primitives
-/// earlier in the order; for any hit, if none of those is hit.
-fn plain_tests(world: &ScriptedWorld, order: &[usize], scripted: &ScriptedRay) -> Tests {
-    let tree = &world.tree;
-    let mut tests = Tests { boxes: 1, prims: 0 };
-    let mut max_t = scripted.ray.max_t;
-    for &at in order {
-        let entered = scripted.spans[at]
-            .is_some_and(|[enters, leaves]| enters <= max_t && leaves >= scripted.ray.min_t);
-        let NodeKind::Leaf { first, count } = tree.nodes[at].kind else {
-            tests.boxes += if entered { 2 } else { 0 };
-            continue;
-        };
-        let prims = &tree.order[first as usize..first as usize + count as usize];
-        tests.prims += if entered { u64::from(count) } else { 0 };
-        let met = prims.iter().filter_map(|&id| scripted.prims[id as usize]);
-        let hit = met
-            .filter(|&t| scripted.ray.min_t <= t)
-            .fold(f64::INFINITY, f64::min);
-        if hit <= max_t && world.any_hit {
-            return tests;
-        }
-        max_t = max_t.min(hit);
-    }
-    tests
+/// Calls `of` with a scripted ray and what it meets.
+pub(super) fn traced<T>(
+    world: &ScriptedWorld,
+    scripted: &ScriptedRay,
+    of: impl FnOnce(&TracedRay<'_>) -> T,
+) -> T {
+    of(&TracedRay {
+        tree: &world.tree,
+        any_hit: world.any_hit,
+        range: [scripted.ray.min_t, scripted.ray.max_t],
+        span: &|node| scripted.spans[node],
+        hit: &|id| scripted.prims[id as usize],
+    })
 }
 
 #[cfg(test)]

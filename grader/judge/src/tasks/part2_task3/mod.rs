@@ -2,8 +2,9 @@
 //! scenes are in [`super::scene_hits`].
 
 pub(crate) mod cases;
-mod judge;
+pub(crate) mod judge;
 mod repro;
+pub(crate) mod rest;
 
 use crate::Tier;
 use crate::cases::Spec;
@@ -38,6 +39,16 @@ impl Check for Traverse {
     ) {
         let counts_work = cases::counts_work(spec.name);
         judge::traverse(tally, world, answers, counts_work);
+    }
+
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        world: &ScriptedWorld,
+        answers: &Vec<TraverseAnswer>,
+    ) {
+        rest::traverse(tally, world, answers);
     }
 
     fn lines(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Option<Content> {

@@ -33,6 +33,23 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
     }
 }
 
+/// Records the sampled directions whose distribution is not tested.
+pub(crate) fn untested(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+    let on_side = |side: f64| {
+        probes
+            .iter()
+            .filter(|probe| probe.wo[2] * side > 0.0)
+            .count()
+    };
+    let tested = [1.0, -1.0].map(|side| on_side(side) >= MIN_ESTIMATES);
+    for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
+        let is_tested = tested[usize::from(probe.wo[2] < 0.0)];
+        if answer.sample.is_some() && !is_tested {
+            tally.not_judged(Aspect::SampledDirection, call, chance::TOO_FEW);
+        }
+    }
+}
+
 /// The right f and density of a probe.
 pub(crate) fn right(probe: &LambertProbe) -> (Xyz, f64) {
     let [wo, wi] = [probe.wo[2], probe.wi[2]];

@@ -37,6 +37,16 @@ impl Check for Lambert {
         judge::lambert(tally, probes, answers);
     }
 
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        probes: &Vec<LambertProbe>,
+        answers: &Vec<LambertAnswer>,
+    ) {
+        judge::untested(tally, probes, answers);
+    }
+
     fn lines(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Option<Content> {
         Some((Vec::new(), each(probes, answers, lines::lambert)))
     }

@@ -2,7 +2,7 @@
 
 use crate::Tier;
 use crate::chance::{self, MIN_ESTIMATES};
-use crate::hits::show;
+use crate::hits::{TOO_WIDE, WIDE, show};
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
 use kit::{Tally as SampleTally, Vec3};
@@ -190,6 +190,15 @@ pub(crate) fn right(tier: Tier, input: &SpecularCall) -> (Right, f64) {
 
 fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer: &SpecularAnswer) {
     tally.answers_of(function(input));
+    let (_, bound) = right(tier, input);
+    if bound > WIDE {
+        let aspect = match answer {
+            SpecularAnswer::Share(_) => Aspect::Fresnel,
+            SpecularAnswer::Direction(_) => Aspect::SampledDirection,
+            SpecularAnswer::Sample(_) => Aspect::Pdf,
+        };
+        tally.not_judged(aspect, call, TOO_WIDE);
+    }
     match (right(tier, input), answer) {
         ((Right::Share(right), bound), SpecularAnswer::Share(share)) => {
             tally.expect(Aspect::Fresnel);

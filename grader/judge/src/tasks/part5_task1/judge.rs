@@ -77,6 +77,32 @@ pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[Adap
     independence::judge(tally, &samples);
 }
 
+/// Why the positions of samples are not judged.
+const ANY_PLACE: &str =
+    "any place in the pixel is right, and the distribution of the samples is not tested";
+
+/// Why the number of calls of the rule is not judged.
+const LAST_CALL: &str = "a call of the rule after the last possible sample is optional";
+
+/// Records what the judgement of pixels leaves open.
+pub(crate) fn untested(tally: &mut Tally, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
+    for (call, (work, answer)) in works.iter().zip(answers).enumerate() {
+        if !answer.points.is_empty() {
+            tally.not_judged(Aspect::Placement, call, ANY_PLACE);
+        }
+        let (_, rule_calls) = right_samples(work);
+        if last_is_optional(work, &rule_calls) {
+            tally.not_judged(Aspect::Questions, call, LAST_CALL);
+        }
+    }
+}
+
+/// Whether the last of the right calls of the rule is after the last possible sample.
+fn last_is_optional(work: &AdaptivePixel, rule_calls: &[SampleTally]) -> bool {
+    let last = rule_calls.last();
+    last.is_some_and(|at_call| at_call.count() == u64::from(work.ns_aa))
+}
+
 /// The number of samples that a correct loop takes, and the samples at each call of the rule.
 pub(crate) fn right_samples(work: &AdaptivePixel) -> (u32, Vec<SampleTally>) {
     let mut taken = SampleTally::default();
@@ -167,10 +193,7 @@ fn questions(
     rule_calls: &[SampleTally],
     about: &impl Fn() -> String,
 ) {
-    let last_is_optional = rule_calls
-        .last()
-        .is_some_and(|at_call| at_call.count() == u64::from(work.ns_aa));
-    let least = rule_calls.len() - usize::from(last_is_optional);
+    let least = rule_calls.len() - usize::from(last_is_optional(work, rule_calls));
     let enough = (least..=rule_calls.len()).contains(&answer.rule_calls.len());
     let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= BOUND * scale;
     let same = |(rule_call, right): (&(u64, f64, f64, f64), &SampleTally)| {

@@ -72,6 +72,16 @@ impl Check for AdaptivePixels {
         judge::pixels(tally, questions, answers);
     }
 
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        questions: &Vec<AdaptivePixel>,
+        answers: &Vec<AdaptiveAnswer>,
+    ) {
+        judge::untested(tally, questions, answers);
+    }
+
     fn lines(questions: &Vec<AdaptivePixel>, answers: &Vec<AdaptiveAnswer>) -> Option<Content> {
         Some((Vec::new(), each(questions, answers, lines::pixel)))
     }

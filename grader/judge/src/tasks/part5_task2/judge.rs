@@ -42,3 +42,15 @@ pub(crate) fn sure_stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAn
         });
     }
 }
+
+/// Why the number of calls of the plain rule is not judged.
+const REPEATED: &str = "the plain rule may be called again, or where it does not decide";
+
+/// Records the calls of the plain rule that are allowed and not needed.
+pub(crate) fn untested(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
+    for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
+        if answer.rule_calls.len() != usize::from(plain_decides(call)) {
+            tally.not_judged(Aspect::Questions, i, REPEATED);
+        }
+    }
+}

@@ -37,6 +37,16 @@ impl Check for SureStop {
         judge::sure_stop(tally, questions, answers);
     }
 
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &Spec,
+        _: Tier,
+        questions: &Vec<StopCall>,
+        answers: &Vec<StopAnswer>,
+    ) {
+        judge::untested(tally, questions, answers);
+    }
+
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {
         Some((Vec::new(), each(questions, answers, lines::stop)))
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod cases;
 mod judge;
+mod rest;
 
 use super::brute_force::hits_fit;
 use crate::cases::Spec;
@@ -34,6 +35,26 @@ impl Check for SceneHits {
     fn judge(tally: &mut Tally, spec: &Spec, tier: Tier, work: &SceneWork, answer: &HitsAnswer) {
         let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
         judge::hits(tally, tier, truths, &work.rays, work.any_hit, answer);
+    }
+
+    fn judge_rest(
+        tally: &mut Tally,
+        spec: &Spec,
+        tier: Tier,
+        work: &SceneWork,
+        answer: &HitsAnswer,
+    ) {
+        let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
+        if work.any_hit {
+            rest::decisions(tally, tier, truths);
+        } else {
+            let expected = spec
+                .expected_cache
+                .of_tier(tier, || rest::expected(work, tier));
+            rest::records(tally, &work.rays, expected, truths, answer);
+        }
+        let needed = spec.expected_cache.tests(|| rest::needed_tests(work));
+        rest::tests(tally, needed, answer);
     }
 
     fn lines(work: &SceneWork, answer: &HitsAnswer) -> Option<Content> {

@@ -1,0 +1,298 @@
+//! What the wrong answers of a task have in common, where they match no known mistake: which fields
+//! are wrong and which right, how they are wrong, and under which circumstances.
+
+use crate::score::CaseResult;
+use judge::Tier;
+use judge::cases::Spec;
+use judge::circumstances;
+use judge::tally::{Aspect, Class, Fault, Finding};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// This share of the wrong answers must be wrong in the same way to be said to be.
+const MOST: f64 = 0.95;
+
+/// A regularity needs at least this many wrong answers.
+const FEWEST: usize = 4;
+
+/// A circumstance is said only if at most this share of the other answers has it, too.
+const TELLING: f64 = 0.6;
+
+/// At most this many circumstances are said.
+const CIRCUMSTANCES: usize = 2;
+
+/// Sentences without a full stop, the most helpful first; none if nothing is regular.
+pub fn of(task: &str, cases: &[CaseResult], specs: &[Spec]) -> Vec<String> {
+    let cases = that_count(cases);
+    let mut sentences = Vec::new();
+    sentences.extend(fields(&cases));
+    let Some(aspect) = main_aspect(&cases) else {
+        return sentences;
+    };
+    sentences.extend(functions(&cases));
+    sentences.extend(manner(&cases, aspect));
+    sentences.extend(where_wrong(task, &cases, aspect, specs));
+    sentences
+}
+
+/// The core cases, or the robust ones if all core cases are right, that have answers and do not use
+/// other tasks.
+fn that_count(cases: &[CaseResult]) -> Vec<&CaseResult> {
+    let of_tier = |tier: Tier| -> Vec<&CaseResult> {
+        let cases = cases.iter();
+        let cases = cases.filter(|case| case.tier == tier && !case.with_neighbours);
+        cases.filter(|case| !case.findings.is_empty()).collect()
+    };
+    let core = of_tier(Tier::Core);
+    let is_right = |case: &&CaseResult| case.findings.iter().all(Finding::passed);
+    match core.iter().all(is_right) {
+        true => of_tier(Tier::Robust),
+        false => core,
+    }
+}
+
+/// All findings of these cases about one aspect, with the name of the case.
+fn about<'a>(
+    cases: &'a [&CaseResult],
+    aspect: Aspect,
+) -> impl Iterator<Item = (&'a str, &'a Finding)> {
+    let all = cases.iter().flat_map(|case| {
+        let findings = case.findings.iter();
+        findings.map(|finding| (case.name.as_str(), finding))
+    });
+    all.filter(move |(_, finding)| finding.aspect == aspect)
+}
+
+/// For each aspect, on how many calls it is wrong.
+fn wrong_by_aspect(cases: &[&CaseResult]) -> BTreeMap<Aspect, u32> {
+    let mut wrong = BTreeMap::new();
+    for finding in cases.iter().flat_map(|case| &case.findings) {
+        if finding.judged > 0 {
+            *wrong.entry(finding.aspect).or_default() += finding.wrong;
+        }
+    }
+    wrong
+}
+
+/// The aspect that explains most: hits and misses come first, because nothing else is judged where
+/// they are wrong.
+fn main_aspect(cases: &[&CaseResult]) -> Option<Aspect> {
+    let wrong = wrong_by_aspect(cases);
+    let most = wrong.values().copied().max()?;
+    if most == 0 {
+        return None;
+    }
+    if 2 * wrong.get(&Aspect::HitOrMiss).copied().unwrap_or(0) >= most {
+        return Some(Aspect::HitOrMiss);
+    }
+    let mut of_most = wrong.into_iter().filter(|(_, wrong)| *wrong == most);
+    of_most.next().map(|(aspect, _)| aspect)
+}
+
+/// Which fields are always right, where some are.
+fn fields(cases: &[&CaseResult]) -> Option<String> {
+    let wrong = wrong_by_aspect(cases);
+    let labels = |is_wrong: bool| -> Vec<&str> {
+        let some = wrong.iter().filter(|(_, wrong)| (**wrong > 0) == is_wrong);
+        some.map(|(aspect, _)| aspect.label()).collect()
+    };
+    let (wrong, right) = (labels(true), labels(false));
+    let tells = !wrong.is_empty() && wrong.len() <= right.len();
+    tells.then(|| {
+        format!(
+            "only {} wrong; {} right on every call",
+            are(&wrong),
+            are(&right)
+        )
+    })
+}
+
+/// Which functions are wrong, in tasks of several.
+fn functions(cases: &[&CaseResult]) -> Option<String> {
+    let faults = cases.iter().flat_map(|case| &case.findings);
+    let of_faults: BTreeSet<Option<&str>> = faults
+        .flat_map(|finding| finding.faults.iter().map(|fault| fault.function))
+        .collect();
+    let names: Option<Vec<&str>> = of_faults.into_iter().collect();
+    match names?.as_slice() {
+        [name] => Some(format!("only the answers of {name} are wrong")),
+        _ => None,
+    }
+}
+
+/// How the aspect is wrong, if it is nearly always wrong in the same way.
+fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
+    let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
+    let faults = about(cases, aspect).flat_map(|(_, finding)| &finding.faults);
+    for Fault { class, .. } in faults {
+        *classes.entry(*class).or_default() += 1;
+    }
+    let all: usize = classes.values().sum();
+    let (class, same) = classes.into_iter().max_by_key(|(_, count)| *count)?;
+    let regular = all >= FEWEST && same as f64 >= MOST * all as f64;
+    let label = aspect.label();
+    let manner = match class {
+        _ if !regular => return None,
+        Class::FalseHit => {
+            "every wrong answer is a hit where there is a miss, never a missed hit".into()
+        }
+        Class::FalseMiss => {
+            "every wrong answer is a miss where there is a hit, never a false hit".into()
+        }
+        Class::NotANumber => format!("{label}: every wrong answer is NaN"),
+        Class::Infinite => format!("{label}: every wrong answer is infinite"),
+        Class::Zero => format!("{label}: every wrong answer is 0"),
+        Class::Negated => format!("{label}: right but for the sign"),
+        Class::WrongLength => format!("{label}: the right direction with a wrong length"),
+        Class::Swapped => format!("{label}: the right numbers in the wrong order"),
+        Class::Ratio(0) => format!("{label}: nearly right, less than a factor of 1.5 off"),
+        Class::Ratio(power) => format!(
+            "{label}: about {} times the right number",
+            2.0_f64.powi(power.into())
+        ),
+        Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => format!(
+            "{label}: off by about {:.0e}, as if something were rounded to single precision or typed with few digits",
+            2.0_f64.powi(power.into())
+        ),
+        _ => return None,
+    };
+    Some(manner)
+}
+
+/// The aspects whose class [`Class::Off`] gives the size of the error, in units of the answer.
+const HAS_A_SIZE: [Aspect; 6] = [
+    Aspect::Direction,
+    Aspect::Barycentrics,
+    Aspect::Position,
+    Aspect::Normal,
+    Aspect::GeometricNormal,
+    Aspect::SampledDirection,
+];
+
+/// Errors of at most 2 to this power come from rounding or from typed constants.
+const SINGLE_PRECISION: i8 = -17;
+
+/// Under which circumstances the aspect is wrong, if all wrong answers share one that most other
+/// answers do not have.
+fn where_wrong(
+    task: &str,
+    cases: &[&CaseResult],
+    aspect: Aspect,
+    specs: &[Spec],
+) -> Option<String> {
+    let mut wrong = 0;
+    let mut others = 0;
+    let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
+    for (case, finding) in about(cases, aspect) {
+        let spec = specs.iter().find(|spec| spec.is(task, case))?;
+        let wrong_calls: BTreeSet<u32> = finding.faults.iter().map(|fault| fault.call).collect();
+        for &call in &finding.judged_calls {
+            let is_wrong = wrong_calls.contains(&call);
+            wrong += usize::from(is_wrong);
+            others += usize::from(!is_wrong);
+            for circumstance in circumstances::of(&spec.work, call as usize) {
+                counts.entry(circumstance).or_default()[usize::from(!is_wrong)] += 1;
+            }
+        }
+    }
+    if wrong < FEWEST || others < FEWEST {
+        return None;
+    }
+    let mut telling: Vec<(usize, &str)> = counts
+        .into_iter()
+        .filter(|(_, [of_wrong, of_others])| {
+            *of_wrong == wrong && *of_others as f64 <= TELLING * others as f64
+        })
+        .map(|(circumstance, [_, of_others])| (of_others, circumstance))
+        .collect();
+    telling.sort_unstable();
+    let telling = telling.iter().take(CIRCUMSTANCES);
+    let telling: Vec<&str> = telling.map(|(_, circumstance)| *circumstance).collect();
+    (!telling.is_empty()).then(|| format!("wrong only where {}", telling.join(" and ")))
+}
+
+/// "t is" or "t and normal are".
+fn are(labels: &[&str]) -> String {
+    match labels {
+        [] => String::new(),
+        [one] => format!("{one} is"),
+        [most @ .., last] => format!("{} and {last} are", most.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::score::Status;
+    use judge::tally::Tally;
+
+    const TASK: &str = "part1.task4";
+
+    /// The sentences about all core cases of spheres, whose answers are wrong in these ways.
+    fn sentences(wrong: impl Fn(&[&str]) -> Vec<(Aspect, Class)>) -> Vec<String> {
+        let mut specs = judge::cases::all(0);
+        specs.retain(|spec| spec.task == TASK && matches!(spec.work, wire::Work::Spheres(_)));
+        let cases: Vec<CaseResult> = specs.iter().map(|spec| case(spec, &wrong)).collect();
+        of(TASK, &cases, &specs)
+    }
+
+    fn case(spec: &Spec, wrong: impl Fn(&[&str]) -> Vec<(Aspect, Class)>) -> CaseResult {
+        let mut tally = Tally::default();
+        let calls = (0..).map(|call| circumstances::of(&spec.work, call));
+        for (call, here) in calls.take_while(|here| !here.is_empty()).enumerate() {
+            let wrong = wrong(&here);
+            for aspect in [Aspect::HitOrMiss, Aspect::T, Aspect::Normal] {
+                let class = wrong.iter().find(|(other, _)| *other == aspect);
+                tally.judge_class(
+                    aspect,
+                    call,
+                    class.map(|(_, class)| *class),
+                    1.0,
+                    String::new,
+                );
+            }
+        }
+        CaseResult {
+            name: spec.name.into(),
+            tier: Tier::Core,
+            score: 0.0,
+            max_score: 1.0,
+            status: Status::Failed,
+            about: String::new(),
+            findings: tally.into_findings(),
+            with_neighbours: false,
+        }
+    }
+
+    #[test]
+    fn what_all_wrong_answers_share_is_said() {
+        let inside = "the ray starts inside the sphere";
+        let missed = sentences(|here| match here.contains(&inside) {
+            true => vec![(Aspect::HitOrMiss, Class::FalseMiss)],
+            false => vec![],
+        });
+        assert_eq!(
+            missed,
+            [
+                "only hit or miss is wrong; t and normal are right on every call",
+                "every wrong answer is a miss where there is a hit, never a false hit",
+                "wrong only where the ray starts inside the sphere",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_factor_is_said_and_nothing_where_nothing_is_shared() {
+        let doubled = sentences(|_| vec![(Aspect::T, Class::Ratio(1))]);
+        assert_eq!(doubled[1], "t: about 2 times the right number");
+        let calls = std::cell::Cell::new(0);
+        let mixed = sentences(|_| {
+            calls.set(calls.get() + 1);
+            match calls.get() % 3 {
+                0 => vec![(Aspect::T, Class::Zero), (Aspect::Normal, Class::Negated)],
+                1 => vec![(Aspect::HitOrMiss, Class::FalseHit)],
+                _ => vec![(Aspect::HitOrMiss, Class::FalseMiss)],
+            }
+        });
+        assert_eq!(mixed, [""; 0]);
+    }
+}

@@ -241,7 +241,7 @@ mod tests {
 
     #[test]
     fn mirrored_offsets_are_correlated() {
-        let mirrored = |x: u32, s: Vec2| if x % 2 == 0 { s } else { 1.0 - s };
+        let mirrored = |x: u32, s: Vec2| if x.is_multiple_of(2) { s } else { 1.0 - s };
         let calls = pixels(|_, y| PixelSampler::new(0, y, 5), mirrored);
         assert!(faults(&calls).contains(&Class::Named("correlated")));
         let moved = |x: u32, s: Vec2| (s + 0.01 * f64::from(x)).fract();

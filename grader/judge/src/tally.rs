@@ -111,6 +111,7 @@ impl Aspect {
             Aspect::Mean
                 | Aspect::Spread
                 | Aspect::Work
+                | Aspect::BuildTime
                 | Aspect::Structure
                 | Aspect::Bounds
                 | Aspect::LeafSize

@@ -58,7 +58,7 @@ const TELLING: f64 = 0.1;
 /// shows in it.
 const SHOWN: f64 = 0.25;
 
-/// A case or an aspect disagrees throughout only if at least so many of its values are wrong.
+/// A case disagrees throughout only if at least so many of its values are wrong.
 const DISAGREEING: usize = 5;
 
 impl Signature {
@@ -141,12 +141,11 @@ impl Signature {
         })
     }
 
-    /// Whether a case or an aspect disagrees with `mistake` throughout: at least `DISAGREEING`
-    /// values of it are wrong here or there, and not one of them in the same way. Where a hit is
-    /// missed, or code crashes, nothing else can agree.
+    /// Whether a case disagrees with `mistake` throughout: at least `DISAGREEING` values of it are
+    /// wrong here or there, and not one of them in the same way. Where a hit is missed, or code
+    /// crashes, nothing else can agree.
     pub fn disagrees_throughout(&self, mistake: &Signature) -> bool {
         let mut cases: BTreeMap<&str, Alone> = BTreeMap::new();
-        let mut places: BTreeMap<Option<(Aspect, Option<&str>)>, Alone> = BTreeMap::new();
         let [mine, theirs] = [self, mistake].map(Signature::cases);
         let keys: BTreeSet<&SignatureKey> = mine.keys().chain(theirs.keys()).collect();
         for key in keys {
@@ -155,18 +154,16 @@ impl Signature {
                 codes.map_or(&[][..], |codes| &codes.0)
             });
             let hidden = [mine, theirs].map(|cases| Hiding::of(cases, key));
-            let mut here = Alone::default();
+            let case = cases.entry(&key.case).or_default();
             for call in 0..codes[0].len().max(codes[1].len()) {
                 let [a, b] = codes.map(|codes| codes.get(call).copied().unwrap_or(0));
                 let is_hidden = hidden.iter().any(|hidden| hidden.at(call));
-                here.of += usize::from(a != b && !is_hidden || a == b && a != 0);
-                here.shown += usize::from(a == b && a != 0);
+                case.of += usize::from(a != b && !is_hidden || a == b && a != 0);
+                case.shown += usize::from(a == b && a != 0);
             }
-            *cases.entry(&key.case).or_default() += here;
-            *places.entry(key.side.place()).or_default() += here;
         }
-        let disagrees = |side: &Alone| side.of >= DISAGREEING && side.shown == 0;
-        cases.values().any(disagrees) || places.values().any(disagrees)
+        let disagrees = |case: &Alone| case.of >= DISAGREEING && case.shown == 0;
+        cases.values().any(disagrees)
     }
 
     /// The functions that gave wrong answers, where cases call several.

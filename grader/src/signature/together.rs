@@ -69,13 +69,6 @@ pub struct Alone {
     pub shown: usize,
 }
 
-impl std::ops::AddAssign for Alone {
-    fn add_assign(&mut self, other: Alone) {
-        self.of += other.of;
-        self.shown += other.shown;
-    }
-}
-
 impl Together {
     /// The fraction of all wrong values that are wrong in the same way.
     pub fn likeness(&self) -> f64 {

@@ -16,6 +16,7 @@ use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
+use tempfile::TempPath;
 use wire::Work;
 
 /// A version of a task's code and its score.
@@ -153,7 +154,7 @@ fn changed(task: &Task, specs: &[Spec], others: &[Spec]) -> Task {
 
 /// A worker that contains all versions of a stage.
 struct VersionsWorker<'a> {
-    program: PathBuf,
+    program: TempPath,
     course: &'a Course,
     versions: Vec<Named>,
     /// The answers of the reference with seed 0, which is the first version.
@@ -217,7 +218,7 @@ impl VersionsWorker<'_> {
     /// The workers that run one version.
     fn workers(&self, version: usize) -> StageWorkers {
         let worker = Worker {
-            program: self.program.clone(),
+            program: self.program.to_path_buf(),
             environment: vec![(VERSION_VARIABLE, version.to_string())],
         };
         // The worker links every stage.

@@ -5,12 +5,14 @@
 //! call.
 
 use super::corpus::Sources;
-use grader::compile::{BuildOutcome, BuildRoot};
+use grader::compile::{BuildOutcome, BuildRoot, CompileErrors};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::fmt::Write;
+use std::fs::File;
 use std::path::{Path, PathBuf};
+use tempfile::TempPath;
 
 /// The environment variable with the number of the version to run, counted from 0.
 pub const VERSION_VARIABLE: &str = "FIRSTLIGHT_VERSION";
@@ -292,10 +294,10 @@ pub fn worker(
     workspace: &Workspace,
     stage: &str,
     versions: &[Sources],
-) -> Result<PathBuf, GraderError> {
+) -> Result<TempPath, GraderError> {
     match build(workspace, stage, versions)? {
-        BuildOutcome::Worker(program) => Ok(program),
-        BuildOutcome::DoesNotCompile(_) => Err(GraderError::new(format!(
+        Ok(program) => Ok(program),
+        Err(_) => Err(GraderError::new(format!(
             "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",
             job_folder(workspace, stage).display()
         ))),
@@ -308,13 +310,13 @@ pub fn worker_of_those_that_compile(
     workspace: &Workspace,
     stage: &str,
     versions: &[Sources],
-) -> Result<(PathBuf, BTreeSet<usize>), GraderError> {
+) -> Result<(TempPath, BTreeSet<usize>), GraderError> {
     let mut versions = versions.to_vec();
     let mut broken = BTreeSet::new();
     loop {
         let errors = match build(workspace, stage, &versions)? {
-            BuildOutcome::Worker(program) => return Ok((program, broken)),
-            BuildOutcome::DoesNotCompile(errors) => errors,
+            Ok(program) => return Ok((program, broken)),
+            Err(errors) => errors,
         };
         let named = versions_with_errors(&errors.messages, versions.len());
         if named.is_empty() || named.contains(&0) {
@@ -338,12 +340,15 @@ fn job_folder(workspace: &Workspace, stage: &str) -> PathBuf {
     workspace.root().join("target/mutants/jobs").join(stage)
 }
 
-/// Builds a worker of all `versions`.
+/// Builds a worker of all `versions`. Runs at the same time build one after the other, and each gets
+/// a copy of its own: the workers of all runs have the same name.
 fn build(
     workspace: &Workspace,
     stage: &str,
     versions: &[Sources],
-) -> Result<BuildOutcome, GraderError> {
+) -> Result<Result<TempPath, CompileErrors>, GraderError> {
+    let folder = workspace.root().join("target/mutants");
+    let _lock = lock(&folder)?;
     let job = job_folder(workspace, stage);
     write_versions(&job.join("host"), stage, versions)?;
     write_workspace(workspace, &job, stage)?;
@@ -354,7 +359,31 @@ fn build(
         target: Some(&target),
         sealed: false,
     };
-    build_root.build_worker(features)
+    match build_root.build_worker(features)? {
+        BuildOutcome::Worker(program) => Ok(Ok(own_copy(&program, &folder)?)),
+        BuildOutcome::DoesNotCompile(errors) => Ok(Err(errors)),
+    }
+}
+
+/// Waits until no other run builds in `folder`. The lock ends with the returned file.
+fn lock(folder: &Path) -> Result<File, GraderError> {
+    let path = folder.join("lock");
+    let failed = |e| GraderError::file("lock", &path, e);
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    let file = File::create(&path).map_err(failed)?;
+    file.lock().map_err(failed)?;
+    Ok(file)
+}
+
+/// A copy of `program` in `folder`, which is deleted with the returned path.
+fn own_copy(program: &Path, folder: &Path) -> Result<TempPath, GraderError> {
+    let copy = tempfile::Builder::new()
+        .prefix("worker-")
+        .tempfile_in(folder);
+    let copy = copy.map_err(|e| GraderError::file("write", folder, e))?;
+    let copy = copy.into_temp_path();
+    std::fs::copy(program, &copy).map_err(|e| GraderError::file("copy", program, e))?;
+    Ok(copy)
 }
 
 /// Writes the crate that contains all versions.

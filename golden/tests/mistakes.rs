@@ -326,3 +326,24 @@ fn a_wrong_distribution_confirms_no_call() {
         Verdict::NotJudged(_)
     ));
 }
+
+/// Where chance decides whether a lamp is sampled above the horizon, no ray and no light are a
+/// possible answer, and never a confirmed one.
+#[test]
+fn light_that_may_be_lost_by_chance_is_not_judged() {
+    let lost = 35;
+    let whole = spoiled("part3.task3", "many_lights", |answer| {
+        let Answer::Direct(answers) = answer else {
+            panic!("the case is about direct light")
+        };
+        assert!(!answers[lost].rays.is_empty(), "the reference finds light");
+        answers[lost].rays.clear();
+        answers[lost].radiance = [0.0; 3];
+    });
+    let Some(whole) = whole else { return };
+    assert!(!whole.is_refused());
+    let Verdict::NotJudged(open) = whole.verdict(lost as u32) else {
+        panic!("{:?}", whole.verdict(lost as u32))
+    };
+    assert_eq!(open[0].aspect, Aspect::Rays);
+}

@@ -13,7 +13,7 @@ const UNIT_BOUND: f64 = 1e-9;
 
 /// A bound that is this large, relative to the number, also accepts the numbers of typical mistakes:
 /// within it, an answer is not judged.
-pub(crate) const WIDE: f64 = 0.01;
+pub(crate) const WIDE: f64 = 1e-4;
 
 /// Why a number within a bound of [`WIDE`] is not judged.
 pub(crate) const TOO_WIDE: &str =

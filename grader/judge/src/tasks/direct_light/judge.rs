@@ -53,11 +53,12 @@ pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnsw
     }
 }
 
-/// Records the estimates whose random rays are not tested: they are too few.
+/// Why the number of shadow rays is not judged.
+const RAYS_BY_CHANCE: &str = "random numbers decide how many samples of a light can contribute, so fewer rays are right, too";
+
+/// Records what random numbers leave open: the directions of estimates that are too few to test,
+/// and the number of shadow rays.
 pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
-    if answers.len() >= MIN_ESTIMATES {
-        return;
-    }
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
         let one = Estimate {
             work,
@@ -66,13 +67,21 @@ pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAn
             answer,
             call,
         };
+        let (least, most) = match work.strategy {
+            Strategy::ZeroBounce | Strategy::Hemisphere => (0, 0),
+            Strategy::Lights => one.right_rays(&one.sources()),
+        };
+        if least < most {
+            tally.not_judged(Aspect::Rays, call, RAYS_BY_CHANCE);
+        }
         let is_random = |source: &Source| !matches!(source, Source::Point(_));
         let may_be_random = match work.strategy {
             Strategy::ZeroBounce => false,
             Strategy::Hemisphere => true,
             Strategy::Lights => one.sources().iter().any(is_random),
         };
-        if may_be_random && !answer.rays.is_empty() {
+        let are_few = answers.len() < MIN_ESTIMATES;
+        if may_be_random && are_few && !answer.rays.is_empty() {
             tally.not_judged(Aspect::Direction, call, chance::TOO_FEW);
         }
     }
@@ -219,19 +228,7 @@ impl Estimate<'_> {
             .iter()
             .map(|recorded| target(&sources, self.place.p, recorded))
             .collect();
-        let is_delta = matches!(
-            self.point.material,
-            Material::Mirror(_) | Material::Glass(_)
-        );
-        let (least, most) = if is_delta {
-            (0, 0)
-        } else {
-            let add = |(least, most), source: &Source| {
-                let (few, many) = self.rays_to(source);
-                (least + few, most + many)
-            };
-            sources.iter().fold((0, 0), add)
-        };
+        let (least, most) = self.right_rays(&sources);
         self.count(tally, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
         for (recorded, target) in self.answer.rays.iter().zip(&targets) {
@@ -274,6 +271,18 @@ impl Estimate<'_> {
             });
         let around = environment_map(world).map(Source::Map);
         lights.chain(around).chain(panels).collect()
+    }
+
+    /// The smallest and the largest number of shadow rays that all lights may get.
+    fn right_rays(&self, sources: &[Source]) -> (u32, u32) {
+        if let Material::Mirror(_) | Material::Glass(_) = self.point.material {
+            return (0, 0);
+        }
+        let add = |(least, most), source: &Source| {
+            let (few, many) = self.rays_to(source);
+            (least + few, most + many)
+        };
+        sources.iter().fold((0, 0), add)
     }
 
     /// The smallest and the largest number of shadow rays that a light may get.

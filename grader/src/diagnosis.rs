@@ -149,11 +149,20 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
 pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     let mut in_functions = within(known, &student.functions());
     in_functions.retain(|known| !known.is_symptom || known.signature.shows_the_same(student));
-    let ranked = ranked(in_functions.iter(), student, Signature::contradicts);
-    // A side that disagrees throughout may be the other mistake of two.
-    let alone = ranked.iter().map(|(known, _)| *known);
-    let alone = self::ranked(alone, student, Signature::disagrees_throughout);
-    let likeness = alone.first().map_or(0.0, |(_, best)| best.likeness());
+    let possible = in_functions
+        .iter()
+        .filter(|known| !student.contradicts(&known.signature));
+    let mut ranked: Vec<(&Known, Agreement)> = possible
+        .map(|known| (known, student.agreement(&known.signature)))
+        .collect();
+    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
+    // A case that disagrees throughout vetoes a name, unless nearly everything else agrees.
+    let disagrees = |known: &Known| student.disagrees_throughout(&known.signature);
+    let mut alone = ranked
+        .iter()
+        .filter(|(known, agreement)| agreement.likeness() >= SURE || !disagrees(known));
+    let best = alone.next();
+    let likeness = best.map_or(0.0, |(_, agreement)| agreement.likeness());
     if likeness < SURE
         && let Some(pair) = two_at_once(&ranked, student, likeness)
     {
@@ -161,11 +170,14 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     }
     let best = match likeness < LIKELY {
         true => alone_of_its_kind(&ranked, student)?,
-        false => alone.first()?.0,
+        false => best?.0,
     };
     let (equal, of) = student.calls_alike(&best.signature);
     let (mistakes, says, hint) = with_twins(&ranked, best);
-    let certainty = Certainty::of(likeness);
+    let certainty = match disagrees(best) {
+        true => Certainty::Perhaps,
+        false => Certainty::of(likeness),
+    };
     let verb = match certainty {
         Certainty::Likely => "equal",
         Certainty::Perhaps => "look most like",
@@ -178,20 +190,6 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         of,
         certainty,
     })
-}
-
-/// Those of the known mistakes that `is_against` does not exclude, the most alike first.
-fn ranked<'a>(
-    known: impl Iterator<Item = &'a Known>,
-    student: &Signature,
-    is_against: impl Fn(&Signature, &Signature) -> bool,
-) -> Vec<(&'a Known, Agreement)> {
-    let possible = known.filter(|known| !is_against(student, &known.signature));
-    let mut ranked: Vec<(&Known, Agreement)> = possible
-        .map(|known| (known, student.agreement(&known.signature)))
-        .collect();
-    ranked.sort_by(|a, b| b.1.likeness().total_cmp(&a.1.likeness()));
-    ranked
 }
 
 /// The known mistakes, restricted to their effect in these functions: a mistake that passes from
@@ -350,16 +348,18 @@ mod tests {
     }
 
     #[test]
-    fn a_case_that_disagrees_throughout_vetoes_a_name() {
+    fn a_case_that_disagrees_throughout_makes_a_name_less_certain() {
         let [weights, lights] = ["weights radiance", "lights radiance"];
         let all = [known(
             "this",
             signature(&[(weights, "500*a"), (lights, "6*a")]),
         )];
         let is_named = |codes| diagnose(&all, &signature(&[(weights, "500*a"), (lights, codes)]));
-        assert!(is_named("6*a").is_some());
-        assert!(is_named("6*b").is_none());
-        assert!(is_named("1*a 5*b").is_some());
+        let certainty = |codes| is_named(codes).map(|diagnosis| diagnosis.certainty);
+        assert_eq!(certainty("6*a"), Some(Certainty::Likely));
+        assert_eq!(certainty("1*a 5*b"), Some(Certainty::Likely));
+        assert_eq!(certainty("6*b"), Some(Certainty::Perhaps));
+        assert_eq!(certainty("100*b"), None);
     }
 
     #[test]

@@ -111,7 +111,7 @@ pub fn unlisted(
     worker.grade_all(task, &cases::all(0), wrong.into_iter())
 }
 
-/// Grades every small slip in the reference and the variants of a task; see [`families`].
+/// Grades every small slip in the reference and the variants of a task; see [`mod@families`].
 pub fn families(
     workspace: &Workspace,
     course: &Course,

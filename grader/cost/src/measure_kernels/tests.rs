@@ -63,7 +63,9 @@ fn kernels_that_use_fused_multiply_adds_are_marked() {
     assert_eq!(wrongly_marked(&kernels::triangles()), [""; 0]);
     assert_eq!(wrongly_marked(&kernels::spheres()), [""; 0]);
     assert_eq!(wrongly_marked(&kernels::boxes()), [""; 0]);
+    // BEGIN SOLUTION(part1.task3)
     let triangles = kernels::triangles();
     let marked = triangles.iter().filter(|kernel| kernel.info.uses_fma);
     assert_eq!(marked.count(), 3);
+    // END SOLUTION(part1.task3)
 }

@@ -1,7 +1,7 @@
-//! No mistake of the reference becomes golden unnoticed: typical mistakes are planted in its answers,
-//! and the oracle, which judges them whole, must refuse each answer that they change, or say what
-//! it does not judge. `grader mutants TASK --against-bless` does the same with the code of every
-//! mutant.
+//! No mistake of the reference becomes golden unnoticed: typical mistakes are planted in its
+//! answers, and the oracle, which judges them whole, must refuse each answer that they change, or
+//! say what it does not judge. `grader mutants TASK --against-bless` does the same with the code of
+//! every mutant.
 
 use judge::Tier;
 use judge::cases::{self, Spec};
@@ -197,8 +197,8 @@ fn a_false_miss_fails_the_cases_about_normals() {
     }
 }
 
-/// What the oracle says about the reference's answer to a case after `spoil` changed it; `None` in a
-/// handout.
+/// What the oracle says about the reference's answer to a case after `spoil` changed it; `None` in
+/// a handout.
 fn spoiled(task: &str, name: &str, spoil: impl FnOnce(&mut Answer)) -> Option<Whole> {
     let spec = spec(task, name);
     let mut answer = reference(spec)?;
@@ -312,7 +312,8 @@ fn a_wrong_distribution_confirms_no_call() {
                 .iter_mut()
                 .filter_map(|answer| answer.sample.as_mut());
             for sample in samples {
-                // Mirrored to one half of the hemisphere: right value and density, wrong directions.
+                // Mirrored to one half of the hemisphere: right value and density, wrong
+                // directions.
                 sample.wi[0] = sample.wi[0].abs();
             }
         }

@@ -51,9 +51,9 @@ impl BuildRoot<'_> {
         }
     }
 
-    /// Builds the worker in release, with the stages of `features`. If one of them does not compile,
-    /// the others are still built. Cargo's progress and the compiler's messages go to stderr as
-    /// they arrive, unless the build is sealed.
+    /// Builds the worker in release, with the stages of `features`. If one of them does not
+    /// compile, the others are still built. Cargo's progress and the compiler's messages go to
+    /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed;
         match run_cargo(

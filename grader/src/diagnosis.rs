@@ -99,8 +99,8 @@ const MADE: f64 = 0.75;
 /// also the student's.
 const CANDIDATE: f64 = 0.2;
 
-/// At most this many mistakes are combined to pairs, those that explain the most: every pair takes a
-/// millisecond.
+/// At most this many mistakes are combined to pairs, those that explain the most: every pair takes
+/// a millisecond.
 const MOST_CANDIDATES: usize = 32;
 
 /// The known mistakes of a task; none if nothing is stored for it.

@@ -47,8 +47,8 @@ pub struct Speedup {
     pub brute_rays: u64,
     /// Seconds per ray by brute force.
     pub brute_s: f64,
-    /// Time by brute force / time with the BVH, without the time to build the BVH: the median of the
-    /// ratios within a round.
+    /// Time by brute force / time with the BVH, without the time to build the BVH: the median of
+    /// the ratios within a round.
     pub speedup: f64,
     /// The smallest and the largest of these ratios.
     pub speedup_range: [f64; 2],

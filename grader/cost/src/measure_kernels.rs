@@ -178,7 +178,8 @@ impl Times {
                     let mut orders = orders.iter().cycle();
                     let mut prepared = (0, kernel.pass(batches, instructions));
                     let work = move |round| {
-                        // Other memory in each round: its place in the caches affects the time, too.
+                        // Other memory in each round: its place in the caches affects the time,
+                        // too.
                         if prepared.0 != round {
                             prepared = (round, kernel.pass(batches, instructions));
                         }

@@ -60,8 +60,8 @@ pub(crate) trait Check {
         answer: &Self::Answer,
     );
 
-    /// Judges the aspects that [`Check::judge`] leaves out, because no case grades them, and records
-    /// what remains not judged. With it, an answer is judged whole (see [`crate::whole`]).
+    /// Judges the aspects that [`Check::judge`] leaves out, because no case grades them, and
+    /// records what remains not judged. With it, an answer is judged whole (see [`crate::whole`]).
     fn judge_rest(
         _tally: &mut Tally,
         _spec: &Spec,

@@ -10,7 +10,9 @@ use wire::direct::LambertProbe;
 use wire::global::{SpecularCall, Step};
 use wire::work::{Camera, CameraWork, PixelWork, Ray, Xyz};
 
-/// The circumstances of call number `call` of `work`. Each ends the sentence "wrong only where ...".
+/// The circumstances of call number `call` of `work`.
+///
+/// Each ends the sentence "wrong only where ...".
 pub fn of(work: &Work, call: usize) -> Vec<&'static str> {
     let circumstances = match work {
         Work::Pixels(work) => work.pixels.get(call).map(|at| of_pixel(work, *at)),

@@ -11,8 +11,8 @@ use wire::work::Ray;
 /// accepts the vector from a sphere's centre to a rounded `o + t d`, divided by the radius.
 const UNIT_BOUND: f64 = 1e-9;
 
-/// A bound that is this large, relative to the number, also accepts the numbers of typical mistakes:
-/// within it, an answer is not judged.
+/// A bound that is this large, relative to the number, also accepts the numbers of typical
+/// mistakes: within it, an answer is not judged.
 pub(crate) const WIDE: f64 = 1e-4;
 
 /// Why a number within a bound of [`WIDE`] is not judged.

@@ -20,8 +20,9 @@ pub(crate) struct PixelSamples {
 }
 
 /// Offsets closer than this on both axes are the same, in pixels. Computing an offset from a film
-/// point rounds by 1e-14. That as many as [`SAME_SHARE`] of the offsets of two pixels are this close
-/// by chance never happens, not even for two pixels with one sample each: its probability is 4e-18.
+/// point rounds by 1e-14. That as many as [`SAME_SHARE`] of the offsets of two pixels are this
+/// close by chance never happens, not even for two pixels with one sample each: its probability is
+/// 4e-18.
 const SAME_OFFSET: f64 = 1e-9;
 
 /// A call has the samples of another one if it shares at least this part of them. Code that draws a
@@ -111,8 +112,8 @@ fn key(offset: &[f64; 2]) -> [i64; 2] {
 /// Tests whether the mean offsets of calls that follow each other are correlated along an axis.
 ///
 /// The mean offsets m of a correct sampler, measured from the centre of the pixel, are independent,
-/// so the products of n pairs have the mean 0 and the variance E(m²)². The correlation r, their mean
-/// over E(m²), times √n is normally distributed.
+/// so the products of n pairs have the mean 0 and the variance E(m²)². The correlation r, their
+/// mean over E(m²), times √n is normally distributed.
 fn correlation(tally: &mut Tally, calls: &[PixelSamples], axis: usize, name: &str) {
     let mean_offset = |call: &PixelSamples| {
         let sum: f64 = call.offsets.iter().map(|offset| offset[axis] - 0.5).sum();
@@ -120,8 +121,8 @@ fn correlation(tally: &mut Tally, calls: &[PixelSamples], axis: usize, name: &st
     };
     let means: Vec<f64> = calls.iter().map(mean_offset).collect();
     let pairs = calls.len().saturating_sub(1);
-    // Other aspects judge samples that are missing or outside their pixel. Positions that are off by
-    // an amount that grows along the film are correlated, too.
+    // Other aspects judge samples that are missing or outside their pixel. Positions that are off
+    // by an amount that grows along the film are correlated, too.
     let mut offsets = calls.iter().flat_map(|call| &call.offsets).flatten();
     let inside = -OUTSIDE_BOUND..=1.0 + OUTSIDE_BOUND;
     let is_placed = offsets.all(|x| inside.contains(x));

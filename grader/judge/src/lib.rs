@@ -8,8 +8,8 @@
 //! Shared modules: `hits` judges hit records, `numbers` colours and directions, `chance` statistics
 //! of many samples, `independence` the samples of different pixels. `order` puts the findings that
 //! explain the most first. [`truth`] computes the exact results for triangles and spheres with the
-//! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`] stores
-//! them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
+//! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`]
+//! stores them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
 //! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
 
 pub mod cases;

@@ -16,8 +16,8 @@ pub enum Aspect {
     Placement,
     /// How samples are distributed.
     Spread,
-    /// Whether the samples of a pixel differ from those of other pixels, and from those with another
-    /// seed.
+    /// Whether the samples of a pixel differ from those of other pixels, and from those with
+    /// another seed.
     Independence,
     /// The radiance of a pixel or an estimate.
     Radiance,

@@ -1,10 +1,10 @@
 //! Judges an answer whole, in every aspect that it has, before it becomes a golden.
 //!
 //! A case grades only the aspects that it is about, so that one mistake does not fail every case. A
-//! golden is compared with whole answers, so it must be right as a whole: [`judge_whole`] judges hit
-//! or miss, primitive, `t`, position, both normals, surface parameters, `max_t` and work, whatever
-//! the case is about. What it cannot decide (the normal where vertex normals cancel, the random
-//! numbers of a few samples) is *not judged*, which is never the same as confirmed.
+//! golden is compared with whole answers, so it must be right as a whole: [`judge_whole`] judges
+//! hit or miss, primitive, `t`, position, both normals, surface parameters, `max_t` and work,
+//! whatever the case is about. What it cannot decide (the normal where vertex normals cancel, the
+//! random numbers of a few samples) is *not judged*, which is never the same as confirmed.
 //!
 //! The goldens' test, `grader bless`, `grader review` and `grader mutants` all ask this module.
 

@@ -1,9 +1,9 @@
 //! Writes and reads the file with the known mistakes of a task: lines of text, for programs.
 //!
 //! The file begins with comments, the [`Alphabet`] of the codes and the keys of all signatures. One
-//! section per mistake follows: its name (two names for a pair) with description and hint, `symptom` if
-//! it is only one, and the codes of its core and its robust cases, each after the number of its key.
-//! `@7` means the same codes as the eighth text of codes in the file.
+//! section per mistake follows: its name (two names for a pair) with description and hint,
+//! `symptom` if it is only one, and the codes of its core and its robust cases, each after the
+//! number of its key. `@7` means the same codes as the eighth text of codes in the file.
 
 use super::Cases;
 use super::codes::Codes;

@@ -110,16 +110,16 @@ impl World for SceneWorld<'_> {
     }
 }
 
-/// Time limit of the first pass of the rays through a tree. If it takes longer, only the rays so far
-/// are traced in all passes.
+/// Time limit of the first pass of the rays through a tree. If it takes longer, only the rays so
+/// far are traced in all passes.
 const TREE_TIME: Duration = Duration::from_millis(700);
 
 /// The number of rays between two readings of the clock.
 const BATCH: usize = 64;
 
 /// Times construction, the tree and brute force in alternation, so that a change of the machine's
-/// speed affects all of them. Each timed pass of rays follows an untimed one: construction and brute
-/// force leave other data in the caches.
+/// speed affects all of them. Each timed pass of rays follows an untimed one: construction and
+/// brute force leave other data in the caches.
 pub(crate) fn time(timing: &TimingWork) -> Result<TimingAnswer, String> {
     let scene = load(&timing.scene)?;
     let bounds = scene.primitive_bounds();

@@ -49,7 +49,7 @@ pub(crate) fn command() -> Command {
                 .long("families")
                 .action(ArgAction::SetTrue)
                 .conflicts_with_all(["seeds", "bless", "with"])
-                .help("Instead, grade every small slip in the reference and the variants (a comparison turned, operands swapped, a constant halved, an update forgotten …), and list groups of them that the diagnosis does not name"),
+                .help("Instead, grade every small slip in the variants, and in the reference if there are few of them (a comparison turned, operands swapped, a constant halved, an update forgotten …), and list groups of them that the diagnosis does not name"),
         )
         .arg(
             Arg::new("against-bless")

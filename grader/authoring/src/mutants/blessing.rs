@@ -1,5 +1,5 @@
-//! What `grader bless` would do if the reference made a mistake: the answers of each mutant are judged
-//! whole, as the goldens' test judges those of the reference.
+//! What `grader bless` would do if the reference made a mistake: the answers of each mutant are
+//! judged whole, as the goldens' test judges those of the reference.
 
 use grader::runner::Ending;
 use judge::Tier;

@@ -166,8 +166,8 @@ fn whole_lines(text: &str, at: Range<usize>) -> Range<usize> {
     start..end
 }
 
-/// All slips in the Rust source `text` that lie within one of the byte ranges `within`. Empty if the
-/// text is not Rust.
+/// All slips in the Rust source `text` that lie within one of the byte ranges `within`. Empty if
+/// the text is not Rust.
 pub fn slips(text: &str, within: &[Range<usize>]) -> Vec<Slip> {
     let Ok(file) = syn::parse_file(text) else {
         return Vec::new();

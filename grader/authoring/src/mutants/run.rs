@@ -62,11 +62,10 @@ pub fn task(
     let mutants = Corpus::read(workspace, task)?.mutants;
     let (kinds, versions) = versions(workspace, task, mutants)?;
     let differs = |version: &usize| *version == 0 || redefines_hole(task, &versions[*version]);
-    let mut worker = VersionsWorker {
+    let worker = VersionsWorker {
         program: versions_crate::worker(workspace, &task.stage, &versions)?,
         course,
         versions: kinds,
-        reference: None,
     };
     let everything = 0..worker.versions.len();
     let specs = cases::all(0);
@@ -79,7 +78,7 @@ pub fn task(
             break;
         }
         let correct = everything.clone().filter(is_correct).filter(differs);
-        let again = worker.grade(&fresh, &others, correct)?;
+        let again = worker.grade(&fresh, &others, correct, None)?;
         graded.extend(again.into_iter().filter(Graded::is_marked_down));
     }
     Ok(graded)
@@ -102,11 +101,10 @@ pub fn unlisted(
         let names: Vec<&str> = broken.iter().map(|i| kinds[*i].0.as_str()).collect();
         eprintln!("These do not compile:\n  {}", names.join("\n  "));
     }
-    let mut worker = VersionsWorker {
+    let worker = VersionsWorker {
         program,
         course,
         versions: kinds,
-        reference: None,
     };
     worker.grade_all(task, &cases::all(0), wrong.into_iter())
 }
@@ -157,36 +155,35 @@ struct VersionsWorker<'a> {
     program: TempPath,
     course: &'a Course,
     versions: Vec<Named>,
-    /// The answers of the reference with seed 0, which is the first version.
-    reference: Option<ReferenceAnswers>,
 }
 
 impl VersionsWorker<'_> {
-    /// Grades some of the versions with seed 0, and compares their answers with the reference's.
+    /// Grades some of the versions with seed 0, and compares their answers with those of the
+    /// reference, which is the first version.
     fn grade_all(
-        &mut self,
+        &self,
         task: &Task,
         specs: &[Spec],
         versions: impl Iterator<Item = usize>,
     ) -> Result<Vec<Graded>, GraderError> {
         let chosen = chosen(&[task], specs)?;
         let endings = self.workers(0).run(&chosen, &mut String::new())?;
-        self.reference = Some(ReferenceAnswers::of(&chosen, &endings));
-        let graded = self.grade(task, specs, versions);
-        self.reference = None;
-        graded
+        let reference = ReferenceAnswers::of(&chosen, &endings);
+        self.grade(task, specs, versions, Some(&reference))
     }
 
-    /// Grades some of the versions, by their numbers.
+    /// Grades some of the versions, by their numbers. Without `reference`, no mutant is compared
+    /// with it.
     fn grade(
         &self,
         task: &Task,
         specs: &[Spec],
         versions: impl Iterator<Item = usize>,
+        reference: Option<&ReferenceAnswers>,
     ) -> Result<Vec<Graded>, GraderError> {
         let versions: Vec<usize> = versions.collect();
         let each = versions.into_par_iter();
-        each.map(|version| self.grade_one(task, specs, version))
+        each.map(|version| self.grade_one(task, specs, version, reference))
             .collect()
     }
 
@@ -195,12 +192,13 @@ impl VersionsWorker<'_> {
         task: &Task,
         specs: &[Spec],
         version: usize,
+        reference: Option<&ReferenceAnswers>,
     ) -> Result<Graded, GraderError> {
         let (name, kind) = self.versions[version].clone();
         let chosen = chosen(&[task], specs)?;
         let endings = self.workers(version).run(&chosen, &mut String::new())?;
         let mut results = score_tasks(self.course, &[task], &chosen, &endings)?;
-        let blessings = match (&kind, &self.reference) {
+        let blessings = match (&kind, reference) {
             (Kind::Mutant(_), Some(reference)) => reference.bless(&chosen, &endings),
             _ => Vec::new(),
         };

@@ -340,8 +340,8 @@ fn job_folder(workspace: &Workspace, stage: &str) -> PathBuf {
     workspace.root().join("target/mutants/jobs").join(stage)
 }
 
-/// Builds a worker of all `versions`. Runs at the same time build one after the other, and each gets
-/// a copy of its own: the workers of all runs have the same name.
+/// Builds a worker of all `versions`. Runs at the same time build one after the other, and each
+/// gets a copy of its own: the workers of all runs have the same name.
 fn build(
     workspace: &Workspace,
     stage: &str,

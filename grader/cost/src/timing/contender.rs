@@ -37,9 +37,9 @@ pub(crate) type TurnResult = Result<Result<f64, MissingReason>, GraderError>;
 /// Something that is timed in turns with others.
 ///
 /// In its turn a contender does its work in several passes with the same input. The first pass is
-/// not timed: the others then find the caches as this contender leaves them, whichever contender was
-/// before it. The time of the turn is the median of the timed passes. The work gets the number of
-/// the round: the input may depend on it, in the same way for all contenders.
+/// not timed: the others then find the caches as this contender leaves them, whichever contender
+/// was before it. The time of the turn is the median of the timed passes. The work gets the number
+/// of the round: the input may depend on it, in the same way for all contenders.
 pub(crate) enum Contender<'a> {
     /// Work in this process. [`Rounds::measure`](super::Rounds::measure) runs the passes.
     Here {
@@ -48,8 +48,8 @@ pub(crate) enum Contender<'a> {
         /// The number of units in it; the result is the time of one.
         units: usize,
     },
-    /// Work in a process of its own, which runs an untimed pass and [`TIMED_PASSES`] others. Returns
-    /// the median seconds of one unit.
+    /// Work in a process of its own, which runs an untimed pass and [`TIMED_PASSES`] others.
+    /// Returns the median seconds of one unit.
     Elsewhere(Box<dyn FnMut(usize) -> TurnResult + 'a>),
 }
 

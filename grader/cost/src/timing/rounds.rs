@@ -8,8 +8,8 @@ use grader::error::GraderError;
 #[derive(Debug)]
 pub(crate) struct Rounds(Vec<Result<Vec<f64>, MissingReason>>);
 
-/// Target time of a pass: long enough for the resolution of the clock, short enough that most passes
-/// are not interrupted. Shorter work is repeated.
+/// Target time of a pass: long enough for the resolution of the clock, short enough that most
+/// passes are not interrupted. Shorter work is repeated.
 const PASS_S: f64 = 300e-6;
 
 /// Time after which no further pass of a turn is begun, so that a round ends before the machine's

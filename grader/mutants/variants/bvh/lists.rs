@@ -1,4 +1,5 @@
-//! Two lists for each split, at the middle of the centroids' box; below 64 levels, halves of the list.
+//! Two lists for each split, at the middle of the centroids' box; below 64 levels, halves of the
+//! list.
 
 pub use base::*;
 use kit::*;

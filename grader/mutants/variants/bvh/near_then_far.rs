@@ -1,4 +1,5 @@
-//! Recursion that returns hits: the nearer child first, the farther one if its box is nearer than the hit.
+//! Recursion that returns hits: the nearer child first, the farther one if its box is nearer than
+//! the hit.
 
 pub use base::*;
 use kit::*;

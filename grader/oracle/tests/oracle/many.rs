@@ -177,8 +177,8 @@ fn any_unit_vector_scores_if_normals_cancel() {
     assert!(!normal.accepts(KernelClass::Robust, Vec3::NAN));
 }
 
-/// Textbook code loses all digits of the weights of a thin triangle far from the world's origin, but
-/// robust code does not: each has bounds of its own.
+/// Textbook code loses all digits of the weights of a thin triangle far from the world's origin,
+/// but robust code does not: each has bounds of its own.
 #[test]
 fn robust_normals_are_judged_where_textbook_code_loses_them() {
     let far = Vec3::splat(1e6);

@@ -141,8 +141,8 @@ fn case(name: &'static str, about: &'static str, boxes: Vec<Aabb>, max_leaf_size
     Spec::new("part2.task1", name, about, work)
 }
 
-/// The sizes are far enough apart that no noise confuses O(n log n) with O(n²); the largest takes the
-/// reference a tenth of a second.
+/// The sizes are far enough apart that no noise confuses O(n log n) with O(n²); the largest takes
+/// the reference a tenth of a second.
 fn growth() -> Spec {
     let work = Work::BuildGrowth(BuildGrowthWork {
         sizes: vec![3_125, 12_500, 50_000, 200_000],

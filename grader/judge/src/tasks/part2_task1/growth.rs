@@ -1,7 +1,7 @@
 //! Judges how the time to build a tree grows with its size.
 //!
-//! Time is noisy, the verdict is not. For 16 times as many primitives a build in O(n log n) takes 21
-//! times as long, up to 37 times as its lists outgrow the caches; one in O(n²) 160 to 256 times.
+//! Time is noisy, the verdict is not. For 16 times as many primitives a build in O(n log n) takes
+//! 21 times as long, up to 37 times as its lists outgrow the caches; one in O(n²) 160 to 256 times.
 //! [`MAX_EXPONENT`] is at 84 times. Of each size the fastest of several builds counts, in processor
 //! time, and a build that is fast in itself passes.
 
@@ -16,8 +16,8 @@ use wire::work::BuildGrowthWork;
 /// `construct_bvh`, timed over ever more primitives.
 pub(crate) struct BuildGrowth;
 
-/// The time may grow as n to this power. The builds of the correct variants were measured to grow as
-/// n^1.2 to n^1.3, lists that are searched or shifted once for each primitive as n^1.8 to n^2.2.
+/// The time may grow as n to this power. The builds of the correct variants were measured to grow
+/// as n^1.2 to n^1.3, lists that are searched or shifted once for each primitive as n^1.8 to n^2.2.
 const MAX_EXPONENT: f64 = 1.6;
 
 /// A build that takes fewer seconds than this passes: no quadratic build over 200,000 primitives is
@@ -27,8 +27,8 @@ const ALWAYS_FAST: f64 = 0.25;
 /// The largest size is compared with the one this many sizes below, or with the smallest.
 const SIZES_BETWEEN: usize = 2;
 
-/// A tree with less than one node for this many primitives is not timed: one leaf over everything is
-/// built fast.
+/// A tree with less than one node for this many primitives is not timed: one leaf over everything
+/// is built fast.
 const NO_TREE: u32 = 1000;
 
 /// The number of sizes that are always built.

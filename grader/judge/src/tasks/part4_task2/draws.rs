@@ -58,8 +58,8 @@ pub(super) fn judge(
     });
 }
 
-/// The numbers, as bits, that code can draw from the sampler of the path: more than a path needs, and
-/// those of its next samples, too.
+/// The numbers, as bits, that code can draw from the sampler of the path: more than a path needs,
+/// and those of its next samples, too.
 fn numbers_of_sampler(call: usize, path: &ScriptedPath) -> HashSet<u64> {
     let most = 8 * (path.steps.len() + 2);
     let call = u32::try_from(call).unwrap_or(u32::MAX);

@@ -56,7 +56,7 @@ impl Diagnosis {
 pub enum Certainty {
     /// The answers equal those of the mistake, but for a few.
     Likely,
-    /// The answers look like those of the mistake, and nothing contradicts it.
+    /// The answers look like those of the mistake, but many of them differ, or a whole case does.
     Perhaps,
 }
 

@@ -151,13 +151,22 @@ fn changed(task: &Task, specs: &[Spec], others: &[Spec]) -> Task {
 }
 
 /// A worker that contains all versions of a stage.
-struct VersionsWorker<'a> {
+pub(super) struct VersionsWorker<'a> {
     program: TempPath,
     course: &'a Course,
     versions: Vec<Named>,
 }
 
-impl VersionsWorker<'_> {
+impl<'a> VersionsWorker<'a> {
+    /// `program`, whose versions have these names, in this order.
+    pub(super) fn new(program: TempPath, course: &'a Course, versions: Vec<Named>) -> Self {
+        VersionsWorker {
+            program,
+            course,
+            versions,
+        }
+    }
+
     /// Grades some of the versions with seed 0, and compares their answers with those of the
     /// reference, which is the first version.
     fn grade_all(
@@ -187,7 +196,8 @@ impl VersionsWorker<'_> {
             .collect()
     }
 
-    fn grade_one(
+    /// Grades one of the versions, by its number. For `reference` see `grade`.
+    pub(super) fn grade_one(
         &self,
         task: &Task,
         specs: &[Spec],

@@ -45,6 +45,14 @@ impl Check for BruteForce {
         work: &BruteForceWork,
         answer: &HitsAnswer,
     ) {
+        let function = match work.triangles.is_empty() {
+            true => "intersect_sphere",
+            false => "intersect_triangle",
+        };
+        if !tally.is_written(function) {
+            return;
+        }
+        tally.count_for(function);
         let expected = spec.expected_cache.of_shapes(spec, tier);
         judge::brute_force(tally, &work.rays, expected, answer);
     }

@@ -34,6 +34,15 @@ const TARGET_BOUND: f64 = 1e-2;
 
 /// Judges every estimate of `work`.
 pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    let function = match work.strategy {
+        Strategy::ZeroBounce => "zero_bounce_radiance",
+        Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
+        Strategy::Lights => "estimate_direct_lighting_importance",
+    };
+    if !tally.is_written(function) {
+        return;
+    }
+    tally.count_for(function);
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
         let one = Estimate {
             work,

@@ -20,6 +20,7 @@ pub(crate) fn traverse(
     answers: &[TraverseAnswer],
     counts_work: bool,
 ) {
+    tally.count_for(function(world));
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         if world.any_hit {
             any(tally, call, scripted, answer);

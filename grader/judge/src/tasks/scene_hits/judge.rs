@@ -18,6 +18,10 @@ pub(crate) fn hits(
     any_hit: bool,
     answer: &HitsAnswer,
 ) {
+    tally.count_for(match any_hit {
+        true => "occludes_bvh",
+        false => "intersect_bvh",
+    });
     let kernel = match tier {
         Tier::Core => KernelClass::Textbook,
         Tier::Robust => KernelClass::Robust,

@@ -398,7 +398,7 @@ impl Finding {
         Some(own.wrong == 0)
     }
 
-    /// Whether `function` has the aspect right at all: on at least half of its answers, or, in an
+    /// Whether `function` has the aspect right at all: on more than half of its answers, or, in an
     /// aspect of all answers together, on all. `None` as in [`Finding::passed_by`].
     pub fn mostly_right_by(&self, function: &str) -> Option<bool> {
         if self.aspect.is_of_all_calls() {
@@ -406,10 +406,10 @@ impl Finding {
         }
         if self.functions.is_empty() {
             let of = self.judged.max(self.expected);
-            return Some((self.judged > 0 || of == 0) && 2 * self.wrong <= of);
+            return Some((self.judged > 0 || of == 0) && (of == 0 || 2 * self.wrong < of));
         }
         let own = self.functions.iter().find(|own| own.function == function)?;
-        Some(2 * own.wrong <= own.judged)
+        Some(own.judged == 0 || 2 * own.wrong < own.judged)
     }
 }
 

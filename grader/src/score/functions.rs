@@ -1,10 +1,11 @@
 //! The functions of a task: their shares of the points of each case, and whether they are right.
 
 use super::{CaseResult, Status, WITHOUT_IDEA};
-use crate::course::Task;
+use crate::course::{Idea, Task};
 use judge::Tier;
 use judge::tally::Finding;
 use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
 use wire::answer::HoleCall;
 
 /// A function that shares the points of a case equally with others.
@@ -123,35 +124,26 @@ pub(super) fn mean(numbers: impl IntoIterator<Item = f64>) -> f64 {
 
 /// Takes points away from the functions that do not have the idea of their task.
 pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
-    let without: Vec<Option<String>> = {
-        let cases = &*cases;
-        let shares = cases.iter().flat_map(|case| &case.shares);
-        let mut names: Vec<&str> = shares.map(|share| share.function.as_str()).collect();
-        names.sort_unstable();
-        names.dedup();
-        let without = names.into_iter().map(|name| {
-            let idea = task.idea.iter().find(|idea| {
-                let case = cases.iter().find(|case| case.name == idea.case);
-                let mut findings = case.iter().flat_map(|case| &case.findings);
-                let finding = findings.find(|finding| finding.aspect == idea.aspect);
-                finding.and_then(|finding| finding.mostly_right_by(name)) == Some(false)
-            })?;
-            Some(format!("{name}\n{} of {}", idea.aspect.label(), idea.case))
-        });
-        without.collect()
-    };
-    let without: Vec<(&str, &str)> = without
+    let functions: BTreeSet<String> = cases
         .iter()
-        .flatten()
-        .filter_map(|both| both.split_once('\n'))
+        .flat_map(|case| case.shares.iter().map(|share| share.function.clone()))
         .collect();
+    let lacking = functions.into_iter().filter_map(|function| {
+        let idea = lacking_idea(task, cases, &function)?;
+        Some((function, idea))
+    });
+    let lacking: BTreeMap<String, &Idea> = lacking.collect();
     for case in cases {
-        let lacks = |function: &str| without.iter().find(|(name, _)| *name == function);
-        let Some((_, what)) = case.shares.iter().find_map(|share| lacks(&share.function)) else {
+        let lacks = |share: &FunctionShare| lacking.get(&share.function);
+        let Some(idea) = case.shares.iter().find_map(lacks) else {
             continue;
         };
-        let what = format!("counts a quarter as long as it is wrong: {what}");
-        let fractions = case.shares.iter().map(|share| match lacks(&share.function) {
+        let what = format!(
+            "counts a quarter, because in the case {} most answers are wrong: {}",
+            idea.case,
+            idea.aspect.label()
+        );
+        let fractions = case.shares.iter().map(|share| match lacks(share) {
             Some(_) => WITHOUT_IDEA * share.fraction,
             None => share.fraction,
         });
@@ -160,6 +152,17 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
             case.reduce(score, what);
         }
     }
+}
+
+/// The aspect that shows that `function` does not have the idea of its task, if there is one. A case
+/// without answers shows nothing.
+fn lacking_idea<'a>(task: &'a Task, cases: &[CaseResult], function: &str) -> Option<&'a Idea> {
+    task.idea.iter().find(|idea| {
+        let case = cases.iter().find(|case| case.name == idea.case);
+        let mut findings = case.iter().flat_map(|case| &case.findings);
+        let finding = findings.find(|finding| finding.aspect == idea.aspect);
+        finding.and_then(|finding| finding.mostly_right_by(function)) == Some(false)
+    })
 }
 
 /// The results of the functions of a task that are judged or have holes, in the order of the task.

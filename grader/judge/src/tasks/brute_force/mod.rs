@@ -9,7 +9,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content, same_length};
 use crate::expected::Expected;
 use crate::snapshot::lines::{self, each};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::{Tier, convert, picture, truth};
 use kit::Primitive;
 use wire::answer::HitsAnswer;
@@ -21,6 +21,8 @@ pub(crate) struct BruteForce;
 impl Check for BruteForce {
     type Question = BruteForceWork;
     type Answer = HitsAnswer;
+
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
 
     fn calls(work: &BruteForceWork) -> usize {
         work.rays.len()

@@ -71,8 +71,8 @@ fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer])
     tally.expect(Aspect::Savings);
     let function = function(world);
     for (what, made, met) in [("box", made.boxes, met.boxes), ("primitive", made.prims, met.prims)] {
-        let times = made as f64 / met as f64;
-        tally.judge(Aspect::Savings, 0, times <= SAVINGS_FACTOR, times, || {
+        let saves = made as f64 <= SAVINGS_FACTOR * met as f64;
+        tally.judge(Aspect::Savings, 0, saves, made as f64, || {
             format!(
                 "your result: {function} makes {made} {what} tests; entering only boxes that the ray meets makes {met}. Without a tree there are {all} primitive tests"
             )

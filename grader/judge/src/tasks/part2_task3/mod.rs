@@ -22,7 +22,7 @@ impl Check for Traverse {
     type Question = ScriptedWorld;
     type Answer = Vec<TraverseAnswer>;
 
-    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::Savings];
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T, Aspect::Savings];
 
     fn calls(world: &ScriptedWorld) -> usize {
         world.rays.len()

@@ -22,7 +22,7 @@ impl Check for SceneHits {
     type Question = SceneWork;
     type Answer = HitsAnswer;
 
-    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::Savings];
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T, Aspect::Savings];
 
     const NEEDS_ALL_STAGES: bool = true;
 

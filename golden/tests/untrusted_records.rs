@@ -202,6 +202,7 @@ fn done(case: u32, answer: Answer) -> Vec<u8> {
     bytes_of(&RecordFrame::Done(Record {
         case,
         untouched: Vec::new(),
+        holes: Vec::new(),
         outcome: Outcome::Answered(answer),
     }))
 }

@@ -3,6 +3,7 @@
 use crate::error::GraderError;
 use crate::workspace::Workspace;
 use judge::Tier;
+use judge::tally::Aspect;
 use serde::Deserialize;
 use std::collections::BTreeSet;
 
@@ -46,8 +47,22 @@ pub struct Task {
     pub stage: String,
     /// The functions to write.
     pub holes: Vec<String>,
+    /// What shows that a function has the idea of the task. One that is mostly wrong in any of
+    /// them gets a quarter of its points.
+    #[serde(default)]
+    pub idea: Vec<Idea>,
     /// The cases that test it.
     pub cases: Vec<CaseEntry>,
+}
+
+/// An aspect of the answers to one case.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Idea {
+    /// The case.
+    pub case: String,
+    /// The aspect.
+    pub aspect: Aspect,
 }
 
 /// One case and its points.
@@ -219,6 +234,12 @@ impl Task {
                     "case `{}` of `{}` has {} points: expected more than 0",
                     case.name, self.key, case.points
                 )
+            })?;
+        }
+        for Idea { case, .. } in &self.idea {
+            ensure(names.contains(case), || {
+                let key = &self.key;
+                format!("`idea` of `{key}` names the case `{case}`, which the task does not have")
             })?;
         }
         ensure(self.points(Tier::Core) > 0.0, || {

@@ -205,13 +205,22 @@ pub fn score_tasks(
             let (spec, ending) = endings
                 .next()
                 .ok_or_else(|| GraderError::new("the worker returned no result for a case"))?;
+            let holes = match ending {
+                Ok(Ending::Recorded(record)) => record.holes.as_slice(),
+                _ => &[],
+            };
             let (status, findings) = match answered(&task.key, ending, course)? {
                 Err(status) => (status, Vec::new()),
-                Ok(answer) => (Status::Passed, judge::judge(spec, entry.tier, answer)),
+                Ok(answer) => {
+                    let called = holes.iter().map(|hole| hole.called.clone());
+                    let called: Vec<String> = called.collect();
+                    let findings = judge::judge_written(spec, entry.tier, answer, &called);
+                    (Status::Passed, findings)
+                }
             };
             case_results.push(CaseResult {
                 with_neighbours: spec.needs_all_stages(),
-                ..CaseResult::new(entry, spec.about, status, findings)
+                ..CaseResult::new(entry, spec.about, status, findings, holes)
             });
         }
         results.push(TaskResult::new(task, case_results));
@@ -253,7 +262,7 @@ fn does_not_compile(task: &Task) -> TaskResult {
     let cases = task
         .cases
         .iter()
-        .map(|entry| CaseResult::new(entry, "", Status::DoesNotCompile, Vec::new()));
+        .map(|entry| CaseResult::new(entry, "", Status::DoesNotCompile, Vec::new(), &[]));
     TaskResult::new(task, cases.collect())
 }
 

@@ -125,6 +125,7 @@ mod tests {
         RecordFrame::Done(Record {
             case,
             untouched: Vec::new(),
+            holes: Vec::new(),
             outcome: Outcome::Answered(answer),
         })
     }

@@ -1,9 +1,27 @@
 //! Turns the findings about answers into points.
+//!
+//! A case gives points only if its main answers are right, such as hit or miss. Of tasks with
+//! several functions each is judged by itself ([`functions`]): the points of a case are shared
+//! equally by those that it judges. A function without the idea of its task gets a quarter of them
+//! (`idea` in `course.toml`), and robust points count from two thirds of the core points on.
+
+pub mod functions;
 
 use crate::course::{CaseEntry, Task};
+use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
-use judge::tally::{Aspect, Finding, Worst};
+use judge::tally::{Finding, Worst};
 use serde::Serialize;
+use wire::answer::HoleCall;
+
+/// The share of its points that a function without the idea of its task gets.
+const WITHOUT_IDEA: f64 = 0.25;
+
+/// The share of a task's core points from which on its robust points count.
+const CORE_FOR_ROBUST: f64 = 2.0 / 3.0;
+
+/// Sums of points are rounded: a share of a limit that is this close to it has reached it.
+const ROUNDING: f64 = 1e-9;
 
 /// The status of a task or a case.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -42,6 +60,11 @@ pub struct CaseResult {
     pub about: String,
     /// The findings about its answers, one for each aspect.
     pub findings: Vec<Finding>,
+    /// What else than wrong answers costs points of the case, as sentences without a full stop.
+    pub reductions: Vec<String>,
+    /// The functions that share its points.
+    #[serde(skip)]
+    pub shares: Vec<FunctionShare>,
     /// Whether it also runs other stages. Their mistakes may affect its answers.
     #[serde(skip)]
     pub with_neighbours: bool,
@@ -67,29 +90,37 @@ pub struct TaskResult {
     pub status: Status,
     /// The crate below `stages/` that has its functions.
     pub stage: String,
+    /// Its functions, as far as they are judged or have holes.
+    pub functions: Vec<FunctionResult>,
     /// Its cases.
     pub cases: Vec<CaseResult>,
 }
 
 impl CaseResult {
-    /// Scores a case: `findings` earn a fraction of its points.
+    /// Scores a case: `findings` earn a fraction of its points, of which the functions with `holes`
+    /// have their share.
     pub fn new(
         entry: &CaseEntry,
         about: &str,
         status: Status,
         findings: Vec<Finding>,
+        holes: &[HoleCall],
     ) -> CaseResult {
-        let fraction = earned_fraction(&findings);
-        let status = if status == Status::Passed && fraction < 1.0 {
-            Status::Failed
-        } else {
-            status
+        let shares = functions::shares(&findings, holes);
+        let fraction = functions::mean(shares.iter().map(|share| share.fraction));
+        let status = match status {
+            Status::Passed if !holes.is_empty() && shares.iter().all(FunctionShare::is_hole) => {
+                Status::NotAttempted
+            }
+            Status::Passed if fraction < 1.0 => Status::Failed,
+            status => status,
         };
         let score = if matches!(status, Status::Passed | Status::Failed) {
             entry.points * fraction
         } else {
             0.0
         };
+        let reductions = shares.iter().filter_map(FunctionShare::reduction).collect();
         CaseResult {
             name: entry.name.clone(),
             tier: entry.tier,
@@ -98,8 +129,23 @@ impl CaseResult {
             status,
             about: about.into(),
             findings,
+            reductions,
+            shares,
             with_neighbours: false,
         }
+    }
+
+    /// Takes points away, because of `why`.
+    fn reduce(&mut self, score: f64, why: String) {
+        if score >= self.score {
+            return;
+        }
+        self.score = score;
+        self.status = match &self.status {
+            Status::Passed => Status::Failed,
+            status => status.clone(),
+        };
+        self.reductions.push(why);
     }
 
     /// The first finding that has a worst answer, with that answer.
@@ -110,32 +156,11 @@ impl CaseResult {
     }
 }
 
-/// The fraction of a case's points that was earned: the weighted fraction of its aspects that
-/// passed.
-///
-/// All aspects have the same weight, except two that weigh as much as all others together: hit or
-/// miss, without which the others mean little, and work, which is the purpose of a BVH.
-fn earned_fraction(findings: &[Finding]) -> f64 {
-    let weight = |finding: &Finding| match finding.aspect {
-        Aspect::HitOrMiss | Aspect::Work => (findings.len() - 1).max(1),
-        _ => 1,
-    };
-    let total: usize = findings.iter().map(weight).sum();
-    let earned: usize = findings
-        .iter()
-        .filter(|finding| finding.passed())
-        .map(weight)
-        .sum();
-    if total == 0 {
-        0.0
-    } else {
-        earned as f64 / total as f64
-    }
-}
-
 impl TaskResult {
     /// Adds up the points of a task's cases.
-    pub fn new(task: &Task, cases: Vec<CaseResult>) -> TaskResult {
+    pub fn new(task: &Task, mut cases: Vec<CaseResult>) -> TaskResult {
+        functions::require_idea(task, &mut cases);
+        require_core(task, &mut cases);
         let sum = |tier: Tier| {
             cases
                 .iter()
@@ -162,7 +187,21 @@ impl TaskResult {
             robust_max_score: task.points(Tier::Robust),
             status,
             stage: task.stage.clone(),
+            functions: functions::results(task, &cases),
             cases,
         }
+    }
+}
+
+/// Takes the robust points away from a task with few core points.
+fn require_core(task: &Task, cases: &mut [CaseResult]) {
+    let core = cases.iter().filter(|case| case.tier == Tier::Core);
+    let core: f64 = core.map(|case| case.score).sum();
+    if core >= (CORE_FOR_ROBUST - ROUNDING) * task.points(Tier::Core) {
+        return;
+    }
+    let why = "extra credit counts from two thirds of the core points of the task on";
+    for case in cases.iter_mut().filter(|case| case.tier == Tier::Robust) {
+        case.reduce(0.0, why.into());
     }
 }

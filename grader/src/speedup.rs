@@ -263,6 +263,7 @@ mod tests {
         let hole = Ending::Recorded(wire::Record {
             case: 0,
             untouched: Vec::new(),
+            holes: Vec::new(),
             outcome: Outcome::NotAttempted {
                 task: "part1.task3".into(),
             },

@@ -3,8 +3,9 @@
 use kit::hole::Hole;
 use std::any::Any;
 use std::cell::RefCell;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicU32, Ordering};
+use wire::answer::HoleCall;
 use wire::{Answer, Case, Outcome, Record, Work};
 
 /// The call of the student's code that is running, counted from 0 in its case.
@@ -12,6 +13,38 @@ static CALL: AtomicU32 = AtomicU32::new(0);
 
 thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
+
+    /// The task of the case that runs on this thread, and its holes so far.
+    static HOLES: RefCell<(String, Vec<HoleCall>)> =
+        const { RefCell::new((String::new(), Vec::new())) };
+}
+
+/// Calls the function `called` of the case's task, and returns its answer; `None` if it is not
+/// written yet, or calls one that is not. Then it is in the record's list of holes and is not
+/// called again in this case, so that the other functions can still be judged.
+///
+/// A hole of another task ends the case.
+pub fn attempt<T>(called: &str, function: impl FnOnce() -> T) -> Option<T> {
+    if HOLES.with_borrow(|(_, holes)| holes.iter().any(|hole| hole.called == called)) {
+        return None;
+    }
+    let payload = match catch_unwind(AssertUnwindSafe(function)) {
+        Ok(answer) => return Some(answer),
+        Err(payload) => payload,
+    };
+    let of_task = HOLES.with_borrow_mut(|(task, holes)| {
+        let hole = payload.downcast_ref::<Hole>();
+        let hole = hole.filter(|hole| hole.task == task)?;
+        holes.push(HoleCall {
+            called: called.to_string(),
+            hole: hole.function.to_string(),
+        });
+        Some(())
+    });
+    match of_task {
+        Some(()) => None,
+        None => resume_unwind(payload),
+    }
 }
 
 /// Records the start of call number `index` of the case, counted from 0.
@@ -39,11 +72,19 @@ pub(crate) fn watch_panics() {
 /// this worker cannot run the work.
 pub fn run(index: u32, case: &Case, dispatch: impl Fn(&Work) -> Result<Answer, String>) -> Record {
     let _ = kit::hole::take_marks();
+    HOLES.set((case.task.clone(), Vec::new()));
     let outcome = outcome(&|| dispatch(&case.work));
     let untouched = kit::hole::take_marks();
+    let (task, mut holes) = HOLES.take();
+    let of_task = untouched.iter().filter(|start| start.task == task);
+    holes.extend(of_task.map(|start| HoleCall {
+        called: start.function.to_string(),
+        hole: start.function.to_string(),
+    }));
     Record {
         case: index,
-        untouched: untouched.into_iter().map(str::to_string).collect(),
+        untouched: untouched.iter().map(|start| start.task.into()).collect(),
+        holes,
         outcome,
     }
 }

@@ -10,5 +10,5 @@ mod isolate;
 mod supervise;
 
 pub use clock::thread_time;
-pub use isolate::{call, run};
+pub use isolate::{attempt, call, run};
 pub use supervise::main;

@@ -39,6 +39,10 @@ pub(crate) trait Check {
     /// The number of calls of the student's functions that the question makes.
     fn calls(question: &Self::Question) -> usize;
 
+    /// The main answers: a case about one of them gives nothing if it is wrong. For cases about
+    /// other aspects see [`Spec::is_main`].
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss];
+
     /// Checks that the answer has the form that the question requires: the number of entries, the
     /// ranges of indices. The error ends the sentence "the worker's record does not fit the case:
     /// ...".
@@ -105,6 +109,9 @@ pub(crate) trait ErasedCheck {
     #[cfg(test)]
     fn calls(&self) -> usize;
 
+    /// As [`Check::MAIN`].
+    fn main(&self) -> &'static [Aspect];
+
     /// As [`Check::fits`]. An answer to another kind of work does not fit.
     fn fits(&self, answer: &Answer) -> Result<(), String>;
 
@@ -149,6 +156,10 @@ impl<C: Check> ErasedCheck for CheckedQuestion<'_, C> {
     #[cfg(test)]
     fn calls(&self) -> usize {
         C::calls(self.question)
+    }
+
+    fn main(&self) -> &'static [Aspect] {
+        C::MAIN
     }
 
     fn fits(&self, answer: &Answer) -> Result<(), String> {

@@ -57,10 +57,27 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
 /// case about an aspect of hits is also about hit or miss: an answer without a hit has no normal.
 /// The findings that explain the most come first.
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
-    let mut tally = Tally::default();
+    judge_written(spec, tier, answer, &[])
+}
+
+/// As [`judge`], without the answers of the functions `not_written`, which have holes.
+pub fn judge_written(
+    spec: &Spec,
+    tier: Tier,
+    answer: &Answer,
+    not_written: &[String],
+) -> Vec<Finding> {
+    let mut tally = Tally::without(not_written);
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
     let mut findings = tally.into_findings();
     findings.retain(|finding| is_about(spec, finding.aspect));
+    if !not_written.is_empty() {
+        // Expected of the other functions only.
+        findings.retain(|finding| finding.judged > 0);
+    }
+    for finding in &mut findings {
+        finding.main = spec.is_main(finding.aspect);
+    }
     order::by_explanation(findings)
 }
 

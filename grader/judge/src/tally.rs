@@ -59,6 +59,8 @@ pub enum Aspect {
     Repeatable,
     /// The number of tests compared with that of the reference.
     Work,
+    /// Whether the tree saves tests at all.
+    Savings,
     /// How the time to build a tree grows with its size.
     BuildTime,
     /// The value of a BSDF.
@@ -111,6 +113,7 @@ impl Aspect {
             Aspect::Mean
                 | Aspect::Spread
                 | Aspect::Work
+                | Aspect::Savings
                 | Aspect::BuildTime
                 | Aspect::Structure
                 | Aspect::Bounds
@@ -145,6 +148,7 @@ impl Aspect {
             Aspect::LeafSize => "leaf size",
             Aspect::Repeatable => "same tree on a second build",
             Aspect::Work => "work",
+            Aspect::Savings => "saved tests",
             Aspect::BuildTime => "growth of the build time",
             Aspect::Bsdf => "BSDF",
             Aspect::Pdf => "pdf",
@@ -331,6 +335,11 @@ pub struct Finding {
     pub judged: u32,
     /// How many of those were wrong.
     pub wrong: u32,
+    /// Whether it is of a main answer of the case, without which the case gives no points.
+    pub main: bool,
+    /// The counts of each function, in cases of tasks with several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub functions: Vec<FunctionCount>,
     /// The worst wrong answer.
     pub worst: Option<Worst>,
     /// All wrong answers.
@@ -349,6 +358,31 @@ pub struct Finding {
     pub judged_calls: Vec<u32>,
 }
 
+/// How many answers of one function were judged in an aspect.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FunctionCount {
+    /// The function.
+    pub function: &'static str,
+    /// In how many calls its answer has the aspect.
+    pub judged: u32,
+    /// How many of those were wrong.
+    pub wrong: u32,
+    #[serde(skip)]
+    last_judged: Option<u32>,
+    #[serde(skip)]
+    last_wrong: Option<u32>,
+}
+
+impl FunctionCount {
+    fn count(&mut self, call: u32, wrong: bool) {
+        // Each call counts once.
+        self.judged += u32::from(self.last_judged.replace(call) != Some(call));
+        if wrong {
+            self.wrong += u32::from(self.last_wrong.replace(call) != Some(call));
+        }
+    }
+}
+
 /// The worst wrong answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Worst {
@@ -365,6 +399,48 @@ impl Finding {
     /// has it.
     pub fn passed(&self) -> bool {
         self.wrong == 0 && (self.judged > 0 || self.expected == 0)
+    }
+
+    /// As [`Finding::passed`], for the answers of one function. An aspect that is judged in the
+    /// answers of no function counts for all of them; `None` if it is judged in those of others
+    /// only.
+    pub fn passed_by(&self, function: &str) -> Option<bool> {
+        if self.functions.is_empty() {
+            return Some(self.passed());
+        }
+        let own = self.functions.iter().find(|own| own.function == function)?;
+        Some(own.wrong == 0)
+    }
+
+    /// Whether `function` has the aspect right at all: on more than half of its answers, or, in an
+    /// aspect of all answers together, on all. `None` as in [`Finding::passed_by`].
+    pub fn mostly_right_by(&self, function: &str) -> Option<bool> {
+        if self.aspect.is_of_all_calls() {
+            return self.passed_by(function);
+        }
+        if self.functions.is_empty() {
+            let of = self.judged.max(self.expected);
+            return Some((self.judged > 0 || of == 0) && (of == 0 || 2 * self.wrong < of));
+        }
+        let own = self.functions.iter().find(|own| own.function == function)?;
+        Some(own.judged == 0 || 2 * own.wrong < own.judged)
+    }
+}
+
+impl Finding {
+    fn of_function(&mut self, function: &'static str) -> &mut FunctionCount {
+        let same = |own: &FunctionCount| own.function == function;
+        let at = self.functions.iter().position(same).unwrap_or_else(|| {
+            self.functions.push(FunctionCount {
+                function,
+                judged: 0,
+                wrong: 0,
+                last_judged: None,
+                last_wrong: None,
+            });
+            self.functions.len() - 1
+        });
+        &mut self.functions[at]
     }
 }
 
@@ -386,9 +462,29 @@ pub struct Tally {
     findings: Vec<Finding>,
     not_judged: Vec<NotJudged>,
     function: Option<&'static str>,
+    counted_for: Option<&'static str>,
+    not_written: Vec<String>,
 }
 
 impl Tally {
+    /// The tally of a case in which some functions have holes: their answers mean nothing.
+    pub fn without(not_written: &[String]) -> Tally {
+        Tally {
+            not_written: not_written.to_vec(),
+            ..Tally::default()
+        }
+    }
+
+    /// Whether the answers of `function` are to be judged: it has no hole.
+    pub fn is_written(&self, function: &str) -> bool {
+        self.not_written.iter().all(|hole| hole != function)
+    }
+
+    /// Sets the function that the next answers count for, in tasks with several functions.
+    pub fn count_for(&mut self, function: &'static str) {
+        self.counted_for = Some(function);
+    }
+
     /// Sets the function whose answers are judged next, in a case that calls several.
     pub fn answers_of(&mut self, function: &'static str) {
         self.function = Some(function);
@@ -423,12 +519,15 @@ impl Tally {
         message: impl FnOnce() -> String,
     ) {
         let call = u32::try_from(call).unwrap_or(u32::MAX);
-        let function = self.function;
+        let (function, counted_for) = (self.function, self.counted_for);
         let finding = self.entry(aspect);
         // Two functions may be judged on the same aspect in one call: it counts once.
         if finding.judged_calls.last() != Some(&call) {
             finding.judged += 1;
             finding.judged_calls.push(call);
+        }
+        if let Some(function) = counted_for {
+            finding.of_function(function).count(call, class.is_some());
         }
         let Some(class) = class else { return };
         let again = finding.faults.last().is_some_and(|last| last.call == call);
@@ -511,6 +610,8 @@ impl Tally {
                     expected: 0,
                     judged: 0,
                     wrong: 0,
+                    main: false,
+                    functions: Vec::new(),
                     worst: None,
                     detectable: None,
                     faults: Vec::new(),

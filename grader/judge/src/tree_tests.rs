@@ -66,6 +66,11 @@ impl TracedRay<'_> {
         }
     }
 
+    /// The tests of a traversal that enters all boxes in the ray's range, and shortens no ray.
+    pub(crate) fn all_met(&self) -> Tests {
+        self.until(self.range[1])
+    }
+
     /// The tests of a traversal that enters all boxes up to `max_t`.
     fn until(&self, max_t: f64) -> Tests {
         let within = TracedRay {

@@ -1,6 +1,7 @@
 //! The report of a run. It is built last, from the scores, the diagnosis and the times, and printed
 //! as a [`table`] for people or as JSON for programs.
 
+mod functions;
 mod order;
 mod speedups;
 pub mod table;

@@ -72,6 +72,8 @@ mod tests {
             status: Status::Failed,
             about: String::new(),
             findings: tally.into_findings(),
+            reductions: Vec::new(),
+            shares: Vec::new(),
             with_neighbours: false,
         }
     }

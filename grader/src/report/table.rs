@@ -218,6 +218,7 @@ fn details(text: &mut String, report: &TaskReport, hint: HintLevel) {
         return;
     }
     let _ = writeln!(text, "\n{}  {}", task.key, task.title);
+    super::functions::functions(text, task);
     if hint >= HintLevel::Mistake {
         diagnosis(text, report);
     }
@@ -299,6 +300,7 @@ fn one_case(text: &mut String, case: &CaseResult, hint: HintLevel) {
     if case.status != Status::Failed {
         let _ = writeln!(text, "      {}", status_text(&case.status));
     }
+    super::functions::reductions(text, case);
     if hint >= HintLevel::Field {
         let failed = case.findings.iter().filter(|finding| !finding.passed());
         let (wrong, untested): (Vec<_>, Vec<_>) = failed.partition(|finding| finding.wrong > 0);
@@ -346,6 +348,8 @@ mod tests {
             status: status.clone(),
             about: String::new(),
             findings: Vec::new(),
+            reductions: Vec::new(),
+            shares: Vec::new(),
             with_neighbours: false,
         });
         TaskResult {
@@ -357,6 +361,7 @@ mod tests {
             robust_max_score: 0.0,
             status: Status::Failed,
             stage: "bvh".into(),
+            functions: Vec::new(),
             cases: cases.collect(),
         }
     }

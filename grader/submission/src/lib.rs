@@ -126,6 +126,6 @@ fn no_points(task: &Task, status: &Status) -> TaskReport {
     let cases = task
         .cases
         .iter()
-        .map(|entry| CaseResult::new(entry, "", status.clone(), Vec::new()));
+        .map(|entry| CaseResult::new(entry, "", status.clone(), Vec::new(), &[]));
     TaskResult::new(task, cases.collect()).into()
 }

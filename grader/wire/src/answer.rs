@@ -30,8 +30,20 @@ pub struct Record {
     pub case: u32,
     /// Tasks whose given code was called unchanged.
     pub untouched: Vec<String>,
+    /// Functions of the case's task that ran into a hole or a start that the course provides, each
+    /// once. Their answers mean nothing.
+    pub holes: Vec<HoleCall>,
     /// How the case ended.
     pub outcome: Outcome,
+}
+
+/// A call of a function that is not written yet, or that calls one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct HoleCall {
+    /// The function that the worker called.
+    pub called: String,
+    /// The function that is not written yet.
+    pub hole: String,
 }
 
 /// How a case ended.

@@ -5,7 +5,8 @@ use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRu
 
 pub(crate) fn stop(calls: &[StopCall]) -> Vec<StopAnswer> {
     answers(calls, |samples, call, _| {
-        adaptive::has_converged(samples, call.tolerance)
+        let stop = || adaptive::has_converged(samples, call.tolerance);
+        harness::attempt("has_converged", stop).unwrap_or_default()
     })
 }
 
@@ -51,42 +52,48 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut traced, mut foreign) = (0, 0);
     let mut rule_calls = Vec::new();
-    let estimate = adaptive::raytrace_pixel_adaptive(
-        (x, y),
-        FilmSize {
-            w: work.film[0],
-            h: work.film[1],
-        },
-        Budget {
-            ns_aa: work.ns_aa,
-            batch: work.batch,
-            tolerance: work.tolerance,
-        },
-        &mut PixelSampler::new(x, y, work.seed),
-        &mut |point| {
-            points.push(point.into());
-            from_camera(point)
-        },
-        &mut |ray, _| {
-            let point = Vec2::new(ray.o.x, ray.o.y);
-            foreign += u32::from(*ray != from_camera(point));
-            let radiance = work.stream[traced as usize % work.stream.len()];
-            traced += 1;
-            Spectrum::from(radiance)
-        },
-        &mut |samples, tolerance| {
-            rule_calls.push((
-                samples.count(),
-                samples.mean(),
-                samples.variance(),
-                tolerance,
-            ));
-            match work.rule {
-                StopRule::From(count) => samples.count() >= count,
-                StopRule::Plain => adaptive::has_converged(samples, tolerance),
-            }
-        },
-    );
+    let mut camera_ray = |point: Vec2| {
+        points.push(point.into());
+        from_camera(point)
+    };
+    let mut trace_ray = |ray: &Ray, _: &mut PixelSampler| {
+        let point = Vec2::new(ray.o.x, ray.o.y);
+        foreign += u32::from(*ray != from_camera(point));
+        let radiance = work.stream[traced as usize % work.stream.len()];
+        traced += 1;
+        Spectrum::from(radiance)
+    };
+    let mut stop = |samples: &Tally, tolerance: f64| {
+        rule_calls.push((
+            samples.count(),
+            samples.mean(),
+            samples.variance(),
+            tolerance,
+        ));
+        match work.rule {
+            StopRule::From(count) => samples.count() >= count,
+            StopRule::Plain => adaptive::has_converged(samples, tolerance),
+        }
+    };
+    let estimate = harness::attempt("raytrace_pixel_adaptive", || {
+        adaptive::raytrace_pixel_adaptive(
+            (x, y),
+            FilmSize {
+                w: work.film[0],
+                h: work.film[1],
+            },
+            Budget {
+                ns_aa: work.ns_aa,
+                batch: work.batch,
+                tolerance: work.tolerance,
+            },
+            &mut PixelSampler::new(x, y, work.seed),
+            &mut camera_ray,
+            &mut trace_ray,
+            &mut stop,
+        )
+    })
+    .unwrap_or_default();
     AdaptiveAnswer {
         points,
         traced,

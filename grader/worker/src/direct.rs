@@ -1,6 +1,7 @@
 //! Runs Part 3: diffuse surfaces, and direct light in worlds that record the traced rays.
 
 use crate::{convert, light, panels};
+use harness::attempt;
 use kit::{Frame, LitScene, PixelSampler, PrimId, Ray, Spectrum, Surface, Vec2, Vec3};
 use wire::direct::{
     DirectAnswer, DirectWork, LambertAnswer, LambertProbe, RecordedRay, ShadedPoint, Strategy,
@@ -12,11 +13,14 @@ pub(crate) fn lambert(probes: &[LambertProbe]) -> Vec<LambertAnswer> {
         harness::call(i);
         let reflectance = Spectrum::from(probe.reflectance);
         let [wo, wi] = [probe.wo, probe.wi].map(Vec3::from);
-        let sample = direct::lambert_sample(reflectance, wo, Vec2::from(probe.u));
+        let sample = attempt("lambert_sample", || {
+            direct::lambert_sample(reflectance, wo, Vec2::from(probe.u))
+        });
+        let f = attempt("lambert_f", || direct::lambert_f(reflectance, wo, wi));
         LambertAnswer {
-            f: direct::lambert_f(reflectance, wo, wi).to_array(),
-            pdf: direct::lambert_pdf(wo, wi),
-            sample: sample.as_ref().map(convert::wire_sample),
+            f: f.unwrap_or_default().to_array(),
+            pdf: attempt("lambert_pdf", || direct::lambert_pdf(wo, wi)).unwrap_or_default(),
+            sample: sample.flatten().as_ref().map(convert::wire_sample),
         }
     })
     .collect()
@@ -48,24 +52,30 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
     let mut sampler = PixelSampler::new(call, 0, work.seed);
     sampler.get_sample();
     let radiance = match work.strategy {
-        Strategy::ZeroBounce => direct::zero_bounce_radiance(&surface, wo),
-        Strategy::Hemisphere => direct::estimate_direct_lighting_hemisphere(
-            lit,
-            &surface,
-            wo,
-            work.samples,
-            &mut sampler,
-            &panels::ScriptedScattering,
-            &mut |ray| {
-                let hit = panels::first_hit(&work.world, ray);
-                let seen = match &hit {
-                    Some(hit) => lit.surface(hit).emitted(-ray.d),
-                    None => lit.background(ray.d),
-                };
-                rays.push(recorded_ray(ray, seen, hit.is_some()));
-                hit
-            },
-        ),
+        Strategy::ZeroBounce => attempt("zero_bounce_radiance", || {
+            direct::zero_bounce_radiance(&surface, wo)
+        })
+        .unwrap_or_default(),
+        Strategy::Hemisphere => attempt("estimate_direct_lighting_hemisphere", || {
+            direct::estimate_direct_lighting_hemisphere(
+                lit,
+                &surface,
+                wo,
+                work.samples,
+                &mut sampler,
+                &panels::ScriptedScattering,
+                &mut |ray| {
+                    let hit = panels::first_hit(&work.world, ray);
+                    let seen = match &hit {
+                        Some(hit) => lit.surface(hit).emitted(-ray.d),
+                        None => lit.background(ray.d),
+                    };
+                    rays.push(recorded_ray(ray, seen, hit.is_some()));
+                    hit
+                },
+            )
+        })
+        .unwrap_or_default(),
         Strategy::Lights => direct::estimate_direct_lighting_importance(
             lit,
             &surface,

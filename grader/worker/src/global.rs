@@ -1,6 +1,7 @@
 //! Runs Part 4: mirrors and glass, scripted paths, and roulette.
 
 use crate::{convert, light};
+use harness::attempt;
 use kit::{
     BsdfSample, Hit, LitScene, Material, PixelSampler, PrimId, Scattering, Spectrum, Surface,
     Triangle, Vec2, Vec3,
@@ -25,35 +26,51 @@ fn specular_call(call: &SpecularCall) -> SpecularAnswer {
         |s: Option<BsdfSample>| SpecularAnswer::Sample(s.as_ref().map(convert::wire_sample));
     match *call {
         SpecularCall::Fresnel { cos_i, eta } => {
-            SpecularAnswer::Share(global::fresnel_dielectric(cos_i, eta))
+            let share = attempt("fresnel_dielectric", || {
+                global::fresnel_dielectric(cos_i, eta)
+            });
+            SpecularAnswer::Share(share.unwrap_or_default())
         }
-        SpecularCall::Reflect { wo } => direction(Some(global::reflect(wo.into()))),
-        SpecularCall::Refract { wo, ior } => direction(global::refract(wo.into(), ior)),
+        SpecularCall::Reflect { wo } => {
+            direction(attempt("reflect", || global::reflect(wo.into())))
+        }
+        SpecularCall::Refract { wo, ior } => {
+            direction(attempt("refract", || global::refract(wo.into(), ior)).flatten())
+        }
         SpecularCall::Mirror { reflectance, wo } => {
-            sample(global::mirror_sample(reflectance.into(), wo.into()))
+            let drawn = attempt("mirror_sample", || {
+                global::mirror_sample(reflectance.into(), wo.into())
+            });
+            sample(drawn.flatten())
         }
         SpecularCall::Refraction {
             transmittance,
             ior,
             wo,
-        } => sample(global::refraction_sample(
-            transmittance.into(),
-            ior,
-            wo.into(),
-        )),
+        } => {
+            let drawn = attempt("refraction_sample", || {
+                global::refraction_sample(transmittance.into(), ior, wo.into())
+            });
+            sample(drawn.flatten())
+        }
         SpecularCall::Glass {
             reflectance,
             transmittance,
             ior,
             wo,
             choice,
-        } => sample(global::glass_sample(
-            reflectance.into(),
-            transmittance.into(),
-            ior,
-            wo.into(),
-            choice,
-        )),
+        } => {
+            let drawn = attempt("glass_sample", || {
+                global::glass_sample(
+                    reflectance.into(),
+                    transmittance.into(),
+                    ior,
+                    wo.into(),
+                    choice,
+                )
+            });
+            sample(drawn.flatten())
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Runs Part 1, tasks 3 and 4: probes of single shapes, and rays through lists of shapes.
 
 use crate::convert;
+use harness::attempt;
 use kit::PrimId;
 use wire::answer::{HitsAnswer, SphereAnswer, TriangleAnswer};
 use wire::work::{BruteForceWork, SphereWork, TriangleWork};
@@ -11,10 +12,15 @@ pub(crate) fn triangles(work: &TriangleWork) -> Vec<TriangleAnswer> {
         harness::call(i);
         let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
-        let test = intersect::test_triangle(&triangle, &ray).map(|h| [h.t, h.b1, h.b2]);
-        let hit = intersect::intersect_triangle(&triangle, PrimId(probe.shape), &mut ray);
+        let test = attempt("test_triangle", || {
+            intersect::test_triangle(&triangle, &ray)
+        });
+        let hit = attempt("intersect_triangle", || {
+            intersect::intersect_triangle(&triangle, PrimId(probe.shape), &mut ray)
+        });
+        let (test, hit) = (test.flatten(), hit.flatten());
         TriangleAnswer {
-            test,
+            test: test.map(|h| [h.t, h.b1, h.b2]),
             hit: hit.as_ref().map(convert::wire_hit),
             ray_after: convert::wire_ray(&ray),
         }
@@ -28,8 +34,11 @@ pub(crate) fn spheres(work: &SphereWork) -> Vec<SphereAnswer> {
         harness::call(i);
         let sphere = convert::sphere(&work.spheres[probe.shape as usize]);
         let mut ray = convert::ray(&probe.ray);
-        let test = intersect::test_sphere(&sphere, &ray);
-        let hit = intersect::intersect_sphere(&sphere, PrimId(probe.shape), &mut ray);
+        let test = attempt("test_sphere", || intersect::test_sphere(&sphere, &ray));
+        let hit = attempt("intersect_sphere", || {
+            intersect::intersect_sphere(&sphere, PrimId(probe.shape), &mut ray)
+        });
+        let (test, hit) = (test.flatten(), hit.flatten());
         SphereAnswer {
             test,
             hit: hit.as_ref().map(convert::wire_hit),
@@ -54,10 +63,16 @@ pub(crate) fn brute_force(work: &BruteForceWork) -> HitsAnswer {
         let mut closest = None;
         let mut ids = (0..).map(PrimId);
         for (triangle, id) in triangles.iter().zip(ids.by_ref()) {
-            closest = intersect::intersect_triangle(triangle, id, &mut ray).or(closest);
+            let hit = attempt("intersect_triangle", || {
+                intersect::intersect_triangle(triangle, id, &mut ray)
+            });
+            closest = hit.flatten().or(closest);
         }
         for (sphere, id) in spheres.iter().zip((triangles.len() as u32..).map(PrimId)) {
-            closest = intersect::intersect_sphere(sphere, id, &mut ray).or(closest);
+            let hit = attempt("intersect_sphere", || {
+                intersect::intersect_sphere(sphere, id, &mut ray)
+            });
+            closest = hit.flatten().or(closest);
         }
         answer.hits.push(closest.as_ref().map(convert::wire_hit));
         answer.max_t.push(ray.max_t);

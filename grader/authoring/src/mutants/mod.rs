@@ -9,6 +9,7 @@
 
 pub mod blessing;
 pub mod corpus;
+pub mod empty;
 pub mod families;
 pub mod groups;
 pub mod run;

@@ -56,11 +56,11 @@ pub fn task(
 ) -> Result<Vec<Graded>, GraderError> {
     let mutants = Corpus::read(workspace, task)?.mutants;
     let (kinds, versions) = versions(workspace, task, mutants)?;
-    let worker = VersionsWorker {
-        program: versions_crate::worker(workspace, &task.stage, &versions)?,
+    let worker = VersionsWorker::new(
+        versions_crate::worker(workspace, &task.stage, &versions)?,
         course,
-        versions: kinds,
-    };
+        kinds,
+    );
     worker.grade_all(task, &cases::all(0), 0..worker.versions.len())
 }
 
@@ -81,11 +81,7 @@ pub fn unlisted(
         let names: Vec<&str> = broken.iter().map(|i| kinds[*i].0.as_str()).collect();
         eprintln!("These do not compile:\n  {}", names.join("\n  "));
     }
-    let worker = VersionsWorker {
-        program,
-        course,
-        versions: kinds,
-    };
+    let worker = VersionsWorker::new(program, course, kinds);
     worker.grade_all(task, &cases::all(0), wrong.into_iter())
 }
 
@@ -120,15 +116,23 @@ fn defines_hole(task: &Task, text: &str) -> bool {
 
 /// A worker that contains all versions of a stage.
 pub(super) struct VersionsWorker<'a> {
-    /// The program.
-    pub(super) program: TempPath,
+    program: TempPath,
     /// The course, whose points the scores are.
     pub(super) course: &'a Course,
     /// The versions, in the order of their numbers.
     pub(super) versions: Vec<Named>,
 }
 
-impl VersionsWorker<'_> {
+impl<'a> VersionsWorker<'a> {
+    /// `program`, whose versions have these names, in this order.
+    pub(super) fn new(program: TempPath, course: &'a Course, versions: Vec<Named>) -> Self {
+        VersionsWorker {
+            program,
+            course,
+            versions,
+        }
+    }
+
     /// Grades some of the versions, by their numbers, and compares the answers of mutants with those
     /// of the reference, which is the first version.
     fn grade_all(
@@ -142,24 +146,26 @@ impl VersionsWorker<'_> {
         let reference = ReferenceAnswers::of(&chosen, &endings);
         let versions: Vec<usize> = versions.collect();
         let each = versions.into_par_iter();
-        each.map(|version| self.grade_one(task, specs, version, &reference))
+        each.map(|version| self.grade_one(task, specs, version, Some(&reference)))
             .collect()
     }
 
-    fn grade_one(
+    /// Grades one of the versions, by its number. Without `reference`, a mutant is not compared with
+    /// it.
+    pub(super) fn grade_one(
         &self,
         task: &Task,
         specs: &[Spec],
         version: usize,
-        reference: &ReferenceAnswers,
+        reference: Option<&ReferenceAnswers>,
     ) -> Result<Graded, GraderError> {
         let (name, kind) = self.versions[version].clone();
         let chosen = chosen(&[task], specs)?;
         let endings = self.workers(version).run(&chosen, &mut String::new())?;
         let mut results = score_tasks(self.course, &[task], &chosen, &endings)?;
-        let blessings = match &kind {
-            Kind::Mutant(_) => reference.bless(&chosen, &endings),
-            Kind::Correct => Vec::new(),
+        let blessings = match (&kind, reference) {
+            (Kind::Mutant(_), Some(reference)) => reference.bless(&chosen, &endings),
+            _ => Vec::new(),
         };
         let result = results
             .pop()

@@ -46,11 +46,11 @@ pub fn grade(
     if task.cases.is_empty() {
         return Ok(seeded);
     }
-    let worker = VersionsWorker {
-        program: versions_crate::worker(workspace, &task.stage, &sources)?,
+    let worker = VersionsWorker::new(
+        versions_crate::worker(workspace, &task.stage, &sources)?,
         course,
-        versions: kinds,
-    };
+        kinds,
+    );
     let blocks = seeds
         .clone()
         .step_by(SEEDS_AT_ONCE as usize)

@@ -288,6 +288,32 @@ const STAGE_FUNCTIONS: &[StageFunction] = &[
     },
 ];
 
+/// A stage and the versions that its crate contains, the reference first.
+#[derive(Clone, Copy, Debug)]
+pub struct StageVersions<'a> {
+    stage: &'a str,
+    versions: &'a [Sources],
+    /// The number of other stages' versions before its own, references not counted. A number that
+    /// is not that of a version here selects the reference.
+    before: usize,
+}
+
+impl<'a> StageVersions<'a> {
+    /// The only stage with versions.
+    fn only(stage: &'a str, versions: &'a [Sources]) -> StageVersions<'a> {
+        StageVersions {
+            stage,
+            versions,
+            before: 0,
+        }
+    }
+
+    /// The folder of its crate in the job's folder.
+    fn folder(&self) -> String {
+        format!("host-{}", self.stage)
+    }
+}
+
 /// Builds a worker whose `stage` contains all `versions`. [`VERSION_VARIABLE`] selects one of them.
 /// The other stages are the workspace's own.
 pub fn worker(
@@ -295,11 +321,44 @@ pub fn worker(
     stage: &str,
     versions: &[Sources],
 ) -> Result<TempPath, GraderError> {
-    match build(workspace, stage, versions)? {
+    worker_that_compiles(workspace, stage, &[StageVersions::only(stage, versions)])
+}
+
+/// As [`worker`], with versions of several stages in one worker, the reference first in each. The
+/// number 0 selects the reference in all stages; the other versions are numbered from 1 through all
+/// stages.
+pub fn worker_of_stages(
+    workspace: &Workspace,
+    job: &str,
+    stages: &[(&str, Vec<Sources>)],
+) -> Result<TempPath, GraderError> {
+    let mut before = 0;
+    let stages: Vec<StageVersions<'_>> = stages
+        .iter()
+        .map(|(stage, versions)| {
+            let stage = StageVersions {
+                stage,
+                versions,
+                before,
+            };
+            before += versions.len().saturating_sub(1);
+            stage
+        })
+        .collect();
+    worker_that_compiles(workspace, job, &stages)
+}
+
+fn worker_that_compiles(
+    workspace: &Workspace,
+    job: &str,
+    stages: &[StageVersions<'_>],
+) -> Result<TempPath, GraderError> {
+    match build(workspace, job, stages)? {
         Ok(program) => Ok(program),
-        Err(_) => Err(GraderError::new(format!(
-            "the versions of `{stage}` in {} do not compile: correct the mutant or variant that cargo names",
-            job_folder(workspace, stage).display()
+        Err(errors) => Err(GraderError::new(format!(
+            "the versions in {} do not compile: correct the mutant or variant that cargo names\n{}",
+            job_folder(workspace, job).display(),
+            errors.messages
         ))),
     }
 }
@@ -314,7 +373,8 @@ pub fn worker_of_those_that_compile(
     let mut versions = versions.to_vec();
     let mut broken = BTreeSet::new();
     loop {
-        let errors = match build(workspace, stage, &versions)? {
+        let only = StageVersions::only(stage, &versions);
+        let errors = match build(workspace, stage, &[only])? {
             Ok(program) => return Ok((program, broken)),
             Err(errors) => errors,
         };
@@ -336,22 +396,24 @@ fn versions_with_errors(messages: &str, versions: usize) -> BTreeSet<usize> {
     numbers.filter(|number| *number < versions).collect()
 }
 
-fn job_folder(workspace: &Workspace, stage: &str) -> PathBuf {
-    workspace.root().join("target/mutants/jobs").join(stage)
+fn job_folder(workspace: &Workspace, job: &str) -> PathBuf {
+    workspace.root().join("target/mutants/jobs").join(job)
 }
 
 /// Builds a worker of all `versions`. Runs at the same time build one after the other, and each
 /// gets a copy of its own: the workers of all runs have the same name.
 fn build(
     workspace: &Workspace,
-    stage: &str,
-    versions: &[Sources],
+    job: &str,
+    stages: &[StageVersions<'_>],
 ) -> Result<Result<TempPath, CompileErrors>, GraderError> {
     let folder = workspace.root().join("target/mutants");
     let _lock = lock(&folder)?;
-    let job = job_folder(workspace, stage);
-    write_versions(&job.join("host"), stage, versions)?;
-    write_workspace(workspace, &job, stage)?;
+    let job = job_folder(workspace, job);
+    for stage in stages {
+        write_versions(&job.join(stage.folder()), stage)?;
+    }
+    write_workspace(workspace, &job, stages)?;
     let target = workspace.root().join("target/mutants/target");
     let features = &["part1", "part2", "part3", "part4", "part5", "meshes"];
     let build_root = BuildRoot {
@@ -387,7 +449,8 @@ fn own_copy(program: &Path, folder: &Path) -> Result<TempPath, GraderError> {
 }
 
 /// Writes the crate that contains all versions.
-fn write_versions(folder: &Path, stage: &str, versions: &[Sources]) -> Result<(), GraderError> {
+fn write_versions(folder: &Path, versions: &StageVersions<'_>) -> Result<(), GraderError> {
+    let StageVersions { stage, .. } = versions;
     // Files of earlier runs may stay, because no `mod` names them. Cargo rebuilds only what
     // changed.
     let src = folder.join("src");
@@ -395,8 +458,8 @@ fn write_versions(folder: &Path, stage: &str, versions: &[Sources]) -> Result<()
         "[package]\nname = \"{stage}\"\nversion.workspace = true\nedition.workspace = true\n\n[dependencies]\nkit.workspace = true\n"
     );
     write(&folder.join("Cargo.toml"), &manifest)?;
-    write(&src.join("lib.rs"), &library(stage, versions.len()))?;
-    for (i, sources) in versions.iter().enumerate() {
+    write(&src.join("lib.rs"), &library(versions))?;
+    for (i, sources) in versions.versions.iter().enumerate() {
         for (path, text) in sources {
             let path = if path == Path::new("lib.rs") {
                 Path::new("mod.rs")
@@ -417,7 +480,9 @@ fn module(version: usize) -> String {
 }
 
 /// The `lib.rs` of the crate: each function of the stage calls the selected version.
-fn library(stage: &str, versions: usize) -> String {
+fn library(versions: &StageVersions<'_>) -> String {
+    let (stage, before) = (versions.stage, versions.before);
+    let versions = versions.versions.len();
     let mut text = String::from("#![allow(warnings)]\nuse kit::*;\n");
     for i in 0..versions {
         let _ = writeln!(text, "mod {};", module(i));
@@ -425,7 +490,9 @@ fn library(stage: &str, versions: usize) -> String {
     let _ = writeln!(
         text,
         "fn choice() -> usize {{\n    static VERSION_VARIABLE: std::sync::OnceLock<usize> = std::sync::OnceLock::new();\n    \
-         *VERSION_VARIABLE.get_or_init(|| std::env::var(\"{VERSION_VARIABLE}\").unwrap().parse().unwrap())\n}}"
+         *VERSION_VARIABLE.get_or_init(|| {{\n        \
+         let number: usize = std::env::var(\"{VERSION_VARIABLE}\").unwrap().parse().unwrap();\n        \
+         number.checked_sub({before}).filter(|version| *version < {versions}).unwrap_or(0)\n    }})\n}}"
     );
     for function in STAGE_FUNCTIONS
         .iter()
@@ -461,9 +528,13 @@ fn library(stage: &str, versions: usize) -> String {
     text
 }
 
-/// Writes a workspace of two crates, the versions and the worker. Their dependencies are in the
+/// Writes a workspace of the versions' crates and the worker. Their dependencies are in the
 /// course's workspace.
-fn write_workspace(workspace: &Workspace, job: &Path, stage: &str) -> Result<(), GraderError> {
+fn write_workspace(
+    workspace: &Workspace,
+    job: &Path,
+    stages: &[StageVersions<'_>],
+) -> Result<(), GraderError> {
     let root = workspace.root();
     let path = root.join("Cargo.toml");
     let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
@@ -475,7 +546,9 @@ fn write_workspace(workspace: &Workspace, job: &Path, stage: &str) -> Result<(),
         .get_mut("workspace")
         .and_then(toml::Value::as_table_mut)
         .ok_or_else(no_table)?;
-    spec.insert("members".into(), toml::Value::from(vec!["host", "worker"]));
+    let hosts = stages.iter().map(StageVersions::folder);
+    let members: Vec<String> = hosts.chain(["worker".to_string()]).collect();
+    spec.insert("members".into(), toml::Value::from(members));
     let dependencies = spec
         .get_mut("dependencies")
         .and_then(toml::Value::as_table_mut)
@@ -484,11 +557,12 @@ fn write_workspace(workspace: &Workspace, job: &Path, stage: &str) -> Result<(),
         let Some(path) = dependency.get_mut("path") else {
             continue;
         };
-        let folder = match path.as_str() {
-            _ if name == stage => job.join("host"),
+        let host = stages.iter().find(|stage| stage.stage == name);
+        let folder = match (host, path.as_str()) {
+            (Some(host), _) => job.join(host.folder()),
             _ if name == "worker" => job.join("worker"),
-            Some(below) => root.join(below),
-            None => continue,
+            (None, Some(below)) => root.join(below),
+            (None, None) => continue,
         };
         *path = toml::Value::from(folder.display().to_string());
     }

@@ -34,6 +34,8 @@ pub struct Spec {
     /// The aspects that the case judges; empty for all aspects of its answers. So a mistake that
     /// shows in every case is reported only in the cases that are about it.
     pub about_aspects: &'static [Aspect],
+    /// The main answers of the case, if they are not those of [`Spec::is_main`]'s rule.
+    pub main_aspects: &'static [Aspect],
     /// The exact results, as far as they have been computed.
     pub(crate) expected_cache: Arc<ExpectedCache>,
 }
@@ -64,6 +66,7 @@ impl Spec {
             picture: None,
             enclosed: false,
             about_aspects: &[],
+            main_aspects: &[],
             expected_cache: Arc::default(),
         }
     }
@@ -73,6 +76,31 @@ impl Spec {
         Spec {
             about_aspects,
             ..self
+        }
+    }
+
+    /// The same case with these main answers.
+    pub(crate) fn mainly(self, main_aspects: &'static [Aspect]) -> Spec {
+        Spec {
+            main_aspects,
+            ..self
+        }
+    }
+
+    /// Whether `aspect` is a main answer: if it is wrong, the case gives no points.
+    ///
+    /// Main are those of the aspects that the case is about that are main in all work of its kind,
+    /// such as the positions of samples; if there are none, the first that the case is about.
+    /// Wherever hit or miss is judged it is main, since without it nothing else means much.
+    pub(crate) fn is_main(&self, aspect: Aspect) -> bool {
+        if aspect == Aspect::HitOrMiss || !self.main_aspects.is_empty() {
+            return aspect == Aspect::HitOrMiss || self.main_aspects.contains(&aspect);
+        }
+        let of_kind = tasks::check_of(&self.work).main();
+        let about = self.about_aspects;
+        match about.first() {
+            Some(first) if about.iter().all(|aspect| !of_kind.contains(aspect)) => aspect == *first,
+            _ => of_kind.contains(&aspect),
         }
     }
 

@@ -36,7 +36,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              always detected.",
             same(uniform_environment(1.0), floor(), 2000, 4),
         )
-        .only(&[Rays, Direction, Spread]),
+        .only(&[Rays, Direction, Spread])
+        .mainly(&[Direction, Spread]),
         case(
             "side_of_the_viewer",
             "A surface seen from below scatters light from below: directions are sampled on the \
@@ -44,7 +45,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              detected.",
             same(uniform_environment(1.0), ceiling(), 2000, 4),
         )
-        .only(&[Rays, Direction, Spread, Mean]),
+        .only(&[Rays, Direction, Spread, Mean])
+        .mainly(&[Direction, Mean]),
         case(
             "tilted_surfaces",
             "Surfaces with normals in all directions: f takes local directions, rays have world \

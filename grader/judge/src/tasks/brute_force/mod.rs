@@ -9,7 +9,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content, same_length};
 use crate::expected::Expected;
 use crate::snapshot::lines::{self, each};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::{Tier, convert, picture, truth};
 use kit::Primitive;
 use wire::answer::HitsAnswer;
@@ -21,6 +21,8 @@ pub(crate) struct BruteForce;
 impl Check for BruteForce {
     type Question = BruteForceWork;
     type Answer = HitsAnswer;
+
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
 
     fn calls(work: &BruteForceWork) -> usize {
         work.rays.len()
@@ -45,6 +47,14 @@ impl Check for BruteForce {
         work: &BruteForceWork,
         answer: &HitsAnswer,
     ) {
+        let function = match work.triangles.is_empty() {
+            true => "intersect_sphere",
+            false => "intersect_triangle",
+        };
+        if !tally.is_written(function) {
+            return;
+        }
+        tally.count_for(function);
         let expected = spec.expected_cache.of_shapes(spec, tier);
         judge::brute_force(tally, &work.rays, expected, answer);
     }

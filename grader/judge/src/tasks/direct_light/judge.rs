@@ -34,6 +34,15 @@ const TARGET_BOUND: f64 = 1e-2;
 
 /// Judges every estimate of `work`.
 pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    let function = match work.strategy {
+        Strategy::ZeroBounce => "zero_bounce_radiance",
+        Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
+        Strategy::Lights => "estimate_direct_lighting_importance",
+    };
+    if !tally.is_written(function) {
+        return;
+    }
+    tally.count_for(function);
     for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
         let one = Estimate {
             work,
@@ -200,8 +209,29 @@ impl Estimate<'_> {
             mistakes.add(&self.place, recorded);
         }
         self.distinct(tally);
+        if self.lacks_rays(tally, wanted) {
+            return;
+        }
         let share = TAU / f64::from(samples.max(1));
         self.radiance(tally, sum * share, &mistakes.sums(share));
+    }
+
+    /// Judges an estimate without rays as wrong if at least `wanted` of them are necessary: the sum
+    /// over no rays says nothing about the light.
+    fn lacks_rays(&self, tally: &mut Tally, wanted: u32) -> bool {
+        let lacks = wanted > 0 && self.answer.rays.is_empty();
+        if lacks {
+            tally.expect(Aspect::Radiance);
+            let class = Some(Class::Named("without rays"));
+            tally.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
+                format!(
+                    "your result: {:?} without tracing a ray; expected: the sum over at least {wanted}. {}",
+                    self.answer.radiance,
+                    self.about()
+                )
+            });
+        }
+        lacks
     }
 
     /// The class of rays that go to the wrong side of the surface.
@@ -245,6 +275,9 @@ impl Estimate<'_> {
             }
         }
         self.distinct(tally);
+        if self.lacks_rays(tally, least) {
+            return;
+        }
         self.radiance(tally, sum, &[("distance twice", with_distance_twice)]);
     }
 

@@ -10,7 +10,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::snapshot::lines::each;
 use crate::snapshot::{field, forms, number, vector};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use wire::direct::{DirectAnswer, DirectWork};
 
 /// A function that estimates direct light, called for each point.
@@ -19,6 +19,8 @@ pub(crate) struct Direct;
 impl Check for Direct {
     type Question = DirectWork;
     type Answer = Vec<DirectAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::Radiance, Aspect::Mean];
 
     fn calls(work: &DirectWork) -> usize {
         work.points.len()

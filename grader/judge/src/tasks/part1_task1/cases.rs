@@ -39,12 +39,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              uniformly over it.",
             work([9, 8], all([9, 8]), 16, PixelWorld::Ramp, 0),
         )
-        .only(&[Calls, Placement, Spread]),
+        .only(&[Calls, Placement, Spread])
+        .mainly(&[Calls, Placement]),
         case(
             "fresh_samples",
             "64 samples a pixel, with random numbers that depend on the seed.",
             work([6, 5], all([6, 5]), 64, PixelWorld::Ramp, seed),
-        ),
+        )
+        .mainly(&[Calls, Placement, Radiance]),
         case(
             "fresh_offsets_in_each_pixel",
             "4 samples in each of 256 pixels: the samples of a pixel are independent of those of \
@@ -71,7 +73,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
              grid, or starting the loop at 1, traces another number of rays.",
             work([5, 4], all([5, 4]), 7, PixelWorld::Ramp, 0),
         )
-        .only(&[Calls, Radiance]),
+        .only(&[Calls, Radiance])
+        .mainly(&[Calls, Radiance]),
         case(
             "bright_light",
             "Radiance can be far above 1; the pixel is the mean of the samples as they are. \
@@ -84,7 +87,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 0,
             ),
         )
-        .only(&[Radiance]),
+        .only(&[Radiance, Calls])
+        .mainly(&[Radiance, Calls]),
         case(
             "light_and_dark",
             "Samples alternate between bright and black; the pixel is their mean. Pitfall: it is \
@@ -97,7 +101,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
                 0,
             ),
         )
-        .only(&[Radiance]),
+        .only(&[Radiance, Calls])
+        .mainly(&[Radiance, Calls]),
         case(
             "no_samples",
             "With 0 samples the radiance is black and the sample count is 0. Pitfall: the mean of \

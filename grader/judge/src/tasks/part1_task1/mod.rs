@@ -9,7 +9,7 @@ mod rest;
 use crate::Tier;
 use crate::cases::Spec;
 use crate::check::{Check, Content, in_range, one_each};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use wire::answer::PixelAnswer;
 use wire::work::{PixelWork, Xyz};
 
@@ -19,6 +19,8 @@ pub(crate) struct Pixels;
 impl Check for Pixels {
     type Question = PixelWork;
     type Answer = Vec<PixelAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::Placement, Aspect::Radiance];
 
     fn calls(work: &PixelWork) -> usize {
         work.calls().count()

@@ -9,7 +9,7 @@ use crate::Tier;
 use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::picture;
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use wire::work::{CameraWork, Ray, Xyz};
 
 /// `generate_ray`, called for every camera and for each of them with every sensor point.
@@ -18,6 +18,8 @@ pub(crate) struct CameraRays;
 impl Check for CameraRays {
     type Question = CameraWork;
     type Answer = Vec<Ray>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::Direction];
 
     fn calls(work: &CameraWork) -> usize {
         work.cameras.len() * work.sensor.len()

@@ -17,6 +17,8 @@ pub(crate) fn triangles(
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
         expect(tally, expected, true);
+        let is_tested = tally.is_written(test);
+        let is_intersected = tally.is_written(intersect);
         let mut call = Call {
             tally: &mut *tally,
             number,
@@ -24,15 +26,22 @@ pub(crate) fn triangles(
             ray: &probe.ray,
         };
         let tested = answer.test.map(|[t, ..]| t);
-        call.decision(expected, tested);
-        if let Some([t, b1, b2]) = answer.test
-            && let Some(right) = expected.closest_to(probe.shape, t)
-        {
-            call.t(right, t);
-            call.barycentrics(right, [b1, b2]);
+        if is_tested {
+            call.tally.count_for(test);
+            call.decision(expected, tested);
+            if let Some([t, b1, b2]) = answer.test
+                && let Some(right) = expected.closest_to(probe.shape, t)
+            {
+                call.t(right, t);
+                call.barycentrics(right, [b1, b2]);
+            }
+        }
+        if !is_intersected {
+            continue;
         }
         let hit = answer.hit.as_ref();
         call.function = intersect;
+        call.tally.count_for(intersect);
         record(&mut call, expected, hit);
         if let Some(hit) = hit
             && let Some(right) = expected.closest_to(probe.shape, hit.t)
@@ -43,7 +52,9 @@ pub(crate) fn triangles(
         call.ray_after(hit_t, &answer.ray_after, |max_t| {
             expected.has_right_max_t(hit_t, probe.ray.max_t, max_t)
         });
-        call.agrees_with(test, tested.is_some(), hit.is_some());
+        if is_tested {
+            call.agrees_with(test, tested.is_some(), hit.is_some());
+        }
     }
 }
 

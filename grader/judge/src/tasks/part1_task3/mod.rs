@@ -8,7 +8,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::expected::Expected;
 use crate::snapshot::lines::{self, each};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::{Tier, convert, picture, truth};
 use kit::Triangle;
 use wire::answer::TriangleAnswer;
@@ -20,6 +20,8 @@ pub(crate) struct Triangles;
 impl Check for Triangles {
     type Question = TriangleWork;
     type Answer = Vec<TriangleAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
 
     fn calls(work: &TriangleWork) -> usize {
         work.probes.len()

@@ -17,26 +17,37 @@ pub(crate) fn spheres(
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
         expect(tally, expected, false);
+        let is_tested = tally.is_written(test);
+        let is_intersected = tally.is_written(intersect);
         let mut call = Call {
             tally: &mut *tally,
             number,
             function: test,
             ray: &probe.ray,
         };
-        call.decision(expected, answer.test);
-        if let Some(t) = answer.test
-            && let Some(right) = expected.closest_to(probe.shape, t)
-        {
-            call.t(right, t);
+        if is_tested {
+            call.tally.count_for(test);
+            call.decision(expected, answer.test);
+            if let Some(t) = answer.test
+                && let Some(right) = expected.closest_to(probe.shape, t)
+            {
+                call.t(right, t);
+            }
+        }
+        if !is_intersected {
+            continue;
         }
         let hit = answer.hit.as_ref();
         call.function = intersect;
+        call.tally.count_for(intersect);
         record(&mut call, expected, hit);
         let hit_t = hit.map(|hit| hit.t);
         call.ray_after(hit_t, &answer.ray_after, |max_t| {
             expected.has_right_max_t(hit_t, probe.ray.max_t, max_t)
         });
-        call.agrees_with(test, answer.test.is_some(), hit.is_some());
+        if is_tested {
+            call.agrees_with(test, answer.test.is_some(), hit.is_some());
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::expected::Expected;
 use crate::snapshot::lines::{self, each};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::{Tier, convert, picture, truth};
 use kit::Sphere;
 use wire::answer::SphereAnswer;
@@ -20,6 +20,8 @@ pub(crate) struct Spheres;
 impl Check for Spheres {
     type Question = SphereWork;
     type Answer = Vec<SphereAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
 
     fn calls(work: &SphereWork) -> usize {
         work.probes.len()

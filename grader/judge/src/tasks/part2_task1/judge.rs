@@ -16,6 +16,10 @@ use wire::work::{Node, NodeKind, Tree, Xyz};
 /// loose boxes cost many times as much.
 const COST_FACTOR: f64 = 2.0;
 
+/// A tree saves work if its cost is at most this share of that of testing every primitive. A tree
+/// that is split along the wrong axis still saves that much in a mesh.
+const MAX_COST_SHARE: f64 = 0.25;
+
 /// A tree may be this many times as deep as the reference's: a few more levels cost little, but a
 /// list as deep as its length costs all the gain.
 const DEPTH_FACTOR: u32 = 4;
@@ -38,6 +42,7 @@ pub(crate) fn build(
     }
     if recorded.is_some() {
         tally.expect(Aspect::Work);
+        tally.expect(Aspect::Savings);
     }
     let repeatable = answer.repeatable;
     tally.judge(Aspect::Repeatable, 0, repeatable, 1.0, || {
@@ -148,6 +153,13 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
         format!(
             "your result: {cost:.1} tests per random line; the reference: {:.1} (up to {COST_FACTOR} times that passes). Is each node split along its longest axis, and is its box as small as possible?",
             recorded.cost
+        )
+    });
+    let all = tree.order.len() as f64;
+    let saves = cost <= MAX_COST_SHARE * all;
+    tally.judge(Aspect::Savings, 0, saves, cost / all, || {
+        format!(
+            "your result: {cost:.1} tests per random line; without a tree: {all}. A tree saves most of them"
         )
     });
     if !cheap && why == COSTLY_SPLITS {

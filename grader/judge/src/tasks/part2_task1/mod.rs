@@ -24,6 +24,8 @@ impl Check for Build {
     type Question = BuildWork;
     type Answer = BuildAnswer;
 
+    const MAIN: &'static [Aspect] = &[Aspect::Structure, Aspect::Bounds, Aspect::Work];
+
     fn calls(_: &BuildWork) -> usize {
         2
     }

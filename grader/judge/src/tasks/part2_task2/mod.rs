@@ -8,7 +8,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::snapshot::lines::{each, ray_at};
 use crate::snapshot::{Fields, Value, field, forms};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::{Tier, picture};
 use wire::work::{BoxWork, Xyz};
 
@@ -18,6 +18,8 @@ pub(crate) struct Boxes;
 impl Check for Boxes {
     type Question = BoxWork;
     type Answer = Vec<Option<[f64; 2]>>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::Interval];
 
     fn calls(work: &BoxWork) -> usize {
         work.probes.len()

@@ -12,6 +12,14 @@ use wire::work::{Ray, ScriptedRay, ScriptedWorld};
 /// Visiting the farther child first, or every node, makes twice as many tests.
 pub(crate) const WORK_FACTOR: f64 = 1.5;
 
+/// Savings are judged where a traversal that enters every box that a ray meets makes at most one in
+/// this many of all primitive tests.
+const MIN_SAVINGS: u64 = 4;
+
+/// A traversal that goes where the boxes lead may make this many times the tests of one that enters
+/// every box that the ray meets, and nothing else.
+const SAVINGS_FACTOR: f64 = 3.0;
+
 /// Judges the results of `intersect_bvh` or `occludes_bvh`; with `counts_work` also the number of
 /// tests. Tests that repeat others are always judged.
 pub(crate) fn traverse(
@@ -20,6 +28,7 @@ pub(crate) fn traverse(
     answers: &[TraverseAnswer],
     counts_work: bool,
 ) {
+    tally.count_for(function(world));
     for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
         if world.any_hit {
             any(tally, call, scripted, answer);
@@ -29,6 +38,8 @@ pub(crate) fn traverse(
     }
     if counts_work {
         tally.expect(Aspect::Work);
+    } else {
+        savings(tally, world, answers);
     }
     if answers.iter().any(|answer| answer.repeated_prims > 0) {
         // The number of tests follows from it.
@@ -36,6 +47,36 @@ pub(crate) fn traverse(
     } else if counts_work && tally.is_right(Aspect::HitOrMiss) {
         // A traversal that misses hits makes fewer tests.
         work(tally, world, answers);
+    }
+}
+
+/// Judges whether the traversal goes where the boxes lead: it makes no more than a few times the
+/// tests of one that enters every box that the ray meets. In a world where that saves little,
+/// nothing is judged.
+fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+    let mut met = Tests::default();
+    let mut made = Tests::default();
+    let mut all = 0;
+    for (scripted, answer) in world.rays.iter().zip(answers) {
+        met += traced(world, scripted, |ray| ray.all_met());
+        made += Tests {
+            boxes: u64::from(answer.box_tests),
+            prims: u64::from(answer.prim_tests),
+        };
+        all += scripted.prims.len() as u64;
+    }
+    if met.prims * MIN_SAVINGS > all {
+        return;
+    }
+    tally.expect(Aspect::Savings);
+    let function = function(world);
+    for (what, made, met) in [("box", made.boxes, met.boxes), ("primitive", made.prims, met.prims)] {
+        let saves = made as f64 <= SAVINGS_FACTOR * met as f64;
+        tally.judge(Aspect::Savings, 0, saves, made as f64, || {
+            format!(
+                "your result: {function} makes {made} {what} tests; entering only boxes that the ray meets makes {met}. Without a tree there are {all} primitive tests"
+            )
+        });
     }
 }
 

@@ -17,7 +17,7 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         one(tally, call, probe, answer);
     }
-    if probes.len() < MIN_ESTIMATES {
+    if probes.len() < MIN_ESTIMATES || !tally.is_written("lambert_sample") {
         return;
     }
     for side in [1.0, -1.0] {
@@ -71,18 +71,27 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     // surface.
     let cosine_of = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
     let (right_f, right_pdf) = right(probe);
-    numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
-        format!(
-            "lambert_f: reflectance = {:?}, {}",
-            probe.reflectance,
-            input()
-        )
-    });
-    let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
-    numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
-        format!("lambert_pdf: {}", input())
-    });
-
+    if tally.is_written("lambert_f") {
+        tally.count_for("lambert_f");
+        numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
+            format!(
+                "lambert_f: reflectance = {:?}, {}",
+                probe.reflectance,
+                input()
+            )
+        });
+    }
+    if tally.is_written("lambert_pdf") {
+        tally.count_for("lambert_pdf");
+        let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
+        numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
+            format!("lambert_pdf: {}", input())
+        });
+    }
+    if !tally.is_written("lambert_sample") {
+        return;
+    }
+    tally.count_for("lambert_sample");
     let sample_input = || format!("lambert_sample: wo = {}, u = {:?}", show(wo), probe.u);
     let Some(sample) = answer.sample else {
         let class = (wo.z != 0.0).then_some(Class::FalseMiss);

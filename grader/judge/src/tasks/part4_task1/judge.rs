@@ -83,7 +83,7 @@ pub(crate) fn specular(
     for (call, (input, answer)) in calls.iter().zip(answers).enumerate() {
         one(tally, tier, call, input, answer);
     }
-    if calls.len() >= MIN_ESTIMATES {
+    if calls.len() >= MIN_ESTIMATES && tally.is_written("glass_sample") {
         frequency(tally, calls, answers);
     }
 }
@@ -189,7 +189,11 @@ pub(crate) fn right(tier: Tier, input: &SpecularCall) -> (Right, f64) {
 }
 
 fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer: &SpecularAnswer) {
+    if !tally.is_written(function(input)) {
+        return;
+    }
     tally.answers_of(function(input));
+    tally.count_for(function(input));
     let (_, bound) = right(tier, input);
     if bound > WIDE {
         let aspect = match answer {

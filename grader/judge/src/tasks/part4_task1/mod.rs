@@ -19,6 +19,8 @@ impl Check for Specular {
     type Question = Vec<SpecularCall>;
     type Answer = Vec<SpecularAnswer>;
 
+    const MAIN: &'static [Aspect] = &[Aspect::Fresnel, Aspect::SampledDirection];
+
     fn calls(calls: &Vec<SpecularCall>) -> usize {
         calls.len()
     }

@@ -10,7 +10,7 @@ use crate::Tier;
 use crate::cases::Spec;
 use crate::check::{Check, Content, in_range, one_each};
 use crate::snapshot::lines::each;
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use wire::global::{PathAnswer, ScriptedPath};
 
 /// `estimate_radiance`, called for each path.
@@ -19,6 +19,8 @@ pub(crate) struct Paths;
 impl Check for Paths {
     type Question = Vec<ScriptedPath>;
     type Answer = Vec<PathAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::Radiance];
 
     fn calls(paths: &Vec<ScriptedPath>) -> usize {
         paths.len()

@@ -20,6 +20,8 @@ impl Check for Roulette {
     type Question = RouletteWork;
     type Answer = Vec<Option<Xyz>>;
 
+    const MAIN: &'static [Aspect] = &[Aspect::Survival, Aspect::Throughput, Aspect::Mean];
+
     fn calls(work: &RouletteWork) -> usize {
         work.paths.len() * work.numbers.len()
     }

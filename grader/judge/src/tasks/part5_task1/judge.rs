@@ -33,6 +33,10 @@ pub(crate) fn samples(call: &StopCall) -> SampleTally {
 
 /// Judges the plain rule.
 pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
+    if !tally.is_written("has_converged") {
+        return;
+    }
+    tally.count_for("has_converged");
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
         verdict(tally, i, call, answer, converged(call));
     }
@@ -67,6 +71,10 @@ pub(crate) fn verdict(
 
 /// Judges pixels that stop by a rule.
 pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
+    if !tally.is_written("raytrace_pixel_adaptive") {
+        return;
+    }
+    tally.count_for("raytrace_pixel_adaptive");
     for (call, (work, answer)) in works.iter().zip(answers).enumerate() {
         pixel(tally, call, work, answer);
     }

@@ -20,6 +20,8 @@ impl Check for Stop {
     type Question = Vec<StopCall>;
     type Answer = Vec<StopAnswer>;
 
+    const MAIN: &'static [Aspect] = &[Aspect::Stop];
+
     fn calls(questions: &Vec<StopCall>) -> usize {
         questions.len()
     }
@@ -53,6 +55,8 @@ pub(crate) struct AdaptivePixels;
 impl Check for AdaptivePixels {
     type Question = Vec<AdaptivePixel>;
     type Answer = Vec<AdaptiveAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::Radiance, Aspect::Placement];
 
     fn calls(questions: &Vec<AdaptivePixel>) -> usize {
         questions.len()

@@ -8,7 +8,7 @@ use crate::Tier;
 use crate::cases::Spec;
 use crate::check::{Check, Content, one_each};
 use crate::snapshot::lines::each;
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::tasks::part5_task1::lines;
 use wire::adaptive::{StopAnswer, StopCall};
 
@@ -18,6 +18,8 @@ pub(crate) struct SureStop;
 impl Check for SureStop {
     type Question = Vec<StopCall>;
     type Answer = Vec<StopAnswer>;
+
+    const MAIN: &'static [Aspect] = &[Aspect::Stop];
 
     fn calls(questions: &Vec<StopCall>) -> usize {
         questions.len()

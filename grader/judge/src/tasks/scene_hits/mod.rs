@@ -9,7 +9,7 @@ use crate::cases::Spec;
 use crate::check::{Check, Content};
 use crate::snapshot::lines::{self, each, ray_at};
 use crate::snapshot::{Fields, forms, number};
-use crate::tally::Tally;
+use crate::tally::{Aspect, Tally};
 use crate::{Tier, picture};
 use wire::answer::HitsAnswer;
 use wire::work::{SceneWork, Xyz};
@@ -21,6 +21,8 @@ pub(crate) struct SceneHits;
 impl Check for SceneHits {
     type Question = SceneWork;
     type Answer = HitsAnswer;
+
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T, Aspect::Savings];
 
     const NEEDS_ALL_STAGES: bool = true;
 
@@ -35,6 +37,7 @@ impl Check for SceneHits {
     fn judge(tally: &mut Tally, spec: &Spec, tier: Tier, work: &SceneWork, answer: &HitsAnswer) {
         let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
         judge::hits(tally, tier, truths, &work.rays, work.any_hit, answer);
+        judge::savings(tally, work, answer);
     }
 
     fn judge_rest(

@@ -157,8 +157,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let mut untouched = threads.broadcast(|_| hole::take_marks()).concat();
     untouched.extend(hole::take_marks());
     untouched.sort_unstable();
-    untouched.dedup();
-    for task in untouched {
+    untouched.dedup_by_key(|start| start.task);
+    for start in untouched {
+        let task = start.task;
         eprintln!("note: {task} is not written yet: the given code is correct, but slow");
     }
     if stop.load(Ordering::Relaxed) {

@@ -1,0 +1,197 @@
+//! The functions of a task: their shares of the points of each case, and whether they are right.
+
+use super::{CaseResult, Status, WITHOUT_IDEA};
+use crate::course::{Idea, Task};
+use judge::Tier;
+use judge::tally::Finding;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use wire::answer::HoleCall;
+
+/// A function that shares the points of a case equally with others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FunctionShare {
+    /// The function; empty in tasks with one function.
+    pub function: String,
+    /// The fraction of its share that it earned.
+    pub fraction: f64,
+    /// The function that is not written yet: this one, or one that it calls.
+    pub hole: Option<String>,
+}
+
+/// The result of one function of a task.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FunctionResult {
+    /// Its name.
+    pub name: String,
+    /// Its status.
+    #[serde(flatten)]
+    pub status: FunctionStatus,
+}
+
+/// The status of a function.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "status")]
+pub enum FunctionStatus {
+    /// It is right in every core case that judges it.
+    Right,
+    /// It is wrong in some core cases.
+    Wrong {
+        /// The number of core cases that judge it.
+        of: usize,
+        /// How many of them it fails.
+        wrong: usize,
+    },
+    /// It is not written yet.
+    Hole,
+    /// It cannot be judged in every case before another function is written.
+    Needs {
+        /// The other function.
+        function: String,
+    },
+}
+
+impl FunctionShare {
+    pub(super) fn is_hole(&self) -> bool {
+        self.hole.is_some()
+    }
+
+    /// Why the share is lost, if no answer is to blame.
+    pub(super) fn reduction(&self) -> Option<String> {
+        let hole = self.hole.as_ref()?;
+        Some(if *hole == self.function {
+            format!("{hole} is not written yet")
+        } else {
+            format!("{} needs {hole}, which is not written yet", self.function)
+        })
+    }
+}
+
+/// The functions that share the points of a case: those that are judged in a main answer, and those
+/// with holes. In tasks with one function it has no name.
+pub(super) fn shares(findings: &[Finding], holes: &[HoleCall]) -> Vec<FunctionShare> {
+    let main = findings.iter().filter(|finding| finding.main);
+    let judged = main.flat_map(|finding| &finding.functions);
+    let mut names: Vec<&str> = Vec::new();
+    for count in judged {
+        if !names.contains(&count.function) {
+            names.push(count.function);
+        }
+    }
+    if names.is_empty() && holes.is_empty() {
+        names.push("");
+    }
+    let judged = names.into_iter().map(|function| FunctionShare {
+        function: function.to_string(),
+        fraction: earned_fraction(findings, function),
+        hole: None,
+    });
+    let holes = holes.iter().map(|hole| FunctionShare {
+        function: hole.called.clone(),
+        fraction: 0.0,
+        hole: Some(hole.hole.clone()),
+    });
+    judged.chain(holes).collect()
+}
+
+/// The fraction of its share of a case's points that a function earned: none if a main answer is
+/// wrong. The main answers weigh as much as all others together, which have the same weight each.
+fn earned_fraction(findings: &[Finding], function: &str) -> f64 {
+    let passed = |main: bool| {
+        let findings = findings.iter().filter(move |finding| finding.main == main);
+        findings.filter_map(|finding| finding.passed_by(function))
+    };
+    let (main, others) = (passed(true), passed(false));
+    if findings.is_empty() || !main.into_iter().all(|passed| passed) {
+        return 0.0;
+    }
+    let others: Vec<f64> = others.map(|passed| f64::from(u8::from(passed))).collect();
+    match others.is_empty() {
+        true => 1.0,
+        false => 0.5 + 0.5 * mean(others),
+    }
+}
+
+/// The mean; 0 of no numbers.
+pub(super) fn mean(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let (mut sum, mut count) = (0.0, 0_u32);
+    for number in numbers {
+        sum += number;
+        count += 1;
+    }
+    sum / f64::from(count.max(1))
+}
+
+/// Takes points away from the functions that do not have the idea of their task.
+pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
+    let functions: BTreeSet<String> = cases
+        .iter()
+        .flat_map(|case| case.shares.iter().map(|share| share.function.clone()))
+        .collect();
+    let lacking = functions.into_iter().filter_map(|function| {
+        let idea = lacking_idea(task, cases, &function)?;
+        Some((function, idea))
+    });
+    let lacking: BTreeMap<String, &Idea> = lacking.collect();
+    for case in cases {
+        let lacks = |share: &FunctionShare| lacking.get(&share.function);
+        let Some(idea) = case.shares.iter().find_map(lacks) else {
+            continue;
+        };
+        let what = format!(
+            "counts a quarter, because in the case {} most answers are wrong: {}",
+            idea.case,
+            idea.aspect.label()
+        );
+        let fractions = case.shares.iter().map(|share| match lacks(share) {
+            Some(_) => WITHOUT_IDEA * share.fraction,
+            None => share.fraction,
+        });
+        let score = case.max_score * mean(fractions);
+        if matches!(case.status, Status::Passed | Status::Failed) {
+            case.reduce(score, what);
+        }
+    }
+}
+
+/// The aspect that shows that `function` does not have the idea of its task, if there is one. A case
+/// without answers shows nothing.
+fn lacking_idea<'a>(task: &'a Task, cases: &[CaseResult], function: &str) -> Option<&'a Idea> {
+    task.idea.iter().find(|idea| {
+        let case = cases.iter().find(|case| case.name == idea.case);
+        let mut findings = case.iter().flat_map(|case| &case.findings);
+        let finding = findings.find(|finding| finding.aspect == idea.aspect);
+        finding.and_then(|finding| finding.mostly_right_by(function)) == Some(false)
+    })
+}
+
+/// The results of the functions of a task that are judged or have holes, in the order of the task.
+pub(super) fn results(task: &Task, cases: &[CaseResult]) -> Vec<FunctionResult> {
+    let results = task.holes.iter().filter_map(|name| {
+        let own = |share: &&FunctionShare| match task.holes.len() {
+            1 => share.function.is_empty() || share.function == *name,
+            _ => share.function == *name,
+        };
+        let core = cases.iter().filter(|case| case.tier == Tier::Core);
+        let all: Vec<&FunctionShare> = cases.iter().flat_map(|case| &case.shares).collect();
+        let is_hole = |share: &&&FunctionShare| share.hole.as_ref() == Some(name);
+        if all.iter().any(|share| is_hole(&share)) {
+            let status = FunctionStatus::Hole;
+            let name = name.clone();
+            return Some(FunctionResult { name, status });
+        }
+        let own_shares: Vec<&FunctionShare> =
+            core.flat_map(|case| case.shares.iter().filter(own)).collect();
+        let needs = own_shares.iter().find_map(|share| share.hole.clone());
+        let wrong = own_shares.iter().filter(|share| share.fraction < 1.0);
+        let status = match (needs, own_shares.len(), wrong.count()) {
+            (_, 0, _) => return None,
+            (Some(function), ..) => FunctionStatus::Needs { function },
+            (None, _, 0) => FunctionStatus::Right,
+            (None, of, wrong) => FunctionStatus::Wrong { of, wrong },
+        };
+        let name = name.clone();
+        Some(FunctionResult { name, status })
+    });
+    results.collect()
+}

@@ -1,6 +1,7 @@
 //! Turns the findings about answers into points.
 
 use crate::course::{CaseEntry, Task};
+use crate::crash::Crash;
 use judge::Tier;
 use judge::tally::{Aspect, Finding, Worst};
 use serde::Serialize;
@@ -45,6 +46,9 @@ pub struct CaseResult {
     /// Whether it also runs other stages. Their mistakes may affect its answers.
     #[serde(skip)]
     pub with_neighbours: bool,
+    /// How its code crashed, if it did.
+    #[serde(skip)]
+    pub crash: Option<Crash>,
 }
 
 /// The result of one task. Core and robust points are counted separately.
@@ -99,6 +103,7 @@ impl CaseResult {
             about: about.into(),
             findings,
             with_neighbours: false,
+            crash: None,
         }
     }
 

@@ -10,8 +10,10 @@
 //! explain the most first. [`truth`] computes the exact results for triangles and spheres with the
 //! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`]
 //! stores them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
-//! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
+//! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures;
+//! [`call_input`] describes a call that crashed.
 
+pub mod call_input;
 pub mod cases;
 mod chance;
 mod check;

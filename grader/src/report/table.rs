@@ -347,6 +347,7 @@ mod tests {
             about: String::new(),
             findings: Vec::new(),
             with_neighbours: false,
+            crash: None,
         });
         TaskResult {
             key: "part2.task3".into(),

@@ -1,6 +1,7 @@
 //! Codes: what is wrong about one side of one case, call by call.
 
 use super::key::{Side, SignatureKey};
+use crate::crash::CrashKind;
 use crate::score::{CaseResult, Status};
 use judge::tally::{BLACK_CHANNEL, Class, Fault, Finding};
 use std::collections::{BTreeMap, HashSet};
@@ -23,8 +24,12 @@ const MANY_CALLS: u32 = 8192;
 /// not a multiple of 5, so that the compared pixels are in all columns of a picture.
 const STRIDE: u32 = 17;
 
-/// The code of a case without answers: a panic, a timeout.
+/// The code of a case that panics.
 pub(super) const CRASHED: u16 = u16::MAX;
+
+/// The code of a case that does not end: whether it runs out of time, of stack or of memory depends
+/// on how the code is written.
+const ENDLESS: u16 = u16::MAX - 1;
 
 /// The codes of a case; sides without a fault are left out.
 pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
@@ -33,7 +38,13 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         side,
     };
     if let Status::Crashed(_) = case.status {
-        return vec![(key(Side::Crash), Codes(vec![CRASHED]))];
+        let code = match case.crash.map(|crash| crash.kind) {
+            Some(CrashKind::Panic) => CRASHED,
+            Some(CrashKind::Endless) => ENDLESS,
+            // No mistake of a formula ends the program.
+            Some(CrashKind::Ended) | None => return Vec::new(),
+        };
+        return vec![(key(Side::Crash), Codes(vec![code]))];
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
     // All answers that are judged by a statistical test are to the same question.

@@ -22,10 +22,12 @@ pub struct FailedCase<'a> {
     pub tier: Tier,
     /// What was judged in it.
     pub findings: &'a [Finding],
+    /// The call in which its code crashed, if it is known. Then there are no findings.
+    pub crashed_call: Option<u32>,
 }
 
-/// Returns a test for the worst answer of a task's failed cases, core points first; `None` if no
-/// answer fits in a short test.
+/// Returns a test for the worst answer of a task's failed cases, or for the call that crashed, core
+/// points first; `None` if no answer fits in a short test.
 pub fn worst<'a>(
     failed: impl IntoIterator<Item = FailedCase<'a>>,
     specs: &[Spec],
@@ -40,9 +42,9 @@ pub fn worst<'a>(
             .findings
             .iter()
             .filter_map(|finding| finding.worst.as_ref().map(|worst| (finding.aspect, worst)));
-        worst
-            .filter(|(aspect, _)| check.repro_shows(*aspect))
-            .find_map(|(_, worst)| test(spec, case.tier, worst.call as usize))
+        let worst = worst.filter(|(aspect, _)| check.repro_shows(*aspect));
+        let mut calls = worst.map(|(_, worst)| worst.call).chain(case.crashed_call);
+        calls.find_map(|call| test(spec, case.tier, call as usize))
     });
     found.map(|test| as_file(task, &test))
 }

@@ -214,6 +214,7 @@ pub fn score_tasks(
             };
             case_results.push(CaseResult {
                 with_neighbours: spec.needs_all_stages(),
+                calls: judge::calls(&spec.work),
                 crash,
                 ..CaseResult::new(entry, spec.about, status, findings)
             });

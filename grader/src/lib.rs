@@ -26,6 +26,7 @@ pub mod diagnosis;
 pub mod error;
 pub mod grade;
 pub mod interrupt;
+pub mod packed;
 pub mod printed;
 pub mod records;
 pub mod regularity;

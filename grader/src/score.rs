@@ -46,6 +46,9 @@ pub struct CaseResult {
     /// Whether it also runs other stages. Their mistakes may affect its answers.
     #[serde(skip)]
     pub with_neighbours: bool,
+    /// The number of its calls.
+    #[serde(skip)]
+    pub calls: usize,
     /// How its code crashed, if it did.
     #[serde(skip)]
     pub crash: Option<Crash>,
@@ -103,6 +106,7 @@ impl CaseResult {
             about: about.into(),
             findings,
             with_neighbours: false,
+            calls: 0,
             crash: None,
         }
     }

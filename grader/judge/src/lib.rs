@@ -52,6 +52,11 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
     tasks::check_of(work).fits(answer)
 }
 
+/// The number of calls of the student's functions that `work` makes.
+pub fn calls(work: &Work) -> usize {
+    tasks::check_of(work).calls()
+}
+
 /// Judges `answer`, which [`fits`], to the case `spec`, whose points are of `tier`: core points
 /// allow the rounding errors of textbook code, robust points only those of numerically stable code.
 ///

@@ -73,6 +73,7 @@ mod tests {
             about: String::new(),
             findings: tally.into_findings(),
             with_neighbours: false,
+            calls: 0,
             crash: None,
         }
     }

@@ -347,6 +347,7 @@ mod tests {
             about: String::new(),
             findings: Vec::new(),
             with_neighbours: false,
+            calls: 0,
             crash: None,
         });
         TaskResult {

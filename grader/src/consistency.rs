@@ -42,10 +42,11 @@ pub fn problems(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<S
 /// A message about the golden file that the case `spec` needs and that does not exist, if any.
 pub fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
     let snapshot = workspace.snapshot(spec.task, spec.name);
+    let has_snapshot = matches!(workspace.read_snapshot(spec.task, spec.name), Ok(Some(_)));
     let picture = workspace.golden_picture(spec.task, spec.name);
     let missing = if spec.picture.is_some() && !picture.is_file() {
         picture
-    } else if !matches!(spec.work, Work::Timing(_)) && !snapshot.is_file() {
+    } else if !matches!(spec.work, Work::Timing(_)) && !has_snapshot {
         snapshot
     } else {
         return None;

@@ -4,6 +4,7 @@
 //! --bless` makes it from the mutants. A student's signature is compared with all of them.
 
 use crate::error::GraderError;
+use crate::packed;
 use crate::report::write_whole;
 use crate::signature::{Agreement, Alone, Signature, file};
 use crate::workspace::Workspace;
@@ -105,28 +106,24 @@ const MOST_CANDIDATES: usize = 32;
 
 /// The known mistakes of a task; none if nothing is stored for it.
 pub fn known(workspace: &Workspace, task: &str) -> Result<Vec<Known>, GraderError> {
-    let path = path(workspace, task);
-    if !path.is_file() {
-        return Ok(Vec::new());
+    let path = path(task);
+    match packed::read(workspace, &path)? {
+        None => Ok(Vec::new()),
+        Some(text) => file::read(&text).map_err(|e| GraderError::file("understand", &path, e)),
     }
-    let text = std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
-    file::read(&text).map_err(|e| GraderError::file("understand", &path, e))
 }
 
 /// Stores the known mistakes of a task.
 pub fn store(workspace: &Workspace, task: &str, known: &[Known]) -> Result<(), GraderError> {
-    let path = path(workspace, task);
+    let path = workspace.root().join("golden").join(path(task));
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(|e| GraderError::file("make", folder, e))?;
     write_whole(&path, file::write(task, known).as_bytes())
 }
 
-/// Where the signatures of a task are stored.
-fn path(workspace: &Workspace, task: &str) -> PathBuf {
-    workspace
-        .root()
-        .join("golden/signatures")
-        .join(format!("{task}.txt"))
+/// Where the signatures of a task are stored, in the folder `golden`.
+fn path(task: &str) -> PathBuf {
+    Path::new("signatures").join(format!("{task}.txt"))
 }
 
 /// The known mistakes that are most like `student`, best first: their names, the likeness, and

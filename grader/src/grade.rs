@@ -2,8 +2,10 @@
 
 use crate::compile::BuildRoot;
 use crate::course::{Course, Task, stages_of};
+use crate::crash::{self, Crash};
 use crate::diagnosis::{self, Diagnosis};
 use crate::error::GraderError;
+use crate::printed::Printed;
 use crate::regularity;
 use crate::report::{Report, TaskReport};
 use crate::runner::Ending;
@@ -31,8 +33,8 @@ pub struct GradeRequest {
 pub struct Graded {
     /// The scores.
     pub report: Report,
-    /// The output of the student's code.
-    pub printed: String,
+    /// The output of the student's code, case by case.
+    pub printed: Vec<Printed>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
 }
@@ -106,7 +108,7 @@ pub fn stages<'a>(tasks: &[&'a Task]) -> Vec<&'a str> {
 /// The scores of some tasks, and the output of their code.
 struct ScoredRun {
     results: Vec<TaskResult>,
-    printed: String,
+    printed: Vec<Printed>,
 }
 
 /// Runs the cases of `tasks` in `workers` and scores them, stage by stage. The results are ordered
@@ -119,7 +121,7 @@ fn run(
 ) -> Result<ScoredRun, GraderError> {
     let mut run = ScoredRun {
         results: Vec::new(),
-        printed: String::new(),
+        printed: Vec::new(),
     };
     for stage in stages(tasks) {
         let of_stage = tasks.iter().copied().filter(|task| task.stage == stage);
@@ -183,7 +185,7 @@ pub fn grade_tasks(
     tasks: &[&Task],
     specs: &[Spec],
     workers: &StageWorkers,
-    printed: &mut String,
+    printed: &mut Vec<Printed>,
 ) -> Result<Vec<TaskResult>, GraderError> {
     let chosen = chosen(tasks, specs)?;
     let endings = workers.run(&chosen, printed)?;
@@ -209,8 +211,9 @@ pub fn score_tasks(
                 Ok(Ending::Recorded(record)) => record.holes.as_slice(),
                 _ => &[],
             };
+            let crash = ending.as_ref().ok().and_then(Crash::of);
             let (status, findings) = match answered(&task.key, ending, course)? {
-                Err(status) => (status, Vec::new()),
+                Err(status) => (with_input(status, crash, spec), Vec::new()),
                 Ok(answer) => {
                     let called = holes.iter().map(|hole| hole.called.clone());
                     let called: Vec<String> = called.collect();
@@ -220,12 +223,24 @@ pub fn score_tasks(
             };
             case_results.push(CaseResult {
                 with_neighbours: spec.needs_all_stages(),
+                calls: judge::calls(&spec.work),
+                crash,
                 ..CaseResult::new(entry, spec.about, status, findings, holes)
             });
         }
         results.push(TaskResult::new(task, case_results));
     }
     Ok(results)
+}
+
+/// Adds the input of the call that crashed to the status.
+fn with_input(status: Status, crash: Option<Crash>, spec: &Spec) -> Status {
+    let call = crash.and_then(|crash| crash.call);
+    let input = call.and_then(|call| judge::call_input::of(&spec.work, call as usize));
+    match (status, input) {
+        (Status::Crashed(how), Some(input)) => Status::Crashed(crash::with_input(&how, &input)),
+        (status, _) => status,
+    }
 }
 
 /// The answer of a case of `task`, or the status of a case without an answer. The error of `ending`
@@ -249,12 +264,13 @@ pub fn answered<'a>(
     })
 }
 
-/// The cases of a task that have a worst answer to show.
+/// The cases of a task, with what is worst in them.
 fn failed_cases(cases: &[CaseResult]) -> impl Iterator<Item = FailedCase<'_>> {
     cases.iter().map(|case| FailedCase {
         name: &case.name,
         tier: case.tier,
         findings: &case.findings,
+        crashed_call: case.crash.and_then(|crash| crash.call),
     })
 }
 
@@ -272,41 +288,34 @@ fn status_without_answer(
     ending: &Ending,
     course: &Course,
 ) -> Result<Option<Status>, GraderError> {
-    Ok(match ending {
-        Ending::TimedOut { call, limit_ms } => Some(Status::Crashed(format!(
-            "did not return within {} s (call {call} of the case): an endless loop?",
-            *limit_ms as f64 / 1e3
-        ))),
-        Ending::Died(how) | Ending::Malformed(how) => Some(Status::Crashed(how.clone())),
-        Ending::Skipped => {
+    if let Ending::Recorded(record) = ending
+        && record.untouched.iter().any(|key| key == task)
+    {
+        return Ok(Some(Status::NotAttempted));
+    }
+    if let Some(how) = crash::describe_with_call(ending) {
+        return Ok(Some(Status::Crashed(how)));
+    }
+    Ok(match ending.outcome() {
+        Some(Outcome::NotAttempted { task: hole }) if hole == task => Some(Status::NotAttempted),
+        Some(Outcome::NotAttempted { task: hole }) => {
+            Some(match course.holes().any(|(_, key)| key == hole) {
+                true => Status::Needs(hole.clone()),
+                false => Status::Crashed(format!(
+                    "the worker's record names the hole {hole:?}, which is not in the course"
+                )),
+            })
+        }
+        Some(Outcome::Unable { reason }) => {
+            return Err(GraderError::new(format!(
+                "a case of {task} could not run: {reason}"
+            )));
+        }
+        Some(_) => None,
+        None => {
             return Err(GraderError::new(format!(
                 "a case of {task} was skipped, but only timings may be skipped"
             )));
         }
-        Ending::Recorded(record) if record.untouched.iter().any(|key| key == task) => {
-            Some(Status::NotAttempted)
-        }
-        Ending::Recorded(record) => match &record.outcome {
-            Outcome::Answered(_) => None,
-            Outcome::NotAttempted { task: hole } if hole == task => Some(Status::NotAttempted),
-            Outcome::NotAttempted { task: hole } if course.holes().any(|(_, key)| key == hole) => {
-                Some(Status::Needs(hole.clone()))
-            }
-            Outcome::NotAttempted { task: hole } => Some(Status::Crashed(format!(
-                "the worker's record names the hole {hole:?}, which is not in the course"
-            ))),
-            Outcome::Panicked {
-                message,
-                location,
-                call,
-            } => Some(Status::Crashed(format!(
-                "panicked at {location}: {message} (call {call} of the case)"
-            ))),
-            Outcome::Unable { reason } => {
-                return Err(GraderError::new(format!(
-                    "a case of {task} could not run: {reason}"
-                )));
-            }
-        },
     })
 }

@@ -17,6 +17,8 @@ pub struct Records {
     pub endings: Vec<Ending>,
     /// Whether the next case started and has no end: it ended the worker.
     pub next_began: bool,
+    /// The call of the next case that started last, if the worker records calls.
+    pub call: Option<u32>,
 }
 
 impl Records {
@@ -24,7 +26,7 @@ impl Records {
     pub fn unreadable(why: &str) -> Records {
         Records {
             endings: vec![cannot_be_read(why)],
-            next_began: false,
+            ..Records::default()
         }
     }
 }
@@ -45,6 +47,10 @@ pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
                 records.next_began = true;
                 continue;
             }
+            Ok(RecordFrame::Calling { case, call }) if is_next(case) && began => {
+                records.call = Some(call);
+                continue;
+            }
             Ok(RecordFrame::Done(record)) if is_next(record.case) && began => ending(case, record),
             Ok(RecordFrame::TimedOut { case: number, call }) if is_next(number) && began => {
                 Ending::TimedOut {
@@ -52,12 +58,15 @@ pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
                     limit_ms: case.limit_ms,
                 }
             }
+            Ok(RecordFrame::PrintedTooMuch { case, call }) if is_next(case) && began => {
+                Ending::PrintedTooMuch { call }
+            }
             Ok(frame) => cannot_be_read(&out_of_order(&frame, next, began)),
             Err(why) => cannot_be_read(&why),
         };
         let goes_on = matches!(ending, Ending::Recorded(_));
         records.endings.push(ending);
-        records.next_began = false;
+        (records.next_began, records.call) = (false, None);
         if !goes_on {
             break;
         }
@@ -84,6 +93,8 @@ fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
     let (event, case) = match frame {
         RecordFrame::Started { case } => ("begins", case),
         RecordFrame::TimedOut { case, .. } => ("times out", case),
+        RecordFrame::PrintedTooMuch { case, .. } => ("prints too much", case),
+        RecordFrame::Calling { case, .. } => ("calls", case),
         RecordFrame::Done(record) => ("ends", &record.case),
     };
     let state = if began { "runs" } else { "is next" };
@@ -180,6 +191,19 @@ mod tests {
             limit_ms: 77,
         };
         assert_eq!(read_all(&late).endings, [limit]);
+    }
+
+    #[test]
+    fn the_last_call_of_a_case_without_an_end_is_known() {
+        let calling = |call| RecordFrame::Calling { case: 1, call };
+        let frames = [started(0), done(0), started(1), calling(0), calling(1)];
+        let records = read_all(&frames);
+        assert_eq!((records.next_began, records.call), (true, Some(1)));
+        let ended = read_all(&[&frames[..], &[done(1), started(2)]].concat());
+        assert_eq!((ended.next_began, ended.call), (true, None));
+        let printed = [started(0), RecordFrame::PrintedTooMuch { case: 0, call: 1 }];
+        let ending = Ending::PrintedTooMuch { call: 1 };
+        assert_eq!(read_all(&printed).endings, [ending]);
     }
 
     #[test]

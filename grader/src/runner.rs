@@ -1,8 +1,10 @@
 //! Runs workers over cases, and finds which case ended a worker.
 
 use crate::child_processes;
+use crate::death::Death;
 use crate::error::GraderError;
 use crate::interrupt;
+use crate::printed::{self, Printed, WorkerOutput};
 use crate::records::{self, Records};
 use std::collections::HashMap;
 use std::fs::File;
@@ -24,8 +26,18 @@ pub enum Ending {
         /// The time limit in milliseconds.
         limit_ms: u64,
     },
-    /// The case ended the worker; the text explains to the student how.
-    Died(String),
+    /// The code printed without end.
+    PrintedTooMuch {
+        /// The call that was running, counted from 0.
+        call: u32,
+    },
+    /// The case ended the worker.
+    Died {
+        /// How.
+        how: Death,
+        /// The call that was running, counted from 0; `None` if it is not known.
+        call: Option<u32>,
+    },
     /// The worker's record is invalid; the text is a sentence that explains why.
     Malformed(String),
     /// Not run, because smaller timings have timed out.
@@ -37,8 +49,8 @@ pub enum Ending {
 pub struct Run {
     /// One for each case, in order.
     pub endings: Vec<Ending>,
-    /// The end of its output to stdout and stderr.
-    pub printed: String,
+    /// What it printed to stdout and stderr, case by case; only cases that printed something.
+    pub printed: Vec<Printed>,
 }
 
 /// After this many timeouts of a task, its other cases get a short time limit: an endless loop
@@ -48,14 +60,21 @@ const TIMEOUTS_A_TASK: u32 = 2;
 /// The short time limit in milliseconds. Correct code needs a few milliseconds.
 const SHORT_LIMIT_MS: u64 = 500;
 
-/// Memory that a worker may allocate in addition to its cases.
-const MEMORY_MB: u32 = 4096;
+/// Memory in megabytes that a worker may allocate in addition to its cases. Correct code needs less
+/// than 100. Code that never stops allocating must end before the machine has to swap.
+const MEMORY_MB: u32 = 1024;
+
+/// The same for workers that build trees over a million triangles and time them.
+const TIMING_MEMORY_MB: u32 = 4096;
+
+/// For this many cases of a task that end the worker, a second run finds out in which call.
+const TRACED_DEATHS: u32 = 2;
 
 /// The file of records in a worker's folder.
 const RECORDS: &str = "records";
 
-/// How many bytes of the student's output are kept.
-const PRINTED_BYTES: usize = 4096;
+/// How many bytes of a program's output [`tail`] keeps.
+const TAIL_BYTES: usize = 4096;
 
 /// A worker to run.
 #[derive(Clone, Debug)]
@@ -81,21 +100,33 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let mut cases_to_run = cases.to_vec();
     let mut endings: Vec<Option<Ending>> = vec![None; cases.len()];
     let mut timeouts: HashMap<&str, u32> = HashMap::new();
-    let mut printed = String::new();
+    let mut deaths: HashMap<&str, u32> = HashMap::new();
+    let mut printed = Vec::new();
     let mut first = 0;
     while first < cases.len() {
-        let status = one_worker(worker, folder.path(), &cases_to_run, first, &mut printed)?;
-        let mut read = match FrameReader::open(&folder.path().join(RECORDS)) {
-            Ok(frames) => records::read(frames, &cases_to_run, first),
-            Err(e) => Records::unreadable(&e.to_string()),
+        let process = Process {
+            worker,
+            folder: folder.path(),
+            cases: &cases_to_run,
         };
+        let (status, output) = process.run(first, false)?;
+        printed.extend(output.cases);
+        let mut read = process.records(first);
         if read.next_began {
-            let ending = Ending::Died(death(status, &printed));
-            read.endings.push(ending);
+            let died = first + read.endings.len();
+            let deaths = deaths.entry(&cases[died].task).or_default();
+            *deaths += 1;
+            read.endings.push(Ending::Died {
+                how: Death::of(status, &output.end, memory_mb(&cases_to_run)),
+                call: match *deaths <= TRACED_DEATHS {
+                    true => process.call_that_ends(died)?,
+                    false => None,
+                },
+            });
         } else if read.endings.is_empty() {
             return Err(GraderError::new(format!(
                 "the worker did not start ({status}): {}",
-                printed.trim()
+                output.end.trim()
             )));
         }
         let slots = cases.iter().zip(&mut endings).skip(first);
@@ -139,47 +170,85 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     })
 }
 
-/// Runs one worker to its end and appends its output to `printed`.
-fn one_worker(
-    worker: &Worker,
-    folder: &Path,
-    cases: &[Case],
-    first: usize,
-    printed: &mut String,
-) -> Result<ExitStatus, GraderError> {
-    let (cases_file, records) = (folder.join("cases"), folder.join(RECORDS));
-    file::write_cases(&cases_file, cases)
-        .map_err(|e| GraderError::file("write", &cases_file, e))?;
-    // Nothing that an earlier worker wrote is read again.
-    File::create(&records).map_err(|e| GraderError::file("write", &records, e))?;
-    let mut command = Command::new(&worker.program);
-    command
-        .envs(worker.environment.iter().map(|(name, value)| (name, value)))
-        .arg(&cases_file)
-        .arg(&records)
-        .arg(first.to_string())
-        .arg(MEMORY_MB.to_string())
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let (mut child, _running) = child_processes::start(&mut command)
-        .map_err(|e| GraderError::file("start", &worker.program, e))?;
-    let stdout = child
-        .stdout
-        .take()
-        .map(|pipe| std::thread::spawn(move || tail(pipe)));
-    let stderr = child
-        .stderr
-        .take()
-        .map(|pipe| std::thread::spawn(move || tail(pipe)));
-    let status = child
-        .wait()
-        .map_err(|e| GraderError::file("wait for", &worker.program, e))?;
-    for reader in [stdout, stderr].into_iter().flatten() {
-        printed.push_str(&reader.join().unwrap_or_default());
+/// A worker, its cases and the folder for its files.
+#[derive(Clone, Copy)]
+struct Process<'a> {
+    worker: &'a Worker,
+    folder: &'a Path,
+    cases: &'a [Case],
+}
+
+impl Process<'_> {
+    /// Runs the cases from number `first` on in a worker, until it ends. `write_calls` also records
+    /// each call.
+    fn run(
+        self,
+        first: usize,
+        write_calls: bool,
+    ) -> Result<(ExitStatus, WorkerOutput), GraderError> {
+        let (cases_file, records) = (self.folder.join("cases"), self.folder.join(RECORDS));
+        file::write_cases(&cases_file, self.cases)
+            .map_err(|e| GraderError::file("write", &cases_file, e))?;
+        // Nothing that an earlier worker wrote is read again.
+        File::create(&records).map_err(|e| GraderError::file("write", &records, e))?;
+        let program = &self.worker.program;
+        let failed = |e| GraderError::file("start", program, e);
+        // One pipe, so that the lines of stdout and stderr stay in their order.
+        let (reader, stdout) = std::io::pipe().map_err(failed)?;
+        let stderr = stdout.try_clone().map_err(failed)?;
+        let environment = self.worker.environment.iter();
+        let mut command = Command::new(program);
+        command
+            // A backtrace shows the worker's functions, and floods the report.
+            .env("RUST_BACKTRACE", "0")
+            .envs(environment.map(|(name, value)| (name, value)))
+            .arg(&cases_file)
+            .arg(&records)
+            .arg(first.to_string())
+            .arg(memory_mb(self.cases).to_string())
+            .args(write_calls.then_some("calls"))
+            .current_dir(self.folder)
+            .stdin(Stdio::null())
+            .stdout(stdout)
+            .stderr(stderr);
+        let (mut child, _running) = child_processes::start(&mut command).map_err(failed)?;
+        // It holds the other end of the pipe.
+        drop(command);
+        let output = printed::read(reader, self.cases);
+        let status = child
+            .wait()
+            .map_err(|e| GraderError::file("wait for", program, e))?;
+        Ok((status, output))
     }
-    Ok(status)
+
+    /// The records of a run from case `first` on.
+    fn records(self, first: usize) -> Records {
+        match FrameReader::open(&self.folder.join(RECORDS)) {
+            Ok(frames) => records::read(frames, self.cases, first),
+            Err(e) => Records::unreadable(&e.to_string()),
+        }
+    }
+
+    /// Runs case number `case` again and returns the call in which it ends the worker; `None` if it
+    /// does not end it again.
+    fn call_that_ends(self, case: usize) -> Result<Option<u32>, GraderError> {
+        let alone = Process {
+            cases: &self.cases[..=case],
+            ..self
+        };
+        alone.run(case, true)?;
+        let records = alone.records(case);
+        Ok(records.call.filter(|_| records.next_began))
+    }
+}
+
+/// The memory that a worker for these cases may allocate, in megabytes.
+fn memory_mb(cases: &[Case]) -> u32 {
+    let is_timing = |case: &Case| matches!(case.work, Work::Timing(_) | Work::BuildGrowth(_));
+    match cases.iter().any(is_timing) {
+        true => TIMING_MEMORY_MB,
+        false => MEMORY_MB,
+    }
 }
 
 /// The last bytes of a pipe. Reads it to its end, so that the writer never blocks.
@@ -188,26 +257,10 @@ pub fn tail(mut pipe: impl Read) -> String {
     let mut chunk = [0; 8192];
     while let Ok(n @ 1..) = pipe.read(&mut chunk) {
         kept.extend_from_slice(&chunk[..n]);
-        let surplus = kept.len().saturating_sub(PRINTED_BYTES);
+        let surplus = kept.len().saturating_sub(TAIL_BYTES);
         kept.drain(..surplus);
     }
     String::from_utf8_lossy(&kept).into_owned()
-}
-
-/// A message for the student on how a worker died.
-fn death(status: ExitStatus, printed: &str) -> String {
-    if printed.contains("has overflowed its stack") {
-        return "overflowed the stack: does a recursion not end?".into();
-    }
-    if printed.contains("memory allocation of") {
-        return format!("tried to allocate more than {MEMORY_MB} MB of memory");
-    }
-    match status.code() {
-        Some(code) => {
-            format!("ended the whole program with exit code {code}: does it call `exit`?")
-        }
-        None => format!("ended the whole program ({status})"),
-    }
 }
 
 impl Ending {

@@ -8,6 +8,7 @@
 pub mod functions;
 
 use crate::course::{CaseEntry, Task};
+use crate::crash::Crash;
 use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
 use judge::tally::{Finding, Worst};
@@ -68,6 +69,12 @@ pub struct CaseResult {
     /// Whether it also runs other stages. Their mistakes may affect its answers.
     #[serde(skip)]
     pub with_neighbours: bool,
+    /// The number of its calls.
+    #[serde(skip)]
+    pub calls: usize,
+    /// How its code crashed, if it did.
+    #[serde(skip)]
+    pub crash: Option<Crash>,
 }
 
 /// The result of one task. Core and robust points are counted separately.
@@ -132,6 +139,8 @@ impl CaseResult {
             reductions,
             shares,
             with_neighbours: false,
+            calls: 0,
+            crash: None,
         }
     }
 

@@ -9,6 +9,7 @@ mod growth;
 pub use growth::{Growth, slope};
 
 use crate::course::{Course, Task};
+use crate::crash;
 use crate::error::GraderError;
 use crate::runner::{self, Ending, Worker};
 use judge::cases::recorded::{self, RayWork};
@@ -169,8 +170,8 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
         Ending::TimedOut { limit_ms, .. } => {
             format!("{at} takes more than {} s", limit_ms / 1000)
         }
-        Ending::Died(how) => format!("on {at} your code {how}"),
         Ending::Malformed(why) => format!("on {at} {why}"),
+        Ending::Died { .. } | Ending::PrintedTooMuch { .. } => crashed(&at, ending),
         Ending::Skipped => format!("{at} is skipped, because smaller ones took too long"),
         Ending::Recorded(record) => match &record.outcome {
             Outcome::NotAttempted { task } => {
@@ -178,11 +179,16 @@ fn why_missing(mesh: &str, size: u32, ending: &Ending, course: &Course) -> Strin
                 let title = title.map_or("", |task| &task.title);
                 format!("it needs {task} ({title})")
             }
-            Outcome::Panicked { message, .. } => format!("on {at} your code panics: {message}"),
+            Outcome::Panicked { .. } | Outcome::CalledTooOften { .. } => crashed(&at, ending),
             Outcome::Unable { reason } => reason.clone(),
             Outcome::Answered(_) => format!("{at} was not timed"),
         },
     }
+}
+
+fn crashed(at: &str, ending: &Ending) -> String {
+    let how = crash::describe(ending).unwrap_or_default();
+    format!("on {at} your code {how}")
 }
 
 impl Speedup {

@@ -3,6 +3,7 @@
 //! intersection stages.
 
 use crate::error::GraderError;
+use crate::printed::Printed;
 use crate::runner::{self, Ending, Worker};
 use judge::cases::Spec;
 
@@ -21,7 +22,7 @@ impl StageWorkers {
     pub fn run(
         &self,
         specs: &[&Spec],
-        printed: &mut String,
+        printed: &mut Vec<Printed>,
     ) -> Result<Vec<Result<Ending, String>>, GraderError> {
         let mut run = |worker: &Worker, all_stages: bool| -> Result<_, GraderError> {
             let chosen = specs
@@ -29,7 +30,7 @@ impl StageWorkers {
                 .filter(|spec| spec.needs_all_stages() == all_stages);
             let cases: Vec<wire::Case> = chosen.map(|spec| spec.case()).collect();
             let run = runner::run(worker, &cases)?;
-            printed.push_str(&run.printed);
+            printed.extend(run.printed);
             Ok(run.endings.into_iter())
         };
         let mut alone = run(&self.stage, false)?;

@@ -1,6 +1,7 @@
 //! The workspace of the course: its root folder and the paths of its files.
 
 use crate::error::GraderError;
+use crate::packed;
 use std::path::{Path, PathBuf};
 
 /// A checkout or a handout of the course.
@@ -59,8 +60,12 @@ impl Workspace {
     pub fn snapshot(&self, task: &str, case: &str) -> PathBuf {
         self.root
             .join("golden")
-            .join(task)
-            .join(format!("{case}.snap"))
+            .join(snapshot_in_goldens(task, case))
+    }
+
+    /// The text of the golden snapshot of a case; `None` if there is none.
+    pub fn read_snapshot(&self, task: &str, case: &str) -> Result<Option<String>, GraderError> {
+        packed::read(self, &snapshot_in_goldens(task, case))
     }
 
     /// The path of the golden picture of a case.
@@ -75,4 +80,9 @@ impl Workspace {
     pub fn not_judged(&self, task: &str) -> PathBuf {
         self.root.join("golden").join(task).join("not_judged.txt")
     }
+}
+
+/// The path of the golden snapshot of a case, in the folder `golden`.
+fn snapshot_in_goldens(task: &str, case: &str) -> PathBuf {
+    Path::new(task).join(format!("{case}.snap"))
 }

@@ -88,7 +88,8 @@ fn a_handout_contains_the_students_files_and_no_others() {
         "scenes/dae",
         "grader/src",
         "grader/worker/src",
-        "golden/part1.task3",
+        "golden/part1.task3.pack",
+        "golden/part1.task3/picture_of_a_ring.png",
     ] {
         assert!(has(handout, path), "no {path}");
     }
@@ -99,6 +100,9 @@ fn a_handout_contains_the_students_files_and_no_others() {
         "golden/Cargo.toml",
         "golden/tests",
         "golden/mutants",
+        "golden/signatures",
+        "scenes/pictures",
+        "scenes/tests",
         "grader/mutants",
         "grader/tests",
     ] {
@@ -107,6 +111,60 @@ fn a_handout_contains_the_students_files_and_no_others() {
     let manifest = text(handout, "Cargo.toml");
     assert!(!manifest.contains("\"golden\""), "{manifest}");
     assert!(!text(handout, "Cargo.lock").contains("name = \"insta\""));
+}
+
+/// The largest size of a handout in bytes.
+const LARGEST: usize = 6_000_000;
+
+#[test]
+fn a_handout_is_small() {
+    for part in [1, 2] {
+        let files = handout(part).files.values();
+        let bytes: usize = files.map(Vec::len).sum();
+        assert!(bytes <= LARGEST, "part {part}: {bytes} bytes");
+    }
+}
+
+#[test]
+fn the_goldens_of_a_handout_are_read_from_its_packs() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (path, contents) in &handout(1).files {
+        let is_needed = path.starts_with("golden") || path.ends_with("course.toml");
+        if is_needed {
+            submission::file_tree::write(&folder.path().join(path), contents).expect("it is new");
+        }
+    }
+    let unpacked = Workspace::above(folder.path()).expect("it is a workspace");
+    let full = workspace();
+    let [theirs, ours] = [&unpacked, &full].map(|workspace| {
+        let snapshot = workspace.read_snapshot("part1.task3", "back_face");
+        let known = grader::diagnosis::known(workspace, "part1.task3");
+        (
+            snapshot.expect("it can be read"),
+            known.expect("they can be read"),
+        )
+    });
+    assert!(ours.0.is_some() && !ours.1.is_empty());
+    assert!(theirs == ours);
+}
+
+#[test]
+fn cargo_test_tests_only_the_stages_to_write() {
+    let manifest = text(handout(2), "Cargo.toml");
+    let defaults = manifest
+        .split_once("default-members = [")
+        .expect("a list")
+        .1;
+    let defaults = defaults.split_once(']').expect("the end of the list").0;
+    for (folder, is_tested) in [
+        ("stages/bvh", true),
+        ("stages/adaptive", true),
+        ("stages/intersect", false),
+        ("grader", false),
+    ] {
+        assert_eq!(defaults.contains(folder), is_tested, "{folder}: {defaults}");
+    }
+    assert!(!text(handout(1), "stages/intersect/Cargo.toml").contains("proptest"));
 }
 
 #[test]

@@ -251,7 +251,11 @@ fn write_package(folder: &Path, reproduction: &Reproduction, sources: &Sources, 
         std::fs::write(path, text).unwrap();
     };
     write(&folder.join("Cargo.toml"), &manifest);
-    let test = repro::as_file(reproduction.task, &reproduction.test());
+    let test = repro::as_file(
+        "The worst answer of",
+        reproduction.task,
+        &reproduction.test(),
+    );
     write(&folder.join("tests/worst.rs"), &test);
     for (path, text) in sources {
         write(&folder.join("src").join(path), text);

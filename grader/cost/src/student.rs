@@ -8,6 +8,7 @@ use super::report::Accuracy;
 use super::timing::{MissingReason, TurnResult};
 use super::truth::{Answer, OracleShape};
 use grader::compile::{BuildOutcome, BuildRoot};
+use grader::crash;
 use grader::error::GraderError;
 use grader::runner::{self, Ending, Worker};
 use grader::workspace::Workspace;
@@ -83,17 +84,22 @@ impl Student {
         };
         let run = runner::run(&self.worker, &[case])?;
         let ending = run.endings.into_iter().next();
+        let crashed = ending.as_ref().and_then(crash::describe);
         Ok(match ending {
             Some(Ending::Recorded(record)) => match record.outcome {
                 Outcome::Answered(answer) => Ok(answer),
                 Outcome::NotAttempted { task } => Err(format!("{task} is not attempted")),
-                Outcome::Panicked { message, .. } => Err(format!("your code panics: {message}")),
                 Outcome::Unable { reason } => Err(reason),
+                Outcome::Panicked { .. } | Outcome::CalledTooOften { .. } => {
+                    Err(format!("your code {}", crashed.unwrap_or_default()))
+                }
             },
             Some(Ending::TimedOut { limit_ms, .. }) => {
                 Err(format!("your code takes more than {} s", limit_ms / 1000))
             }
-            Some(Ending::Died(how)) => Err(format!("your code {how}")),
+            Some(Ending::Died { .. } | Ending::PrintedTooMuch { .. }) => {
+                Err(format!("your code {}", crashed.unwrap_or_default()))
+            }
             Some(Ending::Malformed(why)) => Err(why),
             Some(Ending::Skipped) | None => {
                 return Err(GraderError::new("the worker returned no record for a case"));

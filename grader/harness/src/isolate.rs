@@ -1,15 +1,24 @@
 //! Runs one case in isolation: panics and holes become outcomes.
 
+use crate::call_limit::CalledTooOften;
 use kit::hole::Hole;
 use std::any::Any;
 use std::cell::RefCell;
+use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wire::answer::HoleCall;
-use wire::{Answer, Case, Outcome, Record, Work};
+use wire::{Answer, Case, Outcome, Record, RecordFrame, Work, file};
+
+/// The case that is running.
+static CASE: AtomicU32 = AtomicU32::new(0);
 
 /// The call of the student's code that is running, counted from 0 in its case.
 static CALL: AtomicU32 = AtomicU32::new(0);
+
+/// The file of records, if each call is written to it.
+static CALLS: OnceLock<File> = OnceLock::new();
 
 thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
@@ -49,7 +58,19 @@ pub fn attempt<T>(called: &str, function: impl FnOnce() -> T) -> Option<T> {
 
 /// Records the start of call number `index` of the case, counted from 0.
 pub fn call(index: usize) {
-    CALL.store(u32::try_from(index).unwrap_or(u32::MAX), Ordering::Relaxed);
+    let call = u32::try_from(index).unwrap_or(u32::MAX);
+    CALL.store(call, Ordering::Relaxed);
+    if let Some(mut records) = CALLS.get() {
+        let case = CASE.load(Ordering::Relaxed);
+        // If the entry is lost, the report does not say which call ended the worker.
+        let _ = file::write_frame(&mut records, &RecordFrame::Calling { case, call });
+    }
+}
+
+/// Writes an entry to `records` for each call from now on, so that they show which call ended the
+/// worker.
+pub(crate) fn write_calls(records: File) {
+    let _ = CALLS.set(records);
 }
 
 /// The call of the case that is running, counted from 0.
@@ -73,6 +94,7 @@ pub(crate) fn watch_panics() {
 pub fn run(index: u32, case: &Case, dispatch: impl Fn(&Work) -> Result<Answer, String>) -> Record {
     let _ = kit::hole::take_marks();
     HOLES.set((case.task.clone(), Vec::new()));
+    CASE.store(index, Ordering::Relaxed);
     let outcome = outcome(&|| dispatch(&case.work));
     let untouched = kit::hole::take_marks();
     let (task, mut holes) = HOLES.take();
@@ -94,16 +116,29 @@ fn outcome(work: &dyn Fn() -> Result<Answer, String>) -> Outcome {
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(answer)) => Outcome::Answered(answer),
         Ok(Err(reason)) => Outcome::Unable { reason },
-        Err(payload) => match payload.downcast_ref::<Hole>() {
-            Some(hole) => Outcome::NotAttempted {
-                task: hole.task.to_string(),
-            },
-            None => Outcome::Panicked {
-                message: message(&*payload),
-                location: PANIC_LOCATION.take(),
-                call: current_call(),
-            },
-        },
+        Err(payload) => unwound(&*payload),
+    }
+}
+
+/// The outcome of work that unwound with this payload.
+fn unwound(payload: &(dyn Any + Send)) -> Outcome {
+    if let Some(hole) = payload.downcast_ref::<Hole>() {
+        return Outcome::NotAttempted {
+            task: hole.task.to_string(),
+        };
+    }
+    if let Some(calls) = payload.downcast_ref::<CalledTooOften>() {
+        return Outcome::CalledTooOften {
+            function: calls.function.to_string(),
+            times: calls.times,
+            asked_for: calls.asked_for.clone(),
+            call: current_call(),
+        };
+    }
+    Outcome::Panicked {
+        message: message(payload),
+        location: PANIC_LOCATION.take(),
+        call: current_call(),
     }
 }
 

@@ -5,10 +5,12 @@
 //! outcome. [`main`] is the whole worker program: it runs the cases with limits on time and memory
 //! and writes each record at once.
 
+mod call_limit;
 mod clock;
 mod isolate;
 mod supervise;
 
+pub use call_limit::{MOST_CALLS, limit_calls};
 pub use clock::thread_time;
 pub use isolate::{attempt, call, run};
 pub use supervise::main;

@@ -1,15 +1,19 @@
 //! The worker program: `worker CASES RECORDS FIRST MEMORY_MB` runs the cases from number FIRST on
-//! and appends their records.
+//! and appends their records. With a fifth argument `calls` it also writes an entry for each call.
+//!
+//! Before each case it prints [`wire::output_marker`], so that the grader knows which case printed
+//! what.
 //!
 //! The grader starts it and reads the records. The student's code runs on its own thread; the main
 //! thread enforces the time limit. A case that exceeds its time or memory limit ends the worker:
 //! the grader reads which case it was and starts another worker with the next case.
 
-use crate::clock::{self, Stopwatch};
+use crate::clock::{self, Output, Stopwatch};
 use crate::isolate;
 use cap::Cap;
 use std::alloc::System;
 use std::fs::{File, OpenOptions};
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -19,6 +23,9 @@ use wire::{Case, Record, RecordFrame, file};
 /// Stack size of the student's thread: enough for recursion over a deep tree; endless recursion
 /// overflows it soon.
 const STACK_BYTES: usize = 64 << 20;
+
+/// If one call makes more writes to the system than this, it prints without end.
+const MOST_WRITES: u64 = 5_000_000;
 
 /// The shortest time between two checks of the time limit.
 const MIN_WAIT: Duration = Duration::from_millis(1);
@@ -37,7 +44,11 @@ pub fn main(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> ExitCode {
 
 fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [cases, records, first, memory_mb] = arguments.as_slice() else {
+    let (arguments, write_calls) = match arguments.as_slice() {
+        [arguments @ .., last] if last == "calls" => (arguments, true),
+        arguments => (arguments, false),
+    };
+    let [cases, records, first, memory_mb] = arguments else {
         return Err("the grader starts this program: run `cargo grader part1` instead".into());
     };
     let first: u32 = first
@@ -51,6 +62,10 @@ fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), Strin
     let out = OpenOptions::new().append(true).create(true).open(records);
     let out = out.map_err(|e| format!("cannot write {records}: {e}"))?;
 
+    if write_calls {
+        let file = out.try_clone();
+        isolate::write_calls(file.map_err(|e| format!("cannot write {records}: {e}"))?);
+    }
     isolate::watch_panics();
     // The memory of the cases does not count.
     memory
@@ -76,7 +91,12 @@ fn watch(
     let run_all = move || {
         clock::start();
         for index in indices {
-            if to_watch.send(run(index, &cases[index as usize])).is_err() {
+            // On this thread: if the student's code keeps stdout locked, this one waits in vain, and
+            // the time limit ends it.
+            print(&wire::output_marker(index));
+            let record = run(index, &cases[index as usize]);
+            print("");
+            if to_watch.send(record).is_err() {
                 return;
             }
         }
@@ -94,15 +114,18 @@ fn watch(
     for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
         write(&RecordFrame::Started { case })?;
         let stopwatch = Stopwatch::start();
+        let mut printing = PrintingCall::default();
         to_runner.send(case).map_err(|e| e.to_string())?;
         loop {
+            let call = isolate::current_call();
             let Some(left) = stopwatch.left(*limit) else {
-                write(&RecordFrame::TimedOut {
-                    case,
-                    call: isolate::current_call(),
-                })?;
+                write(&RecordFrame::TimedOut { case, call })?;
                 std::process::exit(0);
             };
+            if printing.has_no_end(call, Output::of_student()) {
+                write(&RecordFrame::PrintedTooMuch { case, call })?;
+                std::process::exit(0);
+            }
             match finished.recv_timeout(left.max(MIN_WAIT)) {
                 Ok(record) => {
                     write(&RecordFrame::Done(record))?;
@@ -116,4 +139,50 @@ fn watch(
         }
     }
     Ok(())
+}
+
+/// Prints `text` and everything that was printed before.
+fn print(text: &str) {
+    let mut stdout = std::io::stdout();
+    // What cannot be printed is not worth the points of the case.
+    let _ = stdout.write_all(text.as_bytes());
+    let _ = stdout.flush();
+}
+
+/// The call that was running when the watch last looked, and the output before.
+#[derive(Default)]
+struct PrintingCall {
+    call: Option<u32>,
+    before: Output,
+}
+
+impl PrintingCall {
+    /// Whether `call`, which is running, has made more than [`MOST_WRITES`] since the watch first
+    /// saw it.
+    fn has_no_end(&mut self, call: u32, output: Output) -> bool {
+        if self.call != Some(call) {
+            self.call = Some(call);
+            self.before = output;
+        }
+        output.since(self.before).writes > MOST_WRITES
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_one_call_that_prints_without_end_is_ended() {
+        let output = |writes| Output {
+            writes,
+            ..Output::default()
+        };
+        let mut printing = PrintingCall::default();
+        assert!(!printing.has_no_end(0, output(10)));
+        assert!(!printing.has_no_end(0, output(MOST_WRITES)));
+        assert!(!printing.has_no_end(1, output(2 * MOST_WRITES)));
+        assert!(!printing.has_no_end(1, output(3 * MOST_WRITES)));
+        assert!(printing.has_no_end(1, output(3 * MOST_WRITES + 1)));
+    }
 }

@@ -106,7 +106,6 @@ pub(crate) trait ErasedCheck {
     fn limit_ms(&self) -> u64;
 
     /// As [`Check::calls`].
-    #[cfg(test)]
     fn calls(&self) -> usize;
 
     /// As [`Check::MAIN`].
@@ -153,7 +152,6 @@ impl<C: Check> ErasedCheck for CheckedQuestion<'_, C> {
         C::LIMIT_MS
     }
 
-    #[cfg(test)]
     fn calls(&self) -> usize {
         C::calls(self.question)
     }

@@ -10,8 +10,10 @@
 //! explain the most first. [`truth`] computes the exact results for triangles and spheres with the
 //! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`]
 //! stores them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
-//! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures.
+//! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures;
+//! [`call_input`] describes a call that crashed.
 
+pub mod call_input;
 pub mod cases;
 mod chance;
 mod check;
@@ -48,6 +50,11 @@ use wire::{Answer, Work};
 /// fits. The error ends the sentence "the worker's record does not fit the case: ...".
 pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
     tasks::check_of(work).fits(answer)
+}
+
+/// The number of calls of the student's functions that `work` makes.
+pub fn calls(work: &Work) -> usize {
+    tasks::check_of(work).calls()
 }
 
 /// Judges `answer`, which [`fits`], to the case `spec`, whose points are of `tier`: core points

@@ -212,8 +212,20 @@ fn not_judged(golden: &Path) -> Result<Vec<String>, GraderError> {
     Ok(about_it.collect())
 }
 
+/// Reads the golden snapshot of a case.
+pub(crate) fn golden_snapshot(
+    workspace: &Workspace,
+    task: &str,
+    case: &str,
+) -> Result<Snapshot, GraderError> {
+    let path = workspace.snapshot(task, case);
+    let text = workspace.read_snapshot(task, case)?;
+    let text = text.ok_or_else(|| GraderError::file("read", &path, "it does not exist"))?;
+    parse(&text).map_err(|e| GraderError::file("understand", &path, e))
+}
+
 /// Reads the snapshot `path`.
-pub(crate) fn snapshot(path: &Path) -> Result<Snapshot, GraderError> {
+fn snapshot(path: &Path) -> Result<Snapshot, GraderError> {
     parse(&read(path)?).map_err(|e| GraderError::file("understand", path, e))
 }
 

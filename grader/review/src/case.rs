@@ -107,8 +107,7 @@ impl Case {
         answer: &Answer,
         together: &Result<Worker, String>,
     ) -> Result<Case, GraderError> {
-        let path = workspace.snapshot(spec.task, spec.name);
-        let golden = bless::snapshot(&path)?;
+        let golden = bless::golden_snapshot(workspace, spec.task, spec.name)?;
         let stored = snapshot::write(&spec.work, answer).map(|text| snapshot::parse(&text));
         let (Some(Ok(actual)), Some(full)) = (stored, snapshot::full(&spec.work, answer)) else {
             return Ok(Case::silent(spec, "its answers make no snapshot"));

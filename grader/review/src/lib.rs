@@ -74,7 +74,7 @@ impl Review {
                 self.add_without_answer(&chosen, &Status::DoesNotCompile);
                 continue;
             };
-            let endings = workers.run(&chosen, &mut String::new())?;
+            let endings = workers.run(&chosen, &mut Vec::new())?;
             for ((entry, spec), ending) in task.cases.iter().zip(chosen).zip(&endings) {
                 let case = match grade::answered(&task.key, ending, course)? {
                     Err(status) => Case::silent(spec, status_text(&status)),

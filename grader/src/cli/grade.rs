@@ -3,6 +3,7 @@
 use super::{Format, Verdict, seed_argument, seed_of};
 use crate::error::GraderError;
 use crate::grade::{self, GradeRequest};
+use crate::printed;
 use crate::report;
 use crate::report::table::HintLevel;
 use crate::workspace::Workspace;
@@ -108,7 +109,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         Format::Json => println!("{json}"),
         Format::Table => {
             if !graded.printed.is_empty() {
-                println!("your code printed:\n{}\n", graded.printed.trim_end());
+                println!("{}", printed::format(&graded.printed));
             }
             print!(
                 "{}",

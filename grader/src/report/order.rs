@@ -75,6 +75,8 @@ mod tests {
             reductions: Vec::new(),
             shares: Vec::new(),
             with_neighbours: false,
+            calls: 0,
+            crash: None,
         }
     }
 

@@ -351,6 +351,8 @@ mod tests {
             reductions: Vec::new(),
             shares: Vec::new(),
             with_neighbours: false,
+            calls: 0,
+            crash: None,
         });
         TaskResult {
             key: "part2.task3".into(),

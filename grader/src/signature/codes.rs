@@ -1,8 +1,9 @@
 //! Codes: what is wrong about one side of one case, call by call.
 
 use super::key::{Side, SignatureKey};
+use crate::crash::CrashKind;
 use crate::score::{CaseResult, Status};
-use judge::tally::{BLACK_CHANNEL, Class, Fault, Finding};
+use judge::tally::{BLACK_CHANNEL, Class, Fault};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;
 
@@ -15,16 +16,27 @@ pub(super) struct Codes(pub(super) Vec<u16>);
 /// comes later.
 const SAME_QUESTION: u32 = 200;
 
-/// A case with more calls than this is a picture. Not every call of it is compared, because
-/// neighbouring pixels have the same faults.
-const MANY_CALLS: u32 = 8192;
+/// Of other cases, about this many calls are compared, evenly spread, and the first wrong one. More
+/// calls do not distinguish more mistakes, but make the stored signatures large.
+const MOST_CALLS: usize = 200;
 
-/// If a case has many calls, one in this many is compared, and the first wrong one. It is odd and
-/// not a multiple of 5, so that the compared pixels are in all columns of a picture.
-const STRIDE: u32 = 17;
+/// One call in so many is compared. They are odd and not multiples of 5, so that the compared pixels
+/// are in all columns of a picture.
+const STRIDES: [u32; 7] = [1, 3, 7, 17, 51, 119, 357];
 
-/// The code of a case without answers: a panic, a timeout.
+/// Which calls of a case with so many calls are compared: one in how many.
+fn stride_of(calls: usize) -> u32 {
+    let is_enough = |stride: &u32| calls / *stride as usize <= MOST_CALLS;
+    let enough = STRIDES.into_iter().find(is_enough);
+    enough.unwrap_or(STRIDES[STRIDES.len() - 1])
+}
+
+/// The code of a case that panics.
 pub(super) const CRASHED: u16 = u16::MAX;
+
+/// The code of a case that does not end: whether it runs out of time, of stack or of memory depends
+/// on how the code is written.
+const ENDLESS: u16 = u16::MAX - 1;
 
 /// The codes of a case; sides without a fault are left out.
 pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
@@ -33,7 +45,13 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
         side,
     };
     if let Status::Crashed(_) = case.status {
-        return vec![(key(Side::Crash), Codes(vec![CRASHED]))];
+        let code = match case.crash.map(|crash| crash.kind) {
+            Some(CrashKind::Panic) => CRASHED,
+            Some(CrashKind::Endless) => ENDLESS,
+            // No mistake of a formula ends the program.
+            Some(CrashKind::Ended) | None => return Vec::new(),
+        };
+        return vec![(key(Side::Crash), Codes(vec![code]))];
     }
     let failed = case.findings.iter().filter(|finding| !finding.passed());
     // All answers that are judged by a statistical test are to the same question.
@@ -46,12 +64,9 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
     } else {
         u32::MAX
     };
-    let calls = |finding: &Finding| finding.judged.max(finding.expected);
-    let calls = case.findings.iter().map(calls).max().unwrap_or(0);
-    let stride = if calls > MANY_CALLS && !is_statistical {
-        STRIDE
-    } else {
-        1
+    let stride = match is_statistical {
+        true => 1,
+        false => stride_of(case.calls),
     };
     // If some answers are wrong, that explains why other aspects have no answers to judge.
     let shows_nothing = case.findings.iter().all(|finding| finding.wrong == 0);
@@ -66,10 +81,14 @@ pub(super) fn codes_of(case: &CaseResult) -> Vec<(SignatureKey, Codes)> {
                 _ => None,
             }),
         };
+        // The first wrong call of each side.
+        let mut first: BTreeMap<Side, u32> = BTreeMap::new();
         for fault in &finding.faults {
-            let faults = sides.entry(side(Some(fault))).or_default();
+            let side = side(Some(fault));
+            let is_first = *first.entry(side.clone()).or_insert(fault.call) == fault.call;
             let is_compared = fault.call < compared && fault.call.is_multiple_of(stride);
-            if is_compared || faults.is_empty() {
+            if is_compared || is_first {
+                let faults = sides.entry(side).or_default();
                 faults.push((fault.call / stride, fault.class));
             }
         }

@@ -14,7 +14,7 @@ pub(super) struct SignatureKey {
 /// A side of a case's answers.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
-    /// The case has no answers: the code panicked or ran out of time.
+    /// The case has no answers: the code panicked or did not end.
     Crash,
     /// One aspect of the answers.
     Aspect {

@@ -19,6 +19,7 @@ use clean_workspace::CleanWorkspace;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
+use grader::printed;
 use grader::report::{Report, TaskReport};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
@@ -43,7 +44,7 @@ pub struct SubmissionReport {
     pub reaches_out: Vec<String>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
-    /// What the student's code printed.
+    /// What the student's code printed, case by case.
     pub printed: String,
 }
 
@@ -93,7 +94,7 @@ impl SubmissionReport {
             let build_root = clean.with_stages(&[(stage, sources)])?;
             let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
             report.compiler.push_str(&graded.compiler);
-            report.printed.push_str(&graded.printed);
+            report.printed.push_str(&printed::format(&graded.printed));
             results.extend(graded.report.tasks);
             graded_tasks.extend(of_stage);
         }

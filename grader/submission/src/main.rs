@@ -127,7 +127,7 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
         let _ = writeln!(text, "\n{}", report.compiler.trim_end());
     }
     if !report.printed.is_empty() {
-        let _ = writeln!(text, "\nthe code printed:\n{}", report.printed.trim_end());
+        let _ = writeln!(text, "\n{}", report.printed.trim_end());
     }
     let _ = writeln!(
         text,

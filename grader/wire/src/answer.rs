@@ -19,6 +19,20 @@ pub enum RecordFrame {
         /// The call that was running, counted from 0.
         call: u32,
     },
+    /// The student's code printed without end; the worker ends.
+    PrintedTooMuch {
+        /// Index in the list of cases.
+        case: u32,
+        /// The call that was running, counted from 0.
+        call: u32,
+    },
+    /// A call starts. Only a worker that is asked for it writes these entries.
+    Calling {
+        /// Index in the list of cases.
+        case: u32,
+        /// The call, counted from 0.
+        call: u32,
+    },
     /// The case has ended.
     Done(Record),
 }
@@ -62,6 +76,17 @@ pub enum Outcome {
         message: String,
         /// File and line, if known.
         location: String,
+        /// The call that was running, counted from 0.
+        call: u32,
+    },
+    /// The student's code called a function that it was given far more often than it was asked to.
+    CalledTooOften {
+        /// The name of the function, such as `camera_ray`.
+        function: String,
+        /// How often it was called.
+        times: u64,
+        /// What the student's code was asked for, such as `16 samples`.
+        asked_for: String,
         /// The call that was running, counted from 0.
         call: u32,
     },

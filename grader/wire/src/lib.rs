@@ -16,8 +16,10 @@ pub mod file;
 pub mod global;
 pub mod kinds;
 pub mod light;
+mod printed;
 pub mod work;
 
 pub use answer::{Outcome, Record, RecordFrame};
 pub use kinds::{Answer, Work};
+pub use printed::{case_of_marker, output_marker};
 pub use work::Case;

@@ -13,6 +13,7 @@ pub(crate) fn stop(calls: &[StopCall]) -> Vec<StopAnswer> {
 pub(crate) fn sure_stop(calls: &[StopCall]) -> Vec<StopAnswer> {
     answers(calls, |samples, call, rule_calls| {
         let rule = &mut |samples: &Tally, tolerance| {
+            harness::limit_calls("rule", rule_calls.len(), || "one decision".into());
             rule_calls.push((samples.count(), samples.mean(), tolerance));
             call.rule
         };
@@ -50,13 +51,19 @@ pub(crate) fn pixels(pixels: &[AdaptivePixel]) -> Vec<AdaptiveAnswer> {
 fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
     let [x, y] = work.pixel;
     let mut points: Vec<[f64; 2]> = Vec::new();
-    let (mut traced, mut foreign) = (0, 0);
+    let (mut traced, mut foreign) = (0_u32, 0);
     let mut rule_calls = Vec::new();
+    let asked_for = || match work.ns_aa {
+        1 => "at most 1 sample".into(),
+        samples => format!("at most {samples} samples"),
+    };
     let mut camera_ray = |point: Vec2| {
+        harness::limit_calls("camera_ray", points.len(), asked_for);
         points.push(point.into());
         from_camera(point)
     };
     let mut trace_ray = |ray: &Ray, _: &mut PixelSampler| {
+        harness::limit_calls("trace_ray", traced, asked_for);
         let point = Vec2::new(ray.o.x, ray.o.y);
         foreign += u32::from(*ray != from_camera(point));
         let radiance = work.stream[traced as usize % work.stream.len()];
@@ -64,6 +71,7 @@ fn sample(work: &AdaptivePixel) -> AdaptiveAnswer {
         Spectrum::from(radiance)
     };
     let mut stop = |samples: &Tally, tolerance: f64| {
+        harness::limit_calls("stop", rule_calls.len(), asked_for);
         rule_calls.push((
             samples.count(),
             samples.mean(),

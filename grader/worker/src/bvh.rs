@@ -34,6 +34,7 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
         let mut ray = convert::ray(&scripted.ray);
         let mut world = TraverseScript {
             scripted,
+            nodes: tree.nodes.len(),
             node_of: &node_of,
             tested: vec![false; scripted.prims.len()],
             counts: Counts::default(),
@@ -84,13 +85,26 @@ struct Counts {
 /// A world with given test results, which it clips to the ray's range.
 struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
+    /// The number of nodes of the tree.
+    nodes: usize,
     node_of: &'a HashMap<BoxKey, usize>,
     tested: Vec<bool>,
     counts: Counts,
 }
 
 impl TraverseScript<'_> {
-    fn prim_t(&mut self, id: PrimId, ray: &Ray) -> Option<f64> {
+    /// What the traversal was asked for.
+    fn asked_for(&self) -> String {
+        let prims = self.scripted.prims.len();
+        format!(
+            "one ray through {} nodes and {prims} primitives",
+            self.nodes
+        )
+    }
+
+    /// The hit of a primitive by `function`.
+    fn prim_t(&mut self, function: &'static str, id: PrimId, ray: &Ray) -> Option<f64> {
+        harness::limit_calls(function, self.counts.prim_tests, || self.asked_for());
         let i = id.0 as usize;
         self.counts.prim_tests += 1;
         if std::mem::replace(&mut self.tested[i], true) {
@@ -104,6 +118,7 @@ impl TraverseScript<'_> {
 
 impl World for TraverseScript<'_> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        harness::limit_calls("hit_box", self.counts.box_tests, || self.asked_for());
         self.counts.box_tests += 1;
         let Some(&node) = self.node_of.get(&box_key(b)) else {
             self.counts.unknown_boxes += 1;
@@ -115,7 +130,7 @@ impl World for TraverseScript<'_> {
     }
 
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
-        let t = self.prim_t(id, ray)?;
+        let t = self.prim_t("hit_prim", id, ray)?;
         ray.max_t = t;
         Some(Hit {
             t,
@@ -128,7 +143,7 @@ impl World for TraverseScript<'_> {
     }
 
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
-        self.prim_t(id, ray).is_some()
+        self.prim_t("blocked", id, ray).is_some()
     }
 }
 

@@ -51,6 +51,11 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
     let mut rays = Vec::new();
     let mut sampler = PixelSampler::new(call, 0, work.seed);
     sampler.get_sample();
+    let asked_for = || match (work.samples, work.strategy) {
+        (samples, Strategy::Lights) => format!("{samples} samples of each light with an area"),
+        (1, _) => "1 sample".into(),
+        (samples, _) => format!("{samples} samples"),
+    };
     let radiance = match work.strategy {
         Strategy::ZeroBounce => attempt("zero_bounce_radiance", || {
             direct::zero_bounce_radiance(&surface, wo)
@@ -65,6 +70,7 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
                 &mut sampler,
                 &panels::ScriptedScattering,
                 &mut |ray| {
+                    harness::limit_calls("trace", rays.len(), asked_for);
                     let hit = panels::first_hit(&work.world, ray);
                     let seen = match &hit {
                         Some(hit) => lit.surface(hit).emitted(-ray.d),
@@ -84,6 +90,7 @@ fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -
             &mut sampler,
             &panels::ScriptedScattering,
             &mut |ray| {
+                harness::limit_calls("occluded", rays.len(), asked_for);
                 let blocked = panels::first_hit(&work.world, ray).is_some();
                 rays.push(recorded_ray(ray, Spectrum::BLACK, blocked));
                 blocked

@@ -127,12 +127,15 @@ fn run_path(call: u32, path: &ScriptedPath) -> PathAnswer {
         &script,
         &mut |ray| script.trace(ray),
         &mut |surface: &Surface, wo, _: &mut PixelSampler| {
+            let calls_before = recorded.borrow().direct.len();
+            harness::limit_calls("direct", calls_before, || script.asked_for());
             let prim = surface.prim.0;
             recorded.borrow_mut().direct.push((prim, wo.into()));
             script.step(prim as usize).direct.into()
         },
         &mut |throughput, bounces, u| {
             let calls = &mut recorded.borrow_mut().roulette_calls;
+            harness::limit_calls("roulette", calls.len(), || script.asked_for());
             calls.push((throughput.to_array(), bounces, u));
             Some(throughput * script.step(script.at.get()).roulette?)
         },
@@ -155,8 +158,14 @@ impl PathScript<'_> {
         &self.path.steps[i.min(self.path.steps.len() - 1)]
     }
 
+    /// What the student's code was asked for.
+    fn asked_for(&self) -> String {
+        format!("a path with max_depth {}", self.path.max_depth)
+    }
+
     fn trace(&self, ray: &kit::Ray) -> Option<Hit> {
         let rays = &mut self.recorded.borrow_mut().rays;
+        harness::limit_calls("trace", rays.len(), || self.asked_for());
         // Ray `i` hits surface `i`.
         let i = rays.len();
         rays.push(convert::wire_ray(ray));
@@ -186,6 +195,7 @@ impl Scattering for PathScript<'_> {
         let i = self.at.get();
         let numbers: Xyz = [u.x, u.y, choice];
         let samples = &mut self.recorded.borrow_mut().samples;
+        harness::limit_calls("sample", samples.len(), || self.asked_for());
         samples.push((i as u32, wo.into(), numbers));
         let sample = self.step(i).sample?;
         Some(BsdfSample {

@@ -22,6 +22,7 @@ fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
     let mut points: Vec<Vec2> = Vec::new();
     let mut traced_points: Vec<Option<Vec2>> = Vec::new();
     let mut traced_radiance: Vec<Spectrum> = Vec::new();
+    let asked_for = || samples(work.ns_aa);
     let estimate = raygen::raytrace_pixel(
         x,
         y,
@@ -29,10 +30,12 @@ fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
         work.ns_aa,
         &mut PixelSampler::new(x, y, seed),
         &mut |point| {
+            harness::limit_calls("camera_ray", points.len(), asked_for);
             points.push(point);
             camera_stub(point)
         },
         &mut |ray, _| {
+            harness::limit_calls("trace_ray", traced_points.len(), asked_for);
             let point = Vec2::new(ray.o.x, ray.o.y);
             let from_camera = *ray == camera_stub(point);
             let radiance = radiance(work.world, point, traced_radiance.len());
@@ -56,6 +59,13 @@ fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
         traced_radiance: traced_radiance.iter().map(|s| s.to_array()).collect(),
         radiance: estimate.radiance.to_array(),
         samples: estimate.samples,
+    }
+}
+
+fn samples(count: u32) -> String {
+    match count {
+        1 => "1 sample".into(),
+        _ => format!("{count} samples"),
     }
 }
 

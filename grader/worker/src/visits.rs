@@ -51,6 +51,9 @@ impl RecordingWorld<'_> {
 
 impl World for RecordingWorld<'_> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        harness::limit_calls("hit_box", self.visits.len(), || {
+            "one ray through the scene".into()
+        });
         let interval = self.world.hit_box(b, ray);
         if let Some(node) = self.node(b) {
             let met = interval.is_some();

@@ -21,6 +21,9 @@ const PROGRAMS: [&str; 6] = [
 /// Files in the root folder that a handout contains.
 const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
 
+/// Folders that students do not need: pictures of the README, and tests of given code.
+const LEFT_OUT: [&str; 2] = ["scenes/pictures", "scenes/tests"];
+
 /// Selects the files and crates of a handout.
 #[derive(Clone, Debug)]
 pub(super) struct FileSelection<'a> {
@@ -47,6 +50,9 @@ impl<'a> FileSelection<'a> {
         // about the reference.
         if top == "golden" {
             return !is_rust && !is_manifest && !path.starts_with("golden/mutants");
+        }
+        if LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {
+            return false;
         }
         let Some(owner) = members::containing_member(self.members, path) else {
             let at_the_top = path.components().count() == 1;

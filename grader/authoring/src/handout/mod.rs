@@ -12,10 +12,11 @@ pub mod readme;
 
 use carve::Carver;
 use file_selection::FileSelection;
-use grader::course::Course;
+use grader::course::{Course, stages_of};
 use grader::error::GraderError;
+use grader::packed;
 use grader::workspace::Workspace;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -79,6 +80,8 @@ impl Handout {
             )));
         }
         handout.remove_tests(&selection)?;
+        handout.test_only_stages(&course, part)?;
+        handout.pack_goldens();
         let readme = readme::write(&course, part, &handout.files)?;
         handout
             .files
@@ -175,7 +178,73 @@ impl Handout {
             }
             .into_bytes();
         }
+        self.remove_unused_dev_dependencies(selection)
+    }
+
+    /// Removes the libraries that only removed tests used: `cargo test` would compile them.
+    fn remove_unused_dev_dependencies(
+        &mut self,
+        selection: &FileSelection,
+    ) -> Result<(), GraderError> {
+        let mut manifests = Vec::new();
+        for (path, contents) in &self.files {
+            let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
+            let Some(owner) = selection.owner(path).filter(|_| is_manifest) else {
+                continue;
+            };
+            let is_of_owner = |path: &Path| {
+                path.extension().is_some_and(|extension| extension == "rs")
+                    && selection.owner(path) == Some(owner)
+            };
+            let code = self.files.iter().filter(|(path, _)| is_of_owner(path));
+            let code: Vec<_> = code
+                .map(|(_, text)| String::from_utf8_lossy(text))
+                .collect();
+            let is_used = |name: &str| {
+                let name = name.replace('-', "_");
+                code.iter().any(|text| text.contains(&name))
+            };
+            let text = text(path, contents.clone())?;
+            let text = manifest::without_unused_dev_dependencies(&text, is_used);
+            manifests.push((path.clone(), text.into_bytes()));
+        }
+        self.files.extend(manifests);
         Ok(())
+    }
+
+    /// Makes `cargo test` test the stages that students write, and nothing else.
+    fn test_only_stages(&mut self, course: &Course, part: u32) -> Result<(), GraderError> {
+        let to_write = course.parts.iter().filter(|p| p.number >= part);
+        let stages = stages_of(to_write.flat_map(|part| &part.tasks));
+        let folders: Vec<PathBuf> = stages
+            .iter()
+            .map(|stage| Path::new("stages").join(stage))
+            .collect();
+        if let Some(manifest) = self.files.get_mut(Path::new("Cargo.toml")) {
+            let old = text(Path::new("Cargo.toml"), manifest.clone())?;
+            *manifest = manifest::with_default_members(&old, &folders).into_bytes();
+        }
+        Ok(())
+    }
+
+    /// Replaces the snapshots and signatures of each task by its pack: as text they would take most
+    /// of the handout.
+    fn pack_goldens(&mut self) {
+        let mut packs: BTreeMap<String, Vec<(PathBuf, Vec<u8>)>> = BTreeMap::new();
+        self.files.retain(|path, contents| {
+            let Ok(below) = path.strip_prefix("golden") else {
+                return true;
+            };
+            let task = packed::task_of(below);
+            if let Some(task) = &task {
+                let files = packs.entry(task.clone()).or_default();
+                files.push((below.to_path_buf(), std::mem::take(contents)));
+            }
+            task.is_none()
+        });
+        let packs = packs.into_iter();
+        self.files
+            .extend(packs.map(|(task, files)| (packed::path_of(&task), packed::pack(&files))));
     }
 }
 

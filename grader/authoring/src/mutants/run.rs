@@ -142,7 +142,7 @@ impl<'a> VersionsWorker<'a> {
         versions: impl Iterator<Item = usize>,
     ) -> Result<Vec<Graded>, GraderError> {
         let chosen = chosen(&[task], specs)?;
-        let endings = self.workers(0).run(&chosen, &mut String::new())?;
+        let endings = self.workers(0).run(&chosen, &mut Vec::new())?;
         let reference = ReferenceAnswers::of(&chosen, &endings);
         let versions: Vec<usize> = versions.collect();
         let each = versions.into_par_iter();
@@ -161,7 +161,7 @@ impl<'a> VersionsWorker<'a> {
     ) -> Result<Graded, GraderError> {
         let (name, kind) = self.versions[version].clone();
         let chosen = chosen(&[task], specs)?;
-        let endings = self.workers(version).run(&chosen, &mut String::new())?;
+        let endings = self.workers(version).run(&chosen, &mut Vec::new())?;
         let mut results = score_tasks(self.course, &[task], &chosen, &endings)?;
         let blessings = match (&kind, reference) {
             (Kind::Mutant(_), Some(reference)) => reference.bless(&chosen, &endings),

@@ -22,10 +22,12 @@ pub struct FailedCase<'a> {
     pub tier: Tier,
     /// What was judged in it.
     pub findings: &'a [Finding],
+    /// The call in which its code crashed, if it is known. Then there are no findings.
+    pub crashed_call: Option<u32>,
 }
 
-/// Returns a test for the worst answer of a task's failed cases, core points first; `None` if no
-/// answer fits in a short test.
+/// Returns a test for the worst answer of a task's failed cases, or for the call that crashed, core
+/// points first; `None` if no answer fits in a short test.
 pub fn worst<'a>(
     failed: impl IntoIterator<Item = FailedCase<'a>>,
     specs: &[Spec],
@@ -33,24 +35,29 @@ pub fn worst<'a>(
 ) -> Option<String> {
     let mut failed: Vec<FailedCase<'a>> = failed.into_iter().collect();
     failed.sort_by_key(|case| case.tier == Tier::Robust);
-    let found = failed.into_iter().find_map(|case| {
+    failed.into_iter().find_map(|case| {
         let spec = specs.iter().find(|spec| spec.is(task, case.name))?;
         let check = tasks::check_of(&spec.work);
         let worst = case
             .findings
             .iter()
             .filter_map(|finding| finding.worst.as_ref().map(|worst| (finding.aspect, worst)));
-        worst
-            .filter(|(aspect, _)| check.repro_shows(*aspect))
-            .find_map(|(_, worst)| test(spec, case.tier, worst.call as usize))
-    });
-    found.map(|test| as_file(task, &test))
+        let worst = worst.filter(|(aspect, _)| check.repro_shows(*aspect));
+        let test = |call| test(spec, case.tier, call as usize);
+        let of_worst = worst.map(|(_, worst)| worst.call).find_map(test);
+        let of_crash = || {
+            test(case.crashed_call?).map(|test| as_file("The call that crashed in", task, &test))
+        };
+        of_worst
+            .map(|test| as_file("The worst answer of", task, &test))
+            .or_else(of_crash)
+    })
 }
 
 /// Returns the test as a file of a stage's `tests/` folder, with the doc comment at the top that
-/// `missing_docs` requires.
-pub fn as_file(task: &str, test: &str) -> String {
-    format!("//! The worst answer of {task} in the grader's cases.\n\n{test}")
+/// `missing_docs` requires. `what` begins the comment, such as `The worst answer of`.
+pub fn as_file(what: &str, task: &str, test: &str) -> String {
+    format!("//! {what} {task} in the grader's cases.\n\n{test}")
 }
 
 /// Returns a test for one call of a case.

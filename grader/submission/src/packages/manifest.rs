@@ -63,9 +63,53 @@ pub fn without_tests(text: &str) -> String {
     kept.iter().flat_map(|line| [line, "\n"]).collect()
 }
 
+/// Removes the development dependencies from a crate's `Cargo.toml` for which `is_used` is false.
+pub fn without_unused_dev_dependencies(text: &str, is_used: impl Fn(&str) -> bool) -> String {
+    let mut inside = false;
+    let kept = text.lines().filter(|line| {
+        if line.starts_with('[') {
+            inside = line.trim_end() == "[dev-dependencies]";
+        }
+        let name = line.split(['.', ' ', '=']).next().unwrap_or_default();
+        !inside || line.starts_with('[') || name.is_empty() || is_used(name)
+    });
+    kept.flat_map(|line| [line, "\n"]).collect()
+}
+
+/// Adds the list of the folders that `cargo test` tests to the workspace's `Cargo.toml`, after its
+/// members.
+pub fn with_default_members(text: &str, folders: &[PathBuf]) -> String {
+    let entries = folders.iter();
+    let entries: String = entries
+        .map(|folder| format!("    \"{}\",\n", folder.display()))
+        .collect();
+    let list = format!(
+        "# What `cargo test` tests. For all other crates: `cargo test --workspace`.\ndefault-members = [\n{entries}]\n"
+    );
+    match text.split_once("\n]\n") {
+        Some((members, rest)) => format!("{members}\n]\n{list}{rest}"),
+        None => text.to_string(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn development_dependencies_that_no_code_names_are_removed() {
+        let text = "[dependencies]\na.workspace = true\n\n[dev-dependencies]\na-b.workspace = true\nc = \"1\"\n\n[lints]\nworkspace = true\n";
+        let expected = "[dependencies]\na.workspace = true\n\n[dev-dependencies]\na-b.workspace = true\n\n[lints]\nworkspace = true\n";
+        let is_used = |name: &str| name == "a-b";
+        assert_eq!(without_unused_dev_dependencies(text, is_used), expected);
+    }
+
+    #[test]
+    fn default_members_follow_the_members() {
+        let text = "[workspace]\nmembers = [\n    \"a\",\n    \"b\",\n]\n\n[workspace.package]\n";
+        let expected = "[workspace]\nmembers = [\n    \"a\",\n    \"b\",\n]\n# What `cargo test` tests. For all other crates: `cargo test --workspace`.\ndefault-members = [\n    \"b\",\n]\n\n[workspace.package]\n";
+        assert_eq!(with_default_members(text, &[PathBuf::from("b")]), expected);
+    }
 
     #[test]
     fn profiles_of_packages_that_are_gone_are_removed() {

@@ -43,16 +43,21 @@ for (i, point) in points.iter().enumerate() {{
     assert!(off <= {allowed:?}, \"{{point}} is at the wrong position in pixel ({x}, {y})\");
     assert!(points[..i].iter().all(|other| other != point), \"two samples at {{point}}\");
 }}
-let mean = (0..{ns_aa}).map(light).sum::<Spectrum>() / f64::from({ns_aa});
+{mean}
 let off = [estimate.radiance.r - mean.r, estimate.radiance.g - mean.g, estimate.radiance.b - mean.b];
 assert!(off.iter().all(|off| off.abs() <= 1e-10), \"{{:?}}, the mean is {{mean:?}}\", estimate.radiance);
 ",
         allowed = if *ns_aa == 1 { 1e-9 } else { 0.5 + 1e-9 },
+        mean = match ns_aa {
+            0 => "let mean = Spectrum::BLACK;".into(),
+            _ => format!(
+                "let mean = (0..{ns_aa}).map(light).sum::<Spectrum>() / f64::from({ns_aa});"
+            ),
+        },
     );
-    if *ns_aa == 1 {
-        one
-    } else {
-        one + &spread(*ns_aa)
+    match ns_aa {
+        0 | 1 => one,
+        _ => one + &spread(*ns_aa),
     }
 }
 

@@ -1,0 +1,176 @@
+//! Calls that end without an answer: what kind of end it was, and the sentence about it.
+
+use crate::printed::with_commas;
+use crate::runner::Ending;
+use wire::Outcome;
+
+/// A case whose code did not return an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Crash {
+    /// The kind of end.
+    pub kind: CrashKind,
+    /// The call that was running, counted from 0, if it is known.
+    pub call: Option<u32>,
+}
+
+/// The kind of a [`Crash`]. A mistake shows in the same cases as the same kind of crash.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CrashKind {
+    /// A panic.
+    Panic,
+    /// A loop or a recursion without end: it ran out of time, of stack or of memory, called a
+    /// function or printed without end.
+    Endless,
+    /// The code ended the program, or wrote into the worker's records.
+    Ended,
+}
+
+impl Crash {
+    /// The crash of a case with this ending; `None` if it is not a crash.
+    pub fn of(ending: &Ending) -> Option<Crash> {
+        let (kind, call) = match ending {
+            Ending::TimedOut { call, .. } | Ending::PrintedTooMuch { call } => {
+                (CrashKind::Endless, Some(*call))
+            }
+            Ending::Died { how, call } if how.is_endless() => (CrashKind::Endless, *call),
+            Ending::Died { call, .. } => (CrashKind::Ended, *call),
+            Ending::Malformed(_) => (CrashKind::Ended, None),
+            Ending::Recorded(record) => match &record.outcome {
+                Outcome::Panicked { call, .. } => (CrashKind::Panic, Some(*call)),
+                Outcome::CalledTooOften { call, .. } => (CrashKind::Endless, Some(*call)),
+                _ => return None,
+            },
+            Ending::Skipped => return None,
+        };
+        Some(Crash { kind, call })
+    }
+}
+
+/// How the code of a case crashed, to end the sentence "your code ..."; `None` if it did not.
+pub fn describe(ending: &Ending) -> Option<String> {
+    Some(match ending {
+        Ending::TimedOut { limit_ms, .. } => format!(
+            "did not return within {} s: an endless loop?",
+            *limit_ms as f64 / 1e3
+        ),
+        Ending::PrintedTooMuch { .. } => {
+            "printed millions of lines in one call: an endless loop?".into()
+        }
+        Ending::Died { how, .. } => how.to_string(),
+        Ending::Malformed(how) => how.clone(),
+        Ending::Recorded(record) => match &record.outcome {
+            Outcome::Panicked {
+                message, location, ..
+            } => format!("panicked at {location}: {message}"),
+            Outcome::CalledTooOften {
+                function,
+                times,
+                asked_for,
+                ..
+            } => format!(
+                "called {function} {} times, was asked for {asked_for}: an endless loop?",
+                with_commas(*times)
+            ),
+            _ => return None,
+        },
+        Ending::Skipped => return None,
+    })
+}
+
+/// As [`describe`], with the call that crashed.
+pub fn describe_with_call(ending: &Ending) -> Option<String> {
+    let how = describe(ending)?;
+    let call = Crash::of(ending).and_then(|crash| crash.call);
+    Some(match call {
+        Some(call) => format!("{how} (call {call} of the case)"),
+        None => how,
+    })
+}
+
+/// Adds the input of the call to what [`describe_with_call`] returned.
+pub fn with_input(how: &str, input: &str) -> String {
+    match how.strip_suffix(" of the case)") {
+        Some(before) => format!("{before} of the case: {input})"),
+        None => how.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::death::Death;
+    use wire::Record;
+
+    fn recorded(outcome: Outcome) -> Ending {
+        Ending::Recorded(Record {
+            case: 0,
+            untouched: Vec::new(),
+            outcome,
+        })
+    }
+
+    #[test]
+    fn every_end_has_its_sentence_and_its_kind() {
+        let panicked = recorded(Outcome::Panicked {
+            message: "index out of bounds: the len is 2 but the index is 3".into(),
+            location: "stages/intersect/src/triangle.rs:19".into(),
+            call: 4,
+        });
+        let too_often = recorded(Outcome::CalledTooOften {
+            function: "camera_ray".into(),
+            times: 1_000_000,
+            asked_for: "16 samples".into(),
+            call: 0,
+        });
+        let timed_out = Ending::TimedOut {
+            call: 2,
+            limit_ms: 500,
+        };
+        let died = |how, call| Ending::Died { how, call };
+        for (ending, kind, sentence) in [
+            (
+                panicked,
+                CrashKind::Panic,
+                "panicked at stages/intersect/src/triangle.rs:19: index out of bounds: the len is 2 but the index is 3 (call 4 of the case)",
+            ),
+            (
+                too_often,
+                CrashKind::Endless,
+                "called camera_ray 1,000,000 times, was asked for 16 samples: an endless loop? (call 0 of the case)",
+            ),
+            (
+                timed_out,
+                CrashKind::Endless,
+                "did not return within 0.5 s: an endless loop? (call 2 of the case)",
+            ),
+            (
+                Ending::PrintedTooMuch { call: 1 },
+                CrashKind::Endless,
+                "printed millions of lines in one call: an endless loop? (call 1 of the case)",
+            ),
+            (
+                died(Death::StackOverflow, Some(7)),
+                CrashKind::Endless,
+                "overflowed the stack of 64 MB: a recursion without end? (call 7 of the case)",
+            ),
+            (
+                died(Death::Abort, None),
+                CrashKind::Ended,
+                "aborted the whole program (SIGABRT): does it call `std::process::abort`?",
+            ),
+        ] {
+            assert_eq!(Crash::of(&ending).map(|crash| crash.kind), Some(kind));
+            assert_eq!(describe_with_call(&ending).as_deref(), Some(sentence));
+        }
+        assert_eq!(Crash::of(&Ending::Skipped), None);
+    }
+
+    #[test]
+    fn the_input_is_part_of_the_call() {
+        assert_eq!(
+            with_input("panicked (call 4 of the case)", "Ray: o = 0"),
+            "panicked (call 4 of the case: Ray: o = 0)"
+        );
+        assert_eq!(with_input("panicked", "Ray: o = 0"), "panicked");
+    }
+}

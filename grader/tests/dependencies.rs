@@ -57,8 +57,9 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("statistics", &["kit"]),
     ("oracle", &["kit"]),
     ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
-    ("grader", &["kit", "judge", "wire"]),
-    ("pages", &["grader", "judge", "wire"]),
+    ("pictures", &["judge", "kit", "wire"]),
+    ("grader", &["kit", "judge", "pictures", "wire"]),
+    ("pages", &["grader", "judge", "pictures", "wire"]),
     ("submission", &["grader", "judge"]),
     (
         "review",

@@ -50,6 +50,11 @@ pub fn half_blocks(picture: &Image, columns: u32, colours: Colours) -> String {
     text
 }
 
+/// A square in a colour, for a legend.
+pub fn chip(colour: Rgb, colours: Colours) -> String {
+    format!("\x1b[38;{}m■\x1b[0m", code(colour, colours))
+}
+
 /// The colour as the parameters of an escape sequence, after `38;` or `48;`.
 fn code([r, g, b]: Rgb, colours: Colours) -> String {
     match colours {

@@ -38,8 +38,8 @@ pub enum Subject {
         spheres: Vec<(Xyz, f64)>,
         /// The eye.
         view: View,
-        /// The distance at which the second panel is darkest.
-        far: f64,
+        /// The distances at which the second panel is brightest and darkest.
+        range: [f64; 2],
     },
     /// `construct_bvh`: each point of a mesh in the colour of its leaf's place, then of its leaf's
     /// depth, with the boxes of the top of the tree.
@@ -56,8 +56,8 @@ pub enum Subject {
         boxes: Vec<[Xyz; 2]>,
         /// The eye.
         view: View,
-        /// The distance at which the first panel is darkest.
-        far: f64,
+        /// The distances at which the first panel is brightest and darkest.
+        range: [f64; 2],
     },
     /// `intersect_bvh`: the normals of the closest hits, then the number of tests per ray.
     Traversal {

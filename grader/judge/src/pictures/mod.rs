@@ -53,7 +53,7 @@ pub enum Differences {
 
 const fn panel(about: &'static str, differences: Differences) -> PanelKind {
     let steps = match differences {
-        Differences::Noise => 31,
+        Differences::Noise => 21,
         _ => 255,
     };
     PanelKind {
@@ -67,6 +67,13 @@ const fn panel(about: &'static str, differences: Differences) -> PanelKind {
 const fn plain(about: &'static str, differences: Differences) -> PanelKind {
     PanelKind {
         plain: true,
+        ..panel(about, differences)
+    }
+}
+
+const fn coarse(about: &'static str, differences: Differences) -> PanelKind {
+    PanelKind {
+        steps: 21,
         ..panel(about, differences)
     }
 }
@@ -103,7 +110,7 @@ pub fn of(task: &str) -> Option<TaskPicture> {
             "part1.task1",
             const {
                 &[
-                    panel("1 sample per pixel", Values),
+                    coarse("1 sample per pixel", Values),
                     panel("16 samples per pixel", Noise),
                 ]
             },
@@ -114,7 +121,7 @@ pub fn of(task: &str) -> Option<TaskPicture> {
         "part1.task2" => (
             "part1.task2",
             const {
-                &[panel(
+                &[plain(
                     "directions of rays, a line every 10 degrees, the horizon in black",
                     Values,
                 )]
@@ -123,12 +130,12 @@ pub fn of(task: &str) -> Option<TaskPicture> {
         ),
         "part1.task3" => (
             "part1.task3",
-            const { &[panel("normals", Normals), panel("distances", Distances)] },
+            const { &[plain("normals", Normals), panel("distances", Distances)] },
             scenes::cut_ring(),
         ),
         "part1.task4" => (
             "part1.task4",
-            const { &[panel("normals", Normals), panel("distances", Distances)] },
+            const { &[plain("normals", Normals), panel("distances", Distances)] },
             scenes::spheres(),
         ),
         "part2.task1" => (
@@ -155,7 +162,7 @@ pub fn of(task: &str) -> Option<TaskPicture> {
             "part2.task3",
             const {
                 &[
-                    panel("normals", Normals),
+                    plain("normals", Normals),
                     panel("tests of boxes and triangles per ray", Choice),
                 ]
             },
@@ -233,9 +240,9 @@ pub fn of(task: &str) -> Option<TaskPicture> {
                 ]
             },
             Subject::RareLight {
-                ns_aa: 768,
-                batch: 32,
-                tolerance: 0.1,
+                ns_aa: 1024,
+                batch: 64,
+                tolerance: 0.2,
             },
         ),
         _ => return None,

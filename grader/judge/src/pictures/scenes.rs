@@ -57,7 +57,7 @@ pub(super) fn cut_ring() -> Subject {
             target: [0.0; 3],
             h_fov: 46.0,
         },
-        far: 9.0,
+        range: [3.0, 9.0],
     }
 }
 
@@ -80,19 +80,19 @@ pub(super) fn spheres() -> Subject {
             target: [0.0, 0.85, 0.0],
             h_fov: 40.0,
         },
-        far: 20.0,
+        range: [4.0, 14.0],
     }
 }
 
 /// A mesh to build a tree over.
 pub(super) fn leaves() -> Subject {
-    let mesh = generate(MeshKind::Knot, 6000);
+    let mesh = generate(MeshKind::Smooth, 4000);
     Subject::Leaves {
         triangles: mesh
             .iter()
             .map(|t| [t.p0, t.p1, t.p2].map(Vec3::into))
             .collect(),
-        max_leaf_size: 8,
+        max_leaf_size: 16,
     }
 }
 
@@ -116,13 +116,13 @@ pub(super) fn boxes() -> Subject {
             target: [0.0, 0.1, 0.2],
             h_fov: 50.0,
         },
-        far: 12.0,
+        range: [2.0, 12.0],
     }
 }
 
 /// A mesh with a given tree.
 pub(super) fn traversal() -> Subject {
-    let scene = SceneSource::InCornellBox("knot".into(), 4000);
+    let scene = SceneSource::InCornellBox("smooth".into(), 6000);
     Subject::Traversal {
         tree: along_morton_curve(&load(&scene).primitive_bounds(), 4),
         scene,
@@ -131,7 +131,7 @@ pub(super) fn traversal() -> Subject {
             target: [0.0, 0.72, 0.0],
             h_fov: 36.0,
         },
-        hottest: 260,
+        hottest: 160,
     }
 }
 
@@ -215,7 +215,7 @@ pub(super) fn hemisphere() -> Subject {
         world: room(WHITE, 0.75, [1.6, 1.5, 1.3]),
         view: ROOM_VIEW,
         strategy: Strategy::Hemisphere,
-        samples: 64,
+        samples: 128,
     }
 }
 
@@ -234,13 +234,23 @@ pub(super) fn lights() -> Subject {
     }
 }
 
-/// The room with a mirror as the tall block.
+/// The room with a mirror in its left wall.
 pub(super) fn paths() -> Subject {
+    let mut world = room(WHITE, 0.35, [7.0, 6.5, 5.5]);
+    let mirror = Material::Mirror([0.9; 3]);
+    world.panels.push(plate(
+        0,
+        0.001 - HALF,
+        [0.25, -0.7],
+        [1.2, 0.75],
+        1.0,
+        mirror,
+    ));
     Subject::Paths {
-        world: room(Material::Mirror([0.9; 3]), 0.35, [7.0, 6.5, 5.5]),
+        world,
         view: ROOM_VIEW,
         max_depth: 5,
-        samples: 16,
+        samples: 32,
     }
 }
 
@@ -250,7 +260,7 @@ pub(super) fn adaptive() -> Subject {
         world: room(WHITE, 0.35, [6.0, 5.6, 4.8]),
         view: ROOM_VIEW,
         ns_aa: 256,
-        batch: 16,
+        batch: 32,
         tolerance: 0.08,
     }
 }

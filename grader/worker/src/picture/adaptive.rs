@@ -73,12 +73,12 @@ pub(super) fn rare_light(size: [u32; 2], ns_aa: u32, batch: u32, tolerance: f64)
     )
 }
 
-/// A row of three balls on a grey ground, lit from the top left.
+/// A row of three balls on a black ground, lit from the top left.
 fn brightness(point: Vec2) -> Spectrum {
     let place = Vec2::new((3.0 * point.x).fract() - 0.5, 0.75 * 3.0 * (point.y - 0.5)) / 0.42;
     let height2 = 1.0 - place.length_squared();
     if height2 <= 0.0 {
-        return Spectrum::grey(0.08);
+        return Spectrum::BLACK;
     }
     let n = place.extend(height2.sqrt());
     let lit = n.dot(Vec3::new(-0.48, 0.64, 0.6)).max(0.0);

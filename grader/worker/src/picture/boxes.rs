@@ -6,7 +6,12 @@ use wire::picture::View;
 use wire::work::Xyz;
 
 /// The nearest distance at which a box is entered, then the length of the ray inside of all boxes.
-pub(super) fn boxes(size: [u32; 2], boxes: &[[Xyz; 2]], view: &View, far: f64) -> Vec<Panel> {
+pub(super) fn boxes(
+    size: [u32; 2],
+    boxes: &[[Xyz; 2]],
+    view: &View,
+    range: [f64; 2],
+) -> Vec<Panel> {
     /// The length inside of boxes that is white.
     const WHITE: f64 = 4.0;
     let boxes: Vec<_> = boxes.iter().map(convert::aabb).collect();
@@ -23,7 +28,7 @@ pub(super) fn boxes(size: [u32; 2], boxes: &[[Xyz; 2]], view: &View, far: f64) -
             }
         }
         let entered = nearest.map_or([0.0; 3], |(t, i)| {
-            tint(i).map(|channel| channel * nearness(t, far))
+            tint(i).map(|channel| channel * nearness(t, range))
         });
         [entered, [inside / WHITE; 3]]
     })

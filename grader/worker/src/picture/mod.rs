@@ -42,15 +42,15 @@ pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
             triangles,
             spheres,
             view,
-            far,
-        } => shapes::closest(size, triangles, spheres, view, *far),
+            range,
+        } => shapes::closest(size, triangles, spheres, view, *range),
         #[cfg(feature = "bvh")]
         Subject::Leaves {
             triangles,
             max_leaf_size,
         } => leaves::leaves(size, triangles, *max_leaf_size),
         #[cfg(feature = "bbox")]
-        Subject::Boxes { boxes, view, far } => boxes::boxes(size, boxes, view, *far),
+        Subject::Boxes { boxes, view, range } => boxes::boxes(size, boxes, view, *range),
         #[cfg(feature = "meshes")]
         Subject::Traversal {
             scene,
@@ -174,15 +174,12 @@ fn direction_colour(d: Vec3) -> [f64; 3] {
     (0.5 * d + 0.5).to_array()
 }
 
-/// The brightness of a distance: from 1 at the eye to 0.1 at `far` and beyond, so that no hit is as
-/// black as a miss. A NaN stays one.
+/// The brightness of a distance: from 0.7 at `near` to 0.02 at `far`, so that no hit is as black as
+/// a miss. A NaN stays one.
 #[cfg(any(feature = "intersect", feature = "bbox"))]
-fn nearness(t: f64, far: f64) -> f64 {
-    let share = t / far;
-    if share.is_nan() {
-        return share;
-    }
-    1.0 - 0.9 * share.clamp(0.0, 1.0)
+fn nearness(t: f64, [near, far]: [f64; 2]) -> f64 {
+    let share = (t - near) / (far - near);
+    0.7 - 0.68 * share.clamp(0.0, 1.0)
 }
 
 /// The colour of a number from 0 to 1, from dark blue over green and yellow to white.

@@ -12,7 +12,7 @@ pub(super) fn closest(
     triangles: &[[Xyz; 6]],
     spheres: &[(Xyz, f64)],
     view: &View,
-    far: f64,
+    range: [f64; 2],
 ) -> Vec<Panel> {
     let triangles: Vec<_> = triangles.iter().map(convert::triangle).collect();
     let spheres: Vec<_> = spheres.iter().map(convert::sphere).collect();
@@ -28,7 +28,7 @@ pub(super) fn closest(
             closest = intersect::intersect_sphere(sphere, id, &mut ray).or(closest);
         }
         closest.map_or([[0.0; 3]; 2], |hit| {
-            [direction_colour(hit.n), [nearness(hit.t, far); 3]]
+            [direction_colour(hit.n), [nearness(hit.t, range); 3]]
         })
     })
 }

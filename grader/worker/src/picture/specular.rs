@@ -12,6 +12,9 @@ const PATHS: u32 = 16;
 /// The largest number of boundaries of a path.
 const BOUNDARIES: u32 = 6;
 
+/// Distance of the rays' origins from the plane of the balls.
+const BEHIND: f64 = 6.0;
+
 /// Height of the floor below the centres of the balls, whose radius is 1.
 const FLOOR: f64 = -1.0;
 
@@ -44,7 +47,7 @@ fn balls(size: [u32; 2]) -> Panel {
                 .to_array();
             }
         }
-        surroundings(right * Vec3::X + rise * up, forward).to_array()
+        surroundings(right * Vec3::X + rise * up - BEHIND * forward, forward).to_array()
     })
 }
 
@@ -95,11 +98,11 @@ fn surroundings(p: Vec3, d: Vec3) -> Spectrum {
         return Spectrum::grey(f64::NAN);
     }
     let to_floor = (FLOOR - p.y) / d.y;
-    if d.y < 0.0 && to_floor > 0.0 && to_floor < 14.0 {
+    if d.y < 0.0 && to_floor > 0.0 && to_floor < 22.0 {
         let place = p + to_floor * d;
         let is_dark = (place.x.floor() + place.z.floor()).rem_euclid(2.0) < 1.0;
         let shade = if is_dark { 0.06 } else { 0.45 };
-        return Spectrum::grey(shade) * (1.0 - to_floor / 20.0);
+        return Spectrum::grey(shade) * (1.0 - to_floor / 30.0);
     }
     let sky = 0.5 + 0.5 * d.y;
     if d.x.abs() > 0.75 && d.y.abs() < 0.35 {

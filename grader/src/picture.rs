@@ -117,20 +117,20 @@ fn yours(
     })
 }
 
-/// Renders and writes the pictures of `tasks` that have an answer. Returns the path of each, or
-/// `None` where there is nothing to see: the task is not written, or its code ends in a panic.
+/// Renders and writes the pictures of `tasks`. Returns the keys and paths of those that show
+/// something: the others are not written yet, or end in a panic.
 pub fn write_all(
     workspace: &Workspace,
     course: &Course,
     tasks: &[&Task],
     workers: &WorkerSet,
-) -> Result<Vec<Option<PathBuf>>, GraderError> {
-    let each = tasks.iter().map(|task| {
+) -> Result<Vec<(String, PathBuf)>, GraderError> {
+    let mut written = Vec::new();
+    for task in tasks {
         let rendered = render(workspace, course, task, workers)?;
-        let visible = rendered.filter(|rendered| rendered.yours.is_ok());
-        visible
-            .map(|rendered| rendered.write(workspace))
-            .transpose()
-    });
-    each.collect()
+        if let Some(rendered) = rendered.filter(|rendered| rendered.yours.is_ok()) {
+            written.push((task.key.clone(), rendered.write(workspace)?));
+        }
+    }
+    Ok(written)
 }

@@ -53,7 +53,7 @@ pub enum Differences {
 
 const fn panel(about: &'static str, differences: Differences) -> PanelKind {
     let steps = match differences {
-        Differences::Noise => 21,
+        Differences::Noise => 15,
         _ => 255,
     };
     PanelKind {
@@ -73,7 +73,7 @@ const fn plain(about: &'static str, differences: Differences) -> PanelKind {
 
 const fn coarse(about: &'static str, differences: Differences) -> PanelKind {
     PanelKind {
-        steps: 21,
+        steps: 15,
         ..panel(about, differences)
     }
 }
@@ -240,9 +240,9 @@ pub fn of(task: &str) -> Option<TaskPicture> {
                 ]
             },
             Subject::RareLight {
-                ns_aa: 1024,
-                batch: 64,
-                tolerance: 0.2,
+                ns_aa: 384,
+                batch: 32,
+                tolerance: 0.25,
             },
         ),
         _ => return None,

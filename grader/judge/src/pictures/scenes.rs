@@ -131,15 +131,19 @@ pub(super) fn traversal() -> Subject {
             target: [0.0, 0.72, 0.0],
             h_fov: 36.0,
         },
-        hottest: 160,
+        hottest: 420,
     }
 }
 
-/// Half of the width and depth of the room, whose floor is at y = 0.
+/// Half of the width and depth of the room.
 const HALF: f64 = 1.0;
 
-/// The height of the room.
-const HEIGHT: f64 = 1.5;
+/// The height of its floor. It is not 0: the error bound of a coordinate is relative, and a ray that
+/// leaves a floor at 0 would start in it.
+const FLOOR: f64 = -0.75;
+
+/// The height of its ceiling.
+const CEILING: f64 = 0.75;
 
 const WHITE: Material = Material::Diffuse([0.75; 3]);
 const RED: Material = Material::Diffuse([0.7, 0.13, 0.1]);
@@ -165,15 +169,15 @@ fn plate(
 }
 
 /// A room with a red wall on the left and a green one on the right, open to the front, with a tall
-/// block of `material` and a low white one, and a lamp of half the width `lamp` at the ceiling.
-fn room(material: Material, lamp: f64, radiance: Xyz) -> LitWorld {
-    let (l, h) = (HALF, HEIGHT);
+/// and a low white block, and a lamp of half the width `lamp` at the ceiling.
+fn room(lamp: f64, radiance: Xyz) -> LitWorld {
+    let (l, f, h) = (HALF, FLOOR, CEILING);
     let mut panels = vec![
-        plate(1, 0.0, [-l, -l], [l, l], 1.0, WHITE),
+        plate(1, f, [-l, -l], [l, l], 1.0, WHITE),
         plate(1, h, [-l, -l], [l, l], -1.0, WHITE),
-        plate(2, -l, [-l, 0.0], [l, h], 1.0, WHITE),
-        plate(0, -l, [0.0, -l], [h, l], 1.0, RED),
-        plate(0, l, [0.0, -l], [h, l], -1.0, GREEN),
+        plate(2, -l, [-l, f], [l, h], 1.0, WHITE),
+        plate(0, -l, [f, -l], [h, l], 1.0, RED),
+        plate(0, l, [f, -l], [h, l], -1.0, GREEN),
         plate(
             1,
             h - 0.01,
@@ -183,8 +187,8 @@ fn room(material: Material, lamp: f64, radiance: Xyz) -> LitWorld {
             Material::Emission(radiance),
         ),
     ];
-    panels.extend(block([-0.65, 0.0, -0.6], [-0.1, 0.95, -0.1], material));
-    panels.extend(block([0.1, 0.0, -0.05], [0.6, 0.42, 0.45], WHITE));
+    panels.extend(block([-0.65, f, -0.6], [-0.1, 0.2, -0.1], WHITE));
+    panels.extend(block([0.1, f, -0.05], [0.6, -0.33, 0.4], WHITE));
     LitWorld {
         panels,
         lights: Vec::new(),
@@ -204,26 +208,26 @@ fn block([x0, y0, z0]: Xyz, [x1, y1, z1]: Xyz, material: Material) -> [Panel; 5]
 }
 
 const ROOM_VIEW: View = View {
-    eye: [0.1, 0.85, 3.9],
-    target: [0.0, 0.74, 0.0],
+    eye: [0.1, 0.1, 3.9],
+    target: [0.0, -0.01, 0.0],
     h_fov: 39.0,
 };
 
 /// The room under a wide lamp, which random directions often hit.
 pub(super) fn hemisphere() -> Subject {
     Subject::Direct {
-        world: room(WHITE, 0.75, [1.6, 1.5, 1.3]),
+        world: room(0.75, [1.6, 1.5, 1.3]),
         view: ROOM_VIEW,
         strategy: Strategy::Hemisphere,
-        samples: 128,
+        samples: 64,
     }
 }
 
 /// The room under a small lamp, with a second light without extent: a point in front of it.
 pub(super) fn lights() -> Subject {
-    let mut world = room(WHITE, 0.3, [7.0, 6.5, 5.5]);
+    let mut world = room(0.3, [7.0, 6.5, 5.5]);
     world.lights.push(wire::light::Light::Point {
-        position: [0.85, 0.5, 0.8],
+        position: [0.75, -0.25, 0.8],
         intensity: [0.1, 0.14, 0.25],
     });
     Subject::Direct {
@@ -236,13 +240,13 @@ pub(super) fn lights() -> Subject {
 
 /// The room with a mirror in its left wall.
 pub(super) fn paths() -> Subject {
-    let mut world = room(WHITE, 0.35, [7.0, 6.5, 5.5]);
+    let mut world = room(0.6, [2.4, 2.25, 1.9]);
     let mirror = Material::Mirror([0.9; 3]);
     world.panels.push(plate(
         0,
         0.001 - HALF,
-        [0.25, -0.7],
-        [1.2, 0.75],
+        [-0.5, -0.7],
+        [0.45, 0.75],
         1.0,
         mirror,
     ));
@@ -250,17 +254,17 @@ pub(super) fn paths() -> Subject {
         world,
         view: ROOM_VIEW,
         max_depth: 5,
-        samples: 32,
+        samples: 12,
     }
 }
 
 /// The room under a small lamp, sampled adaptively.
 pub(super) fn adaptive() -> Subject {
     Subject::Adaptive {
-        world: room(WHITE, 0.35, [6.0, 5.6, 4.8]),
+        world: room(0.35, [6.0, 5.6, 4.8]),
         view: ROOM_VIEW,
-        ns_aa: 256,
-        batch: 32,
-        tolerance: 0.08,
+        ns_aa: 128,
+        batch: 16,
+        tolerance: 0.1,
     }
 }

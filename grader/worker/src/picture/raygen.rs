@@ -36,7 +36,8 @@ fn world(point: Vec2) -> Spectrum {
         return Spectrum::BLACK;
     }
     let from_centre = (point - Vec2::new(0.35, 0.4)) * Vec2::new(4.0 / 3.0, 1.0);
-    let ring = 0.5 + 0.5 * math::cos(150.0 * from_centre.length_squared());
+    let wave = math::cos(110.0 * from_centre.length_squared());
+    let ring = (0.5 + 1.5 * wave).clamp(0.0, 1.0);
     Spectrum::new(0.05 + 0.55 * point.x, 0.25, 0.05 + 0.55 * point.y) * ring
 }
 

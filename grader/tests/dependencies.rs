@@ -69,6 +69,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "judge",
             "oracle",
             "pages",
+            "pictures",
             "submission",
             "wire",
         ],
@@ -80,7 +81,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     (
         "cost",
         &[
-            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "wire",
+            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures", "wire",
         ],
     ),
     ("golden", &[]),

@@ -71,9 +71,9 @@ const fn plain(about: &'static str, differences: Differences) -> PanelKind {
     }
 }
 
-const fn coarse(about: &'static str, differences: Differences) -> PanelKind {
+const fn coarse(about: &'static str, differences: Differences, steps: u8) -> PanelKind {
     PanelKind {
-        steps: 15,
+        steps,
         ..panel(about, differences)
     }
 }
@@ -110,7 +110,7 @@ pub fn of(task: &str) -> Option<TaskPicture> {
             "part1.task1",
             const {
                 &[
-                    coarse("1 sample per pixel", Values),
+                    coarse("1 sample per pixel", Values, 15),
                     panel("16 samples per pixel", Noise),
                 ]
             },
@@ -200,7 +200,7 @@ pub fn of(task: &str) -> Option<TaskPicture> {
         ),
         "part4.task2" => (
             "part4.task2",
-            const { &[panel("direct and indirect light", Noise)] },
+            const { &[coarse("direct and indirect light", Noise, 12)] },
             scenes::paths(),
         ),
         "part4.task3" => (

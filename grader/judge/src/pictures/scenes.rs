@@ -216,7 +216,7 @@ const ROOM_VIEW: View = View {
 /// The room under a wide lamp, which random directions often hit.
 pub(super) fn hemisphere() -> Subject {
     Subject::Direct {
-        world: room(0.75, [1.6, 1.5, 1.3]),
+        world: room(0.75, [1.5; 3]),
         view: ROOM_VIEW,
         strategy: Strategy::Hemisphere,
         samples: 64,
@@ -225,7 +225,7 @@ pub(super) fn hemisphere() -> Subject {
 
 /// The room under a small lamp, with a second light without extent: a point in front of it.
 pub(super) fn lights() -> Subject {
-    let mut world = room(0.3, [7.0, 6.5, 5.5]);
+    let mut world = room(0.3, [6.5; 3]);
     world.lights.push(wire::light::Light::Point {
         position: [0.75, -0.25, 0.8],
         intensity: [0.1, 0.14, 0.25],
@@ -240,7 +240,7 @@ pub(super) fn lights() -> Subject {
 
 /// The room with a mirror in its left wall.
 pub(super) fn paths() -> Subject {
-    let mut world = room(0.6, [2.4, 2.25, 1.9]);
+    let mut world = room(0.6, [1.7; 3]);
     let mirror = Material::Mirror([0.9; 3]);
     world.panels.push(plate(
         0,
@@ -261,7 +261,7 @@ pub(super) fn paths() -> Subject {
 /// The room under a small lamp, sampled adaptively.
 pub(super) fn adaptive() -> Subject {
     Subject::Adaptive {
-        world: room(0.35, [6.0, 5.6, 4.8]),
+        world: room(0.35, [5.5; 3]),
         view: ROOM_VIEW,
         ns_aa: 128,
         batch: 16,

@@ -29,7 +29,7 @@ pub(super) fn sample_loop(size: [u32; 2], samples: &[u32]) -> Vec<Panel> {
     each.collect()
 }
 
-/// Rings around a point that is not the centre; redder to the right, bluer to the top, black
+/// Rings around a point that is not the centre; redder to the right, bluer to the left, black
 /// outside of the film.
 fn world(point: Vec2) -> Spectrum {
     if !(0.0..=1.0).contains(&point.x) || !(0.0..=1.0).contains(&point.y) {
@@ -38,7 +38,7 @@ fn world(point: Vec2) -> Spectrum {
     let from_centre = (point - Vec2::new(0.35, 0.4)) * Vec2::new(4.0 / 3.0, 1.0);
     let wave = math::cos(110.0 * from_centre.length_squared());
     let ring = (0.5 + 1.5 * wave).clamp(0.0, 1.0);
-    Spectrum::new(0.05 + 0.55 * point.x, 0.25, 0.05 + 0.55 * point.y) * ring
+    Spectrum::new(0.05 + 0.55 * point.x, 0.25, 0.6 - 0.55 * point.x) * ring
 }
 
 /// Degrees between two lines of longitude or latitude.

@@ -8,6 +8,7 @@
 use grader::course::Course;
 use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
+use judge::pictures;
 use judge::snapshot;
 use judge::tally::Finding;
 use judge::whole::{Whole, judge_whole};
@@ -120,6 +121,9 @@ fn check(part: &str) {
                 Err(why) => wrong.push(format!("{} {}: {why}", spec.task, spec.name)),
             }
         }
+        if let Err(why) = check_task_picture(&workspace, &task.key, bless) {
+            wrong.push(format!("{} {}: {why}", task.key, pictures::NAME));
+        }
         // What is refused is not blessed, nor is a list of what is not judged in it.
         if let Some(list) = not_judged
             && (!bless || wrong.is_empty())
@@ -223,6 +227,39 @@ fn check_picture(
     }
     let new = path.with_extension("new.png");
     picture::write_png(&new, &actual).map_err(|e| e.to_string())?;
+    differs(&path, &new, bless)
+}
+
+/// The largest file of a task's picture: a handout contains all of them.
+const LARGEST_PICTURE: usize = 60_000;
+
+/// Compares the picture that students see of a task with what the reference renders, bit for bit.
+fn check_task_picture(workspace: &Workspace, task: &str, bless: bool) -> Result<(), String> {
+    let picture = pictures::of(task).ok_or("the task has no picture")?;
+    let actual = match answer(&picture.spec())? {
+        Some(Answer::Picture(answer)) => ::pictures::tone::compose(&picture, &answer),
+        Some(other) => return Err(format!("the worker's answer is {}", other.kind())),
+        None => return Ok(()),
+    };
+    let path = workspace.golden_picture(task, pictures::NAME);
+    if ::pictures::png::read(&path).is_ok_and(|golden| golden == actual) {
+        return Ok(());
+    }
+    let file = ::pictures::png::encode(&actual);
+    let new = path.with_extension("new.png");
+    std::fs::write(&new, &file).map_err(|e| e.to_string())?;
+    if file.len() > LARGEST_PICTURE {
+        return Err(format!(
+            "{} has {} bytes, expected at most {LARGEST_PICTURE}: give its panels fewer steps or more samples",
+            new.display(),
+            file.len()
+        ));
+    }
+    differs(&path, &new, bless)
+}
+
+/// That the new picture differs is an error, unless it is to be blessed.
+fn differs(path: &Path, new: &Path, bless: bool) -> Result<(), String> {
     if bless {
         Ok(())
     } else {

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use wire::answer::{HitsAnswer, VisitsAnswer};
 use wire::file::{FrameReader, MAX_FRAME_BYTES, write_frame};
+use wire::picture::PictureAnswer;
 use wire::work::{Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
 use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
 
@@ -78,13 +79,17 @@ fn measurements() -> Vec<Case> {
         tree: scene.tree.clone(),
         rays,
     });
+    let mut picture = judge::pictures::of("part3.task1").expect("the task has a picture");
+    picture.work.size = [8, 6];
     let case = |work: Work| Case {
         task: "part2.task3".into(),
         name: "measurement".into(),
         limit_ms: 5000,
         work,
     };
-    [timing, test, visits].map(case).to_vec()
+    [timing, test, visits, Work::Picture(picture.work)]
+        .map(case)
+        .to_vec()
 }
 
 /// How many entries an answer has, counted without the grader's help: where there are several
@@ -118,6 +123,7 @@ fn entries(answer: &Answer) -> Vec<usize> {
         Answer::Roulette(answers) => vec![answers.len()],
         Answer::Stop(answers) | Answer::SureStop(answers) => vec![answers.len()],
         Answer::AdaptivePixels(answers) => vec![answers.len()],
+        Answer::Picture(answer) => answer.panels.iter().map(Vec::len).collect(),
     }
 }
 
@@ -173,6 +179,15 @@ impl Change {
                         let mut times = times.clone();
                         times.tree_s = self.of(&times.tree_s);
                         vec![Answer::Timing(times)]
+                    }
+                    Answer::Picture(picture) => {
+                        let mut pixels = picture.clone();
+                        pixels.panels[0] = self.of(&picture.panels[0]);
+                        let panels = self.of(&picture.panels);
+                        vec![
+                            Answer::Picture(pixels),
+                            Answer::Picture(PictureAnswer { panels }),
+                        ]
                     }
                     Answer::Visits(visits) => {
                         let rays = self.of(&visits.rays);

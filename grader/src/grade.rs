@@ -5,6 +5,7 @@ use crate::course::{Course, Task, stages_of};
 use crate::crash::{self, Crash};
 use crate::diagnosis::{self, Diagnosis};
 use crate::error::GraderError;
+use crate::picture;
 use crate::printed::Printed;
 use crate::regularity;
 use crate::report::{Report, TaskReport};
@@ -51,8 +52,23 @@ pub fn in_place(
     let specs = cases::all(request.seed);
     let times = times && speedup::applies_to(&tasks);
     let workers = workers(&BuildRoot::of(workspace), &tasks, &specs, times)?;
-    let run = run(&workers, &course, &tasks, &specs)?;
-    let tasks = explain(workspace, run.results, &specs)?;
+    // The pictures are rendered on another processor, before anything is timed.
+    let (run, pictures) = std::thread::scope(|scope| {
+        let pictures = scope.spawn(|| picture::write_all(workspace, &course, &tasks, &workers));
+        let run = run(&workers, &course, &tasks, &specs);
+        let pictures = pictures
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        (run, pictures)
+    });
+    let run = run?;
+    let mut tasks = explain(workspace, run.results, &specs)?;
+    for (task, path) in pictures? {
+        let report = tasks.iter_mut().find(|report| report.result.key == task);
+        report
+            .into_iter()
+            .for_each(|report| report.picture = Some(path.clone()));
+    }
     let speedups = if times {
         Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
@@ -156,6 +172,7 @@ fn explain(
                 false => regularity::of(&result.key, &result.cases, specs),
             },
             worst_as_test: repro::worst(failed_cases(&result.cases), specs, &result.key),
+            picture: None,
             result,
         })
     });

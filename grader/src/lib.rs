@@ -9,6 +9,7 @@
 //! - [`compile`], [`worker_set`], [`stage_workers`], [`runner`]: building and running the workers
 //! - the crate [`judge`]: which answers are right
 //! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake; [`speedup`]: times
+//! - [`picture`]: what the code renders
 //! - [`report`]: the output
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
@@ -26,7 +27,9 @@ pub mod diagnosis;
 pub mod error;
 pub mod grade;
 pub mod interrupt;
+pub mod last_report;
 pub mod packed;
+pub mod picture;
 pub mod printed;
 pub mod records;
 pub mod regularity;

@@ -76,6 +76,22 @@ impl Workspace {
             .join(format!("{case}.png"))
     }
 
+    /// The path of the file `name` in `target/first-light`, the folder of what the grader writes for
+    /// students. Creates the folder.
+    pub fn for_students(&self, name: &str) -> Result<PathBuf, GraderError> {
+        let folder = self.root.join("target").join("first-light");
+        std::fs::create_dir_all(&folder).map_err(|e| GraderError::file("create", &folder, e))?;
+        Ok(folder.join(name))
+    }
+
+    /// `path` as seen from the current folder if it is below it, otherwise unchanged.
+    pub fn relative<'a>(&self, path: &'a Path) -> &'a Path {
+        match std::env::current_dir() {
+            Ok(here) => path.strip_prefix(here).unwrap_or(path),
+            Err(_) => path,
+        }
+    }
+
     /// The path of the list of what the oracle does not judge in the goldens of a task.
     pub fn not_judged(&self, task: &str) -> PathBuf {
         self.root.join("golden").join(task).join("not_judged.txt")

@@ -57,8 +57,9 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("statistics", &["kit"]),
     ("oracle", &["kit"]),
     ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
-    ("grader", &["kit", "judge", "wire"]),
-    ("pages", &["grader", "judge", "wire"]),
+    ("pictures", &["judge", "kit", "wire"]),
+    ("grader", &["kit", "judge", "pictures", "wire"]),
+    ("pages", &["grader", "judge", "pictures", "wire"]),
     ("submission", &["grader", "judge"]),
     (
         "review",
@@ -68,6 +69,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "judge",
             "oracle",
             "pages",
+            "pictures",
             "submission",
             "wire",
         ],
@@ -79,7 +81,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     (
         "cost",
         &[
-            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "wire",
+            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures", "wire",
         ],
     ),
     ("golden", &[]),

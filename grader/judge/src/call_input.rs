@@ -93,7 +93,11 @@ pub fn of(work: &Work, call: usize) -> Option<String> {
                 pixel.ns_aa, pixel.batch, pixel.tolerance
             )
         }),
-        Work::BuildGrowth(_) | Work::Timing(_) | Work::TimeTest(_) | Work::Visits(_) => None,
+        Work::BuildGrowth(_)
+        | Work::Timing(_)
+        | Work::TimeTest(_)
+        | Work::Visits(_)
+        | Work::Picture(_) => None,
     }
 }
 

@@ -10,8 +10,9 @@
 //! explain the most first. [`truth`] computes the exact results for triangles and spheres with the
 //! oracle, [`scene`] those for whole scenes; [`expected`] has their type and [`expected_cache`]
 //! stores them. [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical
-//! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] pictures;
-//! [`call_input`] describes a call that crashed.
+//! errors. [`snapshot`] writes goldens, [`repro`] Rust tests, [`picture`] the colours of answers;
+//! [`pictures`] are those that students see of their code. [`call_input`] describes a call that
+//! crashed.
 
 pub mod call_input;
 pub mod cases;
@@ -27,6 +28,7 @@ mod independence;
 mod numbers;
 mod order;
 pub mod picture;
+pub mod pictures;
 mod plural;
 pub mod repro;
 pub mod scene;

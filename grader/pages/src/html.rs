@@ -1,8 +1,6 @@
 //! Building blocks of self-contained HTML pages.
 
-use crate::picture::encode_png;
-use grader::error::GraderError;
-use image::RgbImage;
+use pictures::{Image, png};
 
 /// Escapes `text` for use in HTML text and attribute values.
 pub fn escape(text: &str) -> String {
@@ -41,9 +39,8 @@ pub fn base64(bytes: &[u8]) -> String {
 }
 
 /// Encodes the picture as a PNG in a data URI, for the `src` of an `<img>`.
-pub fn png_data_uri(picture: &RgbImage) -> Result<String, GraderError> {
-    let png = base64(&encode_png(picture)?);
-    Ok(format!("data:image/png;base64,{png}"))
+pub fn png_data_uri(picture: &Image) -> String {
+    format!("data:image/png;base64,{}", base64(&png::encode(picture)))
 }
 
 /// Escapes JSON for a `<script>` element, so that nothing in it closes the element.

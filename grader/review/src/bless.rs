@@ -231,15 +231,12 @@ fn snapshot(path: &Path) -> Result<Snapshot, GraderError> {
 
 fn pixels(golden: &Path, new: &Path) -> Result<String, GraderError> {
     let (old, new) = (read_png(golden)?, read_png(new)?);
-    if old.dimensions() != new.dimensions() {
-        return Ok(format!(
-            "size {:?} became {:?}",
-            old.dimensions(),
-            new.dimensions()
-        ));
+    if old.size() != new.size() {
+        return Ok(format!("size {:?} became {:?}", old.size(), new.size()));
     }
     let differing = old
         .pixels()
+        .iter()
         .zip(new.pixels())
         .filter(|(a, b)| a != b)
         .count();

@@ -8,13 +8,13 @@ use crate::bless;
 use grader::error::GraderError;
 use grader::runner::Worker;
 use grader::workspace::Workspace;
-use image::RgbImage;
 use judge::Tier;
 use judge::cases::Spec;
 use judge::snapshot::{self, Changes, Fields, Line, Snapshot, changes};
 use judge::tally::{Aspect, Finding};
 use judge::whole::{Counts, Whole, judge_whole};
 use pages::picture::{compose, read_png};
+use pictures::Image;
 use std::collections::{BTreeMap, BTreeSet};
 use wire::Answer;
 
@@ -166,7 +166,7 @@ fn pictures(
     workspace: &Workspace,
     spec: &Spec,
     answer: &Answer,
-) -> Result<Option<[RgbImage; 2]>, GraderError> {
+) -> Result<Option<[Image; 2]>, GraderError> {
     let Some(actual) = spec
         .picture
         .and_then(|size| compose(size, &spec.work, answer))
@@ -178,23 +178,23 @@ fn pictures(
 }
 
 /// The number of pixels with different colours; all if the sizes differ.
-fn recoloured([golden, actual]: &[RgbImage; 2]) -> usize {
-    if golden.dimensions() != actual.dimensions() {
+fn recoloured([golden, actual]: &[Image; 2]) -> usize {
+    if golden.size() != actual.size() {
         return actual.pixels().len();
     }
-    let pairs = golden.pixels().zip(actual.pixels());
+    let pairs = golden.pixels().iter().zip(actual.pixels());
     pairs.filter(|(golden, actual)| golden != actual).count()
 }
 
 fn picture(
     spec: &Spec,
     [golden, actual, full]: [&Snapshot; 3],
-    [old, new]: [RgbImage; 2],
+    [old, new]: [Image; 2],
     wrong: &BTreeMap<u32, Vec<Aspect>>,
     answer: &Answer,
     together: &Result<Worker, String>,
 ) -> Result<Picture, GraderError> {
-    let comparable = old.dimensions() == new.dimensions()
+    let comparable = old.size() == new.size()
         && [golden, actual].map(|snapshot| snapshot.calls) == [old.pixels().len(); 2];
     let pixels = if comparable {
         let boxes = box_tests::of_case(spec, answer, together)?;

@@ -1,8 +1,9 @@
 //! Why a pixel differs.
 
-use image::Rgb;
 use judge::snapshot::Line;
 use judge::tally::Aspect;
+use pictures::image::Rgb;
+use pictures::palette;
 use serde::Serialize;
 
 /// The first difference of a call's answer from the golden, in this order. "False" means different
@@ -102,18 +103,17 @@ impl Cause {
         }
     }
 
-    /// Its colour in the picture of differences: those that Okabe and Ito chose so that everybody
-    /// can distinguish them ("Color Universal Design", 2008).
-    pub fn colour(self) -> Rgb<u8> {
-        Rgb(match self {
+    /// Its colour in the picture of differences.
+    pub fn colour(self) -> Rgb {
+        match self {
             Cause::Same => [128, 128, 128],
-            Cause::FalseHit => [213, 94, 0],
-            Cause::FalseMiss => [86, 180, 233],
-            Cause::Primitive => [0, 158, 115],
-            Cause::T => [240, 228, 66],
-            Cause::Normal => [204, 121, 167],
-            Cause::Value => [230, 159, 0],
-        })
+            Cause::FalseHit => palette::VERMILION,
+            Cause::FalseMiss => palette::SKY_BLUE,
+            Cause::Primitive => palette::GREEN,
+            Cause::T => palette::YELLOW,
+            Cause::Normal => palette::PURPLE,
+            Cause::Value => palette::ORANGE,
+        }
     }
 }
 

@@ -7,7 +7,6 @@ use judge::scene;
 use judge::snapshot::{Fields, Value, record};
 use judge::{convert, truth};
 use kit::{Aabb, Primitive, Scene};
-use rayon::prelude::*;
 use wire::Work;
 use wire::answer::Hit;
 use wire::work::{BoxWork, BruteForceWork, Ray, SceneWork};
@@ -51,14 +50,12 @@ pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     }
 }
 
-fn of_scene(spec: &Spec, scene: &Scene, rays: &[Ray], calls: &[u32]) -> Vec<Fields> {
-    let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+fn of_scene(spec: &Spec, shapes: &Scene, rays: &[Ray], calls: &[u32]) -> Vec<Fields> {
+    let shapes: Vec<Primitive<'_>> = shapes.primitives().collect();
     let first_of =
         |ray: &Ray| truth::first_of(Tier::Robust, &shapes, &convert::ray(ray), spec.enclosed);
-    let calls = calls.par_iter();
-    calls
-        .map(|&call| fields(&first_of(&rays[call as usize])))
-        .collect()
+    let chosen: Vec<Ray> = calls.iter().map(|&call| rays[call as usize]).collect();
+    scene::of_each_ray(&chosen, |ray| fields(&first_of(ray)))
 }
 
 fn fields(expected: &Expected) -> Fields {

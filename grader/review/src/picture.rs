@@ -4,10 +4,11 @@ use super::box_tests::BoxTests;
 use super::cause::Cause;
 use super::columns::{Column, columns};
 use super::exact;
-use image::{Rgb, RgbImage};
 use judge::cases::Spec;
 use judge::snapshot::{Fields, Line, Snapshot};
 use judge::tally::Aspect;
+use pictures::image::Rgb;
+use pictures::{Image, palette};
 use std::collections::BTreeMap;
 use wire::Work;
 
@@ -15,9 +16,9 @@ use wire::Work;
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// The picture that students are graded against.
-    pub golden: RgbImage,
+    pub golden: Image,
     /// The picture of the code under review.
-    pub actual: RgbImage,
+    pub actual: Image,
     /// The data of the pixels; `None` if the two pictures differ in size.
     pub pixels: Option<Pixels>,
 }
@@ -29,7 +30,7 @@ pub struct Pixels {
     /// Why each pixel differs.
     pub causes: Vec<Cause>,
     /// The actual picture in grey, coloured where it differs.
-    pub difference: RgbImage,
+    pub difference: Image,
     /// The fields of the questions.
     pub question: Vec<Column>,
     /// The golden's answers, as far as they are known.
@@ -66,17 +67,14 @@ pub struct Exact {
     pub records: Vec<Column>,
 }
 
-/// The brightness of grey pixels is multiplied by this, so that colours are easy to see.
-const DIMMED: f64 = 0.5;
-
 impl Pixels {
     /// Compares pixel by pixel. `golden` and `actual` are snapshots as they are stored, `full` is
     /// `actual` with a row for every call, in full; the pictures have a pixel for each call.
     /// `wrong` is what the exact oracle finds wrong.
     pub fn of(
         spec: &Spec,
-        golden: (&Snapshot, &RgbImage),
-        actual: (&Snapshot, &RgbImage),
+        golden: (&Snapshot, &Image),
+        actual: (&Snapshot, &Image),
         full: &Snapshot,
         wrong: &BTreeMap<u32, Vec<Aspect>>,
         boxes: Option<BoxTests>,
@@ -85,7 +83,7 @@ impl Pixels {
         let same_answers = golden.0.hash == full.hash;
         let golden_hits: Option<Vec<bool>> = misses_are_black(&spec.work).then(|| {
             let colours = from_the_bottom(golden.1);
-            colours.map(|colour| *colour != Rgb([0; 3])).collect()
+            colours.map(|colour| colour != [0; 3]).collect()
         });
         let cause = |line: &Line, same_colour: bool| {
             let call = line.call;
@@ -157,23 +155,19 @@ fn misses_are_black(work: &Work) -> bool {
 }
 
 /// The pixels in the order of calls: row by row from the bottom left.
-fn from_the_bottom(picture: &RgbImage) -> impl Iterator<Item = &Rgb<u8>> {
-    let (w, h) = picture.dimensions();
+fn from_the_bottom(picture: &Image) -> impl Iterator<Item = Rgb> {
+    let [w, h] = picture.size();
     (0..h)
         .rev()
-        .flat_map(move |y| (0..w).map(move |x| picture.get_pixel(x, y)))
+        .flat_map(move |y| (0..w).map(move |x| picture.get(x, y)))
 }
 
-fn difference(actual: &RgbImage, causes: &[Cause]) -> RgbImage {
-    let (w, h) = actual.dimensions();
-    RgbImage::from_fn(w, h, |x, y| {
-        let cause = causes[((h - 1 - y) * w + x) as usize];
-        if cause != Cause::Same {
-            return cause.colour();
+fn difference(actual: &Image, causes: &[Cause]) -> Image {
+    let [w, h] = actual.size();
+    Image::from_fn([w, h], |x, y| {
+        match causes[((h - 1 - y) * w + x) as usize] {
+            Cause::Same => palette::dimmed(actual.get(x, y)),
+            cause => cause.colour(),
         }
-        let [r, g, b] = actual.get_pixel(x, y).0.map(f64::from);
-        // Luma (Rec. 709).
-        let grey = (DIMMED * (0.2126 * r + 0.7152 * g + 0.0722 * b)) as u8;
-        Rgb([grey; 3])
     })
 }

@@ -1,11 +1,13 @@
 //! The command line of `grader`.
 //!
-//! `grader part1` grades in this program ([`grade`]). Each other command is a separate program
+//! `grader part1` grades in this program ([`grade`]), and `grader picture` renders in it
+//! ([`mod@picture`]). Each other command is a separate program
 //! (`subprogram`), so that a student who only grades does not have to compile it. This module
 //! contains what they all share: the [`Verdict`], the exit codes ([`run_to_exit_code`]) and common
 //! options.
 
 pub mod grade;
+pub mod picture;
 mod subprogram;
 
 use crate::error::GraderError;
@@ -74,6 +76,7 @@ fn command() -> Command {
         .args_conflicts_with_subcommands(true)
         .subcommand_negates_reqs(true)
         .after_help(EXIT_CODES)
+        .subcommand(picture::command())
         .subcommands(subprograms)
 }
 
@@ -175,6 +178,9 @@ pub fn main() -> ExitCode {
 
 fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     if let Some((name, rest)) = matches.subcommand() {
+        if name == picture::NAME {
+            return picture::run(rest);
+        }
         let subprogram = SUBPROGRAMS.iter().find(|(other, ..)| *other == name);
         let (_, package, _) = subprogram.expect("clap accepts no other command");
         let arguments = [OsString::from(name)]

@@ -12,7 +12,7 @@ use crate::score::TaskResult;
 use crate::speedup::Speedups;
 use serde::Serialize;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The report of one run of the grader.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -45,6 +45,9 @@ pub struct TaskReport {
     pub regularities: Vec<String>,
     /// A Rust test that reproduces the worst wrong answer.
     pub worst_as_test: Option<String>,
+    /// The picture of the task: golden, the code's and their difference, if it was rendered.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub picture: Option<PathBuf>,
 }
 
 impl From<TaskResult> for TaskReport {
@@ -55,6 +58,7 @@ impl From<TaskResult> for TaskReport {
             diagnosis: None,
             regularities: Vec::new(),
             worst_as_test: None,
+            picture: None,
         }
     }
 }

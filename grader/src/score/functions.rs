@@ -180,8 +180,9 @@ pub(super) fn results(task: &Task, cases: &[CaseResult]) -> Vec<FunctionResult> 
             let name = name.clone();
             return Some(FunctionResult { name, status });
         }
-        let own_shares: Vec<&FunctionShare> =
-            core.flat_map(|case| case.shares.iter().filter(own)).collect();
+        let own_shares: Vec<&FunctionShare> = core
+            .flat_map(|case| case.shares.iter().filter(own))
+            .collect();
         let needs = own_shares.iter().find_map(|share| share.hole.clone());
         let wrong = own_shares.iter().filter(|share| share.fraction < 1.0);
         let status = match (needs, own_shares.len(), wrong.count()) {

@@ -10,6 +10,7 @@ use crate::answer::{
 };
 use crate::direct::{DirectAnswer, DirectWork, LambertAnswer, LambertProbe};
 use crate::global::{PathAnswer, RouletteWork, ScriptedPath, SpecularAnswer, SpecularCall};
+use crate::picture::{PictureAnswer, PictureWork};
 use crate::work::{
     BoxWork, BruteForceWork, BuildGrowthWork, BuildWork, CameraWork, PixelWork, Ray, SceneWork,
     ScriptedWorld, SphereWork, TestTiming, TimingWork, TriangleWork, VisitsWork, Xyz,
@@ -99,4 +100,6 @@ kinds! {
     SureStop(Vec<StopCall>) -> Vec<StopAnswer>;
     /// Call `raytrace_pixel_adaptive` with samples that are given.
     AdaptivePixels(Vec<AdaptivePixel>) -> Vec<AdaptiveAnswer>;
+    /// Render the picture of a task.
+    Picture(PictureWork) -> PictureAnswer;
 }

@@ -6,8 +6,8 @@
 //! [`kinds`] lists the kinds of work, each with its question and its answer. [`work`] has the
 //! questions of Parts 1 and 2, [`answer`] their answers and the records of all answers; [`direct`],
 //! [`global`] and [`adaptive`] have both for Parts 3 to 5, and [`light`] the materials and lights
-//! of scripted worlds. [`mod@file`] reads and writes them: the records that a worker has finished
-//! can be read even if it is killed.
+//! of scripted worlds. [`mod@picture`] has the pictures of tasks. [`mod@file`] reads and writes all
+//! of them: the records that a worker has finished can be read even if it is killed.
 
 pub mod adaptive;
 pub mod answer;
@@ -16,6 +16,7 @@ pub mod file;
 pub mod global;
 pub mod kinds;
 pub mod light;
+pub mod picture;
 mod printed;
 pub mod work;
 

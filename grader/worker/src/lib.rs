@@ -3,7 +3,8 @@
 //! The worker judges nothing: the right results are in the grader, where the student's code cannot
 //! reach them. [`run()`] runs a case and returns its record; a file per stage does the work
 //! (`raygen`, `intersect`, `bbox`, `bvh`, `direct`, `global`, `adaptive`), each behind the cargo
-//! feature of its name. Code that does not depend on a stage is in [`harness`].
+//! feature of its name; `picture` renders the pictures of their tasks. Code that does not
+//! depend on a stage is in [`harness`].
 
 #[cfg(feature = "adaptive")]
 mod adaptive;
@@ -20,12 +21,13 @@ mod direct;
 mod global;
 #[cfg(feature = "intersect")]
 mod intersect;
-#[cfg(any(feature = "direct", feature = "global"))]
+#[cfg(any(feature = "direct", feature = "global", feature = "adaptive"))]
 mod light;
 #[cfg(feature = "meshes")]
 mod meshes;
-#[cfg(feature = "direct")]
+#[cfg(any(feature = "direct", feature = "global", feature = "adaptive"))]
 mod panels;
+mod picture;
 #[cfg(feature = "raygen")]
 mod raygen;
 pub mod run;

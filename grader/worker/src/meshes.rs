@@ -82,6 +82,11 @@ impl SceneWorld<'_> {
             prim_tests: 0,
         }
     }
+
+    /// The number of tests of boxes and primitives so far.
+    pub(crate) fn tests(&self) -> u64 {
+        self.box_tests + self.prim_tests
+    }
 }
 
 impl World for SceneWorld<'_> {

@@ -31,14 +31,18 @@ pub(crate) fn first_hit(world: &LitWorld, ray: &Ray) -> Option<Hit> {
         let (t, share) = panel.meets(ray.o.into(), ray.d.into())?;
         let half = u32::from(share[0] < share[1]);
         ray.in_range(t)
-            .then(|| (t, PrimId(2 * i as u32 + half), panel.front()))
+            .then(|| (t, PrimId(2 * i as u32 + half), panel))
     });
-    let (t, prim, front) = hits.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (t, prim, panel) = hits.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let front = Vec3::from(panel.front());
+    // Exactly in the plane of the panel: the rays that leave it start there.
+    let mut p = ray.at(t);
+    p[panel.axis] = panel.at;
     Some(Hit {
         t,
-        p: ray.at(t),
-        n: front.into(),
-        ng: front.into(),
+        p,
+        n: front,
+        ng: front,
         uv: Vec2::ZERO,
         prim,
     })

@@ -112,7 +112,7 @@ pub(crate) fn camera_rays(work: &CameraWork) -> Vec<wire::work::Ray> {
         .collect()
 }
 
-fn kit_camera(c: &wire::work::Camera) -> kit::Camera {
+pub(crate) fn kit_camera(c: &wire::work::Camera) -> kit::Camera {
     let [right, up, backward] = c.c2w.map(Vec3::from);
     kit::Camera {
         pos: Vec3::from(c.pos),

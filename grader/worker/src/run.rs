@@ -58,6 +58,8 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
         #[cfg(feature = "adaptive")]
         Work::AdaptivePixels(pixels) => Answer::AdaptivePixels(crate::adaptive::pixels(pixels)),
 
+        Work::Picture(work) => Answer::Picture(crate::picture::picture(work)?),
+
         #[allow(
             unreachable_patterns,
             reason = "a worker with every stage has an arm for each kind"

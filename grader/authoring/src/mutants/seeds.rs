@@ -84,7 +84,7 @@ impl VersionsWorker<'_> {
         for (_, specs) in specs {
             all.extend(chosen(&[task], specs)?);
         }
-        let endings = self.workers(version).run(&all, &mut String::new())?;
+        let endings = self.workers(version).run(&all, &mut Vec::new())?;
         let count = task.cases.len();
         let of_each_seed = all.chunks(count).zip(endings.chunks(count));
         let (name, kind) = &self.versions[version];

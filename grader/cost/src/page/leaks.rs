@@ -8,11 +8,12 @@
 use super::formatting::{name, percent};
 use crate::report::{KernelFamily, KernelRow};
 use grader::error::GraderError;
-use image::{Rgb, RgbImage};
 use kernels::{HitF64, Kernel};
 use kit::{Ray, Triangle, Vec3};
 use meshes::{MeshKind, generate};
 use pages::html::{escape, png_data_uri};
+use pictures::Image;
+use pictures::image::Rgb;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -32,7 +33,7 @@ const NEAR: f64 = 0.8;
 const SAME_WALL: f64 = 1e-3;
 
 /// No surface has this colour.
-const MAGENTA: Rgb<u8> = Rgb([255, 0, 255]);
+const MAGENTA: Rgb = [255, 0, 255];
 
 type TriangleKernel = Kernel<Triangle, HitF64>;
 
@@ -85,7 +86,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<(String, String)>, 
         figure_html += &format!(
             "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {leaks} leaks in magenta\">\
              <figcaption>{}</figcaption></figure>",
-            png_data_uri(&picture)?,
+            png_data_uri(&picture),
             escape(&name(row)),
         );
         text += &match leaks {
@@ -148,12 +149,12 @@ impl MeshView {
     }
 
     /// Renders the picture with `kernel`; also returns the number of leaks.
-    fn picture(&self, kernel: &TriangleKernel) -> (RgbImage, usize) {
-        let colours: Vec<Rgb<u8>> = self
+    fn picture(&self, kernel: &TriangleKernel) -> (Image, usize) {
+        let colours: Vec<Rgb> = self
             .pixels
             .par_iter()
             .map(|hit| match hit {
-                None => Rgb([255; 3]),
+                None => [255; 3],
                 Some(hit) if hit.at_edge && self.is_leak(kernel, hit) => MAGENTA,
                 Some(hit) => shade(&self.mesh[hit.triangle]),
             })
@@ -161,7 +162,7 @@ impl MeshView {
         let leaks = colours.iter().filter(|colour| **colour == MAGENTA).count();
         let [w, h] = SIZE;
         let mut colours = colours.into_iter();
-        let picture = RgbImage::from_fn(w, h, |_, _| colours.next().unwrap_or(MAGENTA));
+        let picture = Image::from_fn([w, h], |_, _| colours.next().unwrap_or(MAGENTA));
         (picture, leaks)
     }
 
@@ -256,8 +257,8 @@ fn aim_at_edge(tri: &Triangle, inner: &[bool; 3], ray: &Ray, t: f64) -> Option<R
 }
 
 /// Shades a triangle in grey, brightest if it faces a light above the camera.
-fn shade(tri: &Triangle) -> Rgb<u8> {
+fn shade(tri: &Triangle) -> Rgb {
     let n = normal(tri).normalize();
     let lamp = (EYE + Vec3::Y).normalize();
-    Rgb([(90.0 + 140.0 * n.dot(lamp).abs()) as u8; 3])
+    [(90.0 + 140.0 * n.dot(lamp).abs()) as u8; 3]
 }

@@ -3,7 +3,7 @@
 //! In a folder, `mod.rs` has the `Check` of the task's kind of work, `cases` its cases, `judge`
 //! judges an answer, `lines` writes it to a snapshot, `repro` writes a Rust test. Kinds of work
 //! that several tasks share have folders of their own: [`brute_force`] (rays through a list of
-//! shapes), [`direct_light`], [`scene_hits`]. [`measurements`] are not judged.
+//! shapes), [`direct_light`], [`scene_hits`]. [`measurements`] and [`pictures`] are not judged.
 
 pub(crate) mod brute_force;
 pub(crate) mod direct_light;
@@ -23,6 +23,7 @@ pub(crate) mod part4_task2;
 pub(crate) mod part4_task3;
 pub(crate) mod part5_task1;
 pub(crate) mod part5_task2;
+pub(crate) mod pictures;
 pub(crate) mod scene_hits;
 
 use crate::cases::Spec;
@@ -69,6 +70,7 @@ checks! {
     Timing => measurements::Timing,
     TimeTest => measurements::TimeTest,
     Visits => measurements::Visits,
+    Picture => pictures::Picture,
 }
 
 /// All cases of all tasks.

@@ -74,7 +74,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             (review, author)
         }
     };
-    write_whole(&out, page::write(&review, &author)?.as_bytes())?;
+    write_whole(&out, page::write(&review, &author).as_bytes())?;
     println!("{}: {}", out.display(), page::summary(&review));
     Ok(if review.is_same() {
         Verdict::Passed

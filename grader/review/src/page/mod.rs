@@ -8,7 +8,6 @@ mod snapshots;
 use super::case::{Case, State};
 use super::{Author, Review};
 use case_text::{count, differs, is_open, is_refuted, is_silent};
-use grader::error::GraderError;
 use judge::plural;
 use pages::html::escape;
 use std::fmt::Write;
@@ -18,7 +17,7 @@ const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
 /// Formats the page.
-pub fn write(review: &Review, author: &Author) -> Result<String, GraderError> {
+pub fn write(review: &Review, author: &Author) -> String {
     // Changed cases come first.
     let (same, changed): (Vec<&Case>, Vec<&Case>) = review
         .cases
@@ -27,14 +26,14 @@ pub fn write(review: &Review, author: &Author) -> Result<String, GraderError> {
     let mut pictures = String::new();
     for case in changed.into_iter().chain(same) {
         if let Some(picture) = &case.picture {
-            pictures.push_str(&pictures::article(case, picture)?);
+            pictures.push_str(&pictures::article(case, picture));
         }
     }
     if pictures.is_empty() {
         pictures.push_str("<p>None of these cases has a picture.</p>\n");
     }
     // Inserts our own texts first, because the text of an answer may contain a placeholder.
-    Ok(TEMPLATE
+    TEMPLATE
         .replace("<!-- style -->", STYLE)
         .replace("<!-- script -->", SCRIPT)
         .replace(
@@ -44,7 +43,7 @@ pub fn write(review: &Review, author: &Author) -> Result<String, GraderError> {
         .replace("<!-- header -->", &header(review, author))
         .replace("<!-- overview -->", &overview(review))
         .replace("<!-- snapshots -->", &snapshots::section(review))
-        .replace("<!-- pictures -->", &pictures))
+        .replace("<!-- pictures -->", &pictures)
 }
 
 /// The result of the review in one sentence.

@@ -5,28 +5,27 @@ use super::rows::rows;
 use crate::case::Case;
 use crate::cause::Cause;
 use crate::picture::{Picture, Pixels};
-use grader::error::GraderError;
-use image::RgbImage;
 use judge::whole::Verdict;
 use pages::html::{base64, escape, json_in_script, png_data_uri};
+use pictures::Image;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Formats a case with its picture.
-pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderError> {
+pub(super) fn article(case: &Case, picture: &Picture) -> String {
     let id = escape(&case.path());
     let mut text = format!(
         "<article class=\"case picture\" id=\"{id}\">\n<h3>{id}</h3>\n{}",
         case_text::describe(case)
     );
-    let image = |who: &str, picture: &RgbImage| -> Result<String, GraderError> {
-        Ok(format!(
+    let image = |who: &str, picture: &Image| {
+        format!(
             "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
-            png_data_uri(picture)?
-        ))
+            png_data_uri(picture)
+        )
     };
-    let (w, h) = picture.actual.dimensions();
+    let [w, h] = picture.actual.size();
     let overlay = format!(
         "<svg viewBox=\"0 0 {w} {h}\" preserveAspectRatio=\"none\" aria-hidden=\"true\"></svg>"
     );
@@ -35,8 +34,8 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
         text,
         "<div class=\"panels\">\n<figure>{screen}{}{}<span class=\"seam\"></span>{overlay}</div>\n\
          <label class=\"slider\">golden <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"how much of the golden picture is shown\"> actual</label></figure>\n",
-        image("golden", &picture.golden)?,
-        image("actual", &picture.actual)?,
+        image("golden", &picture.golden),
+        image("actual", &picture.actual),
     );
     match &picture.pixels {
         None => text.push_str("<p class=\"bad\">The two pictures differ in size, so their pixels cannot be compared.</p>\n</div>\n"),
@@ -47,7 +46,7 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
                  <div class=\"inspector\" aria-live=\"polite\"><p class=\"note\">Click a pixel to see its ray, both records and the box tests. \
                  Or select a picture with Tab and use the arrow keys.</p></div>\n</div>\n\
                  <script type=\"application/json\">{}</script>\n",
-                image("difference", &pixels.difference)?,
+                image("difference", &pixels.difference),
                 legend(pixels),
                 json_in_script(&data(case, picture, pixels).to_string()),
             );
@@ -61,7 +60,7 @@ pub(super) fn article(case: &Case, picture: &Picture) -> Result<String, GraderEr
         );
     }
     text.push_str("</article>\n");
-    Ok(text)
+    text
 }
 
 fn legend(pixels: &Pixels) -> String {
@@ -73,7 +72,7 @@ fn legend(pixels: &Pixels) -> String {
         "<figcaption>Differences, by the first field that differs. Each button goes to the next such pixel.</figcaption>\n<ul class=\"legend\">",
     );
     for (cause, count) in counts {
-        let [r, g, b] = cause.colour().0;
+        let [r, g, b] = cause.colour();
         let _ = write!(
             text,
             "<li><button type=\"button\" data-cause=\"{}\"><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}: {count}</button></li>",
@@ -86,7 +85,7 @@ fn legend(pixels: &Pixels) -> String {
 
 /// The data of a picture for the script.
 fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
-    let (width, height) = picture.actual.dimensions();
+    let [width, height] = picture.actual.size();
     let causes: Vec<u8> = pixels.causes.iter().map(|cause| *cause as u8).collect();
     let mut labels = vec![Cause::Same.label()];
     labels.extend(Cause::DIFFERENCES.map(Cause::label));

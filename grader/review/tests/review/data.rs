@@ -27,7 +27,7 @@ fn each_pixel_has_the_cause_of_its_difference() {
     ] {
         assert_eq!(pixels.causes[BOXES.call(pixel)], cause);
         let [_, h] = BOXES.spec.picture.expect("the case has a picture");
-        let colour = pixels.difference.get_pixel(pixel[0], h - 1 - pixel[1]);
+        let colour = pixels.difference.get(pixel[0], h - 1 - pixel[1]);
         assert_eq!(*colour, cause.colour(), "{cause:?}");
     }
     let State::Differs {

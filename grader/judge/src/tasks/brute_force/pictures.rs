@@ -27,6 +27,19 @@ pub(crate) fn torus() -> Spec {
 
 /// Ten spheres in a pyramid on a large sphere, with small spheres around them.
 pub(crate) fn pile_of_spheres() -> Spec {
+    let rays = picture_rays(Vec3::new(2.0, 2.6, 6.5), Vec3::new(0.0, 0.85, 0.0), 40.0);
+    Spec {
+        picture: Some(SIZE),
+        ..part1_task4::cases::case(
+            "picture_of_spheres",
+            "A pyramid of spheres on a large sphere, coloured by their normals.",
+            brute_force(&[], &spheres_in_a_pile(), &rays),
+        )
+    }
+}
+
+/// The spheres of [`pile_of_spheres`].
+pub(crate) fn spheres_in_a_pile() -> Vec<Sphere> {
     let mut spheres = vec![Sphere {
         center: Vec3::new(0.0, -40.0, 0.0),
         radius: 40.0,
@@ -60,15 +73,7 @@ pub(crate) fn pile_of_spheres() -> Spec {
             radius,
         }
     }));
-    let rays = picture_rays(Vec3::new(2.0, 2.6, 6.5), Vec3::new(0.0, 0.85, 0.0), 40.0);
-    Spec {
-        picture: Some(SIZE),
-        ..part1_task4::cases::case(
-            "picture_of_spheres",
-            "A pyramid of spheres on a large sphere, coloured by their normals.",
-            brute_force(&[], &spheres, &rays),
-        )
-    }
+    spheres
 }
 
 /// The rays through the pixels' centres, row by row from the bottom left, of a camera at `pos`.
@@ -88,7 +93,7 @@ fn picture_rays(pos: Vec3, target: Vec3, h_fov: f64) -> Vec<Ray> {
 }
 
 /// A torus around the y axis with `around` x `across` facets and its true normals at the vertices.
-fn ring(around: u32, across: u32) -> Vec<Triangle> {
+pub(crate) fn ring(around: u32, across: u32) -> Vec<Triangle> {
     let vertex = |i: u32, j: u32| {
         let (sin, cos) = math::sin_cos(TAU * f64::from(i % around) / f64::from(around));
         let (rise, out) = math::sin_cos(TAU * f64::from(j % across) / f64::from(across));
@@ -118,7 +123,7 @@ fn ring(around: u32, across: u32) -> Vec<Triangle> {
 }
 
 /// An octahedron around `center` with flat faces.
-fn octahedron(center: Vec3, radius: f64) -> Vec<Triangle> {
+pub(crate) fn octahedron(center: Vec3, radius: f64) -> Vec<Triangle> {
     let signs = [1.0, -1.0];
     let corners = signs.map(|x| signs.map(|y| signs.map(|z| (x, y, z))));
     let face = |(x, y, z): (f64, f64, f64)| {

@@ -1,0 +1,127 @@
+//! Pictures in a terminal: two pixels per character, one above the other, as `▀` in the colour of
+//! the upper one on the colour of the lower one.
+
+use crate::Image;
+use crate::image::Rgb;
+use std::fmt::Write;
+
+/// How many colours a terminal has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colours {
+    /// 24 bits.
+    True,
+    /// The cube of 216 colours of the palette of 256.
+    Cube,
+}
+
+/// The colours of the terminal that the environment describes; `None` where `NO_COLOR` is set or
+/// the terminal is known to have none.
+pub fn colours(environment: impl Fn(&str) -> Option<String>) -> Option<Colours> {
+    let set = |name: &str| environment(name).filter(|value| !value.is_empty());
+    if set("NO_COLOR").is_some() || set("TERM").as_deref() == Some("dumb") {
+        return None;
+    }
+    match set("COLORTERM").as_deref() {
+        Some("truecolor" | "24bit") => Some(Colours::True),
+        _ => Some(Colours::Cube),
+    }
+}
+
+/// The picture as text of at most `columns` columns, scaled down if it is wider.
+pub fn half_blocks(picture: &Image, columns: u32, colours: Colours) -> String {
+    let small = scaled_to(picture, columns);
+    let [w, h] = small.size();
+    let mut text = String::new();
+    for y in (0..h).step_by(2) {
+        for x in 0..w {
+            let above = code(small.get(x, y), colours);
+            match y + 1 < h {
+                true => {
+                    let below = code(small.get(x, y + 1), colours);
+                    let _ = write!(text, "\x1b[38;{above};48;{below}m▀");
+                }
+                false => {
+                    let _ = write!(text, "\x1b[0;38;{above}m▀");
+                }
+            }
+        }
+        text.push_str("\x1b[0m\n");
+    }
+    text
+}
+
+/// A square in a colour, for a legend.
+pub fn chip(colour: Rgb, colours: Colours) -> String {
+    format!("\x1b[38;{}m■\x1b[0m", code(colour, colours))
+}
+
+/// The colour as the parameters of an escape sequence, after `38;` or `48;`.
+fn code([r, g, b]: Rgb, colours: Colours) -> String {
+    match colours {
+        Colours::True => format!("2;{r};{g};{b}"),
+        Colours::Cube => {
+            let [r, g, b] = [r, g, b].map(|channel| (u32::from(channel) * 5 + 127) / 255);
+            format!("5;{}", 16 + 36 * r + 6 * g + b)
+        }
+    }
+}
+
+/// The picture, `width` pixels wide if it is wider: each pixel is the mean of those that it covers.
+fn scaled_to(picture: &Image, width: u32) -> Image {
+    let [w, h] = picture.size();
+    if w <= width || width == 0 {
+        return picture.clone();
+    }
+    let height = (u64::from(h) * u64::from(width) / u64::from(w)).max(1) as u32;
+    let range = |place: u32, count: u32, all: u32| {
+        let edge = |place: u32| (u64::from(place) * u64::from(all) / u64::from(count)) as u32;
+        edge(place)..edge(place + 1)
+    };
+    Image::from_fn([width, height], |x, y| {
+        let (columns, rows) = (range(x, width, w), range(y, height, h));
+        let count = (columns.len() * rows.len()) as u32;
+        let mut sums = [0_u32; 3];
+        for row in rows {
+            for column in columns.clone() {
+                for (sum, channel) in sums.iter_mut().zip(picture.get(column, row)) {
+                    *sum += u32::from(channel);
+                }
+            }
+        }
+        sums.map(|sum| (sum / count) as u8)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_rows_are_one_line() {
+        let picture = Image::from_fn([1, 3], |_, y| [y as u8 * 100, 0, 0]);
+        let text = half_blocks(&picture, 80, Colours::True);
+        assert_eq!(
+            text,
+            "\x1b[38;2;0;0;0;48;2;100;0;0m▀\x1b[0m\n\x1b[0;38;2;200;0;0m▀\x1b[0m\n"
+        );
+    }
+
+    #[test]
+    fn a_wide_picture_is_scaled_to_the_mean_of_its_pixels() {
+        let picture = Image::from_fn([160, 40], |x, _| [if x % 2 == 0 { 100 } else { 200 }; 3]);
+        let small = scaled_to(&picture, 80);
+        assert_eq!(small, Image::filled([80, 20], [150; 3]));
+    }
+
+    #[test]
+    fn the_environment_says_which_colours_there_are() {
+        let of = |name: &'static str, value: &'static str| {
+            colours(move |asked| (asked == name).then(|| value.to_string()))
+        };
+        assert_eq!(of("NO_COLOR", "1"), None);
+        assert_eq!(of("NO_COLOR", ""), Some(Colours::Cube));
+        assert_eq!(of("TERM", "dumb"), None);
+        assert_eq!(of("COLORTERM", "truecolor"), Some(Colours::True));
+        assert_eq!(code([255, 0, 0], Colours::Cube), "5;196");
+    }
+}

@@ -1,0 +1,188 @@
+//! The command `grader picture part1.task3`: shows what the code in the workspace renders.
+
+use super::Verdict;
+use crate::compile::BuildRoot;
+use crate::course::{Course, Task};
+use crate::error::GraderError;
+use crate::last_report;
+use crate::picture::{self, Rendered};
+use crate::report::table::status_text;
+use crate::score::Status;
+use crate::worker_set::WorkerSet;
+use crate::workspace::Workspace;
+use clap::{Arg, ArgMatches, Command};
+use judge::plural;
+use pictures::terminal::{self, Colours};
+use std::fmt::Write;
+use std::io::IsTerminal;
+use std::path::Path;
+
+/// The name of the command.
+pub(super) const NAME: &str = "picture";
+
+pub(super) fn command() -> Command {
+    Command::new(NAME)
+        .about("Renders the picture of a task with your code, beside the expected picture and their difference")
+        .arg(task_argument())
+}
+
+/// The argument that names one task.
+pub fn task_argument() -> Arg {
+    Arg::new("task").value_name("TASK").help(
+        "The task, such as `part1.task3` [default: the first with lost points in the last report]",
+    )
+}
+
+/// The task that [`task_argument`] names.
+pub fn task_of<'a>(
+    matches: &ArgMatches,
+    workspace: &Workspace,
+    course: &'a Course,
+) -> Result<&'a Task, GraderError> {
+    match matches.get_one::<String>("task") {
+        Some(key) => one_task(course, key),
+        None => last_report::next_task(workspace, course),
+    }
+}
+
+fn one_task<'a>(course: &'a Course, key: &str) -> Result<&'a Task, GraderError> {
+    match course.select(key)?.as_slice() {
+        [task] if task.key == key => Ok(task),
+        several => Err(GraderError::new(format!(
+            "expected one task, such as `{}`, found `{key}`",
+            several.first().map_or("part1.task1", |task| &task.key)
+        ))),
+    }
+}
+
+pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let workspace = Workspace::above(Path::new("."))?;
+    let course = Course::read(&workspace)?;
+    let task = task_of(matches, &workspace, &course)?;
+    let whole_scene = judge::pictures::of(&task.key).is_some_and(|picture| picture.whole_scene);
+    let root = BuildRoot::of(&workspace);
+    let workers = WorkerSet::build(&root, &[&task.stage], whole_scene)?;
+    let rendered = picture::render(&workspace, &course, task, &workers)?
+        .ok_or_else(|| GraderError::new(format!("`{}` has no picture", task.key)))?;
+    let path = rendered.write(&workspace)?;
+    let colours = match std::io::stdout().is_terminal() {
+        true => terminal::colours(|name| std::env::var(name).ok()),
+        false => None,
+    };
+    print!("{}", describe(task, &rendered, colours));
+    println!("picture: {}", workspace.relative(&path).display());
+    let is_same = matches!(&rendered.yours, Ok((_, comparison)) if comparison.is_same());
+    Ok(if is_same {
+        Verdict::Passed
+    } else {
+        Verdict::Failed
+    })
+}
+
+/// The columns of a picture in the terminal.
+const COLUMNS: u32 = 80;
+
+/// The picture, if the terminal has colours, and the legend.
+fn describe(task: &Task, rendered: &Rendered, colours: Option<Colours>) -> String {
+    let mut text = format!("{}  {}\n", task.key, task.title);
+    if let Some(colours) = colours {
+        text.push_str(&terminal::half_blocks(&rendered.sheet(), COLUMNS, colours));
+    }
+    text.push_str("Left: expected. Middle: yours. Right: where yours differs.\n");
+    let counts = match &rendered.yours {
+        Ok((_, comparison)) => &comparison.counts,
+        Err(status) => {
+            let _ = writeln!(text, "{}", without_picture(status, &task.key));
+            return text;
+        }
+    };
+    for (kind, marks) in rendered.picture.panels.iter().zip(counts) {
+        let _ = write!(text, "  {}: ", kind.about);
+        if marks.is_empty() {
+            text.push_str("as expected\n");
+            continue;
+        }
+        let marks = marks.iter().map(|(mark, count)| {
+            let pixels = plural(*count, "pixel", "pixels");
+            let chip = colours.map_or(String::new(), |colours| {
+                terminal::chip(mark.colour(), colours) + " "
+            });
+            format!("{chip}{}, {pixels}", mark.label())
+        });
+        let marks: Vec<String> = marks.collect();
+        let _ = writeln!(text, "{}", marks.join("; "));
+    }
+    text
+}
+
+/// Why there is no picture, and what to do.
+fn without_picture(status: &Status, task: &str) -> String {
+    match status {
+        Status::NotAttempted => {
+            format!("{task} is not written yet: this is the picture that it makes.")
+        }
+        Status::Needs(other) if other.starts_with("part") => {
+            format!("Your picture needs {other}, which is not written yet.")
+        }
+        Status::Needs(other) => format!("Your picture needs {other}."),
+        Status::DoesNotCompile => {
+            "Your code does not compile: the compiler's messages are above.".into()
+        }
+        status => format!(
+            "Your code rendered no picture: {}. `cargo grader {task}` says more.",
+            status_text(status)
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pictures::Image;
+    use pictures::difference::compare;
+
+    fn workspace() -> (Workspace, Course) {
+        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")))
+            .expect("the grader is in a workspace");
+        let course = Course::read(&workspace).expect("the course is sound");
+        (workspace, course)
+    }
+
+    #[test]
+    fn a_part_is_not_a_task() {
+        let (_, course) = workspace();
+        let error = one_task(&course, "part2").expect_err("a part");
+        assert_eq!(
+            error.to_string(),
+            "expected one task, such as `part2.task1`, found `part2`"
+        );
+    }
+
+    #[test]
+    fn the_legend_names_what_differs_in_each_panel() {
+        let (_, course) = workspace();
+        let task = one_task(&course, "part1.task3").expect("a task");
+        let picture = judge::pictures::of("part1.task3").expect("it has a picture");
+        let golden = Image::filled(picture.size(), [90; 3]);
+        let mut yours = golden.clone();
+        yours.set(5, 5, [0; 3]);
+        yours.set(6, 5, [91; 3]);
+        let comparison = compare(&picture, &golden, &yours);
+        let rendered = Rendered {
+            picture,
+            golden,
+            yours: Ok((yours, comparison)),
+        };
+        let text = describe(task, &rendered, None);
+        assert!(
+            text.ends_with(
+                "  normals: miss where there is a surface, 1 pixel; another normal, 1 pixel\n  distances: as expected\n"
+            ),
+            "{text}"
+        );
+        assert!(!text.contains('\x1b'), "{text}");
+        let in_terminal = describe(task, &rendered, Some(Colours::True));
+        assert!(in_terminal.contains('▀') && in_terminal.contains('\x1b'));
+        assert!(in_terminal.lines().count() < 30, "{in_terminal}");
+    }
+}

@@ -1,0 +1,136 @@
+//! The picture of a task: renders it with the student's code, and compares it with the golden.
+
+use crate::course::{Course, Task};
+use crate::error::GraderError;
+use crate::grade;
+use crate::report::write_whole;
+use crate::runner;
+use crate::score::Status;
+use crate::worker_set::WorkerSet;
+use crate::workspace::Workspace;
+use judge::pictures::{NAME, TaskPicture};
+use pictures::difference::{Comparison, compare};
+use pictures::{Image, png, sheet, tone};
+use std::path::PathBuf;
+use wire::Answer;
+
+/// The picture of a task beside its golden.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// What it shows.
+    pub picture: TaskPicture,
+    /// The reference's picture.
+    pub golden: Image,
+    /// The picture of the code in the workspace, and how it differs; or why there is none.
+    pub yours: Result<(Image, Comparison), Status>,
+}
+
+impl Rendered {
+    /// Golden, yours and their difference beside each other. What there is not is black.
+    pub fn sheet(&self) -> Image {
+        let none = Image::filled(self.golden.size(), [0; 3]);
+        let (yours, difference) = match &self.yours {
+            Ok((yours, comparison)) => (yours, &comparison.difference),
+            Err(_) => (&none, &none),
+        };
+        sheet::beside(&[&self.golden, yours, difference])
+    }
+
+    /// Writes [`Rendered::sheet`] to `target/first-light` and returns the path of the file.
+    pub fn write(&self, workspace: &Workspace) -> Result<PathBuf, GraderError> {
+        let path = workspace.for_students(&format!("{}.png", file_stem(self.picture.task)))?;
+        write_whole(&path, &png::encode(&self.sheet()))?;
+        Ok(path)
+    }
+}
+
+/// The name of a task in the names of files: `part1_task3`.
+pub fn file_stem(task: &str) -> String {
+    task.replace('.', "_")
+}
+
+/// Renders the picture of `task` with one of `workers`; `None` if the task has no picture.
+pub fn render(
+    workspace: &Workspace,
+    course: &Course,
+    task: &Task,
+    workers: &WorkerSet,
+) -> Result<Option<Rendered>, GraderError> {
+    let Some(picture) = judge::pictures::of(&task.key) else {
+        return Ok(None);
+    };
+    let golden = golden(workspace, &picture)?;
+    let yours = yours(course, task, &picture, workers)?.map(|yours| {
+        let comparison = compare(&picture, &golden, &yours);
+        (yours, comparison)
+    });
+    Ok(Some(Rendered {
+        picture,
+        golden,
+        yours,
+    }))
+}
+
+fn golden(workspace: &Workspace, picture: &TaskPicture) -> Result<Image, GraderError> {
+    let path = workspace.golden_picture(picture.task, NAME);
+    let golden = png::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
+    let ([w, h], found) = (picture.size(), golden.size());
+    if found == [w, h] {
+        return Ok(golden);
+    }
+    Err(GraderError::new(format!(
+        "{} has {} x {} pixels, expected {w} x {h}. Copy it again from the handout",
+        path.display(),
+        found[0],
+        found[1]
+    )))
+}
+
+/// The picture of the code in the workspace, or why there is none.
+fn yours(
+    course: &Course,
+    task: &Task,
+    picture: &TaskPicture,
+    workers: &WorkerSet,
+) -> Result<Result<Image, Status>, GraderError> {
+    let Some(of_stage) = workers.workers(&task.stage) else {
+        return Ok(Err(Status::DoesNotCompile));
+    };
+    let worker = match (picture.whole_scene, of_stage.whole_scene) {
+        (false, _) => of_stage.stage,
+        (true, Ok(worker)) => worker,
+        (true, Err(broken)) => {
+            let needs = format!("{broken}, which does not compile");
+            return Ok(Err(Status::Needs(needs)));
+        }
+    };
+    let mut run = runner::run(&worker, &[picture.spec().case()])?;
+    let ending = run
+        .endings
+        .pop()
+        .ok_or_else(|| GraderError::new("the worker returned no picture"))?;
+    let ending = Ok(ending);
+    Ok(match grade::answered(&task.key, &ending, course)? {
+        Ok(Answer::Picture(answer)) => Ok(tone::compose(picture, answer)),
+        Ok(_) => Err(Status::Failed),
+        Err(status) => Err(status),
+    })
+}
+
+/// Renders and writes the pictures of `tasks`. Returns the keys and paths of those that show
+/// something: the others are not written yet, or end in a panic.
+pub fn write_all(
+    workspace: &Workspace,
+    course: &Course,
+    tasks: &[&Task],
+    workers: &WorkerSet,
+) -> Result<Vec<(String, PathBuf)>, GraderError> {
+    let mut written = Vec::new();
+    for task in tasks {
+        let rendered = render(workspace, course, task, workers)?;
+        if let Some(rendered) = rendered.filter(|rendered| rendered.yours.is_ok()) {
+            written.push((task.key.clone(), rendered.write(workspace)?));
+        }
+    }
+    Ok(written)
+}

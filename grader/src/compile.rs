@@ -24,7 +24,7 @@ pub enum BuildOutcome {
 pub struct CompileErrors {
     /// The crates that have errors. Crates that depend on them were not built.
     pub failed_crates: BTreeSet<String>,
-    /// The compiler's messages. They were also printed to stderr unless the build is sealed.
+    /// The compiler's messages. They were also printed to stderr unless the build is quiet or sealed.
     pub messages: String,
 }
 
@@ -39,6 +39,8 @@ pub struct BuildRoot<'a> {
     /// Builds code that is not the caller's own: without network access, with the library versions
     /// of the lock file, and without printing anything.
     pub sealed: bool,
+    /// Prints nothing while building, neither cargo's progress nor the compiler's messages.
+    pub quiet: bool,
 }
 
 impl BuildRoot<'_> {
@@ -48,6 +50,7 @@ impl BuildRoot<'_> {
             root: workspace.root(),
             target: None,
             sealed: false,
+            quiet: false,
         }
     }
 
@@ -55,7 +58,7 @@ impl BuildRoot<'_> {
     /// compile, the others are still built. Cargo's progress and the compiler's messages go to
     /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
-        let show = !self.sealed;
+        let show = !self.sealed && !self.quiet;
         match run_cargo(
             self.command(features, show && has_colours()),
             "worker",
@@ -75,9 +78,10 @@ impl BuildRoot<'_> {
             &features.join(","),
         ]);
         if self.sealed {
-            command
-                .args(["--offline", "--locked"])
-                .stderr(Stdio::piped());
+            command.args(["--offline", "--locked"]);
+        }
+        if self.sealed || self.quiet {
+            command.stderr(Stdio::piped());
         }
         let target = self.target.map(Path::to_path_buf);
         if let Some(target) = target.or_else(|| target_folder::of(self.root)) {

@@ -2,7 +2,7 @@
 
 use crate::compile::BuildRoot;
 use crate::course::{Course, Task, stages_of};
-use crate::diagnosis::{self, Diagnosis};
+use crate::diagnosis;
 use crate::error::GraderError;
 use crate::regularity;
 use crate::report::{Report, TaskReport};
@@ -38,20 +38,25 @@ pub struct Graded {
 }
 
 /// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
-/// if one of the tasks is about them.
+/// if one of the tasks is about them. A `quiet` build prints nothing.
 pub fn in_place(
     workspace: &Workspace,
     request: &GradeRequest,
     times: bool,
+    quiet: bool,
 ) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
     let specs = cases::all(request.seed);
     let times = times && speedup::applies_to(&tasks);
-    let workers = workers(&BuildRoot::of(workspace), &tasks, &specs, times)?;
+    let build_root = BuildRoot {
+        quiet,
+        ..BuildRoot::of(workspace)
+    };
+    let workers = workers(&build_root, &tasks, &specs, times)?;
     let run = run(&workers, &course, &tasks, &specs)?;
     let tasks = explain(workspace, run.results, &specs)?;
-    let speedups = if times {
+    let speedups = if times && speedup::is_attempted(&tasks) {
         Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
         None
@@ -146,15 +151,13 @@ fn explain(
         }
         let known = diagnosis::known(workspace, &result.key)?;
         let diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
-        let is_explained = diagnosis.as_ref().is_some_and(Diagnosis::is_likely);
+        let regularities = regularity::of(&result.key, &result.cases, specs);
+        let worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
         Ok(TaskReport {
             diagnosis,
-            regularities: match is_explained {
-                true => Vec::new(),
-                false => regularity::of(&result.key, &result.cases, specs),
-            },
-            worst_as_test: repro::worst(failed_cases(&result.cases), specs, &result.key),
-            result,
+            regularities,
+            worst_as_test,
+            ..TaskReport::from(result)
         })
     });
     explained.collect()

@@ -9,7 +9,9 @@
 //! - [`compile`], [`worker_set`], [`stage_workers`], [`runner`]: building and running the workers
 //! - the crate [`judge`]: which answers are right
 //! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake; [`speedup`]: times
-//! - [`report`]: the output
+//! - [`report`]: the output; [`results`] and [`next_task`]: what is known from earlier runs
+//!
+//! [`watch`] grades whenever a file is saved. [`explain`] draws what a case tests.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
@@ -18,20 +20,26 @@
 pub mod child_processes;
 pub mod cli;
 pub mod compile;
+pub mod compile_errors;
 pub mod consistency;
 pub mod course;
 pub mod diagnosis;
 pub mod error;
+pub mod explain;
 pub mod grade;
 pub mod interrupt;
+pub mod next_task;
 pub mod records;
 pub mod regularity;
 pub mod report;
+pub mod results;
 pub mod runner;
 pub mod score;
 pub mod signature;
+pub mod sources;
 pub mod speedup;
 pub mod stage_workers;
 mod target_folder;
+pub mod watch;
 pub mod worker_set;
 pub mod workspace;

@@ -102,7 +102,6 @@ pub(crate) trait ErasedCheck {
     fn limit_ms(&self) -> u64;
 
     /// As [`Check::calls`].
-    #[cfg(test)]
     fn calls(&self) -> usize;
 
     /// As [`Check::fits`]. An answer to another kind of work does not fit.
@@ -146,7 +145,6 @@ impl<C: Check> ErasedCheck for CheckedQuestion<'_, C> {
         C::LIMIT_MS
     }
 
-    #[cfg(test)]
     fn calls(&self) -> usize {
         C::calls(self.question)
     }

@@ -40,7 +40,7 @@ pub use plural::plural;
 pub use tier::Tier;
 
 use cases::Spec;
-use tally::{Aspect, Finding, Tally};
+use tally::{Aspect, Finding, Tally, WrongAnswer};
 use wire::{Answer, Work};
 
 /// Checks that `answer`, which comes from an untrusted worker, has the form that `work` requires:
@@ -57,11 +57,30 @@ pub fn fits(work: &Work, answer: &Answer) -> Result<(), String> {
 /// case about an aspect of hits is also about hit or miss: an answer without a hit has no normal.
 /// The findings that explain the most come first.
 pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
-    let mut tally = Tally::default();
+    judge_in(Tally::default(), spec, tier, answer).0
+}
+
+/// As [`judge`], with every wrong answer: one for each wrong aspect of each call, in the order of the
+/// calls. Those that are wrong as a whole (a distribution, the work of a tree) are listed at one
+/// call.
+pub fn judge_each(spec: &Spec, tier: Tier, answer: &Answer) -> (Vec<Finding>, Vec<WrongAnswer>) {
+    let (findings, mut wrong) = judge_in(Tally::with_messages(), spec, tier, answer);
+    wrong.retain(|wrong| is_about(spec, wrong.aspect));
+    wrong.sort_by_key(|wrong| wrong.call);
+    (findings, wrong)
+}
+
+fn judge_in(
+    mut tally: Tally,
+    spec: &Spec,
+    tier: Tier,
+    answer: &Answer,
+) -> (Vec<Finding>, Vec<WrongAnswer>) {
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
+    let wrong = tally.take_wrong_answers();
     let mut findings = tally.into_findings();
     findings.retain(|finding| is_about(spec, finding.aspect));
-    order::by_explanation(findings)
+    (order::by_explanation(findings), wrong)
 }
 
 /// Whether the case is about `aspect`.

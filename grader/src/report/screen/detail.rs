@@ -1,0 +1,252 @@
+//! What a screen says about one task that is not complete.
+
+use super::{Block, Context};
+use crate::compile_errors;
+use crate::report::table::{failed, status_text};
+use crate::report::terminal::Page;
+use crate::report::worst_test;
+use crate::report::wrap::{numbers_to_fit, wrap_to};
+use crate::report::{HintLevel, Reveal, TaskReport, order};
+use crate::score::{CaseResult, Status, TaskResult};
+use judge::Tier;
+use judge::cases::checked;
+use judge::tally::{Finding, Worst};
+
+/// The most lines of each kind of text.
+const NAMES: usize = 2;
+const SENTENCES: usize = 3;
+const MESSAGE: usize = 9;
+
+/// How many failed cases are described at the level that shows nothing else.
+const DESCRIBED: usize = 4;
+
+/// The blocks about `task`.
+pub(super) fn blocks(
+    task: &TaskReport,
+    context: &Context,
+    reveal: Reveal,
+    page: Page,
+) -> Vec<Block> {
+    let result = &task.result;
+    let mut out = Lines {
+        page,
+        blocks: vec![Block {
+            rank: 0,
+            lines: vec![String::new()],
+        }],
+    };
+    match &result.status {
+        Status::NotAttempted => not_written(&mut out, result, context),
+        Status::DoesNotCompile => does_not_compile(&mut out, result, context),
+        _ => wrong(&mut out, task, reveal),
+    }
+    if let Some(picture) = &task.picture {
+        out.add(4, 1, &format!("  picture: {}", picture.display()));
+    }
+    let printed = context.printed.lines().count();
+    if printed > 0 {
+        let lines = judge::plural(printed, "line", "lines");
+        let text = format!("  your code printed {lines}: `--long` shows them");
+        out.add(3, 1, &text);
+    }
+    out.blocks
+}
+
+/// Collects blocks of wrapped text.
+struct Lines {
+    page: Page,
+    blocks: Vec<Block>,
+}
+
+impl Lines {
+    fn add(&mut self, rank: u32, most: usize, text: &str) {
+        let lines = wrap_to(text, 4, self.page.width, most);
+        self.blocks.push(Block { rank, lines });
+    }
+}
+
+fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
+    let place = context.places.iter().find(|place| place.key == task.key);
+    let file = place.and_then(|place| place.file.as_deref());
+    let names: Vec<String> = place.map_or_else(Vec::new, |place| {
+        place.open.iter().map(|name| format!("`{name}`")).collect()
+    });
+    let what = match (file, names.join(", ")) {
+        (Some(file), names) if !names.is_empty() => format!("Open {file} and write {names}."),
+        (Some(file), _) => format!("Open {file}."),
+        (None, _) => "Its functions are still those of the handout.".into(),
+    };
+    out.add(0, 3, &format!("{} {}", task.key, task.title));
+    out.add(0, SENTENCES, &format!("  {what}"));
+    let run = format!(
+        "  Then run `cargo grader {}`, or keep `cargo grader watch` running.",
+        task.key
+    );
+    out.add(1, 2, &run);
+}
+
+fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
+    out.add(
+        0,
+        2,
+        &format!("{}: stages/{} does not compile.", task.key, task.stage),
+    );
+    let (first, count) = compile_errors::first(&context.compiler);
+    let lines = first
+        .lines()
+        .filter(|line| !line.trim().is_empty())
+        .take(MESSAGE);
+    let lines = lines.map(|line| format!("  {}", compile_errors::plain(line)));
+    let lines: Vec<String> = lines
+        .map(|line| line.chars().take(out.page.width).collect())
+        .collect();
+    out.blocks.push(Block { rank: 1, lines });
+    if count > 1 {
+        let others = judge::plural(count - 1, "other message", "other messages");
+        out.add(2, 1, &format!("  and {others} of the compiler"));
+    }
+}
+
+/// The failed cases that count: the core cases, or with `extra` the robust ones if no core case
+/// failed.
+fn counted(task: &TaskResult, extra: bool) -> Vec<&CaseResult> {
+    let of = |tier: Tier| failed(task).filter(|case| case.tier == tier).collect();
+    let core: Vec<&CaseResult> = of(Tier::Core);
+    match core.is_empty() && extra {
+        true => order::new_faults_first(&of(Tier::Robust)),
+        false => order::new_faults_first(&core),
+    }
+}
+
+/// The failed case that is shown first.
+pub(super) fn first_failed(task: &TaskResult, extra: bool) -> Option<&CaseResult> {
+    counted(task, extra).first().copied()
+}
+
+fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
+    let task = &report.result;
+    let cases = counted(task, reveal.extra);
+    let Some(first) = cases.first() else {
+        return waiting(out, task);
+    };
+    let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+    let kind = match first.tier {
+        Tier::Core => "",
+        Tier::Robust => " of extra credit",
+    };
+    let of = cases.len();
+    let verb = match of {
+        1 => format!("1 case{kind} fails"),
+        _ => format!("{of} cases{kind} fail"),
+    };
+    out.add(
+        2,
+        NAMES,
+        &format!("{}: {verb}: {}", task.key, names.join(", ")),
+    );
+    if reveal.hint == HintLevel::Cases {
+        for case in cases.iter().take(DESCRIBED) {
+            let text = format!("  {} tests: {}", case.name, checked(&case.about));
+            out.add(3, NAMES, &text);
+        }
+        return;
+    }
+    explanation(out, report, reveal);
+    if let Status::Crashed(how) = &first.status {
+        out.add(0, SENTENCES, &format!("  {}: {how}", first.name));
+    }
+    let all_findings = cases
+        .iter()
+        .filter_map(|case| worst(case).map(|found| (case, found)));
+    if let Some((case, (finding, worst))) = all_findings.into_iter().next() {
+        let label = finding.aspect.label();
+        let (wrong, judged) = (finding.wrong, finding.judged);
+        let text = format!(
+            "  {}: {label} wrong on {wrong} of {judged} calls",
+            case.name
+        );
+        out.add(0, 2, &text);
+        // The message ends with the question; both have a line of their own.
+        let (found, question) = match worst.message.split_once(". Ray: ") {
+            Some((found, question)) => (found, format!("    Ray: {question}")),
+            None => (worst.message.as_str(), String::new()),
+        };
+        let lines = [format!("    {found}"), question];
+        let lines = lines.iter().filter(|line| !line.is_empty());
+        let lines: Vec<String> = lines
+            .map(|line| numbers_to_fit(line, out.page.width))
+            .collect();
+        out.blocks.push(Block { rank: 0, lines });
+    }
+    if let Some(commands) = worst_test::commands(report) {
+        out.add(2, 3, &format!("  As a test: {commands}"));
+    }
+}
+
+/// The first wrong finding of a case, with its worst answer.
+fn worst(case: &CaseResult) -> Option<(&Finding, &Worst)> {
+    let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
+    wrong
+        .filter_map(|finding| Some((finding, finding.worst.as_ref()?)))
+        .next()
+}
+
+/// The likely mistake at the levels that show it, else what the wrong answers have in common.
+fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
+    let lost_core = report.result.score < report.result.max_score;
+    match &report.diagnosis {
+        Some(found) if reveal.hint >= HintLevel::Mistake => {
+            let label = found.certainty.label();
+            out.add(0, SENTENCES, &format!("  {label}: {}.", found.says));
+            if reveal.hint >= HintLevel::Remedy {
+                out.add(1, SENTENCES, &format!("  Hint: {}", found.hint));
+            }
+            if found.is_likely() {
+                return;
+            }
+        }
+        None if reveal.hint >= HintLevel::Mistake && lost_core => {
+            out.add(2, 1, "  The answers match no known mistake.");
+        }
+        _ => {}
+    }
+    if !report.regularities.is_empty() {
+        let common = report.regularities.join("; ");
+        out.add(1, SENTENCES, &format!("  All wrong answers: {common}."));
+    }
+}
+
+/// A task none of whose cases failed by itself: it lacks points because of another task.
+fn waiting(out: &mut Lines, task: &TaskResult) {
+    let mut needs = task
+        .cases
+        .iter()
+        .filter(|case| matches!(case.status, Status::Needs(_)));
+    if let Some(case) = needs.next() {
+        let more = match needs.count() {
+            0 => String::new(),
+            others => format!(
+                " (and {})",
+                judge::plural(others, "other case", "other cases")
+            ),
+        };
+        let status = status_text(&case.status);
+        out.add(
+            0,
+            SENTENCES,
+            &format!("{}: the case {} {status}{more}", task.key, case.name),
+        );
+        return;
+    }
+    let half = task
+        .cases
+        .iter()
+        .find(|case| case.status == Status::NotAttempted);
+    if let Some(case) = half {
+        let text = format!(
+            "{}: the case {} calls a function that is not written yet",
+            task.key, case.name
+        );
+        out.add(0, SENTENCES, &text);
+    }
+}

@@ -1,5 +1,6 @@
 //! Builds the worker with the student's stages, and other programs of the workspace.
 
+use crate::changed_signature;
 use crate::child_processes;
 use crate::error::GraderError;
 use crate::target_folder;
@@ -24,8 +25,11 @@ pub enum BuildOutcome {
 pub struct CompileErrors {
     /// The crates that have errors. Crates that depend on them were not built.
     pub failed_crates: BTreeSet<String>,
-    /// The compiler's messages. They were also printed to stderr unless the build is quiet or sealed.
+    /// The compiler's messages, but instead of those about the worker what they mean for the stage,
+    /// if the worker links one stage. They were also printed to stderr unless the build is quiet or sealed.
     pub messages: String,
+    /// The compiler's messages about the worker itself: a stage's functions do not fit its calls.
+    worker_messages: String,
 }
 
 /// Where the code under test is built. Everything else (the course, the goldens) is the trusted
@@ -43,6 +47,9 @@ pub struct BuildRoot<'a> {
     pub quiet: bool,
 }
 
+/// The package and the crate of the worker.
+const WORKER: &str = "worker";
+
 impl BuildRoot<'_> {
     /// The workspace itself.
     pub fn of(workspace: &Workspace) -> BuildRoot<'_> {
@@ -59,18 +66,39 @@ impl BuildRoot<'_> {
     /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed && !self.quiet;
-        match run_cargo(
-            self.command(features, show && has_colours()),
-            "worker",
-            show,
-        )? {
+        match run_cargo(self.command(features, show && has_colours()), WORKER, show)? {
             Ok(program) => copy_under_own_name(program, features),
-            Err(errors) => Ok(BuildOutcome::DoesNotCompile(errors)),
+            Err(errors) => Ok(BuildOutcome::DoesNotCompile(
+                self.with_explanation(errors, features, show),
+            )),
         }
     }
 
+    /// Adds to the errors of a build what those about the worker mean.
+    fn with_explanation(
+        &self,
+        mut errors: CompileErrors,
+        features: &[&str],
+        show: bool,
+    ) -> CompileErrors {
+        let calls = &errors.worker_messages;
+        let explanation = match features {
+            _ if calls.is_empty() => return errors,
+            [stage] if self.root.join("stages").join(stage).is_dir() => {
+                changed_signature::explain(self.root, stage, calls)
+            }
+            // Each stage is built alone next.
+            _ => calls.clone(),
+        };
+        if show && features.len() == 1 {
+            eprint!("{explanation}");
+        }
+        errors.messages.push_str(&explanation);
+        errors
+    }
+
     fn command(&self, features: &[&str], colours: bool) -> Command {
-        let mut command = release_build(self.root, "worker", colours);
+        let mut command = release_build(self.root, WORKER, colours);
         command.args([
             "--keep-going",
             "--no-default-features",
@@ -170,10 +198,14 @@ fn run_cargo(
             Some(Message::Warning(text)) if show => eprint!("{text}"),
             Some(Message::Warning(_)) | None => {}
             Some(Message::Error { text, of_crate }) => {
-                if show {
-                    eprint!("{text}");
+                if of_crate == WORKER && package == WORKER {
+                    errors.worker_messages.push_str(&text);
+                } else {
+                    if show {
+                        eprint!("{text}");
+                    }
+                    errors.messages.push_str(&text);
                 }
-                errors.messages.push_str(&text);
                 errors.failed_crates.insert(of_crate);
             }
         }
@@ -184,7 +216,7 @@ fn run_cargo(
     let stderr = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
     match program {
         Some(program) if status.success() => Ok(Ok(program)),
-        _ if !errors.messages.is_empty() => Ok(Err(errors)),
+        _ if !errors.failed_crates.is_empty() => Ok(Err(errors)),
         // Not the fault of the code: a library is missing, for example, or a manifest is broken.
         _ => Err(GraderError::new(format!(
             "cargo could not build the package {package} in {} ({status}). {}",

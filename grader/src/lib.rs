@@ -17,6 +17,7 @@
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
 //! goldens), `cost` (time against accuracy).
 
+mod changed_signature;
 pub mod child_processes;
 pub mod cli;
 pub mod compile;

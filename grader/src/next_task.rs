@@ -40,7 +40,7 @@ pub fn known(workspace: &Workspace, course: &Course) -> Result<Vec<Known>, Grade
     let results = Results::read(workspace);
     let mut stages: BTreeMap<&str, Vec<SourceFile>> = BTreeMap::new();
     for stage in course.stages() {
-        stages.insert(stage, sources::read(workspace, stage)?);
+        stages.insert(stage, sources::read(workspace.root(), stage)?);
     }
     let known = course.tasks().map(|task| {
         let files = &stages[task.stage.as_str()];

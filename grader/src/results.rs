@@ -51,7 +51,7 @@ pub fn fingerprints(workspace: &Workspace, tasks: &[&Task]) -> Result<Fingerprin
     stages
         .into_iter()
         .map(|stage| {
-            let files = sources::read(workspace, stage)?;
+            let files = sources::read(workspace.root(), stage)?;
             Ok((stage.to_owned(), sources::fingerprint(&files)))
         })
         .collect()

@@ -2,7 +2,6 @@
 
 use crate::course::Task;
 use crate::error::GraderError;
-use crate::workspace::Workspace;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -31,10 +30,10 @@ pub struct Place {
     pub has_hole: bool,
 }
 
-/// The paths of all Rust files of `stage`, sorted.
-pub fn paths(workspace: &Workspace, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
+/// The paths of all Rust files of `stage` in the workspace `root`, sorted.
+pub fn paths(root: &Path, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
     let mut files = Vec::new();
-    let mut folders = vec![workspace.root().join("stages").join(stage).join("src")];
+    let mut folders = vec![root.join("stages").join(stage).join("src")];
     while let Some(folder) = folders.pop() {
         let failed = |e| GraderError::file("read", &folder, e);
         for entry in std::fs::read_dir(&folder).map_err(failed)? {
@@ -50,17 +49,17 @@ pub fn paths(workspace: &Workspace, stage: &str) -> Result<Vec<PathBuf>, GraderE
     Ok(files)
 }
 
-/// Reads all Rust files of `stage`, sorted by path. Bytes that are not UTF-8 are replaced: the
+/// Reads all Rust files of `stage` in the workspace `root`, sorted by path. Bytes that are not UTF-8 are replaced: the
 /// compiler reports them.
-pub fn read(workspace: &Workspace, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
+pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
     let read = |path: PathBuf| {
         let bytes = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
         Ok(SourceFile {
-            path: with_slashes(path.strip_prefix(workspace.root()).unwrap_or(&path)),
+            path: with_slashes(path.strip_prefix(root).unwrap_or(&path)),
             text: String::from_utf8_lossy(&bytes).into_owned(),
         })
     };
-    paths(workspace, stage)?.into_iter().map(read).collect()
+    paths(root, stage)?.into_iter().map(read).collect()
 }
 
 /// The place of `task`, whose stage has these files.

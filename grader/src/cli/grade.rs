@@ -210,6 +210,8 @@ fn next_open_task(
 pub(crate) struct GradedRun {
     pub(crate) graded: Graded,
     course: Course,
+    /// Whether nothing was printed while building.
+    quiet: bool,
 }
 
 impl GradedRun {
@@ -231,7 +233,11 @@ impl GradedRun {
         results.write(workspace)?;
         let json = report::json(&graded.report)?;
         report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
-        Ok(GradedRun { graded, course })
+        Ok(GradedRun {
+            graded,
+            course,
+            quiet,
+        })
     }
 
     /// What a screen says besides the report.
@@ -242,7 +248,7 @@ impl GradedRun {
     ) -> Result<Context, GraderError> {
         let tasks = self.course.select(what)?;
         let places = tasks.iter().map(|task| {
-            let files = sources::read(workspace, &task.stage)?;
+            let files = sources::read(workspace.root(), &task.stage)?;
             Ok(sources::place(task, &files))
         });
         let known = next_task::known(workspace, &self.course)?;
@@ -250,7 +256,7 @@ impl GradedRun {
             what: what.to_owned(),
             places: places.collect::<Result<_, GraderError>>()?,
             next: next_task::first_open(&known, &tasks).cloned(),
-            compiler: self.graded.compiler.clone(),
+            compiler: self.quiet.then(|| self.graded.compiler.clone()),
             printed: self.graded.printed.clone(),
         })
     }

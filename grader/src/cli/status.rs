@@ -4,7 +4,7 @@ use super::Verdict;
 use crate::course::Course;
 use crate::error::GraderError;
 use crate::next_task::{self, Known};
-use crate::report::screen;
+use crate::report::screen::{self, title_width};
 use crate::report::table::number;
 use crate::report::terminal::{GREEN, Page};
 use crate::report::wrap::{columns, one_line, wrap_to};
@@ -66,8 +66,8 @@ fn format_status(known: &[Known], page: Page) -> String {
         .collect()
 }
 
-/// Columns of a task's title.
-const TITLE: usize = 37;
+/// Columns of whether a task is written.
+const WRITTEN: usize = 12;
 
 fn line(known: &Known, page: Page) -> String {
     let Known {
@@ -75,8 +75,8 @@ fn line(known: &Known, page: Page) -> String {
         last,
         changed,
     } = known;
-    let title = one_line(&place.title, TITLE.min(page.width / 3));
-    let padding = " ".repeat(TITLE.min(page.width / 3).saturating_sub(columns(&title)));
+    let title = one_line(&place.title, title_width(page));
+    let padding = " ".repeat(title_width(page).saturating_sub(columns(&title)));
     let before = format!("{}  {title}{padding} ", place.key);
     let written = match (place.has_hole, place.open.as_slice()) {
         (false, _) => "written",
@@ -92,8 +92,11 @@ fn line(known: &Known, page: Page) -> String {
             format!("{points}{changed}")
         }
     };
-    let state = format!("{written:<11} {points}");
-    let state = one_line(&state, page.width.saturating_sub(columns(&before)));
+    let points = one_line(
+        &points,
+        page.width.saturating_sub(columns(&before) + WRITTEN),
+    );
+    let state = format!("{written:<WRITTEN$}{points}");
     match page.colours && known.is_complete() {
         true => format!("{before}{GREEN}{state}{GREEN:#}"),
         false => format!("{before}{state}"),
@@ -138,7 +141,7 @@ mod tests {
         let text = format_status(&tasks, Page::default());
         let lines: Vec<&str> = text.lines().collect();
         assert!(lines[0].ends_with("written     20/20"), "{text}");
-        assert!(lines[1].contains("3.5/20 before"), "{text}");
+        assert!(lines[1].contains("written     3.5/20 before"), "{text}");
         assert!(lines[2].ends_with("holes left  not graded yet"), "{text}");
         assert!(
             text.contains("part1 23.5 of 40, part2 not graded yet"),

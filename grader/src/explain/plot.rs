@@ -61,9 +61,20 @@ impl Plot {
         }
     }
 
-    /// The lines of the plot, with a margin.
+    /// The lines of the plot, with a margin, without empty ones at the top and the bottom.
     pub(super) fn lines(&self) -> Vec<String> {
-        let rows = self.cells.iter();
+        let is_empty = |row: &[char; WIDTH]| row.iter().all(|cell| *cell == ' ');
+        let first = self
+            .cells
+            .iter()
+            .position(|row| !is_empty(row))
+            .unwrap_or(0);
+        let last = self
+            .cells
+            .iter()
+            .rposition(|row| !is_empty(row))
+            .unwrap_or(0);
+        let rows = self.cells[first..=last].iter();
         rows.map(|row| format!("    {}", row.iter().collect::<String>()))
             .collect()
     }

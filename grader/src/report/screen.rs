@@ -23,8 +23,8 @@ pub struct Context {
     pub places: Vec<Place>,
     /// The open task that comes next.
     pub next: Option<Place>,
-    /// The compiler's messages.
-    pub compiler: String,
+    /// The compiler's messages, if they were not printed while building.
+    pub compiler: Option<String>,
     /// What the student's code printed.
     pub printed: String,
 }
@@ -75,9 +75,10 @@ pub fn first_to_mend(report: &Report, extra: bool) -> Option<&TaskReport> {
     open.clone().find(attempted).or_else(|| open.next())
 }
 
-/// Leaves out blocks until the others have at most `height` lines.
+/// Leaves out blocks until the others have at most `height` lines; at last, tasks.
 fn fit(blocks: &mut Vec<Block>, height: usize) {
-    while blocks.iter().map(|block| block.lines.len()).sum::<usize>() > height {
+    let count = |blocks: &[Block]| blocks.iter().map(|block| block.lines.len()).sum::<usize>();
+    while count(blocks) > height {
         let ranks = blocks
             .iter()
             .enumerate()
@@ -86,7 +87,12 @@ fn fit(blocks: &mut Vec<Block>, height: usize) {
             return;
         };
         if rank == 0 {
-            blocks[at].lines.truncate(height);
+            let surplus = count(blocks) - height + 1;
+            let tasks = &mut blocks[0].lines;
+            let kept = tasks.len().saturating_sub(surplus);
+            let left_out = tasks.len() - kept;
+            tasks.truncate(kept);
+            tasks.push(format!("and {left_out} more"));
             return;
         }
         blocks.remove(at);
@@ -135,15 +141,17 @@ fn part(key: &str) -> &str {
 }
 
 /// Columns of a task's title.
-const TITLE: usize = 37;
+pub(crate) fn title_width(page: Page) -> usize {
+    page.width.saturating_sub(43).min(37)
+}
 
 /// Columns of a task's points.
 const POINTS: usize = 9;
 
 fn task_line(task: &TaskResult, page: Page) -> String {
-    let title = one_line(&task.title, TITLE.min(page.width / 3));
+    let title = one_line(&task.title, title_width(page));
     let points = format!("{}/{}", number(task.score), number(task.max_score));
-    let padding = " ".repeat(TITLE.min(page.width / 3).saturating_sub(columns(&title)));
+    let padding = " ".repeat(title_width(page).saturating_sub(columns(&title)));
     let before = format!("{}  {title}{padding} {points:>POINTS$}  ", task.key);
     let status = one_line(&state(task), page.width.saturating_sub(columns(&before)));
     match page.colours {

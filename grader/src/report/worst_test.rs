@@ -33,13 +33,15 @@ fn path(workspace: &Workspace, key: &str) -> PathBuf {
     workspace.outputs().join(format!("{name}.rs"))
 }
 
-/// The commands that run the test of `task`, if it has one. They make the folder for it, which a
-/// handout does not have.
-pub(super) fn commands(task: &TaskReport) -> Option<String> {
+/// The commands that run the test of `task`, if it has one, in lines that can be pasted into a shell
+/// together. They make the folder for it, which a handout does not have.
+pub(super) fn commands(task: &TaskReport) -> Option<[String; 3]> {
     let file = with_slashes(task.test_file.as_ref()?);
     let stage = &task.result.stage;
     let folder = format!("stages/{stage}/tests");
-    Some(format!(
-        "mkdir -p {folder} && cp {file} {folder}/worst.rs && cargo test -p {stage} --test worst"
-    ))
+    Some([
+        format!("mkdir -p {folder} &&"),
+        format!("cp {file} {folder}/worst.rs &&"),
+        format!("cargo test -p {stage} --test worst"),
+    ])
 }

@@ -61,13 +61,13 @@ pub(crate) fn one_line(text: &str, width: usize) -> String {
     )
 }
 
-/// One line whose numbers have as many digits as fit: all of them, else ten or six significant
-/// ones.
+/// One line whose numbers have as many digits as fit: all of them, else from ten down to three
+/// significant ones.
 pub(crate) fn numbers_to_fit(text: &str, width: usize) -> String {
     let with = |digits: usize| one_line(&shorten_numbers(text, digits), usize::MAX);
-    let texts = [usize::MAX, 10, 6].map(with);
+    let texts = [usize::MAX, 10, 6, 4, 3].map(with);
     let fitting = texts.iter().find(|text| columns(text) <= width);
-    fitting.map_or_else(|| one_line(&texts[2], width), String::clone)
+    fitting.map_or_else(|| one_line(&texts[4], width), String::clone)
 }
 
 /// The text with every decimal number of more than `digits` significant digits rounded to these.
@@ -146,7 +146,7 @@ mod tests {
                 assert_eq!(letters(&lines.concat()), letters(text));
             }
         }
-        assert_eq!(wrap("  one two", 4, 7), ["  one", "    two"]);
+        assert_eq!(wrap("  one two", 4, 8), ["  one", "    two"]);
     }
 
     #[test]
@@ -162,7 +162,7 @@ mod tests {
         let text = "t = 11.622849631242309, n = (0.000123456789, 1)";
         assert_eq!(numbers_to_fit(text, 80), text);
         assert_eq!(
-            numbers_to_fit(text, 40),
+            numbers_to_fit(text, 39),
             "t = 11.6228, n = (0.000123457, 1)"
         );
         assert_eq!(

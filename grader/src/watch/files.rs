@@ -46,7 +46,7 @@ impl WatchedFiles {
 /// The states of the files of a stage. A file that an editor is just replacing is left out: it is
 /// there the next time.
 fn state(workspace: &Workspace, stage: &str) -> BTreeMap<PathBuf, State> {
-    let paths = sources::paths(workspace, stage).unwrap_or_default();
+    let paths = sources::paths(workspace.root(), stage).unwrap_or_default();
     let states = paths.into_iter().filter_map(|path| {
         let metadata = std::fs::metadata(&path).ok()?;
         Some((path, (metadata.modified().ok(), metadata.len())))

@@ -10,6 +10,7 @@ use crate::error::GraderError;
 use crate::next_task::chapter;
 use crate::report::screen::{self, Context};
 use crate::report::terminal::{GREEN, Page};
+use crate::report::wrap::one_line;
 use crate::report::{HintLevel, Report, Reveal};
 use std::collections::BTreeSet;
 
@@ -44,8 +45,7 @@ pub trait Desk {
 }
 
 /// The last line of the screen: the keys.
-const KEYS: &str =
-    "h more hint, n next task, p picture, c chapter, Enter again, q quit (then Enter)";
+const KEYS: &str = "keys, then Enter: h more hint, n next task, p picture, c chapter, q quit";
 
 /// Lines for the keys and a remark.
 const FOOTER: usize = 3;
@@ -149,7 +149,8 @@ impl Session<'_> {
     }
 
     fn grade(&mut self, desk: &mut impl Desk) {
-        desk.show(&format!("grading {} ...\n", self.what.replace(',', ", ")));
+        let what = format!("grading {} ...", self.what.replace(',', ", "));
+        desk.show(&format!("{}\n", one_line(&what, self.page.width)));
         let graded = desk.grade(&self.what);
         let mut now_complete = Vec::new();
         if let Ok((report, _)) = &graded {

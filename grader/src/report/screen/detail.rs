@@ -5,7 +5,7 @@ use crate::compile_errors;
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
 use crate::report::worst_test;
-use crate::report::wrap::{numbers_to_fit, wrap_to};
+use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
 use crate::report::{HintLevel, Reveal, TaskReport, order};
 use crate::score::{CaseResult, Status, TaskResult};
 use judge::Tier;
@@ -86,20 +86,24 @@ fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
 }
 
 fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
-    out.add(
-        0,
-        2,
-        &format!("{}: stages/{} does not compile.", task.key, task.stage),
-    );
-    let (first, count) = compile_errors::first(&context.compiler);
-    let lines = first
-        .lines()
-        .filter(|line| !line.trim().is_empty())
-        .take(MESSAGE);
-    let lines = lines.map(|line| format!("  {}", compile_errors::plain(line)));
-    let lines: Vec<String> = lines
-        .map(|line| line.chars().take(out.page.width).collect())
-        .collect();
+    let what = format!("{}: stages/{} does not compile", task.key, task.stage);
+    let Some(messages) = &context.compiler else {
+        let text = format!("{what}: the compiler's messages are above.");
+        return out.add(0, 2, &text);
+    };
+    out.add(0, 2, &format!("{what}."));
+    let (first, count) = compile_errors::first(messages);
+    let lines = first.lines().filter(|line| !line.trim().is_empty());
+    let lines = lines.take(MESSAGE).flat_map(|line| {
+        let line = format!("  {}", compile_errors::plain(line));
+        // Where the compiler points with signs below the code, the columns must stay.
+        match columns(&line) <= out.page.width {
+            true => vec![line],
+            false => wrap_to(&line, 4, out.page.width, 2),
+        }
+    });
+    let mut lines: Vec<String> = lines.collect();
+    lines.truncate(MESSAGE);
     out.blocks.push(Block { rank: 1, lines });
     if count > 1 {
         let others = judge::plural(count - 1, "other message", "other messages");
@@ -171,15 +175,37 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             Some((found, question)) => (found, format!("    Ray: {question}")),
             None => (worst.message.as_str(), String::new()),
         };
-        let lines = [format!("    {found}"), question];
+        let lines = [
+            format!("    {}", without_reason(found, out.page.width)),
+            question,
+        ];
         let lines = lines.iter().filter(|line| !line.is_empty());
         let lines: Vec<String> = lines
             .map(|line| numbers_to_fit(line, out.page.width))
             .collect();
         out.blocks.push(Block { rank: 0, lines });
     }
-    if let Some(commands) = worst_test::commands(report) {
-        out.add(2, 3, &format!("  As a test: {commands}"));
+    if let Some([make, copy, test]) = worst_test::commands(report) {
+        let lines = [
+            format!("  As a test: {make}"),
+            format!("    {copy}"),
+            format!("    {test}"),
+        ];
+        let lines = lines.map(|line| one_line(&line, out.page.width));
+        out.blocks.push(Block {
+            rank: 2,
+            lines: lines.into(),
+        });
+    }
+}
+
+/// The message, without the reason at its end if that does not fit in one line.
+fn without_reason(found: &str, width: usize) -> &str {
+    let reasons = [", because ", ", since "];
+    let cut = reasons.iter().find_map(|reason| found.split_once(reason));
+    match cut {
+        Some((result, _)) if columns(found) + 4 > width => result,
+        _ => found,
     }
 }
 

@@ -5,10 +5,12 @@ use crate::compile::BuildRoot;
 use crate::course::{CaseEntry, Course, Task};
 use crate::error::GraderError;
 use crate::grade::{self, GradeRequest};
+use crate::report::message;
 use crate::report::table::status_text;
 use crate::report::terminal::Page;
-use crate::report::wrap::{numbers_to_fit, wrap};
+use crate::report::wrap::{columns, numbers_to_fit, wrap};
 use crate::score::{CaseResult, Status};
+use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
 use judge::cases::{self, Spec};
 use judge::repro;
@@ -17,6 +19,9 @@ use judge::tally::WrongAnswer;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use wire::Answer;
+
+/// Columns of the name of a field of a call.
+const FIELD: usize = 11;
 
 /// The most wrong calls that are listed.
 const LISTED: usize = 200;
@@ -45,7 +50,9 @@ pub(super) fn run(
     let alone = call.and_then(|call| spec.only_call(call as usize));
     let mut runs = vec![spec.clone()];
     runs.extend(alone.clone());
-    let workers = grade::workers(&BuildRoot::of(workspace), &[task], &runs[..1], false)?;
+    let stages = [task.stage.as_str()];
+    let build_root = BuildRoot::of(workspace);
+    let workers = WorkerSet::build(&build_root, &stages, spec.needs_all_stages())?;
     let Some(workers) = workers.workers(&task.stage) else {
         println!("{}: stages/{} does not compile", task.key, task.stage);
         return Ok(Verdict::Failed);
@@ -61,9 +68,17 @@ pub(super) fn run(
     }
     let (whole, printed) = ran.remove(0);
     let (of_call, printed) = ran.pop().unwrap_or_else(|| (whole.clone(), printed));
-    let (findings, wrong) = match &whole {
-        Ok(answer) => judge::judge_each(spec, entry.tier, answer),
-        Err(_) => (Vec::new(), Vec::new()),
+    let (findings, wrong) = match (&whole, &alone, &of_call) {
+        (Ok(answer), ..) => judge::judge_each(spec, entry.tier, answer),
+        // Another call ended the case.
+        (Err(_), Some(alone), Ok(answer)) => {
+            let (_, mut wrong) = judge::judge_each(alone, entry.tier, answer);
+            wrong
+                .iter_mut()
+                .for_each(|wrong| wrong.call = call.unwrap_or(0));
+            (Vec::new(), wrong)
+        }
+        _ => (Vec::new(), Vec::new()),
     };
     let status = whole.as_ref().err().cloned().unwrap_or(Status::Passed);
     let result = CaseResult::new(entry, spec.about, status, findings);
@@ -158,9 +173,11 @@ impl Case<'_> {
         let of = judge::plural(self.spec.calls(), "call", "calls");
         let _ = writeln!(text, "wrong: {} of {of}", calls.len());
         for (call, wrong) in calls.iter().take(LISTED) {
-            let message = result_only(&wrong[0].message);
-            let line = format!("  {call:>4}  {}: {message}", wrong[0].aspect.label());
-            let _ = writeln!(text, "{}", numbers_to_fit(&line, page.width));
+            let (result, _) = message::parts(&wrong[0].message);
+            let start = format!("  {call:>4}  {}: ", wrong[0].aspect.label());
+            let room = page.width.saturating_sub(columns(&start));
+            let result = numbers_to_fit(message::without_reason(result, room), room);
+            let _ = writeln!(text, "{start}{result}");
         }
         if let Some(more) = calls.len().checked_sub(LISTED).filter(|more| *more > 0) {
             let _ = writeln!(text, "  and {more} more");
@@ -190,9 +207,10 @@ impl Case<'_> {
             _ => None,
         };
         let mut field = |name: &str, value: &str| {
-            let full = format!("  {name:<10}{value}");
-            for line in wrap(&full, 12, page.width) {
-                let _ = writeln!(text, "{line}");
+            let lines = wrap(value, 0, page.width.saturating_sub(FIELD + 2));
+            for (i, line) in lines.iter().enumerate() {
+                let name = if i == 0 { name } else { "" };
+                let _ = writeln!(text, "  {name:<FIELD$}{line}");
             }
         };
         let golden = self.golden.as_ref().and_then(|golden| golden.row(call));
@@ -204,7 +222,14 @@ impl Case<'_> {
             field("input", &asked.asked());
         }
         match (alone_answer, &line) {
-            (Err(status), _) => field("yours", &status_text(status)),
+            // Alone it is call 0, whatever its number in the case.
+            (Err(status), _) => {
+                let text = status_text(status);
+                let how = text
+                    .split_once(" (call ")
+                    .map_or(text.as_str(), |(how, _)| how);
+                field("yours", how);
+            }
             (Ok(_), Some(line)) => field("yours", &line.answer_text()),
             (Ok(_), None) => {}
         }
@@ -220,7 +245,7 @@ impl Case<'_> {
             let message = format!(
                 "wrong {}: {}",
                 wrong.aspect.label(),
-                result_only(&wrong.message)
+                message::parts(&wrong.message).0
             );
             field("verdict", &message);
         }
@@ -245,11 +270,4 @@ impl Case<'_> {
 /// The row of a call, with its question and all fields of its answer.
 fn row(spec: &Spec, answer: &Answer, call: u32) -> Option<Line> {
     snapshot::full(&spec.work, answer)?.row(call).cloned()
-}
-
-/// A message without the ray at its end, which is printed on its own or not at all.
-fn result_only(message: &str) -> &str {
-    message
-        .split_once(". Ray: ")
-        .map_or(message, |(result, _)| result)
 }

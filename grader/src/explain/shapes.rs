@@ -44,9 +44,8 @@ fn counts(all: &[Expected]) -> String {
 /// Adds the legend of marks, and how many rays are not in the drawing.
 fn finish(plot: &Plot, what: &str, outside: usize) -> Vec<String> {
     let mut lines = plot.lines();
-    lines.push(legend(&format!(
-        "{what}; o hit, x miss, ? either, * several"
-    )));
+    lines.push(legend(what));
+    lines.push(legend("o hit, x miss, ? either, * several different ones"));
     if outside > 0 {
         let rays = plural(outside, "ray is", "rays are");
         lines.push(legend(&format!("{rays} outside the drawing")));

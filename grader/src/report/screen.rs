@@ -220,7 +220,7 @@ fn more(task: &TaskReport, context: &Context, reveal: Reveal, page: Page) -> Blo
     let text = format!("cargo grader {}: {}", context.what, more.join(", "));
     Block {
         rank: 1,
-        lines: wrap_to(&text, 2, page.width, 2),
+        lines: wrap_to(&text, 2, page.width, 3),
     }
 }
 

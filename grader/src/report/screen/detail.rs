@@ -2,6 +2,7 @@
 
 use super::{Block, Context};
 use crate::compile_errors;
+use crate::report::message;
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
 use crate::report::worst_test;
@@ -171,14 +172,10 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         );
         out.add(0, 2, &text);
         // The message ends with the question; both have a line of their own.
-        let (found, question) = match worst.message.split_once(". Ray: ") {
-            Some((found, question)) => (found, format!("    Ray: {question}")),
-            None => (worst.message.as_str(), String::new()),
-        };
-        let lines = [
-            format!("    {}", without_reason(found, out.page.width)),
-            question,
-        ];
+        let (found, question) = message::parts(&worst.message);
+        let found = message::without_reason(found, out.page.width.saturating_sub(4));
+        let question = question.map(|question| format!("    Ray: {question}"));
+        let lines = [format!("    {found}"), question.unwrap_or_default()];
         let lines = lines.iter().filter(|line| !line.is_empty());
         let lines: Vec<String> = lines
             .map(|line| numbers_to_fit(line, out.page.width))
@@ -196,16 +193,6 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             rank: 2,
             lines: lines.into(),
         });
-    }
-}
-
-/// The message, without the reason at its end if that does not fit in one line.
-fn without_reason(found: &str, width: usize) -> &str {
-    let reasons = [", because ", ", since "];
-    let cut = reasons.iter().find_map(|reason| found.split_once(reason));
-    match cut {
-        Some((result, _)) if columns(found) + 4 > width => result,
-        _ => found,
     }
 }
 

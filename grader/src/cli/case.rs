@@ -249,13 +249,10 @@ impl Case<'_> {
             );
             field("verdict", &message);
         }
-        let whole_failed = wrong.is_empty() && self.result.status != Status::Passed;
-        match whole_failed {
-            _ if !wrong.is_empty() => {}
-            true if whole.is_none() => {
-                field("verdict", "none: the case did not return all answers")
-            }
-            _ => field("verdict", "right"),
+        match wrong.is_empty() {
+            true if alone_answer.is_ok() => field("verdict", &right(self.spec)),
+            true => field("verdict", "no answer to judge"),
+            false => {}
         }
         if let Some(test) = repro::test(self.spec, self.entry.tier, call as usize) {
             let _ = writeln!(text, "as a test:");
@@ -264,6 +261,15 @@ impl Case<'_> {
             });
         }
         text
+    }
+}
+
+/// The verdict on a right answer. A case may judge only some aspects of it.
+fn right(spec: &Spec) -> String {
+    let aspects = spec.about_aspects.iter().map(|aspect| aspect.label());
+    match aspects.collect::<Vec<_>>().join(", ") {
+        all if all.is_empty() => "right".into(),
+        some => format!("right in what this case is about: {some}"),
     }
 }
 

@@ -17,7 +17,7 @@ use judge::Tier;
 /// What a screen says besides the report.
 #[derive(Clone, Debug, Default)]
 pub struct Context {
-    /// What was graded: `all`, a part or a task.
+    /// What was graded: `all`, a part or a task, or several of these with commas between them.
     pub what: String,
     /// Where the graded tasks are written, in their order.
     pub places: Vec<Place>,
@@ -233,7 +233,12 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
     let what = match context.what.strip_prefix("part") {
         Some(number) if !number.contains('.') => format!("Part {number} is complete."),
         _ if context.what == "all" => "Every part is complete.".into(),
-        _ => format!("{} is complete.", context.what),
+        _ => match context.what.rsplit_once(',') {
+            Some((most, last)) => {
+                format!("{} and {last} are complete.", most.replace(',', ", "))
+            }
+            None => format!("{} is complete.", context.what),
+        },
     };
     let what = match page.colours {
         true => format!("{GREEN}{what}{GREEN:#}"),
@@ -243,8 +248,8 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
         rank: 0,
         lines: vec![String::new(), what],
     }];
-    let pictures = report.tasks.iter().filter_map(|task| task.picture.as_ref());
-    if let Some(picture) = pictures.last() {
+    let mut tasks = report.tasks.iter().rev();
+    if let Some(picture) = tasks.find_map(|task| task.picture.as_ref()) {
         blocks.push(block(1, format!("picture: {}", picture.display())));
     }
     if let Some(line) = speedup(report) {

@@ -165,7 +165,7 @@ impl Session<'_> {
         self.last = Some(graded);
         let remark = match now_complete.as_slice() {
             [] => String::new(),
-            keys => format!("Done: {} has every core point now.", keys.join(", ")),
+            keys => format!("Done, every core point: {}.", keys.join(", ")),
         };
         let remark = match self.page.colours && !remark.is_empty() {
             true => format!("{GREEN}{remark}{GREEN:#}"),

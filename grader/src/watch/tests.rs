@@ -147,7 +147,7 @@ fn a_task_is_celebrated_when_it_becomes_complete_and_not_again() {
         ..Script::default()
     };
     play(&mut script, None, &[saved(&["raygen"]), saved(&["raygen"])]);
-    let done = "Done: part1.task2 has every core point now.";
+    let done = "Done, every core point: part1.task2.";
     let celebrations = script.shown.iter().filter(|text| text.contains(done));
     assert_eq!(celebrations.count(), 1, "{:?}", script.shown);
 }

@@ -1,5 +1,6 @@
 //! Builds the worker with the student's stages, and other programs of the workspace.
 
+use crate::changed_signature;
 use crate::child_processes;
 use crate::error::GraderError;
 use crate::target_folder;
@@ -24,8 +25,11 @@ pub enum BuildOutcome {
 pub struct CompileErrors {
     /// The crates that have errors. Crates that depend on them were not built.
     pub failed_crates: BTreeSet<String>,
-    /// The compiler's messages. They were also printed to stderr unless the build is sealed.
+    /// The compiler's messages, but instead of those about the worker what they mean for the stage,
+    /// if the worker links one stage. They were also printed to stderr unless the build is quiet or sealed.
     pub messages: String,
+    /// The compiler's messages about the worker itself: a stage's functions do not fit its calls.
+    worker_messages: String,
 }
 
 /// Where the code under test is built. Everything else (the course, the goldens) is the trusted
@@ -39,7 +43,12 @@ pub struct BuildRoot<'a> {
     /// Builds code that is not the caller's own: without network access, with the library versions
     /// of the lock file, and without printing anything.
     pub sealed: bool,
+    /// Prints nothing while building, neither cargo's progress nor the compiler's messages.
+    pub quiet: bool,
 }
+
+/// The package and the crate of the worker.
+const WORKER: &str = "worker";
 
 impl BuildRoot<'_> {
     /// The workspace itself.
@@ -48,6 +57,7 @@ impl BuildRoot<'_> {
             root: workspace.root(),
             target: None,
             sealed: false,
+            quiet: false,
         }
     }
 
@@ -55,19 +65,40 @@ impl BuildRoot<'_> {
     /// compile, the others are still built. Cargo's progress and the compiler's messages go to
     /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
-        let show = !self.sealed;
-        match run_cargo(
-            self.command(features, show && has_colours()),
-            "worker",
-            show,
-        )? {
+        let show = !self.sealed && !self.quiet;
+        match run_cargo(self.command(features, show && has_colours()), WORKER, show)? {
             Ok(program) => copy_under_own_name(program, features),
-            Err(errors) => Ok(BuildOutcome::DoesNotCompile(errors)),
+            Err(errors) => Ok(BuildOutcome::DoesNotCompile(
+                self.with_explanation(errors, features, show),
+            )),
         }
     }
 
+    /// Adds to the errors of a build what those about the worker mean.
+    fn with_explanation(
+        &self,
+        mut errors: CompileErrors,
+        features: &[&str],
+        show: bool,
+    ) -> CompileErrors {
+        let calls = &errors.worker_messages;
+        let explanation = match features {
+            _ if calls.is_empty() => return errors,
+            [stage] if self.root.join("stages").join(stage).is_dir() => {
+                changed_signature::explain(self.root, stage, calls)
+            }
+            // Each stage is built alone next.
+            _ => calls.clone(),
+        };
+        if show && features.len() == 1 {
+            eprint!("{explanation}");
+        }
+        errors.messages.push_str(&explanation);
+        errors
+    }
+
     fn command(&self, features: &[&str], colours: bool) -> Command {
-        let mut command = release_build(self.root, "worker", colours);
+        let mut command = release_build(self.root, WORKER, colours);
         command.args([
             "--keep-going",
             "--no-default-features",
@@ -75,9 +106,10 @@ impl BuildRoot<'_> {
             &features.join(","),
         ]);
         if self.sealed {
-            command
-                .args(["--offline", "--locked"])
-                .stderr(Stdio::piped());
+            command.args(["--offline", "--locked"]);
+        }
+        if self.sealed || self.quiet {
+            command.stderr(Stdio::piped());
         }
         let target = self.target.map(Path::to_path_buf);
         if let Some(target) = target.or_else(|| target_folder::of(self.root)) {
@@ -166,10 +198,14 @@ fn run_cargo(
             Some(Message::Warning(text)) if show => eprint!("{text}"),
             Some(Message::Warning(_)) | None => {}
             Some(Message::Error { text, of_crate }) => {
-                if show {
-                    eprint!("{text}");
+                if of_crate == WORKER && package == WORKER {
+                    errors.worker_messages.push_str(&text);
+                } else {
+                    if show {
+                        eprint!("{text}");
+                    }
+                    errors.messages.push_str(&text);
                 }
-                errors.messages.push_str(&text);
                 errors.failed_crates.insert(of_crate);
             }
         }
@@ -180,7 +216,7 @@ fn run_cargo(
     let stderr = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
     match program {
         Some(program) if status.success() => Ok(Ok(program)),
-        _ if !errors.messages.is_empty() => Ok(Err(errors)),
+        _ if !errors.failed_crates.is_empty() => Ok(Err(errors)),
         // Not the fault of the code: a library is missing, for example, or a manifest is broken.
         _ => Err(GraderError::new(format!(
             "cargo could not build the package {package} in {} ({status}). {}",

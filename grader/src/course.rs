@@ -113,9 +113,21 @@ impl Course {
         stages_of(self.tasks())
     }
 
-    /// The tasks that `what` selects: `all`, a part such as `part2`, or a task such as
-    /// `part2.task3`.
+    /// The tasks that `what` selects: `all`, a part such as `part2`, a task such as `part2.task3`, or
+    /// several of these with commas between them.
     pub fn select(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
+        let mut chosen: Vec<&Task> = Vec::new();
+        for what in what.split(',') {
+            for task in self.select_one(what)? {
+                if chosen.iter().all(|known| known.key != task.key) {
+                    chosen.push(task);
+                }
+            }
+        }
+        Ok(chosen)
+    }
+
+    fn select_one(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
         let chosen: Vec<&Task> = self
             .tasks()
             .filter(|task| what == "all" || task.key == what || task.part_key() == what)
@@ -268,6 +280,21 @@ fn ensure(condition: bool, message: impl FnOnce() -> String) -> Result<(), Grade
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_list_selects_each_task_once() {
+        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let keys = |what: &str| -> Vec<&str> {
+            let tasks = course.select(what).expect("they exist").into_iter();
+            tasks.map(|task| task.key.as_str()).collect()
+        };
+        assert_eq!(
+            keys("part1.task4,part1.task2"),
+            ["part1.task4", "part1.task2"]
+        );
+        assert_eq!(keys("part3.task1,part3").len(), 3);
+        assert!(course.select("part1.task1,").is_err());
+    }
 
     #[test]
     fn the_error_for_an_unknown_task_lists_the_tasks_of_its_part() {

@@ -105,6 +105,7 @@ mod tests {
         Ending::Recorded(Record {
             case: 0,
             untouched: Vec::new(),
+            holes: Vec::new(),
             outcome,
         })
     }

@@ -3,7 +3,7 @@
 use crate::compile::BuildRoot;
 use crate::course::{Course, Task, stages_of};
 use crate::crash::{self, Crash};
-use crate::diagnosis::{self, Diagnosis};
+use crate::diagnosis;
 use crate::error::GraderError;
 use crate::picture;
 use crate::printed::Printed;
@@ -18,6 +18,7 @@ use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
 use judge::cases::{self, Spec};
 use judge::repro::{self, FailedCase};
+use wire::answer::HoleCall;
 use wire::{Answer, Outcome};
 
 /// A request to grade tasks.
@@ -41,17 +42,22 @@ pub struct Graded {
 }
 
 /// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
-/// if one of the tasks is about them.
+/// if one of the tasks is about them. A `quiet` build prints nothing.
 pub fn in_place(
     workspace: &Workspace,
     request: &GradeRequest,
     times: bool,
+    quiet: bool,
 ) -> Result<Graded, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
     let specs = cases::all(request.seed);
     let times = times && speedup::applies_to(&tasks);
-    let workers = workers(&BuildRoot::of(workspace), &tasks, &specs, times)?;
+    let build_root = BuildRoot {
+        quiet,
+        ..BuildRoot::of(workspace)
+    };
+    let workers = workers(&build_root, &tasks, &specs, times)?;
     // The pictures are rendered on another processor, before anything is timed.
     let (run, pictures) = std::thread::scope(|scope| {
         let pictures = scope.spawn(|| picture::write_all(workspace, &course, &tasks, &workers));
@@ -69,7 +75,7 @@ pub fn in_place(
             .into_iter()
             .for_each(|report| report.picture = Some(path.clone()));
     }
-    let speedups = if times {
+    let speedups = if times && speedup::is_attempted(&tasks) {
         Some(speedup::measure(&course, &workers.whole_scene)?)
     } else {
         None
@@ -164,16 +170,13 @@ fn explain(
         }
         let known = diagnosis::known(workspace, &result.key)?;
         let diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
-        let is_explained = diagnosis.as_ref().is_some_and(Diagnosis::is_likely);
+        let regularities = regularity::of(&result.key, &result.cases, specs);
+        let worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
         Ok(TaskReport {
             diagnosis,
-            regularities: match is_explained {
-                true => Vec::new(),
-                false => regularity::of(&result.key, &result.cases, specs),
-            },
-            worst_as_test: repro::worst(failed_cases(&result.cases), specs, &result.key),
-            picture: None,
-            result,
+            regularities,
+            worst_as_test,
+            ..TaskReport::from(result)
         })
     });
     explained.collect()
@@ -224,10 +227,7 @@ pub fn score_tasks(
             let (spec, ending) = endings
                 .next()
                 .ok_or_else(|| GraderError::new("the worker returned no result for a case"))?;
-            let holes = match ending {
-                Ok(Ending::Recorded(record)) => record.holes.as_slice(),
-                _ => &[],
-            };
+            let holes = holes(ending);
             let crash = ending.as_ref().ok().and_then(Crash::of);
             let (status, findings) = match answered(&task.key, ending, course)? {
                 Err(status) => (with_input(status, crash, spec), Vec::new()),
@@ -257,6 +257,14 @@ fn with_input(status: Status, crash: Option<Crash>, spec: &Spec) -> Status {
     match (status, input) {
         (Status::Crashed(how), Some(input)) => Status::Crashed(crash::with_input(&how, &input)),
         (status, _) => status,
+    }
+}
+
+/// The functions of a case that have holes.
+pub fn holes(ending: &Result<Ending, String>) -> &[HoleCall] {
+    match ending {
+        Ok(Ending::Recorded(record)) => &record.holes,
+        _ => &[],
     }
 }
 

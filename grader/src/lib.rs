@@ -10,35 +10,44 @@
 //! - the crate [`judge`]: which answers are right
 //! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake; [`speedup`]: times
 //! - [`picture`]: what the code renders
-//! - [`report`]: the output
+//! - [`report`]: the output; [`results`] and [`next_task`]: what is known from earlier runs
+//!
+//! [`watch`] grades whenever a file is saved. [`explain`] draws what a case tests.
 //!
 //! The tools for instructors are separate crates beside this one: `authoring` (handouts, the course
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
 //! goldens), `cost` (time against accuracy).
 
+mod changed_signature;
 pub mod child_processes;
 pub mod cli;
 pub mod compile;
+pub mod compile_errors;
 pub mod consistency;
 pub mod course;
 pub mod crash;
 pub mod death;
 pub mod diagnosis;
 pub mod error;
+pub mod explain;
 pub mod grade;
 pub mod interrupt;
 pub mod last_report;
+pub mod next_task;
 pub mod packed;
 pub mod picture;
 pub mod printed;
 pub mod records;
 pub mod regularity;
 pub mod report;
+pub mod results;
 pub mod runner;
 pub mod score;
 pub mod signature;
+pub mod sources;
 pub mod speedup;
 pub mod stage_workers;
 mod target_folder;
+pub mod watch;
 pub mod worker_set;
 pub mod workspace;

@@ -11,7 +11,9 @@ pub use growth::{Growth, slope};
 use crate::course::{Course, Task};
 use crate::crash;
 use crate::error::GraderError;
+use crate::report::TaskReport;
 use crate::runner::{self, Ending, Worker};
+use crate::score::Status;
 use judge::cases::recorded::{self, RayWork};
 use kit::Vec3;
 use serde::Serialize;
@@ -82,11 +84,24 @@ const LIMIT_MS: u64 = 20_000;
 /// The maximum number of primitives in a leaf, as in the assignment.
 const MAX_LEAF_SIZE: u32 = 4;
 
-/// Whether `tasks` include both tasks that the speedup depends on: BVH construction and traversal.
+/// The tasks that the speedup depends on: BVH construction and traversal.
+const TASKS: [&str; 2] = ["part2.task1", "part2.task3"];
+
+/// Whether `tasks` include both tasks that the speedup depends on.
 pub fn applies_to(tasks: &[&Task]) -> bool {
-    ["part2.task1", "part2.task3"]
+    TASKS
         .iter()
         .all(|key| tasks.iter().any(|task| task.key == *key))
+}
+
+/// Whether the code of both tasks is the student's own: there is nothing to time before that.
+pub fn is_attempted(tasks: &[TaskReport]) -> bool {
+    let written = |key: &str| {
+        let mut results = tasks.iter().map(|task| &task.result);
+        let result = results.find(|result| result.key == key);
+        result.is_some_and(|result| result.status != Status::NotAttempted)
+    };
+    TASKS.into_iter().all(written)
 }
 
 /// Times the code in `worker`. If there is no worker, `missing` names the stages that do not
@@ -234,6 +249,7 @@ fn median(times: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::score::TaskResult;
 
     #[test]
     fn one_slow_round_does_not_change_the_median() {
@@ -261,6 +277,24 @@ mod tests {
         assert!((speedup.speedup - 15.0).abs() < 1e-9);
         assert!((speedup.speedup_range[0] - 7.5).abs() < 1e-9);
         assert!((speedup.speedup_range[1] - 15.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_tree_that_is_not_attempted_is_not_timed() {
+        let course = Course::parse(include_str!("../../stages/course.toml")).unwrap();
+        let tasks = |of_traversal: &Status| -> Vec<TaskReport> {
+            let tasks = course.tasks().filter(|task| TASKS.contains(&&*task.key));
+            let results = tasks.map(|task| TaskResult {
+                status: match task.key == TASKS[1] {
+                    true => of_traversal.clone(),
+                    false => Status::Passed,
+                },
+                ..TaskResult::new(task, Vec::new())
+            });
+            results.map(TaskReport::from).collect()
+        };
+        assert!(is_attempted(&tasks(&Status::Failed)));
+        assert!(!is_attempted(&tasks(&Status::NotAttempted)));
     }
 
     #[test]

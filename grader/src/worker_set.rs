@@ -57,6 +57,11 @@ impl WorkerSet {
                 known.any(|stage| stage == name)
             };
             if !errors.failed_crates.iter().all(is_stage) {
+                if features.len() == 1 && !whole_scene {
+                    // It was built alone: its functions do not fit the worker's calls.
+                    workers.compiler.push_str(&errors.messages);
+                    break;
+                }
                 return WorkerSet::build_one_by_one(build_root, stages, whole_scene);
             }
             workers.compiler.push_str(&errors.messages);

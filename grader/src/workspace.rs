@@ -56,6 +56,17 @@ impl Workspace {
         self.root.join(COURSE)
     }
 
+    /// The folder of what runs of the grader leave for students: results, tests, pictures.
+    pub fn outputs(&self) -> PathBuf {
+        self.root.join("target").join("first-light")
+    }
+
+    /// Creates the folder [`Workspace::outputs`] if it does not exist yet.
+    pub fn create_outputs(&self) -> Result<(), GraderError> {
+        let folder = self.outputs();
+        std::fs::create_dir_all(&folder).map_err(|e| GraderError::file("create", &folder, e))
+    }
+
     /// The path of the golden snapshot of a case.
     pub fn snapshot(&self, task: &str, case: &str) -> PathBuf {
         self.root

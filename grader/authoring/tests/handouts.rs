@@ -247,6 +247,29 @@ fn the_readme_lists_every_task_with_its_file() {
 }
 
 #[test]
+fn the_readme_greets_in_three_lines() {
+    let readme = text(handout(1), "README.md");
+    let greeting: Vec<&str> = readme.lines().skip(2).take(4).collect();
+    assert!(
+        greeting[0].starts_with("You write a ray tracer"),
+        "{readme}"
+    );
+    assert!(greeting[1].contains("`cargo grader`"), "{readme}");
+    assert!(greeting[2].contains("`cargo grader look`"), "{readme}");
+    assert_eq!(greeting[3], "");
+}
+
+#[test]
+fn the_readme_lists_what_is_not_graded_but_needed() {
+    let readme = text(handout(1), "README.md");
+    let mis = "- `estimate_direct_lighting_mis` in `stages/direct/src/mis.rs`, with part3.task3: ";
+    assert!(readme.contains(mis), "{readme}");
+    assert!(readme.contains("`pathtracer --mis` needs it."), "{readme}");
+    // Functions that are graded are listed above only.
+    assert!(!readme.contains("- `test_triangle`"), "{readme}");
+}
+
+#[test]
 fn the_error_for_an_unknown_part_lists_the_parts() {
     let error = Handout::carve(&workspace(), 9).unwrap_err().to_string();
     assert!(error.contains("no part 9"), "{error}");

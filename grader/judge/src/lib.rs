@@ -44,7 +44,7 @@ pub use plural::plural;
 pub use tier::Tier;
 
 use cases::Spec;
-use tally::{Aspect, Finding, Tally};
+use tally::{Aspect, Finding, Tally, WrongAnswer};
 use wire::{Answer, Work};
 
 /// Checks that `answer`, which comes from an untrusted worker, has the form that `work` requires:
@@ -76,8 +76,34 @@ pub fn judge_written(
     answer: &Answer,
     not_written: &[String],
 ) -> Vec<Finding> {
-    let mut tally = Tally::without(not_written);
+    judge_in(Tally::without(not_written), spec, tier, answer, not_written).0
+}
+
+/// As [`judge_written`], with every wrong answer: one for each wrong aspect of each call, in the
+/// order of the calls. Those that are wrong as a whole (a distribution, the work of a tree) are
+/// listed at one call.
+pub fn judge_each(
+    spec: &Spec,
+    tier: Tier,
+    answer: &Answer,
+    not_written: &[String],
+) -> (Vec<Finding>, Vec<WrongAnswer>) {
+    let tally = Tally::without(not_written).with_messages();
+    let (findings, mut wrong) = judge_in(tally, spec, tier, answer, not_written);
+    wrong.retain(|wrong| is_about(spec, wrong.aspect));
+    wrong.sort_by_key(|wrong| wrong.call);
+    (findings, wrong)
+}
+
+fn judge_in(
+    mut tally: Tally,
+    spec: &Spec,
+    tier: Tier,
+    answer: &Answer,
+    not_written: &[String],
+) -> (Vec<Finding>, Vec<WrongAnswer>) {
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
+    let wrong = tally.take_wrong_answers();
     let mut findings = tally.into_findings();
     findings.retain(|finding| is_about(spec, finding.aspect));
     if !not_written.is_empty() {
@@ -87,7 +113,7 @@ pub fn judge_written(
     for finding in &mut findings {
         finding.main = spec.is_main(finding.aspect);
     }
-    order::by_explanation(findings)
+    (order::by_explanation(findings), wrong)
 }
 
 /// Whether the case is about `aspect`.

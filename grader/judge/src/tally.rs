@@ -456,10 +456,23 @@ impl fmt::Display for Finding {
     }
 }
 
+/// A wrong aspect of the answer to one call.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrongAnswer {
+    /// Which call of the case, counted from 0.
+    pub call: u32,
+    /// Which aspect.
+    pub aspect: Aspect,
+    /// The student's result, the expected one and the input.
+    pub message: String,
+}
+
 /// Collects the findings of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     findings: Vec<Finding>,
+    /// Every wrong answer with its message, if they are kept.
+    wrong_answers: Option<Vec<WrongAnswer>>,
     not_judged: Vec<NotJudged>,
     function: Option<&'static str>,
     counted_for: Option<&'static str>,
@@ -473,6 +486,20 @@ impl Tally {
             not_written: not_written.to_vec(),
             ..Tally::default()
         }
+    }
+
+    /// The same tally, but it keeps the message of every wrong answer, not only that of the worst
+    /// ones.
+    pub(crate) fn with_messages(self) -> Tally {
+        Tally {
+            wrong_answers: Some(Vec::new()),
+            ..self
+        }
+    }
+
+    /// The wrong answers, in the order in which they were judged, if they are kept.
+    pub(crate) fn take_wrong_answers(&mut self) -> Vec<WrongAnswer> {
+        self.wrong_answers.take().unwrap_or_default()
     }
 
     /// Whether the answers of `function` are to be judged: it has no hole.
@@ -520,6 +547,7 @@ impl Tally {
     ) {
         let call = u32::try_from(call).unwrap_or(u32::MAX);
         let (function, counted_for) = (self.function, self.counted_for);
+        let keeps_messages = self.wrong_answers.is_some();
         let finding = self.entry(aspect);
         // Two functions may be judged on the same aspect in one call: it counts once.
         if finding.judged_calls.last() != Some(&call) {
@@ -543,15 +571,26 @@ impl Tally {
         } else {
             badness
         };
-        if finding
+        let is_worst = finding
             .worst
             .as_ref()
-            .is_none_or(|worst| badness > worst.badness)
-        {
+            .is_none_or(|worst| badness > worst.badness);
+        if !is_worst && !keeps_messages {
+            return;
+        }
+        let message = message();
+        if is_worst {
             finding.worst = Some(Worst {
                 call,
                 badness,
-                message: message(),
+                message: message.clone(),
+            });
+        }
+        if let Some(all) = &mut self.wrong_answers {
+            all.push(WrongAnswer {
+                call,
+                aspect,
+                message,
             });
         }
     }

@@ -1,41 +1,80 @@
 //! The command `grader part1`: grades the code in the workspace.
 
-use super::{Format, Verdict, seed_argument, seed_of};
+use super::{Format, Verdict, case, seed_argument, seed_of, whole_number};
+use crate::course::Course;
 use crate::error::GraderError;
-use crate::grade::{self, GradeRequest};
+use crate::grade::{self, GradeRequest, Graded};
+use crate::next_task;
 use crate::printed;
-use crate::report;
-use crate::report::table::HintLevel;
+use crate::report::screen::{self, Context};
+use crate::report::terminal::Page;
+use crate::report::{self, HintLevel, Reveal, worst_test};
+use crate::results::{self, Results};
+use crate::sources;
 use crate::workspace::Workspace;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use std::path::{Path, PathBuf};
 
-/// Adds to `command` the arguments for what to grade and how to print the report.
-pub fn arguments(command: Command) -> Command {
+/// Adds to `command` the arguments for what to grade and how to print the report. `hint` is the
+/// default of `--hint`.
+pub fn arguments(command: Command, hint: HintLevel) -> Command {
     command
         .arg(
             Arg::new("what")
                 .value_name("WHAT")
-                .required(true)
-                .help("What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`"),
+                .help("What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`; without it, the next open task"),
         )
         .arg(Arg::new("more").num_args(..).hide(true))
         .arg(Format::argument())
         .arg(seed_argument())
-        .arg(
-            Arg::new("hint")
-                .long("hint")
-                .value_name("LEVEL")
-                .value_parser(["1", "2", "3", "4"])
-                .default_value("4")
-                .help("How much to reveal: 1 = what each failed case tests, 2 = also what is wrong, 3 = also the worst ray, 4 = also the likely mistake"),
-        )
+        .arg(hint_argument(hint))
         .arg(
             Arg::new("no-times")
                 .long("no-times")
                 .action(ArgAction::SetTrue)
                 .help("Leave out the table of speedups"),
         )
+}
+
+/// The values of `--hint`.
+const LEVELS: [&str; HintLevel::ALL.len()] = ["1", "2", "3", "4"];
+
+/// The option `--hint` with this default.
+pub(super) fn hint_argument(default: HintLevel) -> Arg {
+    let levels = HintLevel::ALL.map(|level| format!("{} = {}", level.number(), level.adds()));
+    Arg::new("hint")
+        .long("hint")
+        .value_name("LEVEL")
+        .value_parser(LEVELS)
+        .default_value(LEVELS[default.number() - 1])
+        .help(format!(
+            "How much to reveal, each level more: {}",
+            levels.join("; ")
+        ))
+}
+
+/// The arguments for a student's own code only.
+pub(super) fn student_arguments() -> [Arg; 4] {
+    [
+        Arg::new("long")
+            .long("long")
+            .action(ArgAction::SetTrue)
+            .help("Print every failed case, not only what helps most"),
+        Arg::new("extra")
+            .long("extra")
+            .action(ArgAction::SetTrue)
+            .help("Also show what extra credit lost, once every core case passes"),
+        Arg::new("case")
+            .long("case")
+            .value_name("CASE")
+            .help("Run one case of a task, such as `part1.task3 --case range`, and print its wrong calls"),
+        Arg::new("call")
+            .long("call")
+            .value_name("N")
+            .requires("case")
+            .value_parser(|value: &str| whole_number(value, 0, u32::MAX))
+            .help("With --case: print this call of it, counted from 0: input, answer, expected answer"),
+    ]
 }
 
 /// The arguments for grading submissions instead of the workspace's own code.
@@ -73,7 +112,7 @@ pub(super) fn is_for_submissions(matches: &ArgMatches) -> bool {
     matches.get_flag("together") || folders.iter().any(|name| matches.contains_id(name))
 }
 
-/// Reads what to grade. Naming more than one part or task is an error.
+/// Reads what to grade. Naming none, or more than one part or task, is an error.
 pub fn request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
     let what = matches
         .get_one::<String>("what")
@@ -91,35 +130,135 @@ pub fn request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
 
 /// Reads how much the report reveals.
 pub fn hint(matches: &ArgMatches) -> HintLevel {
-    match matches.get_one::<String>("hint").map(String::as_str) {
-        Some("1") => HintLevel::Class,
-        Some("2") => HintLevel::Field,
-        Some("3") => HintLevel::Ray,
-        _ => HintLevel::Mistake,
-    }
+    let level = matches.get_one::<String>("hint");
+    let place = level.and_then(|level| LEVELS.iter().position(|known| known == level));
+    place.map_or(HintLevel::Remedy, |place| HintLevel::ALL[place])
 }
 
 pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
-    let request = request(matches)?;
-    let workspace = Workspace::above(Path::new("."))?;
-    let graded = grade::in_place(&workspace, &request, !matches.get_flag("no-times"))?;
-    let json = report::json(&graded.report)?;
-    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    let reveal = Reveal {
+        hint: hint(matches),
+        extra: matches.get_flag("extra"),
+    };
+    let times = !matches.get_flag("no-times");
+    let (workspace, request, run) = if matches.contains_id("what") {
+        let request = request(matches)?;
+        let workspace = Workspace::above(Path::new("."))?;
+        if let Some(name) = matches.get_one::<String>("case") {
+            let call = matches.get_one("call").copied();
+            return case::run(&workspace, &request, name, call);
+        }
+        let run = GradedRun::new(&workspace, &request, times, false)?;
+        (workspace, request, run)
+    } else if matches.contains_id("case") {
+        return Err(GraderError::new(
+            "expected the task of the case, such as `grader part1.task3 --case range`",
+        ));
+    } else {
+        let workspace = Workspace::above(Path::new("."))?;
+        let (request, run) = next_open_task(&workspace, seed_of(matches), times)?;
+        (workspace, request, run)
+    };
+    let report = &run.graded.report;
     match Format::of(matches) {
-        Format::Json => println!("{json}"),
-        Format::Table => {
-            if !graded.printed.is_empty() {
-                println!("{}", printed::format(&graded.printed));
+        Format::Json => println!("{}", report::json(report)?),
+        Format::Table if matches.get_flag("long") => {
+            let printed = &run.graded.printed;
+            if !printed.is_empty() {
+                println!("{}", printed::format(printed));
             }
-            print!(
-                "{}",
-                report::table::format_report(&graded.report, hint(matches))
-            );
+            print!("{}", report::table::format_report(report, reveal));
+        }
+        Format::Table => {
+            let context = run.context(&workspace, &request.what)?;
+            let page = Page::of_stdout();
+            print!("{}", screen::format_screen(report, &context, reveal, page));
         }
     }
-    Ok(if graded.report.is_full() {
+    Ok(if report.is_full() {
         Verdict::Passed
     } else {
         Verdict::Failed
     })
+}
+
+/// Grades the first open task. A task that turns out to be complete (nothing was known of it yet)
+/// is followed by the next one; if there is none, its report is the last.
+fn next_open_task(
+    workspace: &Workspace,
+    seed: u64,
+    times: bool,
+) -> Result<(GradeRequest, GradedRun), GraderError> {
+    let course = Course::read(workspace)?;
+    let last = course.tasks().last().map(|task| task.key.clone());
+    loop {
+        let known = next_task::known(workspace, &course)?;
+        let open = next_task::first_open(&known, &[]).map(|place| place.key.clone());
+        let what = open.clone().or_else(|| last.clone()).unwrap_or_default();
+        let request = GradeRequest { what, seed };
+        let run = GradedRun::new(workspace, &request, times, false)?;
+        let next = next_task::known(workspace, &course)?;
+        let next = next_task::first_open(&next, &[]).map(|place| &place.key);
+        // What was graded is open still, or everything is complete.
+        if !run.graded.report.is_full() || next.is_none() || next == open.as_ref() {
+            return Ok((request, run));
+        }
+    }
+}
+
+/// A run whose results are stored.
+#[derive(Clone, Debug)]
+pub(crate) struct GradedRun {
+    pub(crate) graded: Graded,
+    course: Course,
+    /// Whether nothing was printed while building.
+    quiet: bool,
+}
+
+impl GradedRun {
+    /// Grades the code in `workspace`. Writes `report.json`, the last results of the tasks and the
+    /// tests of their worst answers. `quiet` prints nothing while building.
+    pub(crate) fn new(
+        workspace: &Workspace,
+        request: &GradeRequest,
+        times: bool,
+        quiet: bool,
+    ) -> Result<GradedRun, GraderError> {
+        let course = Course::read(workspace)?;
+        let tasks = course.select(&request.what)?;
+        let fingerprints = results::fingerprints(workspace, &tasks)?;
+        let mut graded = grade::in_place(workspace, request, times, quiet)?;
+        worst_test::write_all(workspace, &mut graded.report)?;
+        let mut results = Results::read(workspace);
+        results.merge(&graded.report, &fingerprints);
+        results.write(workspace)?;
+        let json = report::json(&graded.report)?;
+        report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+        Ok(GradedRun {
+            graded,
+            course,
+            quiet,
+        })
+    }
+
+    /// What a screen says besides the report.
+    pub(crate) fn context(
+        &self,
+        workspace: &Workspace,
+        what: &str,
+    ) -> Result<Context, GraderError> {
+        let tasks = self.course.select(what)?;
+        let places = tasks.iter().map(|task| {
+            let files = sources::read(workspace.root(), &task.stage)?;
+            Ok(sources::place(task, &files))
+        });
+        let known = next_task::known(workspace, &self.course)?;
+        Ok(Context {
+            what: what.to_owned(),
+            places: places.collect::<Result<_, GraderError>>()?,
+            next: next_task::first_open(&known, &tasks).cloned(),
+            compiler: self.quiet.then(|| self.graded.compiler.clone()),
+            printed: self.graded.printed.clone(),
+        })
+    }
 }

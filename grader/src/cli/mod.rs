@@ -1,17 +1,23 @@
 //! The command line of `grader`.
 //!
-//! `grader part1` grades in this program ([`grade`]), and `grader picture` renders in it
-//! ([`mod@picture`]). Each other command is a separate program
+//! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single case),
+//! `grader watch`, `grader status`, `grader explain`, `grader picture`. Each other command is a
+//! separate program
 //! (`subprogram`), so that a student who only grades does not have to compile it. This module
 //! contains what they all share: the [`Verdict`], the exit codes ([`run_to_exit_code`]) and common
 //! options.
 
+mod case;
+mod explain;
 pub mod grade;
 pub mod picture;
+mod status;
 mod subprogram;
+mod watch;
 
 use crate::error::GraderError;
 use crate::interrupt;
+use crate::report::HintLevel;
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::fmt::Display;
@@ -69,14 +75,19 @@ fn command() -> Command {
             .disable_help_flag(true)
             .arg(rest)
     });
-    grade::arguments(Command::new("grader"))
+    grade::arguments(Command::new("grader"), HintLevel::Findings)
+        .args(grade::student_arguments())
         .args(grade::submission_arguments())
         .about("Scores your ray tracer, stage by stage")
         .version(env!("CARGO_PKG_VERSION"))
         .args_conflicts_with_subcommands(true)
-        .subcommand_negates_reqs(true)
         .after_help(EXIT_CODES)
-        .subcommand(picture::command())
+        .subcommands([
+            status::command(),
+            watch::command(),
+            explain::command(),
+            picture::command(),
+        ])
         .subcommands(subprograms)
 }
 
@@ -182,7 +193,13 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             return picture::run(rest);
         }
         let subprogram = SUBPROGRAMS.iter().find(|(other, ..)| *other == name);
-        let (_, package, _) = subprogram.expect("clap accepts no other command");
+        let Some((_, package, _)) = subprogram else {
+            return match name {
+                "status" => status::run(),
+                "watch" => watch::run(rest),
+                _ => explain::run(rest),
+            };
+        };
         let arguments = [OsString::from(name)]
             .into_iter()
             .chain(forwarded_arguments(rest));

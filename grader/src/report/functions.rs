@@ -4,14 +4,14 @@ use crate::score::functions::{FunctionResult, FunctionStatus};
 use crate::score::{CaseResult, TaskResult};
 use std::fmt::Write;
 
-/// Adds a line with the result of each function, if one has a hole: `test_triangle: right in all
-/// cases; record_triangle: not written yet`.
-pub(super) fn functions(text: &mut String, task: &TaskResult) {
+/// The result of each function, if one has a hole: `test_triangle: right in all cases;
+/// record_triangle: not written yet`.
+pub(super) fn line(task: &TaskResult) -> Option<String> {
     let has_hole = |result: &FunctionResult| result.status == FunctionStatus::Hole;
-    if task.functions.iter().any(has_hole) {
+    task.functions.iter().any(has_hole).then(|| {
         let results: Vec<String> = task.functions.iter().map(one).collect();
-        let _ = writeln!(text, "  {}", results.join("; "));
-    }
+        results.join("; ")
+    })
 }
 
 fn one(result: &FunctionResult) -> String {

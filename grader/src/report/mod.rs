@@ -1,10 +1,15 @@
 //! The report of a run. It is built last, from the scores, the diagnosis and the times, and printed
-//! as a [`table`] for people or as JSON for programs.
+//! as one [`screen`] or a long [`table`] for people, or as JSON for programs.
 
 mod functions;
+pub(crate) mod message;
 mod order;
+pub mod screen;
 mod speedups;
 pub mod table;
+pub mod terminal;
+pub mod worst_test;
+pub(crate) mod wrap;
 
 use crate::diagnosis::Diagnosis;
 use crate::error::{GraderError, without_path};
@@ -40,12 +45,16 @@ pub struct TaskReport {
     pub result: TaskResult,
     /// The known mistake that explains the wrong answers, if there is one.
     pub diagnosis: Option<Diagnosis>,
-    /// What the wrong answers have in common, unless a known mistake likely explains them.
+    /// What the wrong answers have in common.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub regularities: Vec<String>,
     /// A Rust test that reproduces the worst wrong answer.
     pub worst_as_test: Option<String>,
-    /// The picture of the task: golden, the code's and their difference, if it was rendered.
+    /// The file that this test was written to, below the workspace's root folder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub test_file: Option<PathBuf>,
+    /// The picture of the task, below the workspace's root folder: golden, the code's and their
+    /// difference, if it was rendered.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub picture: Option<PathBuf>,
 }
@@ -58,6 +67,7 @@ impl From<TaskResult> for TaskReport {
             diagnosis: None,
             regularities: Vec::new(),
             worst_as_test: None,
+            test_file: None,
             picture: None,
         }
     }
@@ -85,6 +95,59 @@ impl Report {
         self.tasks
             .iter()
             .all(|task| task.result.score >= task.result.max_score)
+    }
+}
+
+/// How much a report for people reveals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reveal {
+    /// What it says about wrong answers.
+    pub hint: HintLevel,
+    /// Whether it shows what extra credit lost, too.
+    pub extra: bool,
+}
+
+/// How much the report reveals about wrong answers, from the least to the most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum HintLevel {
+    /// What each failed case tests.
+    Cases,
+    /// Also which fields of the answers are wrong, what the wrong answers have in common, the worst
+    /// ray and a Rust test that reproduces it, and why simple formulas often fail there.
+    Findings,
+    /// Also the likely mistake, if it is a known one.
+    Mistake,
+    /// Also where to look for it.
+    Remedy,
+}
+
+impl HintLevel {
+    /// All levels, from 1 on.
+    pub const ALL: [HintLevel; 4] = [
+        HintLevel::Cases,
+        HintLevel::Findings,
+        HintLevel::Mistake,
+        HintLevel::Remedy,
+    ];
+
+    /// Its number, counted from 1.
+    pub fn number(self) -> usize {
+        self as usize + 1
+    }
+
+    /// The next level, if there is one.
+    pub fn next(self) -> Option<HintLevel> {
+        HintLevel::ALL.get(self.number()).copied()
+    }
+
+    /// What it adds to the level before it.
+    pub fn adds(self) -> &'static str {
+        match self {
+            HintLevel::Cases => "what each failed case tests",
+            HintLevel::Findings => "what is wrong, and the worst ray",
+            HintLevel::Mistake => "the likely mistake",
+            HintLevel::Remedy => "where to look",
+        }
     }
 }
 

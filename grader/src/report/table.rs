@@ -1,9 +1,10 @@
 //! Formats the report for people: a table of scores, then the failed cases in as much detail as the
 //! hint level allows.
 
-use super::{Report, TaskReport, order};
+use super::terminal::{stdout_has_colours, style_of};
+use super::{HintLevel, Report, Reveal, TaskReport, order};
+use crate::diagnosis::Diagnosis;
 use crate::score::{CaseResult, Status, TaskResult};
-use clap::builder::styling::{AnsiColor, Style};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
 use judge::cases::checked;
@@ -11,26 +12,12 @@ use judge::errors::ErrorSpread;
 use judge::plural;
 use judge::tally::{Aspect, Finding};
 use std::fmt::Write;
-use std::io::IsTerminal;
-
-/// How much the report reveals, from the least to the most.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum HintLevel {
-    /// What each failed case tests.
-    Class,
-    /// Also which fields of the answers are wrong, and why simple formulas often fail there.
-    Field,
-    /// Also the worst ray, and a Rust test that reproduces it.
-    Ray,
-    /// Also the likely mistake, if it is a known one.
-    Mistake,
-}
 
 /// How many failed cases of a task are shown in full. The others are only named.
 const CASES_IN_FULL: usize = 5;
 
 /// Formats the report for people.
-pub fn format_report(report: &Report, hint: HintLevel) -> String {
+pub fn format_report(report: &Report, reveal: Reveal) -> String {
     let mut table = Table::new();
     table
         .load_style(presets::UTF8_BORDERS_ONLY)
@@ -47,7 +34,7 @@ pub fn format_report(report: &Report, hint: HintLevel) -> String {
     let mut text = format!("{}\n", coloured(&table.to_string(), report));
     rounding_errors(&mut text, report);
     for task in &report.tasks {
-        details(&mut text, task, hint);
+        details(&mut text, task, reveal);
     }
     if let Some(speedups) = &report.speedups {
         text.push_str(&super::speedups::format_speedups(speedups));
@@ -115,22 +102,20 @@ fn points(score: f64, max_score: f64) -> Cell {
 }
 
 /// A number of points with at most two decimals and no trailing zeros.
-fn number(points: f64) -> String {
+pub(crate) fn number(points: f64) -> String {
     let text = format!("{points:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
-/// Colours each task's status in the table, if stdout is a terminal and `NO_COLOR` is not set.
+/// Colours each task's status in the table, if stdout has colours.
 fn coloured(table: &str, report: &Report) -> String {
-    if !std::io::stdout().is_terminal()
-        || std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
-    {
+    if !stdout_has_colours() {
         return table.to_owned();
     }
     let lines = table.lines().map(|line| {
         let mut results = report.tasks.iter().map(|task| &task.result);
         let row = results.find(|task| line.contains(&task.key));
-        let status = row.map(|task| (colour(task), summary(task)));
+        let status = row.map(|task| (style_of(task), summary(task)));
         match status.and_then(|(colour, status)| Some((colour, line.rsplit_once(&status)?, status)))
         {
             Some((colour, (before, after), status)) => {
@@ -142,16 +127,7 @@ fn coloured(table: &str, report: &Report) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-fn colour(task: &TaskResult) -> Style {
-    let colour = match task.status {
-        Status::NotAttempted | Status::Needs(_) => AnsiColor::BrightBlack,
-        _ if task.score >= task.max_score => AnsiColor::Green,
-        _ => AnsiColor::Red,
-    };
-    colour.on_default()
-}
-
-fn summary(task: &TaskResult) -> String {
+pub(super) fn summary(task: &TaskResult) -> String {
     let lost = |tier: Tier| {
         let failed = |case: &&CaseResult| {
             case.tier == tier && !matches!(case.status, Status::Passed | Status::Needs(_))
@@ -202,29 +178,31 @@ pub fn status_text(status: &Status) -> String {
     }
 }
 
-fn details(text: &mut String, report: &TaskReport, hint: HintLevel) {
+/// The cases of a task that lost points by themselves, not because something else is missing.
+pub(super) fn failed(task: &TaskResult) -> impl Iterator<Item = &CaseResult> {
+    task.cases.iter().filter(|case| {
+        !matches!(
+            case.status,
+            Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
+        )
+    })
+}
+
+fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Reveal) {
     let task = &report.result;
-    let failed: Vec<&CaseResult> = task
-        .cases
-        .iter()
-        .filter(|case| {
-            !matches!(
-                case.status,
-                Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
-            )
-        })
-        .collect();
-    if failed.is_empty() {
+    // Core cases come first.
+    let (core, robust): (Vec<_>, Vec<_>) = failed(task).partition(|case| case.tier == Tier::Core);
+    if core.is_empty() && robust.is_empty() {
         return;
     }
     let _ = writeln!(text, "\n{}  {}", task.key, task.title);
-    super::functions::functions(text, task);
-    if hint >= HintLevel::Mistake {
-        diagnosis(text, report);
+    if let Some(functions) = super::functions::line(task) {
+        let _ = writeln!(text, "  {functions}");
     }
-    // Core cases come first.
-    let (core, robust): (Vec<_>, Vec<_>) =
-        failed.into_iter().partition(|case| case.tier == Tier::Core);
+    // A mistake is a name for lost core points: code without it may still lose extra credit.
+    if !core.is_empty() || extra {
+        explanation(text, report, hint, !core.is_empty());
+    }
     failed_cases(text, &core, hint);
     if task.score < task.max_score && !robust.is_empty() {
         // These cases often fail for the same reason as the core cases.
@@ -234,11 +212,19 @@ fn details(text: &mut String, report: &TaskReport, hint: HintLevel) {
             number(task.robust_score),
             number(task.robust_max_score)
         );
+    } else if !robust.is_empty() && !extra {
+        let _ = writeln!(
+            text,
+            "  extra credit: {} of {} points; `--extra` shows the failed cases",
+            number(task.robust_score),
+            number(task.robust_max_score)
+        );
+        return;
     } else if !robust.is_empty() {
         text.push_str("  extra credit:\n");
         failed_cases(text, &robust, hint);
     }
-    if hint >= HintLevel::Ray
+    if hint >= HintLevel::Findings
         && let Some(test) = &report.worst_as_test
     {
         let _ = writeln!(
@@ -253,18 +239,32 @@ fn details(text: &mut String, report: &TaskReport, hint: HintLevel) {
     }
 }
 
-fn diagnosis(text: &mut String, report: &TaskReport) {
-    match &report.diagnosis {
+/// Adds what explains the wrong answers: the known mistake, and what they have in common where this
+/// is not shown or not likely. That no known mistake fits is only said about lost core points.
+fn explanation(text: &mut String, report: &TaskReport, hint: HintLevel, is_core: bool) {
+    let diagnosis = report
+        .diagnosis
+        .as_ref()
+        .filter(|_| hint >= HintLevel::Mistake);
+    match diagnosis {
         Some(diagnosis) => {
             let _ = writeln!(
                 text,
-                "  {}: {}.\n  Hint: {}",
+                "  {}: {}.",
                 diagnosis.certainty.label(),
-                diagnosis.says,
-                diagnosis.hint
+                diagnosis.says
             );
+            if hint >= HintLevel::Remedy {
+                let _ = writeln!(text, "  Hint: {}", diagnosis.hint);
+            }
         }
-        None => text.push_str("  The answers match no known mistake.\n"),
+        None if hint >= HintLevel::Mistake && is_core => {
+            text.push_str("  The answers match no known mistake.\n");
+        }
+        None => {}
+    }
+    if diagnosis.is_some_and(Diagnosis::is_likely) || hint < HintLevel::Findings {
+        return;
     }
     if !report.regularities.is_empty() {
         text.push_str("  What the wrong answers have in common:\n");
@@ -272,7 +272,7 @@ fn diagnosis(text: &mut String, report: &TaskReport) {
     for sentence in &report.regularities {
         let _ = writeln!(text, "  - {sentence}");
     }
-    if report.diagnosis.is_none() {
+    if diagnosis.is_none() {
         text.push_str("  Failed cases:\n");
     }
 }
@@ -291,7 +291,7 @@ fn failed_cases(text: &mut String, cases: &[&CaseResult], hint: HintLevel) {
 
 fn one_case(text: &mut String, case: &CaseResult, hint: HintLevel) {
     let (score, max_score) = (number(case.score), number(case.max_score));
-    let about = if hint >= HintLevel::Field {
+    let about = if hint >= HintLevel::Findings {
         &case.about
     } else {
         checked(&case.about)
@@ -301,12 +301,10 @@ fn one_case(text: &mut String, case: &CaseResult, hint: HintLevel) {
         let _ = writeln!(text, "      {}", status_text(&case.status));
     }
     super::functions::reductions(text, case);
-    if hint >= HintLevel::Field {
+    if hint >= HintLevel::Findings {
         let failed = case.findings.iter().filter(|finding| !finding.passed());
         let (wrong, untested): (Vec<_>, Vec<_>) = failed.partition(|finding| finding.wrong > 0);
-        wrong
-            .iter()
-            .for_each(|finding| one_finding(text, finding, hint));
+        wrong.iter().for_each(|finding| one_finding(text, finding));
         if !untested.is_empty() {
             let labels: Vec<&str> = untested
                 .iter()
@@ -321,16 +319,14 @@ fn one_case(text: &mut String, case: &CaseResult, hint: HintLevel) {
     }
 }
 
-fn one_finding(text: &mut String, finding: &Finding, hint: HintLevel) {
+fn one_finding(text: &mut String, finding: &Finding) {
     let label = finding.aspect.label();
     let _ = writeln!(
         text,
         "      {label}: wrong on {} of {}",
         finding.wrong, finding.judged
     );
-    if hint >= HintLevel::Ray
-        && let Some(worst) = &finding.worst
-    {
+    if let Some(worst) = &finding.worst {
         let _ = writeln!(text, "          {}", worst.message);
     }
 }
@@ -374,12 +370,16 @@ mod tests {
         task.cases[0].about = "Rays beside it. Pitfall: an epsilon.".into();
         let shown = |hint| {
             let mut text = String::new();
-            details(&mut text, &task.clone().into(), hint);
+            details(
+                &mut text,
+                &task.clone().into(),
+                Reveal { hint, extra: false },
+            );
             text
         };
-        let first = shown(HintLevel::Class);
+        let first = shown(HintLevel::Cases);
         assert!(first.contains("Rays beside it.\n"), "{first}");
-        assert!(shown(HintLevel::Field).contains("Pitfall: an epsilon."));
+        assert!(shown(HintLevel::Findings).contains("Pitfall: an epsilon."));
     }
 
     #[test]
@@ -415,17 +415,25 @@ mod tests {
         failing.cases[1].tier = Tier::Robust;
         failing.cases[1].name = "by_a_hair".into();
         failing.robust_max_score = 2.0;
-        let shown = |task: &TaskResult| {
+        let shown = |task: &TaskResult, extra: bool| {
             let mut text = String::new();
-            details(&mut text, &task.clone().into(), HintLevel::Mistake);
+            let hint = HintLevel::Remedy;
+            details(&mut text, &task.clone().into(), Reveal { hint, extra });
             text
         };
-        let hidden = shown(&failing);
+        let hidden = shown(&failing, true);
         assert!(hidden.contains("extra credit: 0 of 2 points"), "{hidden}");
         assert!(!hidden.contains("by_a_hair"), "{hidden}");
         failing.cases[0].status = Status::Passed;
         failing.score = failing.max_score;
-        let all = shown(&failing);
+        let all = shown(&failing, true);
         assert!(all.contains("extra credit:\n  by_a_hair"), "{all}");
+        assert!(!all.contains("no known mistake"), "{all}");
+        let one_line = shown(&failing, false);
+        assert!(
+            one_line.contains("0 of 2 points; `--extra` shows"),
+            "{one_line}"
+        );
+        assert!(!one_line.contains("by_a_hair"), "{one_line}");
     }
 }

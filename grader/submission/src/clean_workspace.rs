@@ -56,6 +56,7 @@ impl CleanWorkspace {
             root: &self.folder,
             target: Some(&self.target),
             sealed: true,
+            quiet: true,
         })
     }
 }

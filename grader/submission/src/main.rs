@@ -6,8 +6,7 @@ use grader::cli::grade::{arguments, hint, request, submission_arguments};
 use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
-use grader::report;
-use grader::report::table::{self, HintLevel};
+use grader::report::{self, HintLevel, Reveal, table};
 use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -16,7 +15,7 @@ use submission::clean_workspace::CleanWorkspace;
 use submission::{SubmissionReport, class, read};
 
 fn main() -> ExitCode {
-    let command = arguments(Command::new("grader"))
+    let command = arguments(Command::new("grader"), HintLevel::Remedy)
         .args(submission_arguments())
         .about("Grades what students handed in, in a clean copy of the course")
         .after_help(cli::EXIT_CODES);
@@ -103,6 +102,7 @@ fn grade_class(
 /// Formats the report for people.
 fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     let mut text = String::new();
+    let reveal = Reveal { hint, extra: true };
     if !report.ignored.is_empty() {
         let named = report.ignored.iter().take(IGNORED_NAMED);
         let _ = writeln!(
@@ -132,13 +132,13 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     let _ = writeln!(
         text,
         "\nscores of each stage when the other stages are the reference's:\n{}",
-        table::format_report(&report.scores, hint)
+        table::format_report(&report.scores, reveal)
     );
     if let Some(together) = &report.together {
         let _ = writeln!(
             text,
             "scores when all stages are the submission's:\n{}",
-            table::format_report(together, hint)
+            table::format_report(together, reveal)
         );
     }
     text

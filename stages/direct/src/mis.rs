@@ -24,7 +24,7 @@ pub fn power_heuristic(own: f64, other: f64) -> f64 {
 }
 
 /// Estimates direct light by sampling every light and the BSDF of the surface, with `ns_area_light`
-/// samples each.
+/// samples each. `pathtracer --mis` needs it.
 ///
 /// Arguments and conventions are those of
 /// [`estimate_direct_lighting_importance`](crate::estimate_direct_lighting_importance) and

@@ -49,7 +49,7 @@ pub fn course(
         what: "all".into(),
         seed: 0,
     };
-    let graded = grade::in_place(workspace, &everything, false)?;
+    let graded = grade::in_place(workspace, &everything, false, false)?;
     let found = check_reference_score(&course, &graded.report);
     report(&mut problems, found, &mut progress);
     let tests = std::iter::once(Tests::All).chain(std::iter::repeat(Tests::Stages));

@@ -2,6 +2,7 @@
 
 use grader::course::{Course, Part, Task, stages_of};
 use grader::error::GraderError;
+use grader::sources::defines_function;
 use judge::Tier;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -37,6 +38,7 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
             here.tasks.first().map_or("all", |task| &task.key),
         )
         .replace("{tasks}", &tasks)
+        .replace("{ungraded}", &ungraded(course, part, files))
         .replace("{conventions}", &conventions)
         .replace("{stages}", &stages))
 }
@@ -86,15 +88,62 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     Ok(text)
 }
 
+/// A sentence about each function with a hole that no task lists: it is not graded, but the renderer
+/// needs it.
+fn ungraded(course: &Course, part: u32, files: &Files) -> String {
+    let mut text = String::new();
+    for task in course
+        .parts
+        .iter()
+        .filter(|p| p.number >= part)
+        .flat_map(|p| &p.tasks)
+    {
+        let folder = Path::new("stages").join(&task.stage).join("src");
+        for (path, contents) in files.iter().filter(|(path, _)| path.starts_with(&folder)) {
+            let code = String::from_utf8_lossy(contents);
+            let hole = format!("hole!(\"{}\"", task.key);
+            // The last piece has no hole after it.
+            let mut before = code.split(&hole).collect::<Vec<_>>();
+            before.pop();
+            for before in before {
+                let Some((name, about)) = last_function(before) else {
+                    continue;
+                };
+                if !task.holes.iter().any(|hole| hole == name) {
+                    let path = path.display();
+                    let _ = writeln!(text, "- `{name}` in `{path}`, with {}: {about}", task.key);
+                }
+            }
+        }
+    }
+    match text.as_str() {
+        "" => text,
+        _ => format!("These functions are not graded, but the renderer needs them:\n\n{text}\n"),
+    }
+}
+
+/// The last function that begins in `code`: its name and the first paragraph of its doc
+/// comment.
+fn last_function(code: &str) -> Option<(&str, String)> {
+    let start = code.rfind("fn ")?;
+    let name = code[start + 3..].split(['(', '<']).next()?;
+    let lines = code[..start].lines().rev().skip_while(|line| {
+        let line = line.trim();
+        !line.starts_with("///")
+    });
+    let mut doc: Vec<&str> = lines
+        .map_while(|line| line.trim().strip_prefix("///"))
+        .map(str::trim)
+        .collect();
+    doc.reverse();
+    let first = doc.split(|line| line.is_empty()).next().unwrap_or_default();
+    Some((name, first.join(" ")))
+}
+
 /// The path of the file that defines the function `hole`.
 fn defining_file(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> {
     let folder = Path::new("stages").join(&task.stage).join("src");
-    let defines = |text: &[u8]| {
-        let text = String::from_utf8_lossy(text);
-        [format!("pub fn {hole}("), format!("pub fn {hole}<")]
-            .iter()
-            .any(|signature| text.contains(signature))
-    };
+    let defines = |text: &[u8]| defines_function(&String::from_utf8_lossy(text), hole);
     let found = files
         .iter()
         .find(|(path, text)| path.starts_with(&folder) && defines(text));

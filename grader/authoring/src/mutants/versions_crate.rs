@@ -420,6 +420,7 @@ fn build(
         root: &job,
         target: Some(&target),
         sealed: false,
+        quiet: false,
     };
     match build_root.build_worker(features)? {
         BuildOutcome::Worker(program) => Ok(Ok(own_copy(&program, &folder)?)),

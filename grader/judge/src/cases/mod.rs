@@ -6,6 +6,7 @@
 pub(crate) mod crosses;
 pub mod probes;
 pub mod recorded;
+mod single_call;
 pub(crate) mod tree_plan;
 
 use crate::expected_cache::ExpectedCache;

@@ -61,7 +61,8 @@ pub(crate) struct Args {
     #[arg(short = 'H', long)]
     pub(crate) hemisphere: bool,
 
-    /// Sample the lights and the BSDF for direct lighting (multiple importance sampling)
+    /// Sample the lights and the BSDF for direct lighting (multiple importance sampling); needs
+    /// `estimate_direct_lighting_mis` of part3.task3, in stages/direct/src/mis.rs
     #[arg(long, conflicts_with = "hemisphere")]
     pub(crate) mis: bool,
 

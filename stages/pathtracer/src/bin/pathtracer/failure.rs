@@ -34,13 +34,13 @@ impl Failure {
         }
     }
 
-    /// Prints the error; returns the exit code.
-    pub(crate) fn report(&self) -> ExitCode {
+    /// Prints the error; returns the exit code. `mis` is whether the flag `--mis` was given.
+    pub(crate) fn report(&self, mis: bool) -> ExitCode {
         match self {
             Failure::Input(why) => eprintln!("error: {why}"),
             Failure::Scene(why) if stderr().is_terminal() => eprintln!("{}", why.styled()),
             Failure::Scene(why) => eprintln!("{why}"),
-            Failure::Hole(hole) => eprintln!("{hole}: {}", needed_for(hole)),
+            Failure::Hole(hole) => eprintln!("{hole}: {}", needed_for(hole, mis)),
             Failure::Panic => eprintln!("no picture was written: a stage panicked (see above)"),
         }
         ExitCode::from(match self {
@@ -50,8 +50,12 @@ impl Failure {
     }
 }
 
-/// What the missing stage is needed for.
-fn needed_for(hole: &Hole) -> &'static str {
+/// What the missing stage is needed for. With `--mis` direct light is estimated by another function
+/// of its task than without.
+fn needed_for(hole: &Hole, mis: bool) -> &'static str {
+    if mis && hole.task == "part3.task3" {
+        return "--mis needs `estimate_direct_lighting_mis`, in stages/direct/src/mis.rs; without --mis it is not called";
+    }
     let needed_for_normals = ["part1.", "part2."];
     if needed_for_normals
         .iter()
@@ -105,6 +109,17 @@ mod tests {
             panic!("the failure is a hole");
         };
         assert_eq!(hole.to_string(), "part1.task3 is not written yet");
+    }
+
+    #[test]
+    fn the_flag_mis_names_the_function_that_it_needs() {
+        let hole = |task| Hole { task };
+        let text = needed_for(&hole("part3.task3"), true);
+        assert!(text.contains("`estimate_direct_lighting_mis`, in stages/direct/src/mis.rs"));
+        let others = [("part3.task3", false), ("part3.task1", true)];
+        for (task, mis) in others {
+            assert!(needed_for(&hole(task), mis).starts_with("light needs it"));
+        }
     }
 
     #[test]

@@ -31,7 +31,7 @@ fn main() -> ExitCode {
     }));
     match panic::catch_unwind(|| run::run(&args)) {
         Ok(Ok(code)) => code,
-        Ok(Err(failure)) => failure.report(),
-        Err(payload) => Failure::from_panic(payload).report(),
+        Ok(Err(failure)) => failure.report(args.mis),
+        Err(payload) => Failure::from_panic(payload).report(args.mis),
     }
 }

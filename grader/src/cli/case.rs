@@ -1,0 +1,282 @@
+//! The command `grader part1.task3 --case range --call 2`: runs one case and prints its calls.
+
+use super::Verdict;
+use crate::compile::BuildRoot;
+use crate::course::{CaseEntry, Course, Task};
+use crate::error::GraderError;
+use crate::grade::{self, GradeRequest};
+use crate::printed;
+use crate::report::message;
+use crate::report::table::status_text;
+use crate::report::terminal::Page;
+use crate::report::wrap::{columns, numbers_to_fit, wrap};
+use crate::score::{CaseResult, Status};
+use crate::worker_set::WorkerSet;
+use crate::workspace::Workspace;
+use judge::cases::{self, Spec};
+use judge::repro;
+use judge::snapshot::{self, Line, Snapshot};
+use judge::tally::WrongAnswer;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use wire::Answer;
+
+/// Columns of the name of a field of a call.
+const FIELD: usize = 11;
+
+/// The most wrong calls that are listed.
+const LISTED: usize = 200;
+
+/// Runs the case `name` of the task in `request` and prints it, or its call number `call`.
+pub(super) fn run(
+    workspace: &Workspace,
+    request: &GradeRequest,
+    name: &str,
+    call: Option<u32>,
+) -> Result<Verdict, GraderError> {
+    let course = Course::read(workspace)?;
+    let (task, entry) = find(&course, &request.what, name)?;
+    let specs = cases::all(request.seed);
+    let spec = grade::chosen(&[task], &specs)?;
+    let spec = spec.into_iter().find(|spec| spec.name == name);
+    let spec = spec.ok_or_else(|| no_case(task, name))?;
+    if let Some(call) = call.filter(|call| *call as usize >= spec.calls()) {
+        return Err(GraderError::new(format!(
+            "{}/{name} has {}, numbered from 0: it has no call {call}",
+            task.key,
+            judge::plural(spec.calls(), "call", "calls")
+        )));
+    }
+    // Alone, the call prints nothing that belongs to others.
+    let alone = call.and_then(|call| spec.only_call(call as usize));
+    let mut runs = vec![spec.clone()];
+    runs.extend(alone.clone());
+    let stages = [task.stage.as_str()];
+    let build_root = BuildRoot::of(workspace);
+    let workers = WorkerSet::build(&build_root, &stages, spec.needs_all_stages())?;
+    let Some(workers) = workers.workers(&task.stage) else {
+        println!("{}: stages/{} does not compile", task.key, task.stage);
+        return Ok(Verdict::Failed);
+    };
+    let mut ran = Vec::new();
+    for spec in &runs {
+        let mut printed = Vec::new();
+        let endings = workers.run(&[spec], &mut printed)?;
+        let ending = endings.into_iter().next();
+        let ending = ending.ok_or_else(|| GraderError::new("the worker returned no result"))?;
+        let answer = grade::answered(&task.key, &ending, &course)?;
+        ran.push((answer.cloned(), grade::holes(&ending).to_vec(), printed));
+    }
+    let (whole, holes, printed) = ran.remove(0);
+    let (of_call, _, printed) = ran
+        .pop()
+        .unwrap_or_else(|| (whole.clone(), Vec::new(), printed));
+    let not_written: Vec<String> = holes.iter().map(|hole| hole.called.clone()).collect();
+    let (findings, wrong) = match (&whole, &alone, &of_call) {
+        (Ok(answer), ..) => judge::judge_each(spec, entry.tier, answer, &not_written),
+        // Another call ended the case.
+        (Err(_), Some(alone), Ok(answer)) => {
+            let (_, mut wrong) = judge::judge_each(alone, entry.tier, answer, &not_written);
+            wrong
+                .iter_mut()
+                .for_each(|wrong| wrong.call = call.unwrap_or(0));
+            (Vec::new(), wrong)
+        }
+        _ => (Vec::new(), Vec::new()),
+    };
+    let status = whole.as_ref().err().cloned().unwrap_or(Status::Passed);
+    let result = CaseResult::new(entry, spec.about, status, findings, &holes);
+    let shown = Case {
+        task,
+        entry,
+        spec,
+        wrong: &wrong,
+        result: &result,
+        golden: golden(workspace, spec, request.seed),
+    };
+    let page = Page::of_stdout();
+    match call {
+        None => print!("{}", shown.list(page)),
+        Some(call) => {
+            let answers = (whole.as_ref().ok(), of_call.as_ref());
+            print!("{}", shown.one(call, answers, alone.as_ref(), page));
+        }
+    }
+    if !printed.is_empty() {
+        println!("\n{}", printed::format(&printed).trim_end());
+    }
+    Ok(match result.status {
+        Status::Passed => Verdict::Passed,
+        _ => Verdict::Failed,
+    })
+}
+
+/// The task `what` and its case `name`.
+pub(super) fn find<'a>(
+    course: &'a Course,
+    what: &str,
+    name: &str,
+) -> Result<(&'a Task, &'a CaseEntry), GraderError> {
+    let tasks = course.select(what)?;
+    let [task] = tasks.as_slice() else {
+        return Err(GraderError::new(format!(
+            "expected the task of the case, such as `{}`, found `{what}`",
+            tasks[0].key
+        )));
+    };
+    let entry = task.cases.iter().find(|entry| entry.name == name);
+    Ok((task, entry.ok_or_else(|| no_case(task, name))?))
+}
+
+fn no_case(task: &Task, name: &str) -> GraderError {
+    let names: Vec<&str> = task.cases.iter().map(|case| case.name.as_str()).collect();
+    GraderError::new(format!(
+        "{} has no case `{name}`. Its cases are {}",
+        task.key,
+        names.join(", ")
+    ))
+}
+
+/// The reference's answers, if they are stored for this seed.
+pub(super) fn golden(workspace: &Workspace, spec: &Spec, seed: u64) -> Option<Snapshot> {
+    if seed != 0 {
+        return None;
+    }
+    let text = std::fs::read_to_string(workspace.snapshot(spec.task, spec.name)).ok()?;
+    snapshot::parse(&text).ok()
+}
+
+/// A case that ran.
+struct Case<'a> {
+    task: &'a Task,
+    entry: &'a CaseEntry,
+    spec: &'a Spec,
+    wrong: &'a [WrongAnswer],
+    result: &'a CaseResult,
+    golden: Option<Snapshot>,
+}
+
+impl Case<'_> {
+    fn heading(&self, page: Page) -> String {
+        let mut text = format!("{}/{}", self.task.key, self.entry.name);
+        let _ = writeln!(text, "  {}", status_text(&self.result.status));
+        for line in wrap(&format!("  {}", self.spec.about), 2, page.width) {
+            let _ = writeln!(text, "{line}");
+        }
+        text
+    }
+
+    /// Every wrong call in a line.
+    fn list(&self, page: Page) -> String {
+        let mut text = self.heading(page);
+        let mut calls: BTreeMap<u32, Vec<&WrongAnswer>> = BTreeMap::new();
+        for wrong in self.wrong {
+            calls.entry(wrong.call).or_default().push(wrong);
+        }
+        let of = judge::plural(self.spec.calls(), "call", "calls");
+        let _ = writeln!(text, "wrong: {} of {of}", calls.len());
+        for (call, wrong) in calls.iter().take(LISTED) {
+            let (result, _) = message::parts(&wrong[0].message);
+            let start = format!("  {call:>4}  {}: ", wrong[0].aspect.label());
+            let room = page.width.saturating_sub(columns(&start));
+            let result = numbers_to_fit(message::without_reason(result, room), room);
+            let _ = writeln!(text, "{start}{result}");
+        }
+        if let Some(more) = calls.len().checked_sub(LISTED).filter(|more| *more > 0) {
+            let _ = writeln!(text, "  and {more} more");
+        }
+        if let Some(call) = calls.keys().next() {
+            let (key, name) = (&self.task.key, &self.entry.name);
+            let line = format!("one call: cargo grader {key} --case {name} --call {call}");
+            let _ = writeln!(text, "{line}");
+        }
+        text
+    }
+
+    /// Call number `call`: input, answer, expected answer, verdict, test. `alone` is the case with
+    /// this call only, whose answer is the second one.
+    fn one(
+        &self,
+        call: u32,
+        (whole, alone_answer): (Option<&Answer>, Result<&Answer, &Status>),
+        alone: Option<&Spec>,
+        page: Page,
+    ) -> String {
+        let mut text = self.heading(page);
+        let _ = writeln!(text, "call {call} of {}", self.spec.calls());
+        let line = match (alone, alone_answer, whole) {
+            (Some(alone), Ok(answer), _) => row(alone, answer, 0),
+            (_, _, Some(answer)) => row(self.spec, answer, call),
+            _ => None,
+        };
+        let mut field = |name: &str, value: &str| {
+            let lines = wrap(value, 0, page.width.saturating_sub(FIELD + 2));
+            for (i, line) in lines.iter().enumerate() {
+                let name = if i == 0 { name } else { "" };
+                let _ = writeln!(text, "  {name:<FIELD$}{line}");
+            }
+        };
+        let golden = self.golden.as_ref().and_then(|golden| golden.row(call));
+        let asked = line
+            .as_ref()
+            .filter(|line| !line.question.is_empty())
+            .or(golden);
+        if let Some(asked) = asked.filter(|line| !line.question.is_empty()) {
+            field("input", &asked.asked());
+        }
+        match (alone_answer, &line) {
+            // Alone it is call 0, whatever its number in the case.
+            (Err(status), _) => {
+                let text = status_text(status);
+                let how = text
+                    .split_once(" (call ")
+                    .map_or(text.as_str(), |(how, _)| how);
+                field("yours", how);
+            }
+            (Ok(_), Some(line)) => field("yours", &line.answer_text()),
+            (Ok(_), None) => {}
+        }
+        if let Some(golden) = golden {
+            field("reference", &golden.answer_text());
+        }
+        let wrong: Vec<&WrongAnswer> = self
+            .wrong
+            .iter()
+            .filter(|wrong| wrong.call == call)
+            .collect();
+        for wrong in &wrong {
+            let message = format!(
+                "wrong {}: {}",
+                wrong.aspect.label(),
+                message::parts(&wrong.message).0
+            );
+            field("verdict", &message);
+        }
+        match wrong.is_empty() {
+            true if alone_answer.is_ok() => field("verdict", &right(self.spec)),
+            true => field("verdict", "no answer to judge"),
+            false => {}
+        }
+        if let Some(test) = repro::test(self.spec, self.entry.tier, call as usize) {
+            let _ = writeln!(text, "as a test:");
+            test.lines().for_each(|line| {
+                let _ = writeln!(text, "    {line}");
+            });
+        }
+        text
+    }
+}
+
+/// The verdict on a right answer. A case may judge only some aspects of it.
+fn right(spec: &Spec) -> String {
+    let aspects = spec.about_aspects.iter().map(|aspect| aspect.label());
+    match aspects.collect::<Vec<_>>().join(", ") {
+        all if all.is_empty() => "right".into(),
+        some => format!("right in what this case is about: {some}"),
+    }
+}
+
+/// The row of a call, with its question and all fields of its answer.
+fn row(spec: &Spec, answer: &Answer, call: u32) -> Option<Line> {
+    snapshot::full(&spec.work, answer)?.row(call).cloned()
+}

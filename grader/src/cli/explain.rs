@@ -1,0 +1,53 @@
+//! The command `grader explain part1.task3/back_face`: what a case tests, drawn.
+
+use super::case::{find, golden};
+use super::{Verdict, seed_argument, seed_of};
+use crate::course::Course;
+use crate::error::GraderError;
+use crate::explain;
+use crate::report::terminal::Page;
+use crate::workspace::Workspace;
+use clap::{Arg, ArgMatches, Command};
+use judge::cases;
+use std::path::Path;
+
+pub(super) fn command() -> Command {
+    Command::new("explain")
+        .about("Shows what a case tests, with a drawing of its inputs; lists the cases of a task")
+        .arg(
+            Arg::new("case")
+                .value_name("TASK[/CASE]")
+                .required(true)
+                .help(
+                    "A task such as `part1.task3`, or a case of it such as `part1.task3/back_face`",
+                ),
+        )
+        .arg(seed_argument())
+}
+
+pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let what: &String = matches.get_one("case").expect("clap requires it");
+    let workspace = Workspace::above(Path::new("."))?;
+    let course = Course::read(&workspace)?;
+    let specs = cases::all(seed_of(matches));
+    let page = Page::of_stdout();
+    match what.split_once('/') {
+        None => {
+            for task in course.select(what)? {
+                print!("{}", explain::task(task, &specs, page));
+            }
+        }
+        Some((key, name)) => {
+            let (task, entry) = find(&course, key, name)?;
+            let spec = specs.iter().find(|spec| spec.is(&task.key, name));
+            let spec = spec.ok_or_else(|| {
+                GraderError::new(format!(
+                    "course.toml lists {what}, which the grader does not have"
+                ))
+            })?;
+            let golden = golden(&workspace, spec, seed_of(matches));
+            print!("{}", explain::case(entry, spec, golden.as_ref(), page));
+        }
+    }
+    Ok(Verdict::Passed)
+}

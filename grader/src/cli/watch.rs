@@ -1,0 +1,140 @@
+//! The command `grader watch`: the desk of [`crate::watch`] is the terminal and the stages' folders.
+
+use super::Verdict;
+use super::grade::{GradedRun, hint, hint_argument};
+use crate::course::{Course, Task};
+use crate::error::GraderError;
+use crate::grade::GradeRequest;
+use crate::next_task::{self, Known};
+use crate::report::screen::Context;
+use crate::report::terminal::Page;
+use crate::report::{HintLevel, Report};
+use crate::watch::files::WatchedFiles;
+use crate::watch::{self, Desk, Event};
+use crate::workspace::Workspace;
+use clap::{Arg, ArgMatches, Command};
+use std::io::{BufRead, IsTerminal, Write};
+use std::path::Path;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::time::Duration;
+
+pub(super) fn command() -> Command {
+    Command::new("watch")
+        .about("Grades what you save, each time you save it, and shows what to do next")
+        .arg(
+            Arg::new("part")
+                .value_name("PART")
+                .help("Grade the tasks of this part only, such as `part1`"),
+        )
+        .arg(hint_argument(HintLevel::Findings))
+}
+
+pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let workspace = Workspace::above(Path::new("."))?;
+    let course = Course::read(&workspace)?;
+    let part = matches.get_one::<String>("part").map(String::as_str);
+    if let Some(part) = part {
+        let tasks = course.select(part)?;
+        if part != "all" && tasks.iter().any(|task| task.part_key() != part) {
+            return Err(GraderError::new(format!(
+                "expected a part, such as `{}`, found `{part}`",
+                tasks[0].part_key()
+            )));
+        }
+    }
+    let part = part.filter(|part| *part != "all");
+    let known = next_task::known(&workspace, &course)?;
+    let complete = known.iter().filter(|known| known.is_complete());
+    let complete = complete.map(|known| known.place.key.clone()).collect();
+    let mut terminal = Terminal {
+        files: WatchedFiles::new(&workspace, &course.stages()),
+        lines: read_lines(),
+        workspace,
+        course: course.clone(),
+    };
+    let page = Page::of_stdout();
+    watch::run(&mut terminal, &course, part, hint(matches), complete, page)?;
+    Ok(Verdict::Passed)
+}
+
+/// How often the files are looked at.
+const INTERVAL: Duration = Duration::from_millis(200);
+
+/// The terminal and the stages' folders.
+struct Terminal {
+    workspace: Workspace,
+    course: Course,
+    files: WatchedFiles,
+    lines: Receiver<String>,
+}
+
+/// Reads the lines of stdin in a thread of their own. The channel is closed at their end.
+fn read_lines() -> Receiver<String> {
+    let (sender, lines) = mpsc::channel();
+    std::thread::spawn(move || {
+        for line in std::io::stdin().lock().lines() {
+            let Ok(line) = line else { return };
+            if sender.send(line).is_err() {
+                return;
+            }
+        }
+    });
+    lines
+}
+
+impl Desk for Terminal {
+    fn next_event(&mut self) -> Result<Event, GraderError> {
+        loop {
+            let mut saved = self.files.saved();
+            if !saved.is_empty() {
+                // An editor may write several files, or one in steps: wait until it is done.
+                loop {
+                    std::thread::sleep(INTERVAL / 2);
+                    let more = self.files.saved();
+                    if more.is_empty() {
+                        return Ok(Event::Saved(saved));
+                    }
+                    saved.extend(more);
+                }
+            }
+            match self.lines.recv_timeout(INTERVAL) {
+                Ok(line) => return Ok(Event::Typed(line)),
+                Err(RecvTimeoutError::Disconnected) => return Ok(Event::Closed),
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    }
+
+    fn grade(&mut self, what: &str) -> Result<(Report, Context), GraderError> {
+        let request = GradeRequest {
+            what: what.to_owned(),
+            seed: 0,
+        };
+        let run = GradedRun::new(&self.workspace, &request, false, true)?;
+        let context = run.context(&self.workspace, what)?;
+        Ok((run.graded.report, context))
+    }
+
+    fn next_open(
+        &mut self,
+        part: Option<&str>,
+        but: &[&Task],
+    ) -> Result<Option<String>, GraderError> {
+        let known: Vec<Known> = next_task::known(&self.workspace, &self.course)?
+            .into_iter()
+            .filter(|known| part.is_none_or(|part| known.part_key() == part))
+            .collect();
+        let open = next_task::first_open(&known, but);
+        Ok(open.map(|place| place.key.clone()))
+    }
+
+    fn show(&mut self, text: &str) {
+        let mut stdout = std::io::stdout().lock();
+        let clear = match stdout.is_terminal() {
+            true => "\x1b[2J\x1b[3J\x1b[H",
+            false => "",
+        };
+        // A closed pipe ends the loop when its input is closed, too.
+        let _ = write!(stdout, "{clear}{text}").and_then(|()| stdout.flush());
+    }
+}

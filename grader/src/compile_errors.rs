@@ -1,0 +1,50 @@
+//! Reads the compiler's messages: finds the first error.
+
+/// The first error among the compiler's messages, and how many errors there are. Without an error
+/// the whole text counts as one message.
+pub fn first(messages: &str) -> (String, usize) {
+    let mut errors: Vec<String> = Vec::new();
+    let mut in_error = false;
+    for line in messages.lines() {
+        let text = plain(line);
+        if text.starts_with("error") {
+            errors.push(String::new());
+            in_error = true;
+        } else if text.starts_with("warning") {
+            in_error = false;
+        }
+        if let Some(error) = errors.last_mut().filter(|_| in_error) {
+            error.push_str(line);
+            error.push('\n');
+        }
+    }
+    let count = errors.len().max(1);
+    let first = errors.into_iter().next();
+    (first.unwrap_or_else(|| messages.to_owned()), count)
+}
+
+/// The text without ANSI escape codes, which colour it.
+pub fn plain(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some((before, code)) = rest.split_once("\x1b[") {
+        out.push_str(before);
+        let end = code.find(|c: char| c.is_ascii_alphabetic());
+        rest = end.map_or("", |end| &code[end + 1..]);
+    }
+    out.push_str(rest);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_error_is_found_between_warnings() {
+        let text = "warning: unused\n --> a.rs:1\n\n\x1b[1m\x1b[91merror\x1b[0m: no\n --> b.rs:2\n\nerror[E0308]: types\n";
+        let (first, count) = first(text);
+        assert_eq!(plain(&first), "error: no\n --> b.rs:2\n\n");
+        assert_eq!(count, 2);
+    }
+}

@@ -1,0 +1,127 @@
+//! Explains a case: what it tests, in words and drawn.
+//!
+//! The drawings are made of the case's own inputs and of the exact expected answers: `shapes` draws
+//! triangles, spheres and boxes with the rays at them, `film` samples in a pixel and points of a
+//! sensor. Other kinds of work get a table of their first calls.
+
+mod film;
+mod plot;
+mod shapes;
+
+use crate::course::{CaseEntry, Task};
+use crate::report::table::number;
+use crate::report::terminal::Page;
+use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap};
+use judge::Tier;
+use judge::cases::{PITFALL, Spec, checked};
+use judge::snapshot::Snapshot;
+use std::fmt::Write;
+use wire::Work;
+
+/// Lists the cases of a task with their points and what they test.
+pub fn task(task: &Task, specs: &[Spec], page: Page) -> String {
+    let mut text = format!("{}  {}\n", task.key, task.title);
+    let longest = task.cases.iter().map(|case| columns(&case.name)).max();
+    let width = longest.unwrap_or(0);
+    for entry in &task.cases {
+        let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
+        let about = spec.map_or("", |spec| checked(spec.about));
+        let name = format!("{}{}", entry.name, " ".repeat(width - columns(&entry.name)));
+        let line = format!("  {name} {:>5}  {about}", points(entry));
+        let _ = writeln!(text, "{}", one_line_keeping_margin(&line, page.width));
+    }
+    let _ = writeln!(
+        text,
+        "  + is extra credit. One case: cargo grader explain {}/{}",
+        task.key,
+        task.cases.first().map_or("CASE", |case| &case.name)
+    );
+    text
+}
+
+/// As [`one_line`], without joining the columns of a table.
+fn one_line_keeping_margin(line: &str, width: usize) -> String {
+    match columns(line) <= width {
+        true => line.to_owned(),
+        false => {
+            let kept: String = line.chars().take(width.saturating_sub(1)).collect();
+            format!("{}…", kept.trim_end())
+        }
+    }
+}
+
+/// The points of a case, with a `+` for extra credit.
+fn points(entry: &CaseEntry) -> String {
+    let sign = match entry.tier {
+        Tier::Core => "",
+        Tier::Robust => "+",
+    };
+    format!("{sign}{}", number(entry.points))
+}
+
+/// Explains a case: what it tests, its pitfall, its points, its inputs in words and drawn. `golden`
+/// are the reference's answers, if they are stored.
+pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Page) -> String {
+    let kind = match entry.tier {
+        Tier::Core => "core",
+        Tier::Robust => "extra credit",
+    };
+    let amount = number(entry.points);
+    let unit = if entry.points == 1.0 {
+        "point"
+    } else {
+        "points"
+    };
+    let mut text = format!("{}/{}  {amount} {unit}, {kind}\n", spec.task, spec.name);
+    let mut paragraph = |words: &str| {
+        for line in wrap(words, 2, page.width) {
+            let _ = writeln!(text, "{line}");
+        }
+    };
+    paragraph(&format!("  {}", checked(spec.about)));
+    if let Some((_, pitfall)) = spec.about.split_once(PITFALL) {
+        paragraph(&format!("  Pitfall: {pitfall}"));
+    }
+    let tier = entry.tier;
+    let (words, drawing) = match &spec.work {
+        Work::Triangles(work) => shapes::triangles(work, spec, tier),
+        Work::Spheres(work) => shapes::spheres(work, spec, tier),
+        Work::Boxes(work) => shapes::boxes(work, golden),
+        Work::Pixels(work) => film::pixels(work),
+        Work::CameraRays(work) => film::camera_rays(work),
+        _ => first_calls(spec, golden, page),
+    };
+    paragraph(&format!("  {words}"));
+    for line in drawing {
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    text
+}
+
+/// The most calls in a table.
+const FIRST_CALLS: usize = 6;
+
+/// The first calls with the reference's answers, as the goldens have them.
+fn first_calls(spec: &Spec, golden: Option<&Snapshot>, page: Page) -> (String, Vec<String>) {
+    let words = judge::plural(spec.calls(), "call", "calls");
+    let Some(golden) = golden else {
+        return (format!("{words}."), Vec::new());
+    };
+    let full = golden.lines.iter().filter(|line| !line.question.is_empty());
+    let mut lines = Vec::new();
+    for line in full.take(FIRST_CALLS) {
+        let asked = format!("  {:>4}  {}", line.call, line.asked());
+        lines.push(numbers_to_fit(&asked, page.width));
+        let answer = format!("        -> {}", line.answer_text());
+        lines.push(numbers_to_fit(&answer, page.width));
+    }
+    (
+        format!("{words}. The first, with the reference's answers:"),
+        lines,
+    )
+}
+
+/// A line below a plot.
+fn legend(text: &str) -> String {
+    one_line(&format!("  {text}"), plot::WIDTH + 14)
+}

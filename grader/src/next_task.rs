@@ -1,0 +1,118 @@
+//! The next open task: what bare `grader` grades, and what a report of full marks ends with.
+
+use crate::course::{Course, Task};
+use crate::error::GraderError;
+use crate::results::{Results, TaskScore};
+use crate::sources::{self, Place, SourceFile};
+use crate::workspace::Workspace;
+use std::collections::BTreeMap;
+
+/// What is known of a task without building anything.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// Where it is written.
+    pub place: Place,
+    /// Its last result, if it was graded.
+    pub last: Option<TaskScore>,
+    /// Whether its stage changed after that.
+    pub changed: bool,
+}
+
+impl Known {
+    /// The key of the task's part, such as `part1`.
+    pub fn part_key(&self) -> &str {
+        self.place.key.split('.').next().unwrap_or_default()
+    }
+
+    /// Whether the last result has every core point and its code is still the same.
+    ///
+    /// A task is open unless this is known: if a function of it is still a hole, if it was never
+    /// graded, if it lost points, or if a file of its stage changed since.
+    pub fn is_complete(&self) -> bool {
+        let full = self.last.as_ref().is_some_and(TaskScore::is_complete);
+        full && !self.changed
+    }
+}
+
+/// What is known of all tasks of `course`, in order. Reads the stages' files and the stored
+/// results, and builds nothing.
+pub fn known(workspace: &Workspace, course: &Course) -> Result<Vec<Known>, GraderError> {
+    let results = Results::read(workspace);
+    let mut stages: BTreeMap<&str, Vec<SourceFile>> = BTreeMap::new();
+    for stage in course.stages() {
+        stages.insert(stage, sources::read(workspace.root(), stage)?);
+    }
+    let known = course.tasks().map(|task| {
+        let files = &stages[task.stage.as_str()];
+        let last = results.of(&task.key).cloned();
+        let fingerprint = sources::fingerprint(files);
+        Known {
+            place: sources::place(task, files),
+            changed: last
+                .as_ref()
+                .is_some_and(|last| last.sources != fingerprint),
+            last,
+        }
+    });
+    Ok(known.collect())
+}
+
+/// The first open task of `known` that is none of `but`.
+pub fn first_open<'a>(known: &'a [Known], but: &[&Task]) -> Option<&'a Place> {
+    let mut open = known.iter().filter(|known| !known.is_complete());
+    let open = open.find(|known| but.iter().all(|task| task.key != known.place.key));
+    open.map(|known| &known.place)
+}
+
+/// The chapter of the book about a task: `2.1` for `part2.task1`.
+pub fn chapter(key: &str) -> Option<String> {
+    let (part, task) = key.strip_prefix("part")?.split_once(".task")?;
+    Some(format!("{part}.{task}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known(key: &str, score: f64, changed: bool) -> Known {
+        Known {
+            place: Place {
+                key: key.into(),
+                title: String::new(),
+                file: None,
+                open: Vec::new(),
+                has_hole: false,
+            },
+            last: (score >= 0.0).then(|| TaskScore {
+                score,
+                max_score: 5.0,
+                robust_score: 0.0,
+                robust_max_score: 0.0,
+                attempted: true,
+                status: String::new(),
+                sources: String::new(),
+            }),
+            changed,
+        }
+    }
+
+    #[test]
+    fn a_task_is_open_until_its_present_code_has_every_point() {
+        let first = |known: &[Known]| first_open(known, &[]).map(|place| place.key.clone());
+        let full = || known("a", 5.0, false);
+        assert_eq!(first(&[full()]), None);
+        for open in [
+            known("b", 4.9, false),
+            known("b", 5.0, true),
+            known("b", -1.0, false),
+        ] {
+            assert_eq!(first(&[full(), open]).as_deref(), Some("b"));
+        }
+    }
+
+    #[test]
+    fn the_chapter_is_in_the_key() {
+        assert_eq!(chapter("part2.task1").as_deref(), Some("2.1"));
+        assert_eq!(chapter("toy"), None);
+    }
+}

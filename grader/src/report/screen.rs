@@ -1,0 +1,295 @@
+//! Formats the report for people as one screen: a line for each task, then what helps most with the
+//! first task that is not complete.
+
+mod detail;
+#[cfg(test)]
+mod tests;
+
+use super::table::{number, summary};
+use super::terminal::{GREEN, Page, style_of};
+use super::wrap::{columns, one_line, wrap_to};
+use super::{Report, Reveal, TaskReport};
+use crate::next_task::chapter;
+use crate::printed::Printed;
+use crate::score::{Status, TaskResult};
+use crate::sources::Place;
+use judge::Tier;
+
+/// What a screen says besides the report.
+#[derive(Clone, Debug, Default)]
+pub struct Context {
+    /// What was graded: `all`, a part or a task, or several of these with commas between them.
+    pub what: String,
+    /// Where the graded tasks are written, in their order.
+    pub places: Vec<Place>,
+    /// The open task that comes next.
+    pub next: Option<Place>,
+    /// The compiler's messages, if they were not printed while building.
+    pub compiler: Option<String>,
+    /// What the student's code printed.
+    pub printed: Vec<Printed>,
+}
+
+/// Some lines that stay together.
+struct Block {
+    /// The block with the highest number is left out first if there is too little room.
+    rank: u32,
+    lines: Vec<String>,
+}
+
+/// More tasks than these do not have a line each: a part of which all tasks are alike has one.
+const MANY_TASKS: usize = 8;
+
+/// Formats the report in at most `page.height` lines of at most `page.width` columns.
+pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: Page) -> String {
+    let mut blocks = vec![Block {
+        rank: 0,
+        lines: task_lines(report, page),
+    }];
+    match first_to_mend(report, reveal.extra) {
+        Some(task) => {
+            blocks.extend(detail::blocks(task, context, reveal, page));
+            blocks.push(score(report, page));
+            if task.result.status != Status::NotAttempted {
+                blocks.push(more(task, context, reveal, page));
+            }
+        }
+        None => {
+            blocks.extend(success(report, context, page));
+            blocks.push(score(report, page));
+        }
+    }
+    fit(&mut blocks, page.height);
+    let lines = blocks.iter().flat_map(|block| &block.lines);
+    lines.flat_map(|line| [line.as_str(), "\n"]).collect()
+}
+
+/// The first task to show in detail: the first that was attempted and is not complete, else the
+/// first that is not complete. With `extra` a task is only complete with all of its extra credit.
+pub fn first_to_mend(report: &Report, extra: bool) -> Option<&TaskReport> {
+    let is_open = |task: &&TaskReport| {
+        let result = &task.result;
+        result.score < result.max_score || extra && result.robust_score < result.robust_max_score
+    };
+    let attempted = |task: &&TaskReport| task.result.status != Status::NotAttempted;
+    let mut open = report.tasks.iter().filter(is_open);
+    open.clone().find(attempted).or_else(|| open.next())
+}
+
+/// Leaves out blocks until the others have at most `height` lines; at last, tasks.
+fn fit(blocks: &mut Vec<Block>, height: usize) {
+    let count = |blocks: &[Block]| blocks.iter().map(|block| block.lines.len()).sum::<usize>();
+    while count(blocks) > height {
+        let ranks = blocks
+            .iter()
+            .enumerate()
+            .map(|(at, block)| (block.rank, at));
+        let Some((rank, at)) = ranks.max() else {
+            return;
+        };
+        if rank == 0 {
+            let surplus = count(blocks) - height + 1;
+            let tasks = &mut blocks[0].lines;
+            let kept = tasks.len().saturating_sub(surplus);
+            let left_out = tasks.len() - kept;
+            tasks.truncate(kept);
+            tasks.push(format!("and {left_out} more"));
+            return;
+        }
+        blocks.remove(at);
+    }
+}
+
+/// A line for each task: key, title, points, status. If there are many tasks, a line for each part
+/// of which all tasks are complete or none is attempted.
+fn task_lines(report: &Report, page: Page) -> Vec<String> {
+    let mut lines = Vec::new();
+    let tasks: Vec<&TaskResult> = report.tasks.iter().map(|task| &task.result).collect();
+    let mut parts = tasks.chunk_by(|a, b| part(&a.key) == part(&b.key));
+    if tasks.len() <= MANY_TASKS {
+        return tasks.iter().map(|task| task_line(task, page)).collect();
+    }
+    let alike =
+        |tasks: &[&TaskResult], is: fn(&TaskResult) -> bool| tasks.iter().all(|task| is(task));
+    for tasks in parts.by_ref() {
+        let [first, ..] = tasks else { continue };
+        let is_complete = alike(tasks, |task| task.score >= task.max_score);
+        if is_complete || alike(tasks, |task| task.status == Status::NotAttempted) {
+            let sum = |points: fn(&TaskResult) -> f64| tasks.iter().map(|task| points(task)).sum();
+            let whole = TaskResult {
+                key: part(&first.key).to_owned(),
+                title: format!("{} tasks", tasks.len()),
+                score: sum(|task| task.score),
+                max_score: sum(|task| task.max_score),
+                status: match is_complete {
+                    true => Status::Passed,
+                    false => Status::NotAttempted,
+                },
+                cases: Vec::new(),
+                ..(*first).clone()
+            };
+            lines.push(task_line(&whole, page));
+        } else {
+            lines.extend(tasks.iter().map(|task| task_line(task, page)));
+        }
+    }
+    lines
+}
+
+/// The key of the part of a task.
+fn part(key: &str) -> &str {
+    key.split('.').next().unwrap_or(key)
+}
+
+/// Columns of a task's title.
+pub(crate) fn title_width(page: Page) -> usize {
+    page.width.saturating_sub(43).min(37)
+}
+
+/// Columns of a task's points.
+const POINTS: usize = 9;
+
+fn task_line(task: &TaskResult, page: Page) -> String {
+    let title = one_line(&task.title, title_width(page));
+    let points = format!("{}/{}", number(task.score), number(task.max_score));
+    let padding = " ".repeat(title_width(page).saturating_sub(columns(&title)));
+    let before = format!("{}  {title}{padding} {points:>POINTS$}  ", task.key);
+    let status = one_line(&state(task), page.width.saturating_sub(columns(&before)));
+    match page.colours {
+        true => {
+            let style = style_of(task);
+            format!("{before}{style}{status}{style:#}")
+        }
+        false => format!("{before}{status}"),
+    }
+}
+
+/// The status of a task in a few words.
+fn state(task: &TaskResult) -> String {
+    match &task.status {
+        Status::NotAttempted => "not written yet".into(),
+        Status::Crashed(_) => "every case crashes".into(),
+        _ if task.score >= task.max_score => "complete".into(),
+        Status::Failed => {
+            let lost = super::table::failed(task).filter(|case| case.tier == Tier::Core);
+            match lost.count() {
+                0 => summary(task),
+                1 => "1 case fails".into(),
+                count => format!("{count} cases fail"),
+            }
+        }
+        _ => summary(task),
+    }
+}
+
+/// The points, and one line about extra credit.
+fn score(report: &Report, page: Page) -> Block {
+    let points = |score: f64, max: f64| format!("{} of {}", number(score), number(max));
+    let mut text = format!("score {}", points(report.score, report.max_score));
+    if report.robust_max_score > 0.0 {
+        let extra = points(report.robust_score, report.robust_max_score);
+        text.push_str(&format!("; extra credit {extra}"));
+    }
+    let mut lines = vec![String::new()];
+    lines.extend(wrap_to(&text, 2, page.width, 2));
+    Block { rank: 0, lines }
+}
+
+/// The command for more.
+fn more(task: &TaskReport, context: &Context, reveal: Reveal, page: Page) -> Block {
+    let mut more = Vec::new();
+    // The levels are about the answers; a task without answers has no more to say.
+    let has_answers = task
+        .result
+        .cases
+        .iter()
+        .any(|case| !case.findings.is_empty());
+    if let Some(next) = reveal.hint.next().filter(|_| has_answers) {
+        more.push(format!(
+            "`--hint {}` for more ({})",
+            next.number(),
+            next.adds()
+        ));
+    }
+    more.push("`--long` for every case".to_owned());
+    if let Some(case) = detail::first_failed(&task.result, reveal.extra) {
+        more.push(format!(
+            "`cargo grader explain {}/{}`",
+            task.result.key, case.name
+        ));
+    }
+    let text = format!("cargo grader {}: {}", context.what, more.join(", "));
+    Block {
+        rank: 1,
+        lines: wrap_to(&text, 2, page.width, 3),
+    }
+}
+
+/// What follows full core points: what is complete, the picture, the next task, extra credit.
+fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
+    let block = |rank: u32, text: String| Block {
+        rank,
+        lines: wrap_to(&text, 2, page.width, 2),
+    };
+    let what = match context.what.strip_prefix("part") {
+        Some(number) if !number.contains('.') => format!("Part {number} is complete."),
+        _ if context.what == "all" => "Every part is complete.".into(),
+        _ => match context.what.rsplit_once(',') {
+            Some((most, last)) => {
+                format!("{} and {last} are complete.", most.replace(',', ", "))
+            }
+            None => format!("{} is complete.", context.what),
+        },
+    };
+    let what = match page.colours {
+        true => format!("{GREEN}{what}{GREEN:#}"),
+        false => what,
+    };
+    let mut blocks = vec![Block {
+        rank: 0,
+        lines: vec![String::new(), what],
+    }];
+    let mut tasks = report.tasks.iter().rev();
+    if let Some(picture) = tasks.find_map(|task| task.picture.as_ref()) {
+        blocks.push(block(1, format!("picture: {}", picture.display())));
+    }
+    if let Some(line) = speedup(report) {
+        blocks.push(block(2, line));
+    }
+    if let Some(next) = &context.next {
+        blocks.push(block(1, format!("Next: {}", heading(next))));
+    }
+    if report.robust_score < report.robust_max_score {
+        let text = format!(
+            "extra credit {} of {}: `cargo grader {} --extra`",
+            number(report.robust_score),
+            number(report.robust_max_score),
+            context.what
+        );
+        blocks.push(block(1, text));
+    }
+    blocks
+}
+
+/// The speedup on the largest mesh.
+fn speedup(report: &Report) -> Option<String> {
+    let rows = &report.speedups.as_ref()?.rows;
+    let row = rows.iter().max_by_key(|row| row.triangles)?;
+    Some(format!(
+        "Your BVH is {:.0} times as fast as your brute force on {} triangles (table: `--long`).",
+        row.speedup, row.triangles
+    ))
+}
+
+/// A task with its file and its chapter: "part2.task1 Constructing the BVH, in
+/// stages/bvh/src/construct.rs, chapter 2.1 of the book".
+pub fn heading(place: &Place) -> String {
+    let mut text = format!("{} {}", place.key, place.title);
+    if let Some(file) = &place.file {
+        text.push_str(&format!(", in {file}"));
+    }
+    if let Some(chapter) = chapter(&place.key) {
+        text.push_str(&format!(", chapter {chapter} of the book"));
+    }
+    text
+}

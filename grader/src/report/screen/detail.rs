@@ -1,0 +1,269 @@
+//! What a screen says about one task that is not complete.
+
+use super::{Block, Context};
+use crate::compile_errors;
+use crate::printed;
+use crate::report::table::{failed, status_text};
+use crate::report::terminal::Page;
+use crate::report::worst_test;
+use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
+use crate::report::{HintLevel, Reveal, TaskReport, order};
+use crate::report::{functions, message};
+use crate::score::{CaseResult, Status, TaskResult};
+use judge::Tier;
+use judge::cases::checked;
+use judge::tally::{Finding, Worst};
+
+/// The most lines of each kind of text.
+const NAMES: usize = 2;
+const SENTENCES: usize = 3;
+const MESSAGE: usize = 9;
+
+/// How many failed cases are described at the level that shows nothing else.
+const DESCRIBED: usize = 4;
+
+/// The blocks about `task`.
+pub(super) fn blocks(
+    task: &TaskReport,
+    context: &Context,
+    reveal: Reveal,
+    page: Page,
+) -> Vec<Block> {
+    let result = &task.result;
+    let mut out = Lines {
+        page,
+        blocks: vec![Block {
+            rank: 0,
+            lines: vec![String::new()],
+        }],
+    };
+    match &result.status {
+        Status::NotAttempted => not_written(&mut out, result, context),
+        Status::DoesNotCompile => does_not_compile(&mut out, result, context),
+        _ => wrong(&mut out, task, reveal),
+    }
+    if let Some(picture) = &task.picture {
+        out.add(4, 1, &format!("  picture: {}", picture.display()));
+    }
+    if let Some(printed) = printed::summary(&context.printed) {
+        out.add(3, 1, &format!("  {printed}: `--long` shows them"));
+    }
+    out.blocks
+}
+
+/// Collects blocks of wrapped text.
+struct Lines {
+    page: Page,
+    blocks: Vec<Block>,
+}
+
+impl Lines {
+    fn add(&mut self, rank: u32, most: usize, text: &str) {
+        let lines = wrap_to(text, 4, self.page.width, most);
+        self.blocks.push(Block { rank, lines });
+    }
+}
+
+fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
+    let place = context.places.iter().find(|place| place.key == task.key);
+    let file = place.and_then(|place| place.file.as_deref());
+    let names: Vec<String> = place.map_or_else(Vec::new, |place| {
+        place.open.iter().map(|name| format!("`{name}`")).collect()
+    });
+    let what = match (file, names.join(", ")) {
+        (Some(file), names) if !names.is_empty() => format!("Open {file} and write {names}."),
+        (Some(file), _) => format!("Open {file}."),
+        (None, _) => "Its functions are still those of the handout.".into(),
+    };
+    out.add(0, 3, &format!("{} {}", task.key, task.title));
+    out.add(0, SENTENCES, &format!("  {what}"));
+    let run = format!(
+        "  Then run `cargo grader {}`, or keep `cargo grader watch` running.",
+        task.key
+    );
+    out.add(1, 2, &run);
+}
+
+fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
+    let what = format!("{}: stages/{} does not compile", task.key, task.stage);
+    let Some(messages) = &context.compiler else {
+        let text = format!("{what}: the compiler's messages are above.");
+        return out.add(0, 2, &text);
+    };
+    out.add(0, 2, &format!("{what}."));
+    let (first, count) = compile_errors::first(messages);
+    let lines = first.lines().filter(|line| !line.trim().is_empty());
+    let lines = lines.take(MESSAGE).flat_map(|line| {
+        let line = format!("  {}", compile_errors::plain(line));
+        // Where the compiler points with signs below the code, the columns must stay.
+        match columns(&line) <= out.page.width {
+            true => vec![line],
+            false => wrap_to(&line, 4, out.page.width, 2),
+        }
+    });
+    let mut lines: Vec<String> = lines.collect();
+    lines.truncate(MESSAGE);
+    out.blocks.push(Block { rank: 1, lines });
+    if count > 1 {
+        let others = judge::plural(count - 1, "other message", "other messages");
+        out.add(2, 1, &format!("  and {others} of the compiler"));
+    }
+}
+
+/// The failed cases that count: the core cases, or with `extra` the robust ones if no core case
+/// failed.
+fn counted(task: &TaskResult, extra: bool) -> Vec<&CaseResult> {
+    let of = |tier: Tier| failed(task).filter(|case| case.tier == tier).collect();
+    let core: Vec<&CaseResult> = of(Tier::Core);
+    match core.is_empty() && extra {
+        true => order::new_faults_first(&of(Tier::Robust)),
+        false => order::new_faults_first(&core),
+    }
+}
+
+/// The failed case that is shown first.
+pub(super) fn first_failed(task: &TaskResult, extra: bool) -> Option<&CaseResult> {
+    counted(task, extra).first().copied()
+}
+
+fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
+    let task = &report.result;
+    if let Some(functions) = functions::line(task) {
+        out.add(0, SENTENCES, &format!("{}: {functions}", task.key));
+    }
+    let cases = counted(task, reveal.extra);
+    let Some(first) = cases.first() else {
+        return waiting(out, task);
+    };
+    let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+    let kind = match first.tier {
+        Tier::Core => "",
+        Tier::Robust => " of extra credit",
+    };
+    let of = cases.len();
+    let verb = match of {
+        1 => format!("1 case{kind} fails"),
+        _ => format!("{of} cases{kind} fail"),
+    };
+    out.add(
+        2,
+        NAMES,
+        &format!("{}: {verb}: {}", task.key, names.join(", ")),
+    );
+    if reveal.hint == HintLevel::Cases {
+        for case in cases.iter().take(DESCRIBED) {
+            let text = format!("  {} tests: {}", case.name, checked(&case.about));
+            out.add(3, NAMES, &text);
+        }
+        return;
+    }
+    explanation(out, report, reveal);
+    if let Status::Crashed(how) = &first.status {
+        out.add(0, SENTENCES, &format!("  {}: {how}", first.name));
+    }
+    let all_findings = cases
+        .iter()
+        .filter_map(|case| worst(case).map(|found| (case, found)));
+    if let Some((case, (finding, worst))) = all_findings.into_iter().next() {
+        let label = finding.aspect.label();
+        let (wrong, judged) = (finding.wrong, finding.judged);
+        let text = format!(
+            "  {}: {label} wrong on {wrong} of {judged} calls",
+            case.name
+        );
+        out.add(0, 2, &text);
+        // The message ends with the question; both have a line of their own.
+        let (found, question) = message::parts(&worst.message);
+        let found = message::without_reason(found, out.page.width.saturating_sub(4));
+        let question = question.map(|question| format!("    Ray: {question}"));
+        let lines = [format!("    {found}"), question.unwrap_or_default()];
+        let lines = lines.iter().filter(|line| !line.is_empty());
+        let lines: Vec<String> = lines
+            .map(|line| numbers_to_fit(line, out.page.width))
+            .collect();
+        out.blocks.push(Block { rank: 0, lines });
+    }
+    for reduction in first.reductions.iter().take(1) {
+        out.add(1, 2, &format!("  {}: {reduction}", first.name));
+    }
+    if let Some([make, copy, test]) = worst_test::commands(report) {
+        let lines = [
+            format!("  As a test: {make}"),
+            format!("    {copy}"),
+            format!("    {test}"),
+        ];
+        let lines = lines.map(|line| one_line(&line, out.page.width));
+        out.blocks.push(Block {
+            rank: 2,
+            lines: lines.into(),
+        });
+    }
+}
+
+/// The first wrong finding of a case, with its worst answer.
+fn worst(case: &CaseResult) -> Option<(&Finding, &Worst)> {
+    let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
+    wrong
+        .filter_map(|finding| Some((finding, finding.worst.as_ref()?)))
+        .next()
+}
+
+/// The likely mistake at the levels that show it, else what the wrong answers have in common.
+fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
+    let lost_core = report.result.score < report.result.max_score;
+    match &report.diagnosis {
+        Some(found) if reveal.hint >= HintLevel::Mistake => {
+            let label = found.certainty.label();
+            out.add(0, SENTENCES, &format!("  {label}: {}.", found.says));
+            if reveal.hint >= HintLevel::Remedy {
+                out.add(1, SENTENCES, &format!("  Hint: {}", found.hint));
+            }
+            if found.is_likely() {
+                return;
+            }
+        }
+        None if reveal.hint >= HintLevel::Mistake && lost_core => {
+            out.add(2, 1, "  The answers match no known mistake.");
+        }
+        _ => {}
+    }
+    if !report.regularities.is_empty() {
+        let common = report.regularities.join("; ");
+        out.add(1, SENTENCES, &format!("  All wrong answers: {common}."));
+    }
+}
+
+/// A task none of whose cases failed by itself: it lacks points because of another task.
+fn waiting(out: &mut Lines, task: &TaskResult) {
+    let mut needs = task
+        .cases
+        .iter()
+        .filter(|case| matches!(case.status, Status::Needs(_)));
+    if let Some(case) = needs.next() {
+        let more = match needs.count() {
+            0 => String::new(),
+            others => format!(
+                " (and {})",
+                judge::plural(others, "other case", "other cases")
+            ),
+        };
+        let status = status_text(&case.status);
+        out.add(
+            0,
+            SENTENCES,
+            &format!("{}: the case {} {status}{more}", task.key, case.name),
+        );
+        return;
+    }
+    let half = task
+        .cases
+        .iter()
+        .find(|case| case.status == Status::NotAttempted);
+    if let Some(case) = half {
+        let text = format!(
+            "{}: the case {} calls a function that is not written yet",
+            task.key, case.name
+        );
+        out.add(0, SENTENCES, &text);
+    }
+}

@@ -1,0 +1,374 @@
+use super::*;
+use crate::diagnosis::{Certainty, Diagnosis};
+use crate::printed::Printed;
+use crate::report::HintLevel;
+use crate::report::wrap::columns;
+use crate::score::CaseResult;
+use judge::tally::{Aspect, Class, Tally};
+use std::path::PathBuf;
+
+/// Text of words of every length, such as nobody would write.
+fn nasty(length: usize) -> String {
+    let words = [
+        "a",
+        "supercalifragilistic",
+        "123456.789012345678901",
+        "π≈3",
+        "(0.1, -2e300)",
+    ];
+    let text: Vec<&str> = words.iter().copied().cycle().take(length).collect();
+    text.join(" ")
+}
+
+/// A failed case with a wrong answer whose message is `message`.
+fn case(name: &str, tier: Tier, message: &str) -> CaseResult {
+    let mut tally = Tally::default();
+    let class = Some(Class::FalseMiss);
+    tally.judge_class(Aspect::HitOrMiss, 3, class, 1.0, || message.to_owned());
+    CaseResult {
+        name: name.into(),
+        tier,
+        score: 0.0,
+        max_score: 2.0,
+        status: Status::Failed,
+        about: format!("Rays beside it. {} Pitfall: an epsilon.", nasty(30)),
+        findings: tally.into_findings(),
+        reductions: Vec::new(),
+        shares: Vec::new(),
+        with_neighbours: false,
+        calls: 0,
+        crash: None,
+    }
+}
+
+fn task(key: &str, title: &str, score: f64, cases: Vec<CaseResult>) -> TaskReport {
+    TaskReport::from(TaskResult {
+        key: key.into(),
+        title: title.into(),
+        score,
+        max_score: 30.0,
+        robust_score: 3.0,
+        robust_max_score: 15.0,
+        status: match cases.is_empty() {
+            true => Status::Passed,
+            false => Status::Failed,
+        },
+        stage: "intersect".into(),
+        functions: Vec::new(),
+        cases,
+    })
+}
+
+/// A task that says all that a task can say, at great length.
+fn talkative(key: &str) -> TaskReport {
+    let names = (0..40).map(|i| format!("a_case_with_a_rather_long_name_{i}"));
+    let message = format!("test_triangle: your result: {0}. Ray: o = {0}", nasty(40));
+    let cases = names.map(|name| case(&name, Tier::Core, &message));
+    TaskReport {
+        diagnosis: Some(Diagnosis {
+            mistakes: vec!["culled".into()],
+            says: nasty(60),
+            hint: nasty(60),
+            equal: 1,
+            of: 2,
+            certainty: Certainty::Perhaps,
+        }),
+        regularities: vec![nasty(30), nasty(30), nasty(30)],
+        test_file: Some(PathBuf::from("target/first-light/part1_task3.rs")),
+        picture: Some(PathBuf::from("target/first-light/part1_task3.png")),
+        ..task(key, &nasty(20), 1.0, cases.collect())
+    }
+}
+
+fn reveal(hint: HintLevel) -> Reveal {
+    Reveal { hint, extra: false }
+}
+
+fn screen(tasks: Vec<TaskReport>, context: &Context, reveal: Reveal) -> String {
+    let report = Report::new(tasks, None);
+    format_screen(&report, context, reveal, Page::default())
+}
+
+fn context(what: &str) -> Context {
+    Context {
+        what: what.into(),
+        ..Context::default()
+    }
+}
+
+#[test]
+fn any_report_is_one_screen() {
+    let keys = |tasks: u32| (0..tasks).map(|i| format!("part{}.task{}", i / 4 + 1, i % 4 + 1));
+    for tasks in [1, 4, 8, 16, 40] {
+        for hint in HintLevel::ALL {
+            let talk: Vec<TaskReport> = keys(tasks).map(|key| talkative(&key)).collect();
+            let context = Context {
+                printed: vec![Printed {
+                    task: "part1.task1".into(),
+                    case: nasty(60),
+                    first: vec!["x".into(); 1000],
+                    ..Printed::default()
+                }],
+                compiler: Some(format!("error: {}\n", nasty(300))),
+                ..context("part1")
+            };
+            for width in [40, 80, 100] {
+                let page = Page {
+                    width,
+                    ..Page::default()
+                };
+                let report = Report::new(talk.clone(), None);
+                let text = format_screen(&report, &context, reveal(hint), page);
+                assert!(
+                    text.lines().count() <= 23,
+                    "{tasks} tasks, {hint:?}:\n{text}"
+                );
+                let longest = text.lines().map(columns).max();
+                assert!(longest <= Some(width), "{longest:?} of {width}:\n{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_screen_has_what_helps_most() {
+    let ray = "o = (1.25, 0.123456789012345678, 2.0), d = (0.333333333333333333, 0.6666666666666666, 0.6666666666666666), t in [0.0, inf]";
+    let message =
+        format!("test_triangle: your result: miss; expected: hit at t = 11.6. Ray: {ray}");
+    let wrong = TaskReport {
+        regularities: vec!["never a false hit".into()],
+        test_file: Some(PathBuf::from("target/first-light/part1_task3.rs")),
+        ..task(
+            "part1.task3",
+            "Intersecting triangles",
+            28.0,
+            vec![case("back_face", Tier::Core, &message)],
+        )
+    };
+    let whole = task(
+        "part1.task1",
+        "Filling in the sample loop",
+        30.0,
+        Vec::new(),
+    );
+    let text = screen(
+        vec![whole, wrong],
+        &context("part1"),
+        reveal(HintLevel::Findings),
+    );
+    for line in [
+        "part1.task1  Filling in the sample loop",
+        "complete\n",
+        "1 case fails\n",
+        "part1.task3: 1 case fails: back_face\n",
+        "  All wrong answers: never a false hit.\n",
+        "  back_face: hit or miss wrong on 1 of 1 calls\n",
+        "    test_triangle: your result: miss; expected: hit at t = 11.6\n",
+        "    Ray: o = (1.25, 0.1235, 2.0), d = (0.3333, 0.6667, 0.6667), t in [0.0, inf]\n",
+        "  As a test: mkdir -p stages/intersect/tests &&\n    cp target/first-light/part1_task3.rs stages/intersect/tests/worst.rs &&\n    cargo test -p intersect --test worst\n",
+        "score 58 of 60; extra credit 6 of 30\n",
+        "`--hint 3` for more (the likely mistake)",
+        "explain part1.task3/back_face`\n",
+    ] {
+        assert!(text.contains(line), "no {line:?} in\n{text}");
+    }
+}
+
+#[test]
+fn each_level_reveals_more() {
+    let found = Diagnosis {
+        mistakes: vec!["culled".into()],
+        says: "your answers equal those of code that culls".into(),
+        hint: "look at the sign".into(),
+        equal: 1,
+        of: 1,
+        certainty: Certainty::Likely,
+    };
+    let wrong = TaskReport {
+        diagnosis: Some(found),
+        regularities: vec!["never a false hit".into()],
+        ..task(
+            "part1.task3",
+            "",
+            1.0,
+            vec![case("back_face", Tier::Core, "your result: miss")],
+        )
+    };
+    let shows = |hint, word: &str| {
+        screen(vec![wrong.clone()], &context("part1.task3"), reveal(hint)).contains(word)
+    };
+    let levels = |word: &str| HintLevel::ALL.map(|hint| shows(hint, word));
+    assert_eq!(
+        levels("back_face tests: Rays beside it."),
+        [true, false, false, false]
+    );
+    assert_eq!(levels("Pitfall"), [false; 4]);
+    assert_eq!(levels("your result: miss"), [false, true, true, true]);
+    assert_eq!(levels("never a false hit"), [false, true, false, false]);
+    assert_eq!(
+        levels("Likely: your answers equal"),
+        [false, false, true, true]
+    );
+    assert_eq!(
+        levels("Hint: look at the sign"),
+        [false, false, false, true]
+    );
+    assert_eq!(levels("for more ("), [true, true, true, false]);
+}
+
+#[test]
+fn full_marks_are_a_success() {
+    let lost = case("by_a_hair", Tier::Robust, "your result: miss");
+    let full = TaskReport {
+        picture: Some(PathBuf::from("target/first-light/ring.png")),
+        ..task("part1.task3", "Intersecting triangles", 30.0, vec![lost])
+    };
+    let next = Place {
+        key: "part2.task1".into(),
+        title: "Constructing the BVH".into(),
+        file: Some("stages/bvh/src/construct.rs".into()),
+        open: vec!["construct_bvh".into()],
+        has_hole: true,
+    };
+    let context = Context {
+        next: Some(next),
+        ..context("part1")
+    };
+    let text = screen(vec![full.clone()], &context, reveal(HintLevel::Remedy));
+    for line in [
+        "Part 1 is complete.\n",
+        "picture: target/first-light/ring.png\n",
+        "Next: part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs, chapter",
+        "2.1 of the book\n",
+        "extra credit 3 of 15: `cargo grader part1 --extra`\n",
+    ] {
+        assert!(text.contains(line), "no {line:?} in\n{text}");
+    }
+    for word in ["by_a_hair", "no known mistake", "fails"] {
+        assert!(!text.contains(word), "{text}");
+    }
+    let extra = Reveal {
+        hint: HintLevel::Remedy,
+        extra: true,
+    };
+    let text = screen(vec![full], &context, extra);
+    assert!(
+        text.contains("1 case of extra credit fails: by_a_hair"),
+        "{text}"
+    );
+    assert!(!text.contains("no known mistake"), "{text}");
+}
+
+#[test]
+fn an_attempted_task_comes_before_one_that_is_not() {
+    let mut open = task("part1.task1", "Filling in the sample loop", 0.0, Vec::new());
+    open.result.status = Status::NotAttempted;
+    let wrong = task(
+        "part1.task2",
+        "",
+        3.0,
+        vec![case("pinhole", Tier::Core, "your result: 1")],
+    );
+    let tasks = vec![open.clone(), wrong];
+    let text = screen(tasks, &context("part1"), reveal(HintLevel::Findings));
+    assert!(
+        text.contains("part1.task2: 1 case fails: pinhole"),
+        "{text}"
+    );
+    let place = Place {
+        key: "part1.task1".into(),
+        title: String::new(),
+        file: Some("stages/raygen/src/pixel.rs".into()),
+        open: vec!["raytrace_pixel".into()],
+        has_hole: true,
+    };
+    let context = Context {
+        places: vec![place],
+        ..context("part1")
+    };
+    let text = screen(vec![open], &context, reveal(HintLevel::Findings));
+    assert!(
+        text.contains("Open stages/raygen/src/pixel.rs and write `raytrace_pixel`."),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
+    let mut crashed = case("back_face", Tier::Core, "");
+    crashed.status = Status::Crashed("panicked at lib.rs:3: too small (call 7 of the case)".into());
+    crashed.findings.clear();
+    let crash = task("part1.task3", "", 3.0, vec![crashed]);
+    let text = screen(
+        vec![crash],
+        &context("part1.task3"),
+        reveal(HintLevel::Findings),
+    );
+    assert!(
+        text.contains("  back_face: panicked at lib.rs:3: too small (call 7"),
+        "{text}"
+    );
+    let mut broken = task("part1.task3", "", 0.0, Vec::new());
+    broken.result.status = Status::DoesNotCompile;
+    let context = Context {
+        compiler: Some("warning: x\n\nerror: expected `;`\n --> a.rs:1\n\nerror: more\n".into()),
+        ..context("part1.task3")
+    };
+    let printed = screen(
+        vec![broken.clone()],
+        &self::context("part1.task3"),
+        reveal(HintLevel::Findings),
+    );
+    assert!(
+        printed.contains("does not compile: the compiler's messages are"),
+        "{printed}"
+    );
+    let text = screen(vec![broken], &context, reveal(HintLevel::Findings));
+    assert!(text.contains("stages/intersect does not compile"), "{text}");
+    assert!(
+        text.contains("  error: expected `;`\n   --> a.rs:1\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("and 1 other message of the compiler"),
+        "{text}"
+    );
+}
+
+#[test]
+fn parts_whose_tasks_are_alike_have_one_line_among_many() {
+    let tasks = (1..=10).map(|i| {
+        let part = (i - 1) / 5 + 1;
+        let score = if part == 1 || i == 7 { 30.0 } else { 0.0 };
+        task(&format!("part{part}.task{i}"), "", score, Vec::new())
+    });
+    let text = screen(tasks.collect(), &context("all"), reveal(HintLevel::Cases));
+    assert!(text.starts_with("part1  5 tasks"), "{text}");
+    assert!(text.contains("150/150  complete"), "{text}");
+    assert_eq!(text.matches("part2.task").count(), 5, "{text}");
+}
+
+#[test]
+fn only_the_status_is_coloured() {
+    let report = Report::new(vec![task("part1.task1", "Loop", 30.0, Vec::new())], None);
+    let page = Page {
+        colours: true,
+        ..Page::default()
+    };
+    let text = format_screen(
+        &report,
+        &context("part1.task1"),
+        reveal(HintLevel::Cases),
+        page,
+    );
+    assert!(text.contains("\x1b[32mcomplete\x1b[0m\n"), "{text:?}");
+    let plain = crate::compile_errors::plain(&text);
+    assert_eq!(
+        plain,
+        screen(
+            report.tasks,
+            &context("part1.task1"),
+            reveal(HintLevel::Cases)
+        )
+    );
+}

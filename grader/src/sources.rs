@@ -1,0 +1,176 @@
+//! The source files of a stage: which functions of a task are still holes, and which file to open.
+
+use crate::course::Task;
+use crate::error::GraderError;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+/// A Rust file of a stage.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
+    /// The path below the workspace's root folder, with `/` between its parts.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The place where a task is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The key of the task.
+    pub key: String,
+    /// Its title.
+    pub title: String,
+    /// The file to open: the first with a hole of the task, else the one with its first function.
+    pub file: Option<String>,
+    /// The functions of the task that still have a hole, or that still are the slow start which
+    /// the course provides.
+    pub open: Vec<String>,
+    /// Whether any of its stage's files has a hole of the task, in a listed function or not.
+    pub has_hole: bool,
+}
+
+/// The paths of all Rust files of `stage` in the workspace `root`, sorted.
+pub fn paths(root: &Path, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
+    let mut files = Vec::new();
+    let mut folders = vec![root.join("stages").join(stage).join("src")];
+    while let Some(folder) = folders.pop() {
+        let failed = |e| GraderError::file("read", &folder, e);
+        for entry in std::fs::read_dir(&folder).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// Reads all Rust files of `stage` in the workspace `root`, sorted by path. Bytes that are not UTF-8 are replaced: the
+/// compiler reports them.
+pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
+    let read = |path: PathBuf| {
+        let bytes = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
+        Ok(SourceFile {
+            path: with_slashes(path.strip_prefix(root).unwrap_or(&path)),
+            text: String::from_utf8_lossy(&bytes).into_owned(),
+        })
+    };
+    paths(root, stage)?.into_iter().map(read).collect()
+}
+
+/// The place of `task`, whose stage has these files.
+pub fn place(task: &Task, files: &[SourceFile]) -> Place {
+    let hole = files.iter().find(|file| has_hole(&file.text, &task.key));
+    let first = task.holes.first();
+    let defining =
+        first.and_then(|name| files.iter().find(|file| defines_function(&file.text, name)));
+    let is_open = |name: &&String| {
+        let bodies = files.iter().filter_map(|file| body(&file.text, name));
+        bodies.into_iter().any(|body| has_hole(body, &task.key))
+    };
+    Place {
+        key: task.key.clone(),
+        title: task.title.clone(),
+        file: hole.or(defining).map(|file| file.path.clone()),
+        open: task.holes.iter().filter(is_open).cloned().collect(),
+        has_hole: hole.is_some(),
+    }
+}
+
+/// A number that changes with the files' paths and texts.
+pub fn fingerprint(files: &[SourceFile]) -> String {
+    let mut hasher = DefaultHasher::new();
+    for file in files {
+        (&file.path, &file.text).hash(&mut hasher);
+    }
+    format!("{:016x}", hasher.finish())
+}
+
+/// Whether `text` contains the public function `name`.
+pub fn defines_function(text: &str, name: &str) -> bool {
+    start_of(text, name).is_some()
+}
+
+/// Whether the code in `text` has a `hole!` or an `untouched!` of the task `key`. Comments do not
+/// count: the full course has the stubs of its handouts in comments.
+pub fn has_hole(text: &str, key: &str) -> bool {
+    let code = text.lines().filter(|line| !line.trim().starts_with("//"));
+    let code: String = code.flat_map(|line| [line, "\n"]).collect();
+    let quoted = format!("\"{key}\"");
+    code.match_indices(&quoted).any(|(at, _)| {
+        let before = code[..at].trim_end();
+        ["hole!(", "untouched!("]
+            .iter()
+            .any(|macro_name| before.ends_with(macro_name))
+    })
+}
+
+/// The text of the public function `name` from its `pub fn` to the end of its body.
+pub(crate) fn body<'a>(text: &'a str, name: &str) -> Option<&'a str> {
+    let rest = &text[start_of(text, name)?..];
+    // As rustfmt writes it, the end of a function that is in no block is a brace on its own.
+    let end = rest.find("\n}").map_or(rest.len(), |end| end + 2);
+    Some(&rest[..end])
+}
+
+/// Where the public function `name` begins.
+fn start_of(text: &str, name: &str) -> Option<usize> {
+    ["(", "<"]
+        .iter()
+        .find_map(|next| text.find(&format!("pub fn {name}{next}")))
+}
+
+/// A path with `/` between its parts, as in messages and commands.
+pub fn with_slashes(path: &Path) -> String {
+    let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy()).collect();
+    parts.join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::Course;
+
+    fn task() -> Task {
+        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let mut tasks = course.tasks().filter(|task| task.key == "part1.task3");
+        tasks.next().expect("the course has triangles").clone()
+    }
+
+    fn file(text: &str) -> SourceFile {
+        SourceFile {
+            path: "stages/intersect/src/triangle.rs".into(),
+            text: text.into(),
+        }
+    }
+
+    #[test]
+    fn functions_with_a_hole_are_open() {
+        let text = "pub fn test_triangle(a: u8) -> u8 {\n    a\n}\n\npub fn intersect_triangle(a: u8) -> u8 {\n    kit::hole!(\n        \"part1.task3\",\n        a\n    )\n}\n";
+        let place = place(&task(), &[file("//! Map.\n"), file(text)]);
+        assert_eq!(place.open, ["intersect_triangle"]);
+        assert_eq!(
+            place.file.as_deref(),
+            Some("stages/intersect/src/triangle.rs")
+        );
+    }
+
+    #[test]
+    fn a_stub_in_a_comment_and_a_hole_of_another_task_are_no_holes() {
+        let text = "pub fn test_triangle(a: u8) -> u8 {\n    // STUB: kit::hole!(\"part1.task3\", a)\n    kit::hole!(\"part1.task4\", a)\n}\n";
+        assert!(!has_hole(text, "part1.task3"));
+        assert!(has_hole(text, "part1.task4"));
+        assert!(has_hole("kit::untouched!(\"part2.task1\");", "part2.task1"));
+        assert_eq!(place(&task(), &[file(text)]).open, [""; 0]);
+    }
+
+    #[test]
+    fn the_fingerprint_changes_with_any_text() {
+        assert_ne!(fingerprint(&[file("a")]), fingerprint(&[file("b")]));
+        assert_eq!(fingerprint(&[file("a")]), fingerprint(&[file("a")]));
+    }
+}

@@ -1,0 +1,205 @@
+//! `grader watch`: grades what a saved file touches, shows what to do next, and reads keys.
+//!
+//! [`run`] is the loop. It sees the world through a [`Desk`], so that a test can drive it;
+//! [`files`] finds out which files were saved.
+
+pub mod files;
+
+use crate::course::{Course, Task};
+use crate::error::GraderError;
+use crate::next_task::chapter;
+use crate::report::screen::{self, Context};
+use crate::report::terminal::{GREEN, Page};
+use crate::report::wrap::one_line;
+use crate::report::{HintLevel, Report, Reveal};
+use std::collections::BTreeSet;
+
+/// What happened at the desk.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// Files of these stages were saved.
+    Saved(BTreeSet<String>),
+    /// The student typed this line.
+    Typed(String),
+    /// There is nothing more to read: the terminal was closed.
+    Closed,
+}
+
+/// The world around the loop.
+pub trait Desk {
+    /// Waits for the next event.
+    fn next_event(&mut self) -> Result<Event, GraderError>;
+
+    /// Grades `what`, as [`Course::select`] reads it.
+    fn grade(&mut self, what: &str) -> Result<(Report, Context), GraderError>;
+
+    /// The key of the next open task of `part`, or of the course, that is none of `but`.
+    fn next_open(
+        &mut self,
+        part: Option<&str>,
+        but: &[&Task],
+    ) -> Result<Option<String>, GraderError>;
+
+    /// Shows a text instead of the one before.
+    fn show(&mut self, text: &str);
+}
+
+/// The last line of the screen: the keys.
+const KEYS: &str = "keys, then Enter: h more hint, n next task, p picture, c chapter, q quit";
+
+/// Lines for the keys and a remark.
+const FOOTER: usize = 3;
+
+/// Watches until the student quits. `part` limits what is graded; `complete` are the keys of the
+/// tasks that are known to be complete.
+pub fn run(
+    desk: &mut impl Desk,
+    course: &Course,
+    part: Option<&str>,
+    hint: HintLevel,
+    complete: BTreeSet<String>,
+    page: Page,
+) -> Result<(), GraderError> {
+    let first = desk.next_open(part, &[])?;
+    let mut session = Session {
+        course,
+        part,
+        page: Page {
+            height: page.height.saturating_sub(FOOTER),
+            ..page
+        },
+        reveal: Reveal { hint, extra: false },
+        complete,
+        what: first.unwrap_or_else(|| part.unwrap_or("all").to_owned()),
+        last: None,
+    };
+    session.grade(desk);
+    loop {
+        match desk.next_event()? {
+            Event::Closed => return Ok(()),
+            Event::Saved(stages) => {
+                if let Some(what) = session.touched(&stages) {
+                    session.what = what;
+                    session.grade(desk);
+                }
+            }
+            Event::Typed(line) => match line.trim() {
+                "q" => return Ok(()),
+                "" => session.grade(desk),
+                "h" => {
+                    let next = session.reveal.hint.next();
+                    session.reveal.hint = next.unwrap_or(session.reveal.hint);
+                    session.show(desk, next.map_or("This is the last level.", |_| ""));
+                }
+                "n" => match desk.next_open(part, &session.selected())? {
+                    Some(next) => {
+                        session.what = next;
+                        session.grade(desk);
+                    }
+                    None => session.show(desk, "No other task is open."),
+                },
+                "p" => session.show_remark_of_task(desk, picture),
+                "c" => session.show_remark_of_task(desk, |_, key| match chapter(key) {
+                    Some(chapter) => format!("{key} is chapter {chapter} of the book."),
+                    None => format!("The book has no chapter about {key}."),
+                }),
+                other => session.show(desk, &format!("There is no key {other:?}.")),
+            },
+        }
+    }
+}
+
+fn picture(report: &Report, key: &str) -> String {
+    let mut tasks = report.tasks.iter().filter(|task| task.result.key == key);
+    match tasks.find_map(|task| task.picture.as_ref()) {
+        Some(path) => format!("picture: {}", path.display()),
+        None => format!("There is no picture of {key}."),
+    }
+}
+
+/// What is on the screen.
+struct Session<'a> {
+    course: &'a Course,
+    part: Option<&'a str>,
+    page: Page,
+    reveal: Reveal,
+    /// The keys of the tasks that were complete when they were last graded.
+    complete: BTreeSet<String>,
+    /// What is graded.
+    what: String,
+    /// The last report and what is shown with it, or why there is none.
+    last: Option<Result<(Report, Context), GraderError>>,
+}
+
+impl Session<'_> {
+    /// What to grade after files of `stages` were saved: the tasks of these stages, in the watched
+    /// part.
+    fn touched(&self, stages: &BTreeSet<String>) -> Option<String> {
+        let tasks = self.course.tasks().filter(|task| {
+            let in_part = self.part.is_none_or(|part| task.part_key() == part);
+            in_part && stages.contains(&task.stage)
+        });
+        let keys: Vec<&str> = tasks.map(|task| task.key.as_str()).collect();
+        (!keys.is_empty()).then(|| keys.join(","))
+    }
+
+    /// The tasks that are shown.
+    fn selected(&self) -> Vec<&Task> {
+        self.course.select(&self.what).unwrap_or_default()
+    }
+
+    fn grade(&mut self, desk: &mut impl Desk) {
+        let what = format!("grading {} ...", self.what.replace(',', ", "));
+        desk.show(&format!("{}\n", one_line(&what, self.page.width)));
+        let graded = desk.grade(&self.what);
+        let mut now_complete = Vec::new();
+        if let Ok((report, _)) = &graded {
+            for result in report.tasks.iter().map(|task| &task.result) {
+                if result.score < result.max_score {
+                    self.complete.remove(&result.key);
+                } else if self.complete.insert(result.key.clone()) {
+                    now_complete.push(result.key.clone());
+                }
+            }
+        }
+        self.last = Some(graded);
+        let remark = match now_complete.as_slice() {
+            [] => String::new(),
+            keys => format!("Done, every core point: {}.", keys.join(", ")),
+        };
+        let remark = match self.page.colours && !remark.is_empty() {
+            true => format!("{GREEN}{remark}{GREEN:#}"),
+            false => remark,
+        };
+        self.show(desk, &remark);
+    }
+
+    /// Shows the last report with a remark below it.
+    fn show(&self, desk: &mut impl Desk, remark: &str) {
+        let text = match &self.last {
+            Some(Ok((report, context))) => {
+                screen::format_screen(report, context, self.reveal, self.page)
+            }
+            Some(Err(error)) => format!("error: {error}\n"),
+            None => String::new(),
+        };
+        let remark = match remark {
+            "" => String::new(),
+            remark => format!("{remark}\n"),
+        };
+        desk.show(&format!("{text}\n{remark}{KEYS}\n"));
+    }
+
+    /// Shows a remark about the task that is shown in detail.
+    fn show_remark_of_task(&self, desk: &mut impl Desk, remark: impl Fn(&Report, &str) -> String) {
+        let Some(Ok((report, _))) = &self.last else {
+            return self.show(desk, "");
+        };
+        let task = screen::first_to_mend(report, false).or(report.tasks.last());
+        let remark = task.map_or_else(String::new, |task| remark(report, &task.result.key));
+        self.show(desk, &remark);
+    }
+}
+
+#[cfg(test)]
+mod tests;

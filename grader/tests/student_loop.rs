@@ -1,0 +1,246 @@
+//! Runs the program as a student does, in a copy of the course with a hole in it.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
+
+/// The file with the hole.
+const FILE: &str = "stages/raygen/src/pixel.rs";
+
+/// Longer than any build takes.
+const PATIENCE: Duration = Duration::from_secs(500);
+
+fn root() -> PathBuf {
+    let grader = Path::new(env!("CARGO_MANIFEST_DIR"));
+    grader.parent().expect("the grader is in the course").into()
+}
+
+/// Copies the files of the course that git tracks, without most goldens.
+fn copy_course(to: &Path) {
+    let mut git = Command::new("git");
+    let files = git.current_dir(root()).arg("ls-files").output();
+    let files = files.expect("git lists the files").stdout;
+    let files = String::from_utf8(files).expect("paths are text");
+    let is_needed =
+        |path: &&str| !path.starts_with("golden/part") || path.starts_with("golden/part1.task1/");
+    for path in files.lines().filter(is_needed) {
+        let target = to.join(path);
+        fs::create_dir_all(target.parent().unwrap()).unwrap();
+        let contents = fs::read(root().join(path)).unwrap();
+        // Cargo builds again what has a new time.
+        if fs::read(&target).ok().as_ref() != Some(&contents) {
+            fs::write(&target, contents).unwrap();
+        }
+    }
+}
+
+fn grader(course: &Path, arguments: &[&str]) -> Command {
+    let mut grader = Command::new(env!("CARGO_BIN_EXE_grader"));
+    grader
+        .current_dir(course)
+        .args(arguments)
+        .env_remove("COLUMNS")
+        .env_remove("CLICOLOR_FORCE");
+    grader
+}
+
+fn run(course: &Path, arguments: &[&str]) -> (String, Output) {
+    let output = grader(course, arguments).output().expect("it runs");
+    let stdout = String::from_utf8_lossy(&output.stdout).into_owned();
+    (stdout, output)
+}
+
+/// Reads lines until one contains `text`; returns all of them.
+fn read_until(lines: &Receiver<String>, text: &str) -> String {
+    let mut seen = String::new();
+    while !seen.contains(text) {
+        let line = lines.recv_timeout(PATIENCE);
+        let line = line.unwrap_or_else(|e| panic!("no {text:?} ({e}) in\n{seen}"));
+        seen.push_str(&line);
+        seen.push('\n');
+    }
+    seen
+}
+
+#[test]
+fn a_student_writes_a_task() {
+    let course = root().join("target/student-loop/course");
+    copy_course(&course);
+    let _ = fs::remove_dir_all(course.join("target"));
+    let solution = fs::read_to_string(root().join(FILE)).unwrap();
+    let start = ") -> PixelEstimate {\n";
+    let with = |code: &str| solution.replacen(start, &format!("{start}    {code}\n"), 1);
+    let write = |text: &str| fs::write(course.join(FILE), text).unwrap();
+    write(&with("kit::hole!(\"part1.task1\", x, y);"));
+
+    // Nothing is graded, and nothing is built.
+    let (status, output) = run(&course, &["status"]);
+    assert!(output.status.success());
+    let first = status.lines().next().expect("a line");
+    assert!(
+        first.contains("part1.task1") && first.contains("1 hole left"),
+        "{status}"
+    );
+    assert!(first.ends_with("not graded yet"), "{status}");
+
+    // Bare `grader` grades the next open task.
+    let (bare, output) = run(&course, &[]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert!(
+        bare.contains("part1.task1") && bare.contains("not written yet"),
+        "{bare}"
+    );
+    assert!(
+        bare.contains("Open stages/raygen/src/pixel.rs and write `raytrace_pixel`."),
+        "{bare}"
+    );
+
+    // It is watched: a wrong answer, then the right one.
+    let mut watch = grader(&course, &["watch", "part1"]);
+    watch.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = watch.spawn().expect("it runs");
+    let stdout = BufReader::new(child.stdout.take().unwrap());
+    let (sender, lines) = mpsc::channel();
+    std::thread::spawn(move || {
+        stdout.lines().map_while(Result::ok).for_each(|line| {
+            let _ = sender.send(line);
+        });
+    });
+    let mut stdin = child.stdin.take().unwrap();
+    read_until(&lines, "keys, then Enter");
+    write(&with(
+        "println!(\"at {x}\"); if x == 3 { return PixelEstimate::default(); }",
+    ));
+    let wrong = read_until(&lines, "keys, then Enter");
+    assert!(
+        wrong.contains("part1.task1:") && wrong.contains("your result"),
+        "{wrong}"
+    );
+    assert!(wrong.contains("your code printed"), "{wrong}");
+    assert!(
+        wrong.contains("cp target/first-light/part1_task1.rs"),
+        "{wrong}"
+    );
+    write(&with("let nothing: u8 = \"text\";"));
+    let broken = read_until(&lines, "keys, then Enter");
+    assert!(
+        broken.contains("does not compile.\n  error[E0308]"),
+        "{broken}"
+    );
+    stdin.write_all(b"h\n").unwrap();
+    read_until(&lines, "keys, then Enter");
+    write(&solution);
+    let done = read_until(&lines, "keys, then Enter");
+    assert!(
+        done.contains("Done, every core point: part1.task1"),
+        "{done}"
+    );
+    assert!(
+        done.contains("part1.task1 and part1.task2 are complete."),
+        "{done}"
+    );
+    stdin.write_all(b"q\n").unwrap();
+    assert!(child.wait().expect("it ends").success());
+
+    // A run of one task keeps what is known of the others.
+    let (status, _) = run(&course, &["status"]);
+    assert_eq!(
+        status.matches(" written     15/15\n").count(),
+        2,
+        "{status}"
+    );
+    assert!(status.contains("Next: part1.task3"), "{status}");
+
+    // One call of one case.
+    write(&with(
+        "if x == 1 { println!(\"at {x}\"); return PixelEstimate::default(); }",
+    ));
+    let one = [
+        "part1.task1",
+        "--case",
+        "center_of_each_pixel",
+        "--call",
+        "1",
+    ];
+    let (text, output) = run(&course, &one);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    for part in [
+        "call 1 of ",
+        "  input      ",
+        "  yours      ",
+        "  reference  ",
+        "  verdict    wrong ",
+    ] {
+        assert!(text.contains(part), "no {part:?} in\n{text}");
+    }
+    // What the other calls print is left out.
+    assert!(text.ends_with("your code printed:\nat 1\n"), "{text}");
+    let (list, _) = run(&course, &one[..3]);
+    assert!(
+        list.contains("\nwrong: ") && list.contains("--call 1\n"),
+        "{list}"
+    );
+
+    // A changed signature is told in a few lines.
+    write(
+        &solution
+            .replacen("    ns_aa: u32,", "    ns_aa: u64,", 1)
+            .replace("f64::from(ns_aa)", "ns_aa as f64")
+            .replace("samples: ns_aa", "samples: ns_aa as u32"),
+    );
+    let (text, output) = run(&course, &["part1.task1"]);
+    assert!(
+        text.contains("does not compile: the compiler's messages are above."),
+        "{text}"
+    );
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    let told = "error: stages/raygen/src/pixel.rs: `raytrace_pixel` must have the signature\n    pub fn raytrace_pixel(";
+    assert_eq!(stderr.matches(told).count(), 1, "{stderr}");
+    assert!(!stderr.contains("grader/worker/src"), "{stderr}");
+}
+
+#[test]
+fn a_case_is_explained_with_a_drawing() {
+    let (text, output) = run(&root(), &["explain", "part1.task3/back_face"]);
+    assert!(output.status.success());
+    assert!(text.contains("2 points, core"), "{text}");
+    assert!(
+        text.contains("320 rays: 320 must hit. 0 come from the front, 320 from behind."),
+        "{text}"
+    );
+    let drawing = text
+        .lines()
+        .filter(|line| line.contains("..") || line.contains("oo"));
+    assert!(drawing.count() > 5, "{text}");
+    let course = [
+        "part1.task1/fresh_samples",
+        "part1.task2/pinhole",
+        "part1.task4/tangent",
+    ];
+    let more = [
+        "part2.task2/behind",
+        "part2.task1/strip_along_x",
+        "part3.task2/square_lamp",
+    ];
+    for case in course.iter().chain(&more) {
+        let (text, output) = run(&root(), &["explain", case]);
+        assert!(output.status.success(), "{case}");
+        assert!(text.lines().count() <= 24, "{case}\n{text}");
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 80),
+            "{case}\n{text}"
+        );
+    }
+    let (list, _) = run(&root(), &["explain", "part1.task3"]);
+    assert!(list.lines().count() > 28 && list.contains("+0.5"), "{list}");
+    let (_, output) = run(&root(), &["explain", "part1.task3/no_such"]);
+    assert_eq!(output.status.code(), Some(2));
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        stderr.contains("has no case `no_such`. Its cases are front_face"),
+        "{stderr}"
+    );
+}

@@ -90,7 +90,7 @@ fn is_negated(before: &str) -> bool {
     let rest = rest.trim_end();
     let last_word = rest.rsplit(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
     let after_command = !last_word.is_empty() && rest[..rest.len() - last_word.len()].ends_with('\\');
-    rest.is_empty() || after_command || rest.ends_with(['(', ',', '=', '&', '{', '<', '>', '|', '/', '['])
+    rest.is_empty() || after_command || rest.ends_with(['(', ',', '=', '&', '{', '<', '>', '|', '/', '[', ';'])
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The figures of the chapters. Each is a function that draws it; [`all`] lists them by name.
 
 mod part1;
+mod part2;
 
 use std::path::PathBuf;
 
@@ -9,7 +10,7 @@ pub type Figure = (&'static str, String);
 
 /// All figures of the book.
 pub fn all() -> Vec<Figure> {
-    part1::figures()
+    [part1::figures(), part2::figures()].concat()
 }
 
 /// The file of the figure `name`.

@@ -143,10 +143,10 @@ fn overview() -> String {
         d.line(Vec2::new(1.53, y), Vec2::new(1.67, y), "blue");
     }
     d.polygon(&[Vec2::new(6.2, -1.1), Vec2::new(6.9, 1.2), Vec2::new(7.6, -0.8)], "green");
-    d.arrow(at(0.0), at(6.45), "ink");
+    d.arrow(at(0.0), at(6.72), "ink");
     d.dot(at(0.0), "ink");
     d.dot(at(1.6), "blue");
-    d.dot(at(6.52), "red");
+    d.dot(at(6.8), "red");
     d.note(at(0.0), Side::Below, "camera", "ink");
     d.note(Vec2::new(1.6, 0.9), Side::Above, "film", "blue");
     d.note(Vec2::new(1.6, -0.9), Side::Below, "Task 1: which point", "blue");
@@ -242,7 +242,7 @@ fn convergence() -> String {
         d.note(at(n, -0.15), Side::Below, &n.to_string(), "ink");
     }
     d.note(at(MOST, 0.25), Side::Above, "0.25", "blue");
-    d.note(Vec2::new(0.0, 1.0), Side::Right, "estimate E", "ink");
+    d.note(Vec2::new(1.4, 0.95), Side::Right, "estimate E", "ink");
     d.note(Vec2::new(9.2, -0.13), Side::Above, "samples N", "ink");
     d.finish()
 }
@@ -273,7 +273,7 @@ fn camera() -> String {
     d.dot(w(0.0, 0.0), "ink");
     d.arc(w(0.0, 0.0), 0.38, w(1.0, a), w(1.0, 0.0), "red");
     d.label(w(0.39, 0.16), Side::Right, "α/2", "red");
-    d.label(w(0.5, 0.0), Side::Above, "1", "ink");
+    d.label(w(0.75, 0.0), Side::Below, "1", "ink");
     d.label(w(1.0, 0.5 * a), Side::Right, "a", "blue");
     d.note(w(1.0, a), Side::Above, "u = 0", "blue");
     d.note(w(1.0, -a), Side::Below, "u = 1", "blue");

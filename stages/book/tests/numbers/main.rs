@@ -5,6 +5,7 @@
 
 mod claims;
 mod part1;
+mod part2;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

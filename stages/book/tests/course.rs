@@ -79,15 +79,19 @@ fn the_summary_lists_the_chapter_of_each_part_and_task_with_its_title() {
             assert_eq!(listed.get(&path_of(task)), Some(&title));
         }
     }
-    let below = |folder: &str| {
-        let files = fs::read_dir(book::folder().join("src").join(folder)).expect("a folder");
-        let files = files.map(|file| Path::new(folder).join(file.expect("a file").file_name()));
-        files.filter(|path| path.extension().is_some_and(|e| e == "md"))
-    };
-    for path in ["", "part1", "part2", "part3", "part4", "part5"].into_iter().flat_map(below) {
+    for path in ["", "part1", "part2", "part3", "part4", "part5"].into_iter().flat_map(markdown_in) {
         let is_listed = path == Path::new("SUMMARY.md") || listed.contains_key(&path);
         assert!(is_listed, "SUMMARY.md does not list {}", path.display());
     }
+}
+
+/// The Markdown files in a folder of `src`.
+fn markdown_in(folder: &str) -> Vec<PathBuf> {
+    let files = fs::read_dir(book::folder().join("src").join(folder)).expect("a folder");
+    files
+        .map(|file| Path::new(folder).join(file.expect("a file").file_name()))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect()
 }
 
 #[test]

@@ -182,6 +182,7 @@ fn is_defined(symbol: &str, defined: &BTreeSet<String>) -> bool {
 /// In a chapter with a table of symbols, all symbols are in it, and none is used before it.
 #[test]
 fn every_symbol_is_defined_before_it_is_used() {
+    let mut wrong = Vec::new();
     for chapter in chapters() {
         let Some(figure) = chapter.section("The figure") else {
             continue;
@@ -197,15 +198,17 @@ fn every_symbol_is_defined_before_it_is_used() {
         for section in &chapter.sections {
             is_before &= section.title != "The figure";
             for symbol in used(section) {
-                assert!(!is_before, "{at}: {symbol} is used in {}", section.title);
-                assert!(
-                    is_defined(&symbol, &defined),
-                    "{at}: {symbol}, used in {}, is not in the table of symbols",
-                    section.title
-                );
+                if is_before || !is_defined(&symbol, &defined) {
+                    wrong.push(format!("{at}: {symbol}, used in \"{}\"", section.title));
+                }
             }
         }
     }
+    assert!(
+        wrong.is_empty(),
+        "not in the chapter's table of symbols, or used before it:\n{}",
+        wrong.join("\n")
+    );
 }
 
 fn used(section: &Section) -> BTreeSet<String> {

@@ -2,6 +2,7 @@
 
 mod part1;
 mod part2;
+mod part3;
 
 use std::path::PathBuf;
 
@@ -10,7 +11,7 @@ pub type Figure = (&'static str, String);
 
 /// All figures of the book.
 pub fn all() -> Vec<Figure> {
-    [part1::figures(), part2::figures()].concat()
+    [part1::figures(), part2::figures(), part3::figures()].concat()
 }
 
 /// The file of the figure `name`.

@@ -6,6 +6,7 @@
 mod claims;
 mod part1;
 mod part2;
+mod part3;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

@@ -7,6 +7,7 @@ mod claims;
 mod part1;
 mod part2;
 mod part3;
+mod part4;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

@@ -171,16 +171,18 @@ impl Drawing {
         self.path(&points, class);
     }
 
-    /// A symbol beside the point `p`, in italics. What follows `_` is its index: `p_0`.
+    /// A symbol beside the point `p`, in italics. The letters and digits after `_` are an
+    /// index: `p_0`.
     pub fn label(&mut self, p: Vec2, side: Side, symbol: &str, colour: &str) {
-        let (name, index) = symbol.split_once('_').unwrap_or((symbol, ""));
-        let mut text = escape(name);
-        if !index.is_empty() {
-            let _ = write!(
-                text,
-                "<tspan dy=\"5\" font-size=\"13\">{}</tspan>",
-                escape(index)
-            );
+        let mut parts = symbol.split('_');
+        let mut text = escape(parts.next().unwrap_or_default());
+        for part in parts {
+            let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+            let (index, rest) = part.split_at(end);
+            let _ = write!(text, "<tspan dy=\"5\" font-size=\"13\">{}</tspan>", escape(index));
+            if !rest.is_empty() {
+                let _ = write!(text, "<tspan dy=\"-5\">{}</tspan>", escape(rest));
+            }
         }
         self.text(p, side, &text, &format!("m {colour}"));
     }

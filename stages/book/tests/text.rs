@@ -170,8 +170,14 @@ fn symbols_are_found_in_formulas() {
     assert_eq!(found, ["t_\\min", "e_1", "d'", "\\theta_i", "x"]);
 }
 
-/// A component such as `d_x` is defined with its vector.
+/// A component such as `d_x` is defined with its vector, and `w_1` and `w_{k-1}` with `w_k`.
 fn is_defined(symbol: &str, defined: &BTreeSet<String>) -> bool {
+    if let Some((name, index)) = symbol.split_once('_')
+        && (index == "k-1" || index.bytes().all(|b| b.is_ascii_digit()))
+        && defined.contains(&format!("{name}_k"))
+    {
+        return true;
+    }
     let vector = symbol
         .strip_suffix("_x")
         .or_else(|| symbol.strip_suffix("_y"))

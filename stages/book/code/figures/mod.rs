@@ -4,6 +4,7 @@ mod part1;
 mod part2;
 mod part3;
 mod part4;
+mod part5;
 
 use std::path::PathBuf;
 
@@ -12,7 +13,7 @@ pub type Figure = (&'static str, String);
 
 /// All figures of the book.
 pub fn all() -> Vec<Figure> {
-    [part1::figures(), part2::figures(), part3::figures(), part4::figures()].concat()
+    [part1::figures(), part2::figures(), part3::figures(), part4::figures(), part5::figures()].concat()
 }
 
 /// The file of the figure `name`.

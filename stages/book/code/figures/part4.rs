@@ -52,8 +52,8 @@ fn path() -> String {
     d.dot(camera, "ink");
     d.note(camera, Side::Below, "camera", "ink");
     d.note(lamp, Side::Above, "lamp", "red");
-    d.note(w(3.5, 0.55), Side::Below, "β_2 = w_1", "blue");
-    d.note(w(3.3, 1.9), Side::Below, "β_3 = w_1 w_2", "blue");
+    d.label(w(3.6, 0.6), Side::Below, "β_2 = w_1", "blue");
+    d.label(w(3.2, 1.62), Side::Below, "β_3 = w_1 w_2", "blue");
     d.finish()
 }
 
@@ -89,8 +89,8 @@ fn snell() -> String {
     d.label(1.2 * refracted, Side::Right, "ω_i", "red");
     d.note(1.2 * refracted, Side::Left, "refraction", "red");
     d.label(w(0.0, 1.3), Side::Right, "m", "green");
-    d.note(w(-1.45, 0.12), Side::Right, "outside, n_o = 1", "ink");
-    d.note(w(-1.45, -0.15), Side::Right, "inside, n_i = 1.5", "ink");
+    d.label(w(-1.5, 0.12), Side::Right, "n_o = 1", "ink");
+    d.label(w(-1.5, -0.15), Side::Right, "n_i = 1.5", "ink");
     d.finish()
 }
 
@@ -140,7 +140,7 @@ fn fresnel() -> String {
     }
     let critical = math::atan2(1.0, (1.5 * 1.5 - 1.0_f64).sqrt()).to_degrees();
     d.line(w(critical, 0.0), w(critical, 1.0), "red dash");
-    d.note(w(critical, 0.08), Side::Right, "critical angle", "red");
+    d.note(w(critical, 0.75), Side::Right, "critical angle", "red");
     d.finish()
 }
 

@@ -49,3 +49,37 @@ fn fields_of_view_are_those_of_the_text() {
     );
     says("part1/task2.md", &words);
 }
+
+#[test]
+fn rare_light_is_lost_as_often_as_the_text_says() {
+    let missed = 0.999_f64.powi(32);
+    let words = format!(
+        "With $p = 0.001$ and $b = 32$ that happens to {:.0} % of the pixels",
+        100.0 * missed
+    );
+    says("part5/task2.md", &words);
+    let words = format!("256 samples miss the lamp with the probability {:.2}", 0.999_f64.powi(256));
+    says("part5/task2.md", &words);
+    let hits = (1.96_f64 / 0.05).powi(2).ceil();
+    says("part5/task2.md", &format!("With a tolerance of 5 % it is {hits}"));
+}
+
+#[test]
+fn roulette_leaves_as_many_bounces_as_the_text_says() {
+    assert!((0.8 / (1.0 - 0.8) - 4.0_f64).abs() < 1e-12);
+    says("part4/task3.md", "For $\\rho = 0.8$ that is four.");
+}
+
+#[test]
+fn glass_reflects_as_much_as_the_text_says() {
+    let r: f64 = (1.5 - 1.0) / (1.5 + 1.0);
+    says("part4/task1.md", &format!("glass reflects {:.0} % head on", 100.0 * r * r));
+}
+
+#[test]
+fn rounding_of_a_box_is_as_large_as_the_text_says() {
+    let u = 0.5 * f64::EPSILON;
+    let gamma = 3.0 * u / (1.0 - 3.0 * u);
+    let words = format!("a factor of $1 + {:.1} \\cdot 10^{{-16}}$", 2.0 * gamma * 1e16);
+    says("part2/task2.md", &words);
+}

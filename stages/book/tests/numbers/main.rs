@@ -8,6 +8,7 @@ mod part1;
 mod part2;
 mod part3;
 mod part4;
+mod part5;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

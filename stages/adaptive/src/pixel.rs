@@ -5,6 +5,8 @@ use kit::{Budget, FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, V
 /// Estimates the mean radiance of the pixel in column `x` and row `y` (from the bottom left), with
 /// as many samples as `stop` requires.
 ///
+/// Chapter: stages/book/src/part5/task1.md
+///
 /// As in part 1, the position of each sample in the pixel comes from [`PixelSampler::get_sample`],
 /// `camera_ray` generates the ray of a position on the film in [0, 1]², and `trace_ray` returns its
 /// radiance. After every `budget.batch` samples, `stop` is called with the tally of the luminances

@@ -14,6 +14,8 @@ const Z95: f64 = 1.96;
 /// Whether the relative error of the mean of `samples` (the luminances of a pixel's samples) is at
 /// most `tolerance`, with a confidence of 95 %: `1.96 · σ/√n <= tolerance · μ`. Equality counts.
 ///
+/// Chapter: stages/book/src/part5/task1.md
+///
 /// This is exactly the criterion of the assignment. It fails in two cases, which task 2 corrects:
 /// if all samples happen to be equal, σ = 0 and it stops at once, and black samples satisfy 0 <= 0.
 /// Without samples the result is false.
@@ -29,6 +31,8 @@ pub const FEWEST_SAMPLES: u64 = 256;
 
 /// The criterion of task 1 without its bias: true only if `rule` returns true, there are at least
 /// [`FEWEST_SAMPLES`] samples, and at least one of them is not black.
+///
+/// Chapter: stages/book/src/part5/task2.md
 ///
 /// A criterion that uses the same samples as the estimate stops more often when they happen to be
 /// similar, and samples are similar when all of them missed a light that few samples hit. With a

@@ -9,6 +9,8 @@ use kit::{Aabb, Interval, Ray};
 /// Intersects `ray` with the box `b`: returns the interval of all `t` in the ray's range with
 /// `b.min <= o + t·d <= b.max` on every axis, or `None` if there is no such `t`.
 ///
+/// Chapter: stages/book/src/part2/task2.md
+///
 /// A box is the intersection of three slabs. A slab is the space between two parallel planes, which
 /// the ray crosses at `t = (plane - o) / d` on one axis. The ray is inside the box from the last of
 /// the three entries to the first of the three exits. Special cases:

@@ -8,6 +8,8 @@ use kit::{Aabb, Bvh};
 
 /// Builds a tree over the boxes of primitives `0..bounds.len()`, in world space.
 ///
+/// Chapter: stages/book/src/part2/task1.md
+///
 /// A node with at most `max_leaf_size` primitives becomes a leaf (0 counts as 1). A larger node is
 /// split at the midpoint of the bounds of its primitives' centroids, along their longest axis.
 /// Primitives with centroids below the midpoint go to the left child. One side is empty only if all

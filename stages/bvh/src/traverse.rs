@@ -10,6 +10,8 @@ use kit::{Bvh, Hit, Ray, World};
 /// Returns the closest hit of `ray` with the primitives of `bvh`. The result is the same as that of
 /// testing every primitive.
 ///
+/// Chapter: stages/book/src/part2/task3.md
+///
 /// Tests a node's box with `world` before it visits the node. If both children are hit, visits the
 /// nearer one first, so that the farther one is often out of range afterwards. On a hit sets
 /// `ray.max_t` to its `t`; a miss changes nothing. Both ends of the ray's range count. Of several
@@ -43,6 +45,8 @@ pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Optio
 }
 
 /// Whether any primitive of `bvh` blocks `ray` in its range. Stops at the first one that does.
+///
+/// Chapter: stages/book/src/part2/task3.md
 pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
     // BEGIN SOLUTION(part2.task3)
     let mut blocked = false;

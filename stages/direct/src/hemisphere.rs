@@ -8,6 +8,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 
 /// Radiance without a bounce: the emission of the surface along `wo`, the unit world direction to
 /// the viewer.
+///
+/// Chapter: stages/book/src/part3/task2.md
 pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
     // BEGIN SOLUTION(part3.task2)
     surface.emitted(wo)
@@ -17,6 +19,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
 
 /// Estimates direct light by uniform hemisphere sampling: the mean of `f · Li · |cos θi| · 2π` over
 /// `samples` directions, uniform over the hemisphere on the side of `wo`.
+///
+/// Chapter: stages/book/src/part3/task2.md
 ///
 /// `wo` is the unit world direction to the viewer. `Li` is the emission of the first surface along
 /// the direction, or [`LitScene::background`] if there is none. Rays start with [`Surface::leave`];

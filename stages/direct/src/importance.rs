@@ -5,6 +5,8 @@ use kit::{LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 /// Estimates direct light by sampling every light: the sum over [`LitScene::emitters`] of the mean
 /// of `f · L · |cos θi| / pdf`.
 ///
+/// Chapter: stages/book/src/part3/task3.md
+///
 /// A light with an area gets `ns_area_light` samples (the flag `-l`). A delta light
 /// ([`Emitter::is_delta`](kit::Emitter::is_delta)) gets a single one, because all its samples are
 /// equal. [`Emitter::sample`](kit::Emitter::sample) samples a direction from [`Surface::p`] and

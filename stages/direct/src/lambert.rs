@@ -14,6 +14,8 @@ use kit::{BsdfSample, Spectrum, Vec2, Vec3};
 /// The BSDF of a diffuse surface, in 1/sr: `ρ/π` if `wo` and `wi` are on the same side of the
 /// surface, otherwise black.
 ///
+/// Chapter: stages/book/src/part3/task1.md
+///
 /// The factor 1/π makes `ρ` the fraction of the light that is reflected: the integral of
 /// `ρ/π · cos θ` over a hemisphere is `ρ`. A direction in the plane of the surface (`z = 0`) is on
 /// neither side.
@@ -30,6 +32,8 @@ pub fn lambert_f(reflectance: Spectrum, wo: Vec3, wi: Vec3) -> Spectrum {
 
 /// The density with which [`lambert_sample`] samples `wi`, in 1/sr: `|cos θi|/π` on the side of
 /// `wo`, otherwise 0.
+///
+/// Chapter: stages/book/src/part3/task1.md
 pub fn lambert_pdf(wo: Vec3, wi: Vec3) -> f64 {
     // BEGIN SOLUTION(part3.task1)
     if wo.z * wi.z > 0.0 {
@@ -43,6 +47,8 @@ pub fn lambert_pdf(wo: Vec3, wi: Vec3) -> f64 {
 
 /// Samples a direction on the side of `wo` with a density in proportion to the cosine of the angle
 /// to the normal.
+///
+/// Chapter: stages/book/src/part3/task1.md
 ///
 /// `u` is uniform in [0, 1)². Malley's method: a uniform point on the unit disk, projected up to
 /// the hemisphere. Then `f · cos θ / pdf` is `ρ` for every direction, so all samples have the same

@@ -3,6 +3,8 @@
 /// The Fresnel reflectance of a dielectric boundary for unpolarised light: the fraction of light
 /// that is reflected, in [0, 1].
 ///
+/// Chapter: stages/book/src/part4/task1.md
+///
 /// `cos_i` is the cosine of the angle between the direction of the light and the normal. `eta` is
 /// the index of refraction of the side that the light comes from, divided by that of the other
 /// side. The angle of the refracted light follows from Snell's law, `sin θt = eta · sin θi`.

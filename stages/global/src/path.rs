@@ -4,6 +4,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 
 /// Estimates the radiance along `ray` with one path of at most `max_depth` rays (the flag `-m`).
 ///
+/// Chapter: stages/book/src/part4/task2.md
+///
 /// ```text
 /// Lo = Le + ∫ f · Li · |cos θi| dwi        where Li is the Lo of the surface that is hit along wi
 /// ```

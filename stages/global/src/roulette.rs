@@ -8,6 +8,8 @@ pub const MIN_BOUNCES: u32 = 3;
 /// Russian roulette for a path with `bounces` bounces so far and the given `throughput`. `u` is
 /// uniform in [0, 1). Returns the throughput to continue with, or `None` to end the path.
 ///
+/// Chapter: stages/book/src/part4/task3.md
+///
 /// Up to [`MIN_BOUNCES`] bounces the path continues unchanged. After that it survives with the
 /// probability `q`, the largest channel of `throughput` (at most 1): if `u < q` it continues with
 /// `throughput / q`, otherwise `None` ends it. The weight of the survivors compensates for the

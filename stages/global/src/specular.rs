@@ -15,6 +15,8 @@ use crate::fresnel_dielectric;
 use kit::{BsdfSample, Spectrum, Vec3};
 
 /// The mirror direction of `wo`: `wo` rotated by 180 degrees about the normal.
+///
+/// Chapter: stages/book/src/part4/task1.md
 pub fn reflect(wo: Vec3) -> Vec3 {
     // BEGIN SOLUTION(part4.task1)
     Vec3::new(-wo.x, -wo.y, wo.z)
@@ -25,6 +27,8 @@ pub fn reflect(wo: Vec3) -> Vec3 {
 /// The direction on the other side of the boundary from which light is refracted into `wo`. Snell's
 /// law is `sin θi = η · sin θo`, where η is the index of refraction of the side of `wo` divided by
 /// that of the other side.
+///
+/// Chapter: stages/book/src/part4/task1.md
 ///
 /// `None` if there is none (total internal reflection, `η · sin θo >= 1`), or if `wo` is in the
 /// plane of the surface. With `ior` 1 the direction is `-wo`.
@@ -51,6 +55,8 @@ fn relative_index(wo: Vec3, ior: f64) -> f64 {
 
 /// Samples a mirror, the same on both sides: the direction of [`reflect`] with probability 1. The
 /// fraction `reflectance` of the light is reflected. `None` if `wo` is in the plane of the surface.
+///
+/// Chapter: stages/book/src/part4/task1.md
 pub fn mirror_sample(reflectance: Spectrum, wo: Vec3) -> Option<BsdfSample> {
     // BEGIN SOLUTION(part4.task1)
     let wi = reflect(wo);
@@ -66,6 +72,8 @@ pub fn mirror_sample(reflectance: Spectrum, wo: Vec3) -> Option<BsdfSample> {
 
 /// Samples a boundary that refracts and does not reflect: the direction of [`refract`] with
 /// probability 1. The radiance is multiplied by `transmittance · η²`.
+///
+/// Chapter: stages/book/src/part4/task1.md
 ///
 /// η is the index of refraction of the side of `wo` divided by that of the other side. Light that
 /// enters a denser material is concentrated into a narrower cone, so its radiance is higher there
@@ -89,6 +97,8 @@ pub fn refraction_sample(transmittance: Spectrum, ior: f64, wo: Vec3) -> Option<
 /// Samples smooth glass: the fraction F of [`crate::fresnel_dielectric`] is reflected and
 /// multiplied by `reflectance`; the rest is refracted and multiplied by `transmittance` and by η²
 /// as in [`refraction_sample`].
+///
+/// Chapter: stages/book/src/part4/task1.md
 ///
 /// `choice`, uniform in [0, 1), selects one of the two: reflection if `choice < F`, with the `pdf`
 /// F, otherwise refraction with the `pdf` 1 - F. So a path continues in one direction only, and F

@@ -10,6 +10,8 @@ use kit::{Hit, PrimId, Ray, Sphere};
 /// The smallest `t` in the ray's range at which `ray` intersects the surface of `s`; `None` on a
 /// miss.
 ///
+/// Chapter: stages/book/src/part1/task4.md
+///
 /// With `f = o - center` the intersections are the roots of `a·t² - 2·b·t + c = 0`, where
 /// `a = d·d`, `b = -f·d` and `c = f·f - r²`. The textbook formula, `(b ± sqrt(b² - a·c)) / a`,
 /// loses digits by cancellation in two places: in `b² - a·c` if the sphere is small and far away or
@@ -31,6 +33,8 @@ pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
 
 /// Intersects `ray` with `s`, which is primitive `id`. On a hit within the ray's range, sets
 /// `ray.max_t` to its `t`.
+///
+/// Chapter: stages/book/src/part1/task4.md
 ///
 /// `n` and `ng` are the unit vector from the centre to the hit point: outward, also if the ray
 /// starts inside. `p` is the centre plus `r` times that vector, which projects `o + t·d` back onto

@@ -10,6 +10,8 @@ use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 /// Intersects `ray` with `tri` within the ray's range. Both faces, all edges and all vertices
 /// count.
 ///
+/// Chapter: stages/book/src/part1/task3.md
+///
 /// The hit point is `o + t·d = b0·p0 + b1·p1 + b2·p2` with `b0 + b1 + b2 = 1` and no negative
 /// weight. These are equations for `t`, `b1` and `b2`, which can be solved in many ways. The
 /// assignment recommends Möller and Trumbore's algorithm. A watertight algorithm lets no ray pass
@@ -60,6 +62,8 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
 /// Intersects `ray` with `tri`, which is primitive `id`. On a hit within the ray's range, sets
 /// `ray.max_t` to its `t`.
 ///
+/// Chapter: stages/book/src/part1/task3.md
+///
 /// - `p` is `p0 + b1·(p1 - p0) + b2·(p2 - p0)`. This point is on the triangle even if the origin is
 ///   far away. The rounding error of `o + t·d` grows with `t`.
 /// - `ng` is the unit vector along `(p1 - p0) x (p2 - p0)`.
@@ -76,6 +80,8 @@ pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<H
 
 /// Records a hit that [`test_triangle`] found between `ray` and `tri`, which is primitive `id`, and
 /// sets `ray.max_t` to its `t`.
+///
+/// Chapter: stages/book/src/part1/task3.md
 ///
 /// This is for callers that test many triangles first and need the record of only one of them.
 pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Hit {

@@ -9,6 +9,8 @@ use kit::{Camera, Ray, Vec2};
 /// Generates the world-space ray through the point `sensor` of the film, where (0, 0) is the bottom
 /// left corner and (1, 1) the top right one.
 ///
+/// Chapter: stages/book/src/part1/task2.md
+///
 /// In camera space the camera is at the origin, looks along -z and has +y up. The sensor is a
 /// rectangle in the plane z = -1 with the corners (-tan(hFov/2), -tan(vFov/2), -1) and
 /// (tan(hFov/2), tan(vFov/2), -1); the angles are in degrees. `d` is the direction from the origin

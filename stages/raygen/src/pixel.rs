@@ -5,6 +5,8 @@ use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
 /// Estimates the mean radiance over the pixel in column `x` and row `y`, counted from the bottom
 /// left.
 ///
+/// Chapter: stages/book/src/part1/task1.md
+///
 /// The estimate is the mean of `ns_aa` samples. A sample is a position on the film,
 /// `(x + s.x, y + s.y)` in pixels. `camera_ray` expects it in film units, where (0, 0) is the
 /// bottom left corner of the film and (1, 1) the top right one: x is divided by `film.w` and y by

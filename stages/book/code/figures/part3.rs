@@ -1,0 +1,276 @@
+//! Figures of Part 3.
+
+use super::Figure;
+use crate::drawing::{Drawing, Side, View, turn};
+use kit::{PixelSampler, Tally, Vec2, Vec3, math, warp};
+use std::f64::consts::{FRAC_1_PI, TAU};
+
+pub(super) fn figures() -> Vec<Figure> {
+    vec![
+        ("part3-scattering", scattering()),
+        ("part3-lambert", lambert()),
+        ("part3-malley", malley()),
+        ("part3-disk", disk()),
+        ("part3-hemisphere", hemisphere()),
+        ("part3-noise", noise()),
+        ("part3-light", light()),
+    ]
+}
+
+fn w(x: f64, y: f64) -> Vec2 {
+    Vec2::new(x, y)
+}
+
+/// Half a circle above the surface.
+fn half_circle(centre: Vec2, radius: f64) -> Vec<Vec2> {
+    (0..=36).map(|k| centre + radius * turn(k, 72)).collect()
+}
+
+/// Radiance from several directions is scattered towards the viewer.
+fn scattering() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        300.0,
+        w(-3.6, -0.3),
+        w(3.6, 2.4),
+        "Light Li arrives from many directions at a point of a surface; what is scattered to the viewer is Lo.",
+    );
+    d.line(w(-3.2, 0.0), w(3.2, 0.0), "ink");
+    d.area(&[w(-3.2, -0.2), w(3.2, -0.2), w(3.2, 0.0), w(-3.2, 0.0)], "soft");
+    for k in [3, 8, 13, 22] {
+        let direction = turn(k, 72);
+        d.arrow(2.1 * direction, 0.25 * direction, "blue");
+    }
+    d.label(2.15 * turn(11, 72), Side::Right, "L_i", "blue");
+    let out = turn(29, 72);
+    d.arrow(0.2 * out, 2.2 * out, "red");
+    d.label(2.2 * out, Side::Left, "L_o", "red");
+    d.arrow(w(0.0, 0.0), w(0.0, 1.5), "green");
+    d.note(w(0.0, 1.5), Side::Above, "normal", "green");
+    d.dot(w(0.0, 0.0), "ink");
+    d.finish()
+}
+
+/// The two directions at a diffuse surface, and its lobe.
+fn lambert() -> String {
+    let mut d = Drawing::new(
+        560.0,
+        320.0,
+        w(-1.7, -0.25),
+        w(1.7, 1.4),
+        "A surface with its normal z, the direction wi to the light at the angle theta to the normal, and the \
+         direction wo to the viewer. The inner circle is the density, in proportion to the cosine.",
+    );
+    d.line(w(-1.6, 0.0), w(1.6, 0.0), "ink");
+    d.path(&half_circle(Vec2::ZERO, 1.0), "soft dash");
+    // The cosine as a polar curve: a circle that touches the surface.
+    d.circle(w(0.0, 0.5), 0.5, "blue");
+    d.arrow(w(0.0, 0.0), w(0.0, 1.3), "green");
+    let (wi, wo) = (turn(10, 72), turn(30, 72));
+    d.arrow(w(0.0, 0.0), wi, "red");
+    d.arrow(w(0.0, 0.0), wo, "ink");
+    d.arc(w(0.0, 0.0), 0.4, wi, w(0.0, 1.0), "red");
+    d.label(0.4 * turn(14, 72), Side::Above, "θ_i", "red");
+    d.label(wi, Side::Right, "ω_i", "red");
+    d.label(wo, Side::Left, "ω_o", "ink");
+    d.label(w(0.0, 1.3), Side::Right, "z", "green");
+    d.label(w(-0.45, 0.75), Side::Above, "p", "blue");
+    d.finish()
+}
+
+/// Uniform points on a disk and above them on the hemisphere.
+fn malley() -> String {
+    let mut d = Drawing::new(
+        620.0,
+        380.0,
+        w(-1.35, -0.55),
+        w(1.35, 1.1),
+        "Points that are uniform on the unit disk, lifted to the hemisphere: they are dense around the normal and \
+         rare at the horizon.",
+    );
+    let view = View::from(Vec3::new(0.3, -2.0, 0.75), Vec3::Z);
+    let circle: Vec<Vec2> = (0..=72).map(|k| view.of(turn(k, 72).extend(0.0))).collect();
+    d.area(&circle[..72], "blue");
+    d.path(&circle, "blue");
+    let meridian = |from: Vec2| {
+        let at = |k: u32| {
+            let t = turn(k, 72);
+            view.of((t.x * from).extend(t.y))
+        };
+        (0..=36).map(at).collect::<Vec<_>>()
+    };
+    for k in [0, 9, 18, 27] {
+        d.path(&meridian(turn(k, 72)), "soft");
+    }
+    let mut sampler = PixelSampler::new(0, 0, 4);
+    for k in 0..90 {
+        let u = sampler.get_sample();
+        let p = u.x.sqrt() * Vec2::new(math::cos(TAU * u.y), math::sin(TAU * u.y));
+        let lifted = p.extend((1.0 - u.x).sqrt());
+        if k % 9 == 0 {
+            d.line(view.of(p.extend(0.0)), view.of(lifted), "green dash");
+            d.dot(view.of(p.extend(0.0)), "blue");
+        }
+        d.dot(view.of(lifted), if k % 9 == 0 { "green" } else { "red" });
+    }
+    d.arrow(view.of(Vec3::Z), view.of(1.3 * Vec3::Z), "ink");
+    d.label(view.of(1.3 * Vec3::Z), Side::Right, "z", "ink");
+    d.finish()
+}
+
+/// Points on a disk with a uniform radius, and with its square root.
+fn disk() -> String {
+    let mut d = Drawing::new(
+        620.0,
+        320.0,
+        w(-2.4, -1.3),
+        w(2.4, 1.1),
+        "Left: with the square root the points are uniform on the disk. Right: without it they crowd in the middle.",
+    );
+    for (centre, root, words) in [(-1.25, true, "r = √u: uniform"), (1.25, false, "r = u: crowded")] {
+        let mut sampler = PixelSampler::new(0, 0, 9);
+        d.circle(w(centre, 0.0), 1.0, "soft");
+        for _ in 0..400 {
+            let u = sampler.get_sample();
+            let r = if root { u.x.sqrt() } else { u.x };
+            let (sin, cos) = math::sin_cos(TAU * u.y);
+            let p = w(centre, 0.0) + r * w(cos, sin);
+            d.circle(p, 0.008, if root { "green" } else { "red" });
+        }
+        d.note(w(centre, -1.05), Side::Below, words, "ink");
+    }
+    d.finish()
+}
+
+/// Uniform directions from a point; few meet the lamp.
+fn hemisphere() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        340.0,
+        w(-2.6, -0.25),
+        w(2.6, 2.3),
+        "Uniform directions above a point. Only those that meet the lamp bring light; all others are black.",
+    );
+    d.line(w(-2.5, 0.0), w(2.5, 0.0), "ink");
+    let (left, right, height) = (-0.5, 0.5, 2.0);
+    d.line(w(left, height), w(right, height), "red");
+    d.area(&[w(0.0, 0.0), w(left, height), w(right, height)], "red");
+    let mut sampler = PixelSampler::new(0, 0, 6);
+    for _ in 0..22 {
+        // In the plane: the direction's height and its horizontal part.
+        let v = warp::uniform_hemisphere(sampler.get_sample());
+        let flat = w(v.x.signum() * (v.x * v.x + v.y * v.y).sqrt(), v.z);
+        let meets = (flat.x / flat.y * height).abs() < right;
+        let end = if meets { height / flat.y } else { 1.5 };
+        d.arrow(w(0.0, 0.0), end * flat, if meets { "red" } else { "soft" });
+    }
+    d.dot(w(0.0, 0.0), "ink");
+    d.label(w(right, height), Side::Right, "L", "red");
+    d.label(w(0.0, height), Side::Above, "Ω_l", "red");
+    d.note(w(1.9, 0.25), Side::Above, "black", "soft");
+    d.finish()
+}
+
+/// What the lamp of the worked example sends to the floor by one sample: uniform directions.
+fn by_hemisphere(u: Vec2) -> f64 {
+    let v = warp::uniform_hemisphere(u);
+    let there = 2.0 / v.z * v;
+    if there.x.abs() <= 0.5 && there.y.abs() <= 0.5 {
+        0.8 * FRAC_1_PI * 10.0 * v.z * TAU
+    } else {
+        0.0
+    }
+}
+
+/// The same by a point of the lamp.
+fn by_light(u: Vec2) -> f64 {
+    let q = Vec3::new(u.x - 0.5, u.y - 0.5, 2.0);
+    let cos = q.z / q.length();
+    0.8 * FRAC_1_PI * 10.0 * cos * cos / q.length_squared()
+}
+
+/// Root mean square error, relative to the exact value, against the number of samples.
+fn noise() -> String {
+    let mut d = Drawing::graph(
+        640.0,
+        330.0,
+        w(-0.6, -3.0),
+        w(3.9, 1.2),
+        "Relative error against the number of samples on logarithmic axes: uniform directions begin at 5, points \
+         of the lamp at about 0.04; both fall as the square root of the number of samples.",
+    );
+    let log = |x: f64| math::ln(x) / std::f64::consts::LN_10;
+    let counts = [1_u32, 4, 16, 64, 256, 1024];
+    // The mean of all samples of all pixels is the exact value up to a small error.
+    let mut exact = Tally::default();
+    let mut fine = PixelSampler::new(0, 0, 77);
+    for _ in 0..20_000 {
+        exact.push(by_light(fine.get_sample()));
+    }
+    for (estimate, colour, words) in [
+        (by_hemisphere as fn(Vec2) -> f64, "red", "uniform directions"),
+        (by_light, "green", "points of the lamp"),
+    ] {
+        let mut points = Vec::new();
+        for n in counts {
+            let mut squares = Tally::default();
+            for pixel in 0..400 {
+                let mut sampler = PixelSampler::new(pixel, n, 1);
+                let mean: Tally = (0..n).map(|_| estimate(sampler.get_sample())).collect();
+                let error = mean.mean() / exact.mean() - 1.0;
+                squares.push(error * error);
+            }
+            points.push(w(log(f64::from(n)), log(squares.mean().sqrt())));
+        }
+        d.path(&points, colour);
+        for p in &points {
+            d.dot(*p, colour);
+        }
+        d.note(points[2] + w(0.1, 0.3), Side::Right, words, colour);
+    }
+    for (power, words) in [(-3, "0.001"), (-2, "0.01"), (-1, "0.1"), (0, "1")] {
+        d.line(w(0.0, f64::from(power)), w(3.3, f64::from(power)), "soft");
+        d.note(w(0.0, f64::from(power)), Side::Left, words, "ink");
+    }
+    for n in counts {
+        d.note(w(log(f64::from(n)), -3.0), Side::Below, &n.to_string(), "ink");
+    }
+    d.note(w(3.3, -2.9), Side::Above, "samples", "ink");
+    d.note(w(-0.4, 1.1), Side::Right, "relative error", "ink");
+    d.finish()
+}
+
+/// A point of a surface and a point of a lamp, with both cosines.
+fn light() -> String {
+    let mut d = Drawing::new(
+        600.0,
+        360.0,
+        w(-1.6, -0.5),
+        w(4.0, 2.9),
+        "The point x of a surface and the point q of a lamp at the distance r, with the angle to the normal at each \
+         end. The area A of the lamp covers a solid angle.",
+    );
+    let (x, q) = (w(0.0, 0.0), w(2.0, 2.0));
+    let along = w(0.92, -0.39);
+    let normal = w(-0.39, -0.92);
+    d.line(w(-1.4, 0.0), w(2.2, 0.0), "ink");
+    d.area(&[x, q - 0.8 * along, q + 0.8 * along], "red");
+    d.line(q - 0.8 * along, q + 0.8 * along, "red");
+    d.arrow(x, w(0.0, 1.5), "green");
+    d.arrow(q, q + normal, "green");
+    d.line(x, q, "ink dash");
+    let direction = (q - x).normalize();
+    d.arrow(x, 1.2 * direction, "ink");
+    d.arc(x, 0.6, direction, w(0.0, 1.0), "blue");
+    d.arc(q, 0.5, -direction, normal, "blue");
+    d.label(w(0.2, 0.62), Side::Above, "θ_i", "blue");
+    d.label(q + w(-0.35, -0.55), Side::Left, "θ_l", "blue");
+    d.label(x, Side::Below, "x", "ink");
+    d.label(q, Side::Above, "q", "red");
+    d.label(q + 0.8 * along, Side::Right, "A", "red");
+    d.label(1.2 * direction, Side::Right, "ω_i", "ink");
+    d.label(w(1.05, 1.15), Side::Left, "r", "ink");
+    d.dot(x, "ink");
+    d.dot(q, "red");
+    d.finish()
+}

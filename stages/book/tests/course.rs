@@ -1,0 +1,263 @@
+//! The chapters say what the course says: titles, points, functions, signatures, conventions,
+//! mistakes. What a handout does not contain (the mistakes) is not compared there.
+
+use book::chapter::{self, Chapter};
+use grader::course::{Course, Task};
+use grader::workspace::Workspace;
+use judge::Tier;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The sections of a task's chapter, in order.
+const SECTIONS: [&str; 11] = [
+    "What you will see",
+    "Predict",
+    "The figure",
+    "The derivation",
+    "The contract",
+    "Pseudo-code",
+    "A worked example",
+    "Checkpoint",
+    "Mistakes",
+    "Where the formulas break",
+    "Exercises and reading",
+];
+
+fn workspace() -> Workspace {
+    Workspace::above(book::folder()).expect("the book is in the project")
+}
+
+fn course() -> Course {
+    Course::read(&workspace()).expect("course.toml can be read")
+}
+
+/// The path of the chapter of a task below `src`: `part1/task3.md` for `part1.task3`.
+fn path_of(task: &Task) -> PathBuf {
+    Path::new(&task.key.replace('.', "/")).with_extension("md")
+}
+
+/// All tasks with their chapters.
+fn chapters() -> Vec<(Task, Chapter)> {
+    let tasks: Vec<Task> = course().tasks().cloned().collect();
+    let read = |task: Task| {
+        let chapter = Chapter::read(&path_of(&task)).expect("each task has a chapter");
+        (task, chapter)
+    };
+    tasks.into_iter().map(read).collect()
+}
+
+/// The source of the function `name` of `task`: its file and text.
+fn source_of(task: &Task, name: &str) -> (PathBuf, String) {
+    let folder = workspace().root().join("stages").join(&task.stage).join("src");
+    let files = fs::read_dir(&folder).expect("the stage has sources");
+    for file in files {
+        let path = file.expect("the folder can be read").path();
+        let Ok(text) = fs::read_to_string(&path) else {
+            continue;
+        };
+        if text.contains(&format!("pub fn {name}(")) || text.contains(&format!("pub fn {name}<")) {
+            return (path, text);
+        }
+    }
+    panic!("no file of {} defines {name}", folder.display());
+}
+
+#[test]
+fn the_summary_lists_the_chapter_of_each_part_and_task_with_its_title() {
+    let listed: BTreeMap<PathBuf, String> = chapter::all()
+        .expect("all chapters of the summary can be read")
+        .into_iter()
+        .map(|chapter| (chapter.path, chapter.title))
+        .collect();
+    for part in &course().parts {
+        let n = part.number;
+        let path = PathBuf::from(format!("part{n}/README.md"));
+        assert_eq!(listed.get(&path), Some(&format!("Part {n}: {}", part.title)));
+        for (i, task) in part.tasks.iter().enumerate() {
+            let title = format!("Part {n}, Task {}: {}", i + 1, task.title);
+            assert_eq!(listed.get(&path_of(task)), Some(&title));
+        }
+    }
+    for path in ["", "part1", "part2", "part3", "part4", "part5"].into_iter().flat_map(markdown_in) {
+        let is_listed = path == Path::new("SUMMARY.md") || listed.contains_key(&path);
+        assert!(is_listed, "SUMMARY.md does not list {}", path.display());
+    }
+}
+
+/// The Markdown files in a folder of `src`.
+fn markdown_in(folder: &str) -> Vec<PathBuf> {
+    let files = fs::read_dir(book::folder().join("src").join(folder)).expect("a folder");
+    files
+        .map(|file| Path::new(folder).join(file.expect("a file").file_name()))
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect()
+}
+
+#[test]
+fn every_task_chapter_has_all_sections_in_order() {
+    for (task, chapter) in chapters() {
+        let titles: Vec<&str> = chapter.sections.iter().map(|s| s.title.as_str()).collect();
+        assert_eq!(titles, SECTIONS, "{}", task.key);
+        let predict = &chapter.section("Predict").expect("checked above").text;
+        assert!(
+            predict.contains("<details>") && predict.contains("\n2. "),
+            "{}: expected two questions with folded answers",
+            task.key
+        );
+    }
+}
+
+#[test]
+fn functions_files_and_points_are_those_of_the_course() {
+    for (task, chapter) in chapters() {
+        let mut links = BTreeSet::new();
+        for hole in &task.holes {
+            let (path, _) = source_of(&task, hole);
+            let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+            links.insert(format!("[`{name}`](../../../{}/src/{name})", task.stage));
+        }
+        let functions: Vec<String> = task.holes.iter().map(|hole| format!("`{hole}`")).collect();
+        let row = format!(
+            "| {} | {} | {} | {} |",
+            functions.join(", "),
+            links.into_iter().collect::<Vec<_>>().join(", "),
+            task.points(Tier::Core),
+            task.points(Tier::Robust)
+        );
+        assert!(
+            chapter.text.lines().any(|line| line == row),
+            "{}: expected the row\n{row}",
+            task.key
+        );
+        let checkpoint = &chapter.section("Checkpoint").expect("a section").text;
+        for expected in [
+            format!("cargo grader {}", task.key),
+            format!("cargo grader picture {}", task.key),
+            format!("{} core points", task.points(Tier::Core)),
+        ] {
+            assert!(checkpoint.contains(&expected), "{}: {expected}", task.key);
+        }
+    }
+}
+
+/// A signature without what formatting changes.
+fn compact(signature: &str) -> String {
+    let dense: String = signature.split_whitespace().collect();
+    dense.replace(",)", ")")
+}
+
+#[test]
+fn signatures_are_those_of_the_sources() {
+    for (task, chapter) in chapters() {
+        let contract = Chapter::parse(
+            &chapter.path,
+            chapter.section("The contract").expect("a section").text.clone(),
+        );
+        let shown = contract.code.iter().find(|code| code.language == "rust,ignore");
+        let shown = compact(&shown.expect("the contract shows the signatures").text);
+        let mut expected = String::new();
+        for hole in &task.holes {
+            let (_, source) = source_of(&task, hole);
+            let start = [format!("pub fn {hole}("), format!("pub fn {hole}<")]
+                .iter()
+                .find_map(|start| source.find(start.as_str()))
+                .expect("source_of has found it");
+            let signature = source[start..].split(" {\n").next().expect("a body follows");
+            expected.push_str(&compact(signature));
+        }
+        assert_eq!(shown, expected, "{}", task.key);
+    }
+}
+
+#[test]
+fn quoted_conventions_are_those_of_the_course_and_none_is_missing() {
+    let conventions: BTreeSet<String> = course().conventions.into_iter().collect();
+    let mut quoted = BTreeSet::new();
+    for (task, chapter) in chapters() {
+        let contract = &chapter.section("The contract").expect("a section").text;
+        for quote in contract.lines().filter_map(|line| line.strip_prefix("> ")) {
+            assert!(conventions.contains(quote), "{}: {quote}", task.key);
+            quoted.insert(quote.to_string());
+        }
+    }
+    assert_eq!(quoted, conventions);
+}
+
+/// The text of inline code or emphasis: `` `x` `` or `*x*`.
+fn marked(cell: &str, mark: char) -> &str {
+    cell.strip_prefix(mark)
+        .and_then(|cell| cell.strip_suffix(mark))
+        .unwrap_or_else(|| panic!("expected {mark}...{mark}, found {cell}"))
+}
+
+#[test]
+fn mistakes_are_named_as_the_grader_names_them_and_fail_the_cases_shown() {
+    for (task, chapter) in chapters() {
+        let rows = chapter.section("Mistakes").expect("a section").table_rows();
+        assert!(rows.len() >= 4, "{}: too few mistakes", task.key);
+        for row in &rows {
+            let case = marked(&row[2], '`');
+            let is_case = task.cases.iter().any(|entry| entry.name == case);
+            assert!(is_case, "{} has no case {case}", task.key);
+        }
+        let root = workspace().root().to_path_buf();
+        let list = root.join(format!("grader/mutants/{}.toml", task.key));
+        let Ok(list) = fs::read_to_string(list) else {
+            continue;
+        };
+        let list: toml::Table = list.parse().expect("the list of mistakes is TOML");
+        let mistakes = list["mistake"].as_array().expect("a list");
+        let failed = fs::read_to_string(root.join(format!("golden/mutants/{}.txt", task.key)));
+        let failed = failed.expect("the mistakes were graded");
+        let columns = |line: &str| line.split(" | ").map(str::to_string).collect::<Vec<_>>();
+        let lines: Vec<Vec<String>> = failed.lines().map(columns).collect();
+        let cases = lines.iter().find(|line| line[0] == "cases").expect("the cases");
+        let cases: Vec<&str> = cases[1].split_whitespace().collect();
+        for row in rows {
+            let (name, case) = (marked(&row[1], '*'), marked(&row[2], '`'));
+            let ids: Vec<&str> = mistakes
+                .iter()
+                .filter(|mistake| mistake["description"].as_str() == Some(name))
+                .map(|mistake| mistake["id"].as_str().expect("an id"))
+                .collect();
+            assert!(!ids.is_empty(), "{}: no mistake is called: {name}", task.key);
+            let fails = |line: &&Vec<String>| {
+                let of_mistake = ids
+                    .iter()
+                    .any(|id| line[1] == *id || line[1].starts_with(&format!("{id} on ")));
+                let number = |n: &str| n.parse::<usize>().ok();
+                let failed = || line[2].split_whitespace().filter_map(number);
+                of_mistake && failed().any(|n| cases[n] == case)
+            };
+            assert!(
+                lines.iter().filter(|line| line[0] == "mutant").any(|line| fails(&line)),
+                "{}: \"{name}\" does not fail {case}",
+                task.key
+            );
+        }
+    }
+}
+
+#[test]
+fn doc_comments_name_their_chapter() {
+    for (task, chapter) in chapters() {
+        let line = format!("/// Chapter: stages/book/src/{}", chapter.path.display());
+        for hole in &task.holes {
+            let (path, source) = source_of(&task, hole);
+            let comment = source.split("pub fn ").zip(source.split("pub fn ").skip(1));
+            let comment = comment
+                .filter(|(_, after)| {
+                    after.starts_with(&format!("{hole}(")) || after.starts_with(&format!("{hole}<"))
+                })
+                .map(|(before, _)| before.rsplit("\n}\n").next().unwrap_or(before))
+                .next()
+                .expect("source_of has found it");
+            assert!(
+                comment.lines().any(|found| found == line),
+                "{}: the comment of {hole} has no line\n{line}",
+                path.display()
+            );
+        }
+    }
+}

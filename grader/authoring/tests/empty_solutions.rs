@@ -71,7 +71,9 @@ fn each_function_of_a_half_written_solution_is_judged_by_itself() {
             solution.is_half && solution.result.key == task && solution.name == name
         });
         let functions = &solution.expect("it is listed").result.functions;
-        let each = functions.iter().map(|f| (f.name.as_str(), f.status.clone()));
+        let each = functions
+            .iter()
+            .map(|f| (f.name.as_str(), f.status.clone()));
         each.collect::<Vec<_>>()
     };
     use FunctionStatus::{Hole, Needs, Right};

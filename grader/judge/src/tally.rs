@@ -461,9 +461,16 @@ impl Tally {
         }
     }
 
-    /// Whether the answers of `function` are to be judged: it has no hole.
-    pub fn is_written(&self, function: &str) -> bool {
-        self.not_written.iter().all(|hole| hole != function)
+    /// Whether the answers of `function` are to be judged: it has no hole. If they are not, its
+    /// share of `aspects` is lost.
+    pub fn is_written(&mut self, function: &'static str, aspects: &[Aspect]) -> bool {
+        let is_written = self.not_written.iter().all(|hole| hole != function);
+        if !is_written {
+            for &aspect in aspects {
+                self.entry(aspect).of_function(function);
+            }
+        }
+        is_written
     }
 
     /// Sets the function that the next answers count for, in tasks with several functions.

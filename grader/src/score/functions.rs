@@ -71,27 +71,31 @@ impl FunctionShare {
 /// with holes. In tasks with one function it has no name.
 pub(super) fn shares(findings: &[Finding], holes: &[HoleCall]) -> Vec<FunctionShare> {
     let main = findings.iter().filter(|finding| finding.main);
-    let judged = main.flat_map(|finding| &finding.functions);
     let mut names: Vec<&str> = Vec::new();
-    for count in judged {
+    for count in main.flat_map(|finding| &finding.functions) {
         if !names.contains(&count.function) {
             names.push(count.function);
         }
     }
-    if names.is_empty() && holes.is_empty() {
+    if findings.is_empty() {
+        // The case has no answers.
+        names.extend(holes.iter().map(|hole| hole.called.as_str()));
+    }
+    if names.is_empty() {
         names.push("");
     }
-    let judged = names.into_iter().map(|function| FunctionShare {
-        function: function.to_string(),
-        fraction: earned_fraction(findings, function),
-        hole: None,
+    let shares = names.into_iter().map(|function| {
+        let hole = holes.iter().find(|hole| hole.called == function);
+        FunctionShare {
+            function: function.to_string(),
+            fraction: match hole {
+                Some(_) => 0.0,
+                None => earned_fraction(findings, function),
+            },
+            hole: hole.map(|hole| hole.hole.clone()),
+        }
     });
-    let holes = holes.iter().map(|hole| FunctionShare {
-        function: hole.called.clone(),
-        fraction: 0.0,
-        hole: Some(hole.hole.clone()),
-    });
-    judged.chain(holes).collect()
+    shares.collect()
 }
 
 /// The fraction of its share of a case's points that a function earned: none if a main answer is
@@ -180,8 +184,9 @@ pub(super) fn results(task: &Task, cases: &[CaseResult]) -> Vec<FunctionResult> 
             let name = name.clone();
             return Some(FunctionResult { name, status });
         }
-        let own_shares: Vec<&FunctionShare> =
-            core.flat_map(|case| case.shares.iter().filter(own)).collect();
+        let own_shares: Vec<&FunctionShare> = core
+            .flat_map(|case| case.shares.iter().filter(own))
+            .collect();
         let needs = own_shares.iter().find_map(|share| share.hole.clone());
         let wrong = own_shares.iter().filter(|share| share.fraction < 1.0);
         let status = match (needs, own_shares.len(), wrong.count()) {

@@ -70,7 +70,10 @@ fn savings(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer])
     }
     tally.expect(Aspect::Savings);
     let function = function(world);
-    for (what, made, met) in [("box", made.boxes, met.boxes), ("primitive", made.prims, met.prims)] {
+    for (what, made, met) in [
+        ("box", made.boxes, met.boxes),
+        ("primitive", made.prims, met.prims),
+    ] {
         let saves = made as f64 <= SAVINGS_FACTOR * met as f64;
         tally.judge(Aspect::Savings, 0, saves, made as f64, || {
             format!(

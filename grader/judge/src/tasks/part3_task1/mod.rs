@@ -19,7 +19,12 @@ impl Check for Lambert {
     type Question = Vec<LambertProbe>;
     type Answer = Vec<LambertAnswer>;
 
-    const MAIN: &'static [Aspect] = &[Aspect::Bsdf, Aspect::Pdf, Aspect::SampledDirection, Aspect::Spread];
+    const MAIN: &'static [Aspect] = &[
+        Aspect::Bsdf,
+        Aspect::Pdf,
+        Aspect::SampledDirection,
+        Aspect::Spread,
+    ];
 
     fn calls(probes: &Vec<LambertProbe>) -> usize {
         probes.len()

@@ -406,7 +406,7 @@ impl Finding {
         }
         if self.functions.is_empty() {
             let of = self.judged.max(self.expected);
-            return Some((self.judged > 0 || of == 0) && (of == 0 || 2 * self.wrong < of));
+            return Some(of == 0 || self.judged > 0 && 2 * self.wrong < of);
         }
         let own = self.functions.iter().find(|own| own.function == function)?;
         Some(own.judged == 0 || 2 * own.wrong < own.judged)

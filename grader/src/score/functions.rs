@@ -143,7 +143,7 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
             continue;
         };
         let what = format!(
-            "counts a quarter, because in the case {} most answers are wrong: {}",
+            "counts a quarter, because of what is wrong in the case {}: {}",
             idea.case,
             idea.aspect.label()
         );
@@ -299,7 +299,7 @@ cases = [
         assert_eq!(edges.status, Status::Failed);
         assert_eq!(
             edges.reductions,
-            ["counts a quarter, because in the case shows most answers are wrong: hit or miss"]
+            ["counts a quarter, because of what is wrong in the case shows: hit or miss"]
         );
         assert_eq!(
             hard.reductions.last().map(String::as_str),

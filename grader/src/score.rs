@@ -127,6 +127,11 @@ impl CaseResult {
         } else {
             0.0
         };
+        let mut findings = findings;
+        if !holes.is_empty() {
+            // Aspects of functions with holes.
+            findings.retain(|finding| finding.judged > 0);
+        }
         let reductions = shares.iter().filter_map(FunctionShare::reduction).collect();
         CaseResult {
             name: entry.name.clone(),

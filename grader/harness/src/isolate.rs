@@ -147,3 +147,92 @@ fn message(payload: &(dyn Any + Send)) -> String {
     text.or_else(|| payload.downcast_ref::<String>().cloned())
         .unwrap_or_else(|| "a panic without a message".into())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wire::work::{BoxWork, Probe, Ray};
+
+    /// The record of a case of `task` in which `dispatch` calls functions.
+    fn record(task: &str, dispatch: impl Fn()) -> Record {
+        let ray = Ray {
+            o: [0.0; 3],
+            d: [0.0; 3],
+            min_t: 0.0,
+            max_t: 0.0,
+        };
+        let case = Case {
+            task: task.into(),
+            name: String::new(),
+            limit_ms: 1,
+            work: Work::Boxes(BoxWork {
+                boxes: Vec::new(),
+                probes: vec![Probe { shape: 0, ray }],
+            }),
+        };
+        run(0, &case, |_| {
+            dispatch();
+            Ok(Answer::Boxes(Vec::new()))
+        })
+    }
+
+    fn unwritten() -> u32 {
+        kit::hole!("part1.task3")
+    }
+
+    fn hole(called: &str, hole: &str) -> HoleCall {
+        HoleCall {
+            called: called.into(),
+            hole: hole.into(),
+        }
+    }
+
+    #[test]
+    fn a_hole_of_one_function_leaves_the_others() {
+        let record = record("part1.task3", || {
+            assert_eq!(attempt("first", || 1), Some(1));
+            assert_eq!(attempt("second", unwritten), None);
+            assert_eq!(attempt("unwritten", unwritten), None);
+            // Not called again.
+            assert_eq!(attempt("second", || 2), None);
+        });
+        assert!(matches!(record.outcome, Outcome::Answered(_)), "{record:?}");
+        let holes = [hole("second", "unwritten"), hole("unwritten", "unwritten")];
+        assert_eq!(record.holes, holes);
+    }
+
+    #[test]
+    fn holes_are_those_of_one_case() {
+        record("part1.task3", || {
+            attempt("first", unwritten);
+        });
+        let next = record("part1.task3", || {
+            assert_eq!(attempt("first", || 3), Some(3))
+        });
+        assert_eq!(next.holes, []);
+    }
+
+    #[test]
+    fn a_hole_of_another_task_and_a_panic_end_the_case() {
+        let other = record("part2.task3", || {
+            attempt("first", unwritten);
+        });
+        let task = "part1.task3".to_string();
+        assert_eq!(other.outcome, Outcome::NotAttempted { task });
+        assert_eq!(other.holes, []);
+        let panicked = record("part1.task3", || {
+            attempt("first", || panic!("too small"));
+        });
+        assert!(matches!(panicked.outcome, Outcome::Panicked { .. }));
+    }
+
+    #[test]
+    fn a_provided_start_is_a_hole_of_its_function() {
+        fn traverse() {
+            kit::untouched!("part2.task3");
+        }
+        let record = record("part2.task3", traverse);
+        assert_eq!(record.untouched, ["part2.task3"]);
+        assert_eq!(record.holes, [hole("traverse", "traverse")]);
+    }
+}

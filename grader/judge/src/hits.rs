@@ -42,6 +42,18 @@ pub(crate) struct Call<'a> {
     pub(crate) ray: &'a Ray,
 }
 
+/// The aspects of a hit record and of the ray after the call.
+pub(crate) const OF_A_RECORD: [Aspect; 8] = [
+    Aspect::HitOrMiss,
+    Aspect::RayAfter,
+    Aspect::Primitive,
+    Aspect::T,
+    Aspect::Position,
+    Aspect::Normal,
+    Aspect::GeometricNormal,
+    Aspect::Barycentrics,
+];
+
 /// Counts the aspects that the right answer has.
 pub(crate) fn expect(tally: &mut Tally, expected: &Expected, with_uv: bool) {
     tally.expect(Aspect::HitOrMiss);

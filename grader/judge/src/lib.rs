@@ -69,7 +69,8 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     judge_written(spec, tier, answer, &[])
 }
 
-/// As [`judge`], without the answers of the functions `not_written`, which have holes.
+/// As [`judge`], without the answers of the functions `not_written`, which have holes. The findings
+/// count them as never judged.
 pub fn judge_written(
     spec: &Spec,
     tier: Tier,
@@ -106,10 +107,6 @@ fn judge_in(
     let wrong = tally.take_wrong_answers();
     let mut findings = tally.into_findings();
     findings.retain(|finding| is_about(spec, finding.aspect));
-    if !not_written.is_empty() {
-        // Expected of the other functions only.
-        findings.retain(|finding| finding.judged > 0);
-    }
     for finding in &mut findings {
         finding.main = spec.is_main(finding.aspect);
     }

@@ -420,7 +420,7 @@ impl Finding {
         }
         if self.functions.is_empty() {
             let of = self.judged.max(self.expected);
-            return Some((self.judged > 0 || of == 0) && (of == 0 || 2 * self.wrong < of));
+            return Some(of == 0 || self.judged > 0 && 2 * self.wrong < of);
         }
         let own = self.functions.iter().find(|own| own.function == function)?;
         Some(own.judged == 0 || 2 * own.wrong < own.judged)
@@ -502,9 +502,16 @@ impl Tally {
         self.wrong_answers.take().unwrap_or_default()
     }
 
-    /// Whether the answers of `function` are to be judged: it has no hole.
-    pub fn is_written(&self, function: &str) -> bool {
-        self.not_written.iter().all(|hole| hole != function)
+    /// Whether the answers of `function` are to be judged: it has no hole. If they are not, its
+    /// share of `aspects` is lost.
+    pub fn is_written(&mut self, function: &'static str, aspects: &[Aspect]) -> bool {
+        let is_written = self.not_written.iter().all(|hole| hole != function);
+        if !is_written {
+            for &aspect in aspects {
+                self.entry(aspect).of_function(function);
+            }
+        }
+        is_written
     }
 
     /// Sets the function that the next answers count for, in tasks with several functions.
@@ -661,5 +668,64 @@ impl Tally {
                 self.findings.len() - 1
             });
         &mut self.findings[at]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two functions answer each of four calls; the second is wrong from `wrong_from` on.
+    fn judged(wrong_from: usize) -> Finding {
+        let mut tally = Tally::default();
+        for call in 0..4 {
+            tally.count_for("test");
+            tally.judge(Aspect::T, call, true, 0.0, String::new);
+            tally.count_for("record");
+            for _ in 0..2 {
+                tally.judge(Aspect::T, call, call < wrong_from, 1.0, String::new);
+            }
+        }
+        tally.into_findings().remove(0)
+    }
+
+    #[test]
+    fn each_function_is_counted_by_itself_and_each_call_once() {
+        let finding = judged(3);
+        assert_eq!((finding.judged, finding.wrong), (4, 1));
+        let counts = finding.functions.iter();
+        let counts: Vec<_> = counts.map(|f| (f.function, f.judged, f.wrong)).collect();
+        assert_eq!(counts, [("test", 4, 0), ("record", 4, 1)]);
+        assert_eq!(finding.passed_by("test"), Some(true));
+        assert_eq!(finding.passed_by("record"), Some(false));
+        assert_eq!(finding.passed_by("other"), None);
+    }
+
+    #[test]
+    fn half_of_the_answers_is_not_most_of_them() {
+        assert_eq!(judged(3).mostly_right_by("record"), Some(true));
+        assert_eq!(judged(2).mostly_right_by("record"), Some(false));
+        assert_eq!(judged(2).mostly_right_by("test"), Some(true));
+    }
+
+    #[test]
+    fn an_aspect_of_all_answers_together_is_right_or_wrong() {
+        let mut tally = Tally::default();
+        for call in 0..9 {
+            tally.judge(Aspect::Mean, call, call > 0, 1.0, String::new);
+        }
+        let finding = tally.into_findings().remove(0);
+        assert_eq!(finding.mostly_right_by(""), Some(false));
+    }
+
+    #[test]
+    fn a_function_with_a_hole_has_a_share_of_its_aspects() {
+        let mut tally = Tally::without(&["record".to_string()]);
+        assert!(tally.is_written("test", &[Aspect::T]));
+        assert!(!tally.is_written("record", &[Aspect::T]));
+        let findings = tally.into_findings();
+        assert_eq!(findings.len(), 1, "{findings:?}");
+        assert_eq!(findings[0].functions[0].function, "record");
+        assert_eq!(findings[0].judged, 0);
     }
 }

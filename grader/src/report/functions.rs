@@ -30,3 +30,43 @@ pub(super) fn reductions(text: &mut String, case: &CaseResult) {
         let _ = writeln!(text, "      {reduction}");
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn functions_are_listed_if_one_has_a_hole() {
+        let result = |name: &str, status| FunctionResult {
+            name: name.into(),
+            status,
+        };
+        let mut task = TaskResult {
+            key: "part1.task3".into(),
+            title: String::new(),
+            score: 0.0,
+            max_score: 30.0,
+            robust_score: 0.0,
+            robust_max_score: 0.0,
+            status: crate::score::Status::Failed,
+            stage: "intersect".into(),
+            functions: vec![result("test_triangle", FunctionStatus::Right)],
+            cases: Vec::new(),
+        };
+        let shown = |task: &TaskResult| {
+            let mut text = String::new();
+            functions(&mut text, task);
+            text
+        };
+        assert_eq!(shown(&task), "");
+        let wrong = FunctionStatus::Wrong { of: 12, wrong: 3 };
+        task.functions.push(result("intersect_triangle", wrong));
+        let hole = result("record_triangle", FunctionStatus::Hole);
+        task.functions.push(hole);
+        assert_eq!(
+            shown(&task),
+            "  test_triangle: right in all cases; intersect_triangle: wrong in 3 of 12 cases; \
+             record_triangle: not written yet\n"
+        );
+    }
+}

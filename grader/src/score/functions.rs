@@ -71,27 +71,31 @@ impl FunctionShare {
 /// with holes. In tasks with one function it has no name.
 pub(super) fn shares(findings: &[Finding], holes: &[HoleCall]) -> Vec<FunctionShare> {
     let main = findings.iter().filter(|finding| finding.main);
-    let judged = main.flat_map(|finding| &finding.functions);
     let mut names: Vec<&str> = Vec::new();
-    for count in judged {
+    for count in main.flat_map(|finding| &finding.functions) {
         if !names.contains(&count.function) {
             names.push(count.function);
         }
     }
-    if names.is_empty() && holes.is_empty() {
+    if findings.is_empty() {
+        // The case has no answers.
+        names.extend(holes.iter().map(|hole| hole.called.as_str()));
+    }
+    if names.is_empty() {
         names.push("");
     }
-    let judged = names.into_iter().map(|function| FunctionShare {
-        function: function.to_string(),
-        fraction: earned_fraction(findings, function),
-        hole: None,
+    let shares = names.into_iter().map(|function| {
+        let hole = holes.iter().find(|hole| hole.called == function);
+        FunctionShare {
+            function: function.to_string(),
+            fraction: match hole {
+                Some(_) => 0.0,
+                None => earned_fraction(findings, function),
+            },
+            hole: hole.map(|hole| hole.hole.clone()),
+        }
     });
-    let holes = holes.iter().map(|hole| FunctionShare {
-        function: hole.called.clone(),
-        fraction: 0.0,
-        hole: Some(hole.hole.clone()),
-    });
-    judged.chain(holes).collect()
+    shares.collect()
 }
 
 /// The fraction of its share of a case's points that a function earned: none if a main answer is
@@ -139,7 +143,7 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
             continue;
         };
         let what = format!(
-            "counts a quarter, because in the case {} most answers are wrong: {}",
+            "counts a quarter, because of what is wrong in the case {}: {}",
             idea.case,
             idea.aspect.label()
         );
@@ -195,4 +199,155 @@ pub(super) fn results(task: &Task, cases: &[CaseResult]) -> Vec<FunctionResult> 
         Some(FunctionResult { name, status })
     });
     results.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::course::Course;
+    use crate::score::TaskResult;
+    use judge::tally::{Aspect, Tally};
+
+    /// A task of two functions and 20 core points; `shows` shows its idea.
+    const COURSE: &str = r#"
+conventions = []
+[[part]]
+number = 1
+title = ""
+[[part.task]]
+key = "part1.task1"
+title = ""
+stage = "s"
+holes = ["test", "record"]
+idea = [{ case = "shows", aspect = "decision" }]
+cases = [
+    { name = "shows", tier = "core", points = 8 },
+    { name = "edges", tier = "core", points = 12 },
+    { name = "hard", tier = "robust", points = 2 },
+]
+"#;
+
+    fn task() -> Task {
+        let course = Course::parse(COURSE).expect("it is valid");
+        course.tasks().next().expect("it has a task").clone()
+    }
+
+    /// The findings about ten calls of both functions: hit or miss, which is main, and `t`. The
+    /// numbers of wrong hits and of wrong `t` of each function.
+    fn findings(test: [u32; 2], record: [u32; 2]) -> Vec<Finding> {
+        let mut tally = Tally::default();
+        for call in 0..10 {
+            for (name, [misses, wrong_t]) in [("test", test), ("record", record)] {
+                tally.count_for(name);
+                let aspects = [(Aspect::HitOrMiss, misses), (Aspect::T, wrong_t)];
+                for (aspect, wrong) in aspects {
+                    tally.judge(aspect, call as usize, call >= wrong, 1.0, String::new);
+                }
+            }
+        }
+        let mut findings = tally.into_findings();
+        findings[0].main = true;
+        findings
+    }
+
+    const RIGHT: [u32; 2] = [0, 0];
+
+    /// Core and robust points for these findings in each of the three cases.
+    fn graded(each: [Vec<Finding>; 3], holes: &[HoleCall]) -> TaskResult {
+        let task = task();
+        let cases = task.cases.iter().zip(each);
+        let cases = cases
+            .map(|(entry, findings)| CaseResult::new(entry, "", Status::Passed, findings, holes));
+        let cases = cases.collect();
+        TaskResult::new(&task, cases)
+    }
+
+    fn points(each: [Vec<Finding>; 3]) -> (f64, f64) {
+        let result = graded(each, &[]);
+        (result.score, result.robust_score)
+    }
+
+    #[test]
+    fn functions_share_the_points_of_a_case() {
+        let right = || findings(RIGHT, RIGHT);
+        assert_eq!(points([right(), right(), right()]), (20.0, 2.0));
+        // `record` misses one hit: its half of the 12 points is lost.
+        let edge = findings(RIGHT, [1, 0]);
+        assert_eq!(points([right(), edge, right()]), (14.0, 2.0));
+        // A wrong `t`, which is not main, costs half of that.
+        let off = findings(RIGHT, [0, 1]);
+        assert_eq!(points([right(), off, right()]), (17.0, 2.0));
+    }
+
+    #[test]
+    fn a_function_without_the_idea_gets_a_quarter() {
+        let right = || findings(RIGHT, RIGHT);
+        let misses_most = findings(RIGHT, [9, 0]);
+        // `test`: 4 + 6; `record`: nothing, and a quarter of 6. Too little for extra credit.
+        assert_eq!(points([misses_most, right(), right()]), (11.5, 0.0));
+        let neither = findings([9, 0], [9, 0]);
+        assert_eq!(points([neither, right(), right()]), (3.0, 0.0));
+    }
+
+    #[test]
+    fn each_reduction_is_named() {
+        let right = || findings(RIGHT, RIGHT);
+        let result = graded([findings([9, 0], [9, 0]), right(), right()], &[]);
+        let [_, edges, hard] = &result.cases[..] else {
+            panic!("three cases")
+        };
+        assert_eq!(edges.status, Status::Failed);
+        assert_eq!(
+            edges.reductions,
+            ["counts a quarter, because of what is wrong in the case shows: hit or miss"]
+        );
+        assert_eq!(
+            hard.reductions.last().map(String::as_str),
+            Some("extra credit counts from two thirds of the core points of the task on")
+        );
+    }
+
+    #[test]
+    fn a_hole_costs_the_share_of_its_function() {
+        let mut only_test = findings(RIGHT, RIGHT);
+        for finding in &mut only_test {
+            finding.functions.retain(|count| count.function == "test");
+        }
+        let lost: Vec<Finding> = {
+            let mut tally = Tally::without(&["record".to_string()]);
+            let _ = tally.is_written("record", &[Aspect::HitOrMiss]);
+            tally.into_findings()
+        };
+        only_test[0].functions.extend(lost[0].functions.clone());
+        let hole = HoleCall {
+            called: "record".into(),
+            hole: "record".into(),
+        };
+        let each = [only_test.clone(), only_test.clone(), only_test];
+        let result = graded(each, &[hole]);
+        assert_eq!((result.score, result.robust_score), (10.0, 0.0));
+        assert_eq!(result.status, Status::Failed);
+        let status = |i: usize| (&result.functions[i].name[..], &result.functions[i].status);
+        assert_eq!(status(0), ("test", &FunctionStatus::Right));
+        assert_eq!(status(1), ("record", &FunctionStatus::Hole));
+        assert_eq!(result.cases[0].reductions, ["record is not written yet"]);
+    }
+
+    #[test]
+    fn a_task_whose_functions_all_have_holes_is_not_attempted() {
+        let holes = ["test", "record"].map(|name| HoleCall {
+            called: name.into(),
+            hole: name.into(),
+        });
+        let result = graded([Vec::new(), Vec::new(), Vec::new()], &holes);
+        assert_eq!(result.status, Status::NotAttempted);
+        assert_eq!(result.score, 0.0);
+    }
+
+    #[test]
+    fn an_idea_of_an_unknown_case_is_refused() {
+        let text = COURSE.replace("case = \"shows\"", "case = \"show\"");
+        let error = Course::parse(&text).unwrap_err().to_string();
+        assert!(error.contains("names the case `show`"), "{error}");
+    }
 }

@@ -8,6 +8,7 @@ mod repro;
 use crate::cases::Spec;
 use crate::check::{Check, Content, same_length};
 use crate::expected::Expected;
+use crate::hits;
 use crate::snapshot::lines::{self, each};
 use crate::tally::{Aspect, Tally};
 use crate::{Tier, convert, picture, truth};
@@ -51,7 +52,7 @@ impl Check for BruteForce {
             true => "intersect_sphere",
             false => "intersect_triangle",
         };
-        if !tally.is_written(function) {
+        if !tally.is_written(function, &hits::OF_A_RECORD) {
             return;
         }
         tally.count_for(function);

@@ -32,6 +32,17 @@ const LONGEST_GAP: f64 = 1e-6;
 /// A shadow ray belongs to a light if its range ends this close to it, relative to the distance.
 const TARGET_BOUND: f64 = 1e-2;
 
+/// The aspects of estimates.
+const OF_AN_ESTIMATE: [Aspect; 7] = [
+    Aspect::Radiance,
+    Aspect::Mean,
+    Aspect::Rays,
+    Aspect::Origin,
+    Aspect::Direction,
+    Aspect::Range,
+    Aspect::Spread,
+];
+
 /// Judges every estimate of `work`.
 pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
     let function = match work.strategy {
@@ -39,7 +50,7 @@ pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnsw
         Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
         Strategy::Lights => "estimate_direct_lighting_importance",
     };
-    if !tally.is_written(function) {
+    if !tally.is_written(function, &OF_AN_ESTIMATE) {
         return;
     }
     tally.count_for(function);

@@ -1,7 +1,8 @@
 //! Judges probes of single triangles.
 
 use crate::expected::Expected;
-use crate::hits::{Call, expect, record};
+use crate::hits::{self, Call, expect, record};
+use crate::tally::Aspect::*;
 use crate::tally::Tally;
 use wire::answer::TriangleAnswer;
 use wire::work::Probe;
@@ -17,8 +18,8 @@ pub(crate) fn triangles(
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
         expect(tally, expected, true);
-        let is_tested = tally.is_written(test);
-        let is_intersected = tally.is_written(intersect);
+        let is_tested = tally.is_written(test, &[HitOrMiss, T, Barycentrics]);
+        let is_intersected = tally.is_written(intersect, &hits::OF_A_RECORD);
         let mut call = Call {
             tally: &mut *tally,
             number,
@@ -63,7 +64,7 @@ mod tests {
     use super::*;
     use crate::Tier;
     use crate::expected::Expected;
-    use crate::tally::Aspect::{self, *};
+    use crate::tally::Aspect;
     use crate::{convert, truth};
     use kit::Vec3;
     use wire::answer::Hit;

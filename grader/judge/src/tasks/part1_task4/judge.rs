@@ -1,7 +1,8 @@
 //! Judges probes of single spheres.
 
 use crate::expected::Expected;
-use crate::hits::{Call, expect, record};
+use crate::hits::{self, Call, expect, record};
+use crate::tally::Aspect::*;
 use crate::tally::Tally;
 use wire::answer::SphereAnswer;
 use wire::work::Probe;
@@ -17,8 +18,8 @@ pub(crate) fn spheres(
     let calls = probes.iter().zip(expected).zip(answers);
     for (number, ((probe, expected), answer)) in calls.enumerate() {
         expect(tally, expected, false);
-        let is_tested = tally.is_written(test);
-        let is_intersected = tally.is_written(intersect);
+        let is_tested = tally.is_written(test, &[HitOrMiss, T]);
+        let is_intersected = tally.is_written(intersect, &hits::OF_A_RECORD);
         let mut call = Call {
             tally: &mut *tally,
             number,

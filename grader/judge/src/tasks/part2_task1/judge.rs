@@ -42,7 +42,6 @@ pub(crate) fn build(
     }
     if recorded.is_some() {
         tally.expect(Aspect::Work);
-        tally.expect(Aspect::Savings);
     }
     let repeatable = answer.repeatable;
     tally.judge(Aspect::Repeatable, 0, repeatable, 1.0, || {
@@ -156,12 +155,16 @@ fn judge_work(tally: &mut Tally, tree: &Tree, walk: &Walk, tight: &[Aabb], recor
         )
     });
     let all = tree.order.len() as f64;
-    let saves = cost <= MAX_COST_SHARE * all;
-    tally.judge(Aspect::Savings, 0, saves, cost / all, || {
-        format!(
-            "your result: {cost:.1} tests per random line; without a tree: {all}. A tree saves most of them"
-        )
-    });
+    // Where a tree that passes may save less, nothing is judged.
+    if COST_FACTOR * recorded.cost <= MAX_COST_SHARE * all {
+        tally.expect(Aspect::Savings);
+        let saves = cost <= MAX_COST_SHARE * all;
+        tally.judge(Aspect::Savings, 0, saves, cost / all, || {
+            format!(
+                "your result: {cost:.1} tests per random line; without a tree: {all}. A tree saves most of them"
+            )
+        });
+    }
     if !cheap && why == COSTLY_SPLITS {
         // The cost distinguishes mistakes.
         let class = Class::of_size(ratio);

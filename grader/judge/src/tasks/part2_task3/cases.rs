@@ -3,6 +3,7 @@
 use crate::cases::Spec;
 use crate::cases::crosses::{Cross, CrossScene, along};
 use crate::cases::tree_plan::TreePlan;
+use crate::tally::Aspect;
 use kit::{PixelSampler, Ray, Vec3};
 use wire::Work;
 use wire::work::NodeKind;
@@ -330,12 +331,14 @@ fn counted() -> Vec<Spec> {
              child first is accepted, the nearer child first makes fewer tests. Pitfall: visiting \
              the farther child first, or every node, makes too many tests.",
             layers(),
-        ),
+        )
+        .mainly(&[Aspect::T, Aspect::Work]),
         case(
             "stops_at_first_hit",
             "Many overlapping boxes, most of them hit: a shadow ray stops at the first hit.",
             overlapping_boxes(),
-        ),
+        )
+        .mainly(&[Aspect::Work]),
     ]
 }
 

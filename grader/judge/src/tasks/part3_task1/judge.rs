@@ -17,7 +17,7 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
     for (call, (probe, answer)) in probes.iter().zip(answers).enumerate() {
         one(tally, call, probe, answer);
     }
-    if probes.len() < MIN_ESTIMATES || !tally.is_written("lambert_sample") {
+    if probes.len() < MIN_ESTIMATES || !tally.is_written("lambert_sample", &[Aspect::Spread]) {
         return;
     }
     for side in [1.0, -1.0] {
@@ -71,7 +71,7 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
     // surface.
     let cosine_of = |wi: Vec3| if wo.z * wi.z > 0.0 { wi.z.abs() } else { 0.0 };
     let (right_f, right_pdf) = right(probe);
-    if tally.is_written("lambert_f") {
+    if tally.is_written("lambert_f", &[Aspect::Bsdf]) {
         tally.count_for("lambert_f");
         numbers::colour(tally, Aspect::Bsdf, call, answer.f, right_f, BOUND, || {
             format!(
@@ -81,14 +81,19 @@ fn one(tally: &mut Tally, call: usize, probe: &LambertProbe, answer: &LambertAns
             )
         });
     }
-    if tally.is_written("lambert_pdf") {
+    if tally.is_written("lambert_pdf", &[Aspect::Pdf]) {
         tally.count_for("lambert_pdf");
         let (aspect, pdf) = (Aspect::Pdf, answer.pdf);
         numbers::number(tally, aspect, call, pdf, right_pdf, BOUND, || {
             format!("lambert_pdf: {}", input())
         });
     }
-    if !tally.is_written("lambert_sample") {
+    let of_a_sample = [
+        Aspect::HitOrMiss,
+        Aspect::SampledDirection,
+        Aspect::SampleRecord,
+    ];
+    if !tally.is_written("lambert_sample", &of_a_sample) {
         return;
     }
     tally.count_for("lambert_sample");

@@ -83,7 +83,7 @@ pub(crate) fn specular(
     for (call, (input, answer)) in calls.iter().zip(answers).enumerate() {
         one(tally, tier, call, input, answer);
     }
-    if calls.len() >= MIN_ESTIMATES && tally.is_written("glass_sample") {
+    if calls.len() >= MIN_ESTIMATES && tally.is_written("glass_sample", &[Aspect::Mean]) {
         frequency(tally, calls, answers);
     }
 }
@@ -188,8 +188,18 @@ pub(crate) fn right(tier: Tier, input: &SpecularCall) -> (Right, f64) {
     }
 }
 
+/// The aspects of an answer.
+fn aspects(answer: &SpecularAnswer) -> &'static [Aspect] {
+    use Aspect::{Bsdf, Fresnel, HitOrMiss, Pdf, SampledDirection};
+    match answer {
+        SpecularAnswer::Share(_) => &[Fresnel],
+        SpecularAnswer::Direction(_) => &[HitOrMiss, SampledDirection],
+        SpecularAnswer::Sample(_) => &[HitOrMiss, SampledDirection, Pdf, Bsdf],
+    }
+}
+
 fn one(tally: &mut Tally, tier: Tier, call: usize, input: &SpecularCall, answer: &SpecularAnswer) {
-    if !tally.is_written(function(input)) {
+    if !tally.is_written(function(input), aspects(answer)) {
         return;
     }
     tally.answers_of(function(input));

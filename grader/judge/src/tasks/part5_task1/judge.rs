@@ -33,7 +33,7 @@ pub(crate) fn samples(call: &StopCall) -> SampleTally {
 
 /// Judges the plain rule.
 pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
-    if !tally.is_written("has_converged") {
+    if !tally.is_written("has_converged", &[Aspect::Stop]) {
         return;
     }
     tally.count_for("has_converged");
@@ -69,9 +69,18 @@ pub(crate) fn verdict(
     });
 }
 
+/// The aspects of pixels.
+const OF_A_PIXEL: [Aspect; 5] = [
+    Aspect::Radiance,
+    Aspect::Placement,
+    Aspect::Calls,
+    Aspect::Questions,
+    Aspect::Independence,
+];
+
 /// Judges pixels that stop by a rule.
 pub(crate) fn pixels(tally: &mut Tally, works: &[AdaptivePixel], answers: &[AdaptiveAnswer]) {
-    if !tally.is_written("raytrace_pixel_adaptive") {
+    if !tally.is_written("raytrace_pixel_adaptive", &OF_A_PIXEL) {
         return;
     }
     tally.count_for("raytrace_pixel_adaptive");

@@ -386,8 +386,9 @@ fn own_copy(program: &Path, folder: &Path) -> Result<TempPath, GraderError> {
     Ok(copy)
 }
 
-/// Writes the crate that contains all versions.
-fn write_versions(folder: &Path, stage: &str, versions: &[Sources]) -> Result<(), GraderError> {
+/// Writes the crate `stage` that contains all `versions` to `folder`, without its workspace.
+/// [`VERSION_VARIABLE`] selects one of them when it runs.
+pub fn write_versions(folder: &Path, stage: &str, versions: &[Sources]) -> Result<(), GraderError> {
     // Files of earlier runs may stay, because no `mod` names them. Cargo rebuilds only what
     // changed.
     let src = folder.join("src");

@@ -19,8 +19,10 @@ impl std::fmt::Display for Hole {
     }
 }
 
-/// Unwinds with the [`Hole`] of `task`. Called by [`hole!`](crate::hole!).
+/// Unwinds with the [`Hole`] of `task`. Called by [`hole!`](crate::hole!), whose place a test that
+/// fails shows.
 #[cold]
+#[track_caller]
 pub fn stop(task: &'static str) -> ! {
     std::panic::panic_any(Hole { task })
 }

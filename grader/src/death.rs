@@ -64,8 +64,7 @@ fn aborted(end: &str, limit_mb: u32) -> Death {
     }
     let second_panic = [
         "thread panicked while processing panic",
-        "panic in a destructor during cleanup",
-        "panic in a function that cannot unwind",
+        "caused non-unwinding panic",
     ];
     match second_panic.iter().any(|message| end.contains(message)) {
         true => Death::SecondPanic,
@@ -187,7 +186,7 @@ mod tests {
             ),
             (
                 6,
-                "panic in a destructor during cleanup\nthread caused non-unwinding panic. aborting.\n",
+                "thread caused non-unwinding panic. aborting.\n",
                 "panicked again while it cleaned up after a panic: in a `Drop`?",
             ),
             (

@@ -143,6 +143,8 @@ fn is_of_runtime(line: &str) -> bool {
         || line.starts_with("thread 'student' (") && line.contains("has overflowed its stack")
         || line.starts_with("fatal runtime error: ")
         || line.starts_with("memory allocation of ") && line.contains(" bytes failed")
+        || line.starts_with("thread caused non-unwinding panic")
+        || line.starts_with("thread panicked while processing panic")
         || line.starts_with("note: run with `RUST_BACKTRACE")
 }
 

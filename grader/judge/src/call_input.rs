@@ -1,6 +1,7 @@
 //! What a call got: for reports on calls that have no answer to show it with.
 
 use crate::hits::show_ray;
+use crate::plural;
 use kit::Vec3;
 use wire::Work;
 use wire::adaptive::StopCall;
@@ -49,19 +50,26 @@ pub fn of(work: &Work, call: usize) -> Option<String> {
         }
         Work::BruteForce(work) => {
             let shapes = work.triangles.len() + work.spheres.len();
-            Some(ray_and(work.rays.get(call)?, &format!("{shapes} shapes")))
+            let shapes = plural(shapes, "shape", "shapes");
+            Some(ray_and(work.rays.get(call)?, &shapes))
         }
         Work::Traverse(work) => {
-            let nodes = format!("a tree of {} nodes", work.tree.nodes.len());
+            let nodes = format!(
+                "a tree of {}",
+                plural(work.tree.nodes.len(), "node", "nodes")
+            );
             Some(ray_and(&work.rays.get(call)?.ray, &nodes))
         }
         Work::SceneHits(work) => {
-            let nodes = format!("a tree of {} nodes", work.tree.nodes.len());
+            let nodes = format!(
+                "a tree of {}",
+                plural(work.tree.nodes.len(), "node", "nodes")
+            );
             Some(ray_and(work.rays.get(call)?, &nodes))
         }
         Work::Build(work) => Some(format!(
-            "{} boxes, max_leaf_size = {}",
-            work.bounds.len(),
+            "{}, max_leaf_size = {}",
+            plural(work.bounds.len(), "box", "boxes"),
             work.max_leaf_size
         )),
         Work::Lambert(probes) => probes.get(call).map(|probe| {
@@ -70,7 +78,7 @@ pub fn of(work: &Work, call: usize) -> Option<String> {
         }),
         Work::Direct(work) => work.points.get(call).map(|at| {
             let [p, n, wo] = [at.p, at.n, at.wo].map(point);
-            format!("p = {p}, n = {n}, wo = {wo}, {} samples", work.samples)
+            format!("p = {p}, n = {n}, wo = {wo}, samples = {}", work.samples)
         }),
         Work::Specular(calls) => calls.get(call).map(|call| format!("{call:?}")),
         Work::Paths(paths) => paths.get(call).map(|path| {
@@ -113,7 +121,7 @@ fn ray_and(ray: &Ray, shape: &str) -> String {
 
 fn stop(call: &StopCall) -> String {
     let samples: u64 = call.runs.iter().map(|(count, _)| u64::from(*count)).sum();
-    format!("{samples} samples, tolerance = {:?}", call.tolerance)
+    format!("samples: {samples}, tolerance = {:?}", call.tolerance)
 }
 
 #[cfg(test)]

@@ -95,11 +95,13 @@ struct TraverseScript<'a> {
 impl TraverseScript<'_> {
     /// What the traversal was asked for.
     fn asked_for(&self) -> String {
-        let prims = self.scripted.prims.len();
-        format!(
-            "one ray through {} nodes and {prims} primitives",
-            self.nodes
-        )
+        let count = |n: usize, one: &str| match n {
+            1 => format!("1 {one}"),
+            _ => format!("{n} {one}s"),
+        };
+        let nodes = count(self.nodes, "node");
+        let prims = count(self.scripted.prims.len(), "primitive");
+        format!("one ray through {nodes} and {prims}")
     }
 
     /// The hit of a primitive by `function`.

@@ -22,6 +22,7 @@ pub(crate) fn scene_hits(work: &SceneWork) -> Result<HitsAnswer, String> {
     };
     for (i, ray) in work.rays.iter().enumerate() {
         harness::call(i);
+        world.limit_tests_of_ray();
         let mut ray = convert::ray(ray);
         let hit = if work.any_hit {
             bvh::occludes_bvh(&tree, &ray, &mut world).then_some(ANY_HIT)
@@ -72,6 +73,9 @@ pub(crate) struct SceneWorld<'a> {
     scene: &'a Scene,
     box_tests: u64,
     prim_tests: u64,
+    /// The counts of box tests and of primitive tests before the ray; `None` if they are not
+    /// limited.
+    before_ray: Option<(u64, u64)>,
 }
 
 impl SceneWorld<'_> {
@@ -80,6 +84,7 @@ impl SceneWorld<'_> {
             scene,
             box_tests: 0,
             prim_tests: 0,
+            before_ray: None,
         }
     }
 
@@ -87,18 +92,43 @@ impl SceneWorld<'_> {
     pub(crate) fn tests(&self) -> u64 {
         self.box_tests + self.prim_tests
     }
+
+    /// Limits the tests of the ray that follows: one that is tested forever ends the case.
+    fn limit_tests_of_ray(&mut self) {
+        self.before_ray = Some((self.box_tests, self.prim_tests));
+    }
+
+    #[inline]
+    fn count_box_test(&mut self) {
+        if let Some((before, _)) = self.before_ray {
+            harness::limit_calls("hit_box", self.box_tests - before, one_ray);
+        }
+        self.box_tests += 1;
+    }
+
+    #[inline]
+    fn count_prim_test(&mut self, function: &'static str) {
+        if let Some((_, before)) = self.before_ray {
+            harness::limit_calls(function, self.prim_tests - before, one_ray);
+        }
+        self.prim_tests += 1;
+    }
+}
+
+fn one_ray() -> String {
+    "one ray through a scene".into()
 }
 
 impl World for SceneWorld<'_> {
     #[inline]
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
-        self.box_tests += 1;
+        self.count_box_test();
         bbox::intersect_bbox(b, ray)
     }
 
     #[inline]
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
-        self.prim_tests += 1;
+        self.count_prim_test("hit_prim");
         match self.scene.primitive(id) {
             Primitive::Triangle(triangle) => intersect::intersect_triangle(triangle, id, ray),
             Primitive::Sphere(sphere) => intersect::intersect_sphere(sphere, id, ray),
@@ -107,7 +137,7 @@ impl World for SceneWorld<'_> {
 
     #[inline]
     fn blocked(&mut self, id: PrimId, ray: &Ray) -> bool {
-        self.prim_tests += 1;
+        self.count_prim_test("blocked");
         match self.scene.primitive(id) {
             Primitive::Triangle(triangle) => intersect::test_triangle(triangle, ray).is_some(),
             Primitive::Sphere(sphere) => intersect::test_sphere(sphere, ray).is_some(),

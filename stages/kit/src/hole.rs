@@ -32,8 +32,9 @@ impl Hole {
 }
 
 /// Unwinds with the [`Hole`] of `task`. `inside` is the path of an item in the function. Called by
-/// [`hole!`](crate::hole!).
+/// [`hole!`](crate::hole!), whose place a test that fails shows.
 #[cold]
+#[track_caller]
 pub fn stop(task: &'static str, inside: &'static str) -> ! {
     std::panic::panic_any(Hole::new(task, inside))
 }

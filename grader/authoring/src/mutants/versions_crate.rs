@@ -300,7 +300,7 @@ pub struct StageVersions<'a> {
 
 impl<'a> StageVersions<'a> {
     /// The only stage with versions.
-    fn only(stage: &'a str, versions: &'a [Sources]) -> StageVersions<'a> {
+    pub fn only(stage: &'a str, versions: &'a [Sources]) -> StageVersions<'a> {
         StageVersions {
             stage,
             versions,
@@ -449,8 +449,9 @@ fn own_copy(program: &Path, folder: &Path) -> Result<TempPath, GraderError> {
     Ok(copy)
 }
 
-/// Writes the crate that contains all versions.
-fn write_versions(folder: &Path, versions: &StageVersions<'_>) -> Result<(), GraderError> {
+/// Writes the crate `stage` that contains all `versions` to `folder`, without its workspace.
+/// [`VERSION_VARIABLE`] selects one of them when it runs.
+pub fn write_versions(folder: &Path, versions: &StageVersions<'_>) -> Result<(), GraderError> {
     let StageVersions { stage, .. } = versions;
     // Files of earlier runs may stay, because no `mod` names them. Cargo rebuilds only what
     // changed.

@@ -73,3 +73,30 @@ pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
     text.push_str("}\n");
     Some(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases;
+
+    #[test]
+    fn a_call_that_crashed_becomes_a_test() {
+        let specs = cases::all(0);
+        let worst_of = |crashed_call| {
+            let failed = FailedCase {
+                name: "front_face",
+                tier: Tier::Core,
+                findings: &[],
+                crashed_call,
+            };
+            worst([failed], &specs, "part1.task3")
+        };
+        let test = worst_of(Some(3)).expect("the call has a test");
+        assert!(
+            test.starts_with("//! The call that crashed in part1.task3 in the grader's cases.\n"),
+            "{test}"
+        );
+        assert!(test.contains("fn front_face_3() {"), "{test}");
+        assert_eq!(worst_of(None), None);
+    }
+}

@@ -20,6 +20,7 @@ pub(crate) fn triangle(tier: Tier, triangles: &[[Xyz; 6]], probe: &Probe) -> Opt
         "intersect::test_triangle(&tri, &ray)",
         "intersect::intersect_triangle(&tri",
         probe.shape,
+        &probe.ray,
     )?;
     Some(text)
 }

@@ -20,6 +20,7 @@ pub(crate) fn sphere(tier: Tier, spheres: &[(Xyz, f64)], probe: &Probe) -> Optio
         "intersect::test_sphere(&s, &ray)",
         "intersect::intersect_sphere(&s",
         probe.shape,
+        &probe.ray,
     )?;
     Some(text)
 }

@@ -12,7 +12,6 @@ pub(crate) fn matte(probe: &LambertProbe) -> String {
     let bound = judge::BOUND;
     let mut text = format!(
         "use kit::{{Spectrum, Vec2, Vec3}};
-use std::f64::consts::PI;
 let reflectance = {};
 let (wo, wi) = ({}, {});
 let f = direct::lambert_f(reflectance, wo, wi);
@@ -46,7 +45,7 @@ assert!((sample.wi.length() - 1.0).abs() <= {bound:?}, \"{{}} is not unit\", sam
 assert!(sample.wi.z * wo.z > 0.0, \"{{}} is not on the side of wo\", sample.wi);
 let f = sample.f;
 {f}
-let pdf = sample.wi.z.abs() / PI;
+let pdf = sample.wi.z.abs() / std::f64::consts::PI;
 assert!(sample.pdf > 0.0 && (sample.pdf - pdf).abs() <= {bound:?} * pdf + 1e-15, \"pdf = {{}}\", sample.pdf);
 assert!(!sample.delta);
 ",

@@ -1,0 +1,225 @@
+//! Runs a worker whose cases end in every way in which a student's code can end, and checks what
+//! the report says about it.
+//!
+//! This program is the worker, too: the runner starts it with the arguments of a worker.
+
+use cap::Cap;
+use grader::crash::{self, Crash, CrashKind};
+use grader::printed;
+use grader::runner::{self, Ending, Worker};
+use std::alloc::System;
+use std::process::ExitCode;
+use wire::{Answer, Case, Record, Work};
+
+#[global_allocator]
+static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
+
+/// The call in which each case ends, counted from 0.
+const CALL: usize = 2;
+
+/// The time limit of the cases in milliseconds.
+const LIMIT_MS: u64 = 250;
+
+/// The lines that a case prints that is right. Their processor time exceeds [`LIMIT_MS`].
+const MANY_LINES: usize = 1_500_000;
+
+/// A way to end a case.
+struct End {
+    name: &'static str,
+    kind: CrashKind,
+    /// What the report says.
+    says: &'static str,
+    code: fn(),
+}
+
+const ENDS: &[End] = &[
+    End {
+        name: "panic",
+        kind: CrashKind::Panic,
+        says: "called `Option::unwrap()` on a `None` value (call 2 of the case)",
+        code: || {
+            std::hint::black_box(None::<u32>).unwrap();
+        },
+    },
+    End {
+        name: "index",
+        kind: CrashKind::Panic,
+        says: "index out of bounds: the len is 2 but the index is 3 (call 2 of the case)",
+        code: || {
+            let list = std::hint::black_box([1, 2]);
+            let list = list.as_slice();
+            std::hint::black_box(list[std::hint::black_box(3)]);
+        },
+    },
+    End {
+        name: "sample_loop",
+        kind: CrashKind::Endless,
+        says: "called camera_ray 1,000,000 times, was asked for 16 samples: an endless loop? (call 2 of the case)",
+        code: || {
+            for calls in 0_u64.. {
+                harness::limit_calls("camera_ray", calls, || "16 samples".into());
+            }
+        },
+    },
+    End {
+        name: "recursion",
+        kind: CrashKind::Endless,
+        says: "overflowed the stack of 64 MB: a recursion without end? (call 2 of the case)",
+        code: || {
+            std::hint::black_box(deeper(1));
+        },
+    },
+    End {
+        name: "push",
+        kind: CrashKind::Endless,
+        says: "asked for more than 1024 MB of memory (the last request was for 67,108,864 bytes): a Vec that grows without end? (call 2 of the case)",
+        code: || {
+            let mut list = Vec::new();
+            loop {
+                list.push(std::hint::black_box(vec![0_u8; 64 << 20]));
+            }
+        },
+    },
+    End {
+        name: "loop",
+        kind: CrashKind::Endless,
+        says: "did not return within 0.25 s: an endless loop? (call 2 of the case)",
+        code: || {
+            let mut i = 0_u64;
+            loop {
+                i = std::hint::black_box(i.wrapping_add(1));
+            }
+        },
+    },
+    End {
+        name: "exit_0",
+        kind: CrashKind::Ended,
+        says: "called `std::process::exit(0)`, which ends the whole program: return a result instead (call 2 of the case)",
+        code: || std::process::exit(0),
+    },
+    End {
+        name: "exit_3",
+        kind: CrashKind::Ended,
+        says: "called `std::process::exit(3)`, which ends the whole program: return a result instead (call 2 of the case)",
+        code: || std::process::exit(3),
+    },
+    End {
+        name: "abort",
+        kind: CrashKind::Ended,
+        says: "aborted the whole program (SIGABRT): does it call `std::process::abort`? (call 2 of the case)",
+        code: || std::process::abort(),
+    },
+    End {
+        name: "second_panic",
+        kind: CrashKind::Ended,
+        says: "panicked again while it cleaned up after a panic: in a `Drop`? (call 2 of the case)",
+        code: || {
+            let _cleanup = PanicsOnDrop;
+            panic!("the first");
+        },
+    },
+];
+
+struct PanicsOnDrop;
+
+impl Drop for PanicsOnDrop {
+    fn drop(&mut self) {
+        panic!("the second");
+    }
+}
+
+fn deeper(i: u64) -> u64 {
+    let frame = std::hint::black_box([i; 64]);
+    if frame[0] == 0 {
+        return 0;
+    }
+    deeper(frame[0] + 1) + frame[1]
+}
+
+/// Runs a case in the worker: some calls, of which the last one ends as the case's name says.
+fn run_case(index: u32, case: &Case) -> Record {
+    harness::run(index, case, |_| {
+        for call in 0..=CALL {
+            harness::call(call);
+            println!("{} {call}", case.name);
+        }
+        if case.name == "prints" {
+            (0..MANY_LINES).for_each(|i| println!("line {i} of a case that is right"));
+        }
+        if let Some(end) = ENDS.iter().find(|end| end.name == case.name) {
+            (end.code)();
+        }
+        Ok(Answer::Stop(Vec::new()))
+    })
+}
+
+fn case(name: &str) -> Case {
+    Case {
+        // Each its own task: cases after two timeouts of a task get less time.
+        task: name.into(),
+        name: name.into(),
+        limit_ms: LIMIT_MS,
+        work: Work::Stop(Vec::new()),
+    }
+}
+
+fn main() -> ExitCode {
+    // A worker gets the files of its cases and records; the test program, options.
+    if std::env::args()
+        .nth(2)
+        .is_some_and(|path| path.contains("records"))
+    {
+        return harness::main(&MEMORY, run_case);
+    }
+    let this_program = std::env::current_exe().expect("this program has a path");
+    let worker = Worker {
+        program: this_program,
+        environment: Vec::new(),
+    };
+    let right = ["before", "prints", "after"].map(case);
+    let cases: Vec<Case> = right[..2]
+        .iter()
+        .cloned()
+        .chain(ENDS.iter().map(|end| case(end.name)))
+        .chain(right[2..].iter().cloned())
+        .collect();
+    let run = runner::run(&worker, &cases).expect("the worker runs");
+    for (case, ending) in cases.iter().zip(&run.endings) {
+        let Some(end) = ENDS.iter().find(|end| end.name == case.name) else {
+            assert!(
+                matches!(ending, Ending::Recorded(_)),
+                "{}: {ending:?}",
+                case.name
+            );
+            continue;
+        };
+        let says = crash::describe_with_call(ending).unwrap_or_default();
+        assert!(
+            says == end.says || end.kind == CrashKind::Panic && says.ends_with(end.says),
+            "{}: {says}",
+            case.name
+        );
+        let call = Some(CALL as u32);
+        let crash = Crash {
+            kind: end.kind,
+            call,
+        };
+        assert_eq!(Crash::of(ending), Some(crash), "{}", case.name);
+    }
+    // Every case printed three lines, and nothing of the runtime is among them.
+    for (case, printed) in cases.iter().zip(&run.printed) {
+        assert_eq!(printed.case, case.name);
+        let lines = if case.name == "prints" {
+            MANY_LINES + 3
+        } else {
+            3
+        };
+        assert_eq!(printed.lines(), lines, "{printed:?}");
+        assert_eq!(printed.first[CALL], format!("{} {CALL}", case.name));
+    }
+    assert_eq!(run.printed.len(), cases.len());
+    let all = printed::format(&run.printed);
+    assert!(all.contains("    … 1,499,983 more lines\n"), "{all}");
+    println!("test every_end_has_its_sentence ... ok");
+    ExitCode::SUCCESS
+}

@@ -8,6 +8,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 
 /// Radiance without a bounce: the emission of the surface along `wo`, the unit world direction to
 /// the viewer.
+///
+/// See it: `cargo grader picture part3.task2`.
 pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
     // BEGIN SOLUTION(part3.task2)
     surface.emitted(wo)
@@ -28,6 +30,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
 /// alone the result is black. Mirrors and smooth glass
 /// ([`Material::is_delta`](kit::Material::is_delta)) are black too, and trace no rays, because a
 /// random direction is never their reflected or refracted direction. 0 samples give black.
+///
+/// See it: `cargo grader picture part3.task2`.
 pub fn estimate_direct_lighting_hemisphere(
     lit: &LitScene,
     surface: &Surface,

@@ -71,7 +71,7 @@ impl Scene {
                 let ends = ends.map(|(enters, leaves)| [enters.to_f64(), leaves.to_f64()]);
                 Scene {
                     expected: ends.into_iter().flatten().collect(),
-                    yours: answers.get(call)?.into_iter().flatten().collect(),
+                    yours: answers.get(call)?.iter().flatten().copied().collect(),
                     shape: Shape::Box(b),
                     ray,
                 }

@@ -84,9 +84,9 @@ fn header(look: &Look) -> String {
         result.max_score,
     );
     if let Some(diagnosis) = &look.diagnosis {
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "<details><summary>The likely mistake</summary><p>{}: {}.</p><p>{}</p></details>\n",
+            "<details><summary>The likely mistake</summary><p>{}: {}.</p><p>{}</p></details>",
             diagnosis.certainty.label(),
             escape(&diagnosis.says),
             escape(&diagnosis.hint)
@@ -153,9 +153,9 @@ fn cases(failed: &[&FailedCase]) -> String {
     let (full, rest) = failed.split_at(failed.len().min(IN_FULL));
     let mut text: String = full.iter().map(|case| one_case(case)).collect();
     if !rest.is_empty() {
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "<details><summary>{}</summary>\n",
+            "<details><summary>{}</summary>",
             plural(rest.len(), "more case", "more cases")
         );
         text.extend(rest.iter().map(|case| one_case(case)));

@@ -5,29 +5,29 @@ use serde::Serialize;
 /// The words of a page. The field names are those of the page's script.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Words {
+pub(crate) struct Words {
     /// The picture that students are graded against.
-    pub golden: &'static str,
+    pub(crate) golden: &'static str,
     /// The picture of the code.
-    pub actual: &'static str,
+    pub(crate) actual: &'static str,
     /// The answer of the exact oracle.
-    pub exact: &'static str,
+    pub(crate) exact: &'static str,
     /// Before the wrong fields of an answer.
-    pub refuted: &'static str,
+    pub(crate) refuted: &'static str,
     /// Before the fields that are not judged.
-    pub open: &'static str,
+    pub(crate) open: &'static str,
     /// Of an answer that differs and is right.
-    pub confirmed: &'static str,
+    pub(crate) confirmed: &'static str,
     /// Where the golden has fewer fields than the answer.
-    pub short: &'static str,
+    pub(crate) short: &'static str,
     /// Where the golden has no fields, and the exact oracle's are shown.
-    pub instead: &'static str,
+    pub(crate) instead: &'static str,
     /// Where the golden has no fields, and there are no others.
-    pub only_colour: &'static str,
+    pub(crate) only_colour: &'static str,
 }
 
 /// For reviewers.
-pub const REVIEW: Words = Words {
+pub(crate) const REVIEW: Words = Words {
     golden: "golden",
     actual: "actual",
     exact: "exact",
@@ -40,7 +40,7 @@ pub const REVIEW: Words = Words {
 };
 
 /// For students.
-pub const LOOK: Words = Words {
+pub(crate) const LOOK: Words = Words {
     golden: "expected",
     actual: "yours",
     exact: "exact",

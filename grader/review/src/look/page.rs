@@ -127,6 +127,9 @@ fn task_picture(rendered: &Rendered) -> String {
             image("difference", png_data_uri(&comparison.difference))
         );
         for (kind, marks) in rendered.picture.panels.iter().zip(&comparison.counts) {
+            if rendered.picture.panels.len() > 1 && !marks.is_empty() {
+                let _ = write!(text, "<li class=\"note\">{}:</li>", escape(kind.about));
+            }
             for (mark, count) in marks {
                 let [r, g, b] = mark.colour();
                 let _ = write!(

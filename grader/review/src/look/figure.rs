@@ -1,9 +1,14 @@
 //! Draws one ray and the shape that it is tested against, as SVG.
 
+use judge::expected::ExpectedHit;
 use judge::{Tier, convert, truth};
 use kit::{Aabb, Primitive, Ray, Sphere, Triangle, Vec3};
 use std::fmt::Write;
+use wire::answer::Hit;
 use wire::{Answer, Work};
+
+/// Normals that differ by less look the same.
+const VISIBLE_ANGLE: f64 = 0.05;
 
 /// Half of the width and of the height of the drawing. Its centre is the centre of the shape.
 const HALF: [f64; 2] = [160.0, 100.0];
@@ -21,6 +26,8 @@ struct Scene {
     ray: Ray,
     expected: Vec<f64>,
     yours: Vec<f64>,
+    /// The normals at the hits, expected and yours, if they point elsewhere.
+    normals: Option<[Vec3; 2]>,
 }
 
 /// Draws call number `call` of `work`; `None` if it is not about one shape, or has numbers that
@@ -34,8 +41,14 @@ pub(super) fn draw(work: &Work, answer: &Answer, call: usize) -> Option<String> 
 impl Scene {
     fn of(work: &Work, answer: &Answer, call: usize) -> Option<Scene> {
         let exact = |shape: Primitive<'_>, ray: &Ray| {
-            let expected = truth::first_of(Tier::Core, &[shape], ray, false);
-            expected.hits.first().map(|hit| hit.t).into_iter().collect()
+            truth::first_of(Tier::Core, &[shape], ray, false)
+                .hits
+                .into_iter()
+                .next()
+        };
+        let normals = |expected: &Option<ExpectedHit>, yours: Option<Hit>| {
+            let pair = [expected.as_ref()?.n?, Vec3::from(yours?.n)];
+            (pair[0].distance(pair[1]) > VISIBLE_ANGLE && pair[1].is_finite()).then_some(pair)
         };
         Some(match (work, answer) {
             (Work::Triangles(work), Answer::Triangles(answers)) => {
@@ -43,8 +56,10 @@ impl Scene {
                 let triangle = convert::triangle(work.triangles.get(probe.shape as usize)?);
                 let (ray, answer) = (convert::ray(&probe.ray), answers.get(call)?);
                 let t = answer.hit.map(|hit| hit.t).or(answer.test.map(|[t, ..]| t));
+                let expected = exact(Primitive::Triangle(&triangle), &ray);
                 Scene {
-                    expected: exact(Primitive::Triangle(&triangle), &ray),
+                    normals: normals(&expected, answer.hit),
+                    expected: expected.iter().map(|hit| hit.t).collect(),
                     yours: t.into_iter().collect(),
                     shape: Shape::Triangle(triangle),
                     ray,
@@ -55,8 +70,10 @@ impl Scene {
                 let sphere = convert::sphere(work.spheres.get(probe.shape as usize)?);
                 let (ray, answer) = (convert::ray(&probe.ray), answers.get(call)?);
                 let t = answer.hit.map(|hit| hit.t).or(answer.test);
+                let expected = exact(Primitive::Sphere(&sphere), &ray);
                 Scene {
-                    expected: exact(Primitive::Sphere(&sphere), &ray),
+                    normals: normals(&expected, answer.hit),
+                    expected: expected.iter().map(|hit| hit.t).collect(),
                     yours: t.into_iter().collect(),
                     shape: Shape::Sphere(sphere),
                     ray,
@@ -70,6 +87,7 @@ impl Scene {
                 let ends = verdict.ends.filter(|_| verdict.hits());
                 let ends = ends.map(|(enters, leaves)| [enters.to_f64(), leaves.to_f64()]);
                 Scene {
+                    normals: None,
                     expected: ends.into_iter().flatten().collect(),
                     yours: answers.get(call)?.iter().flatten().copied().collect(),
                     shape: Shape::Box(b),
@@ -111,6 +129,13 @@ impl Scene {
         );
         if (start..=end).contains(&0.0) {
             dot(&mut svg, "origin", view.at(&self.ray, 0.0), 4.0);
+        }
+        if let (Some(normals), Some(t)) = (self.normals, self.expected.first()) {
+            let p = self.ray.at(*t);
+            for (class, n) in ["expected", "yours"].into_iter().zip(normals) {
+                let tip = p + n.normalize_or_zero() * (0.5 * view.reach);
+                line(&mut svg, class, view.project(p), view.project(tip));
+            }
         }
         let within = |t: &&f64| (start..=end).contains(*t);
         for t in self.expected.iter().filter(within) {

@@ -177,7 +177,7 @@ fn one_case(failed: &FailedCase) -> String {
     }
     let figure = failed.figure.as_ref().map(|svg| {
         format!(
-            "<div class=\"figure\">{svg}<p class=\"key\"><span class=\"good\">○ expected</span> · <span class=\"bad\">× yours</span> · dashed: outside of the ray's range</p></div>"
+            "<div class=\"figure\">{svg}<p class=\"key\"><span class=\"good\">○ expected</span> · <span class=\"bad\">× yours</span> · lines from the hit: normals · dashed: outside of the ray's range</p></div>"
         )
     });
     format!(
@@ -232,4 +232,114 @@ fn passed(look: &Look) -> String {
         "<h2>What is right</h2>\n<p class=\"good\">{}</p>\n",
         names.join(", ")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grader::course::Course;
+    use grader::picture;
+    use grader::score::TaskResult;
+    use grader::workspace::Workspace;
+    use judge::tally::{Aspect, Finding, Worst};
+    use pictures::Image;
+    use pictures::difference::compare;
+    use std::path::Path;
+
+    /// Part 1, task 3 with a failed case, and a picture that lacks one pixel.
+    fn look(message: &str) -> Look {
+        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")))
+            .expect("the crate is in a workspace");
+        let course = Course::read(&workspace).expect("the course is sound");
+        let task = course.tasks().find(|task| task.key == "part1.task3");
+        let task = task.expect("the course has it");
+        let finding = Finding {
+            aspect: Aspect::HitOrMiss,
+            expected: 4,
+            judged: 4,
+            wrong: 3,
+            worst: Some(Worst {
+                call: 1,
+                badness: 1.0,
+                message: message.into(),
+            }),
+            faults: Vec::new(),
+            detectable: None,
+            spread: None,
+            errors: Vec::new(),
+            judged_calls: Vec::new(),
+        };
+        let about = "Rays from behind. Pitfall: culling.";
+        let right = Finding {
+            wrong: 0,
+            worst: None,
+            ..finding.clone()
+        };
+        let case = |(i, entry)| {
+            let finding = if i == 0 { &finding } else { &right };
+            CaseResult::new(entry, about, Status::Passed, vec![finding.clone()])
+        };
+        let cases: Vec<CaseResult> = task.cases.iter().enumerate().map(case).collect();
+        let failed = FailedCase {
+            result: cases[0].clone(),
+            figure: Some("<svg></svg>".into()),
+            picture: None,
+        };
+        let picture = judge::pictures::of(&task.key).expect("it has a picture");
+        let golden = Image::filled(picture.size(), [90; 3]);
+        let mut yours = golden.clone();
+        yours.set(3, 3, [0; 3]);
+        let comparison = compare(&picture, &golden, &yours);
+        Look {
+            result: TaskResult::new(task, cases),
+            diagnosis: None,
+            picture: Some(picture::Rendered {
+                picture,
+                golden,
+                yours: Ok((yours, comparison)),
+            }),
+            failed: vec![failed],
+        }
+    }
+
+    #[test]
+    fn a_failed_case_has_its_finding_and_its_figure_and_hides_the_hint() {
+        let page = write(&look("your result: miss <here>"));
+        for text in [
+            "Intersecting triangles: 1 of 15 cases are wrong",
+            "<h3>front_face</h3>\n<p class=\"about\">Rays from behind.</p>",
+            "<strong>hit or miss</strong>: wrong on 3 of 4",
+            "your result: miss &lt;here&gt;",
+            "<div class=\"figure\"><svg></svg>",
+            "<details><summary>A hint</summary><p>culling.</p></details>",
+            "miss where there is a surface: 1 pixel",
+        ] {
+            assert!(page.contains(text), "no {text:?}");
+        }
+        assert!(page.find("What is wrong") < page.find("What is right"));
+    }
+
+    #[test]
+    fn a_full_task_says_what_is_right_and_nothing_is_wrong() {
+        let mut full = look("");
+        full.failed.clear();
+        full.result.score = full.result.max_score;
+        let page = write(&full);
+        assert!(page.contains("right: you have every core point"));
+        assert!(!page.contains("What is wrong") && page.contains("back_face"));
+    }
+
+    #[test]
+    fn the_page_loads_no_other_files() {
+        let page = write(&look("src=x"));
+        for outside in ["https://", "src=\"/", "href=\"/", "@import", "url(/"] {
+            assert!(!page.contains(outside), "{outside}");
+        }
+        // The namespace of SVG is not loaded.
+        let addresses = page.matches("http://").count();
+        assert_eq!(
+            addresses,
+            page.matches("http://www.w3.org/2000/svg").count()
+        );
+    }
 }

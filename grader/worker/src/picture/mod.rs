@@ -121,6 +121,7 @@ pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
 /// The colours of a panel, row by row from the bottom left.
 type Panel = Vec<[f32; 3]>;
 
+/// A panel of `size` pixels: calls `colour` with the column and the row of each.
 #[cfg(any(
     feature = "raygen",
     feature = "intersect",
@@ -129,7 +130,6 @@ type Panel = Vec<[f32; 3]>;
     feature = "global",
     feature = "adaptive"
 ))]
-/// A panel of `size` pixels: calls `colour` with the column and the row of each.
 fn panel(size: [u32; 2], mut colour: impl FnMut(u32, u32) -> [f64; 3]) -> Panel {
     let pixels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
     let each = pixels.enumerate().map(|(i, (x, y))| {

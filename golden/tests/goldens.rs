@@ -235,7 +235,9 @@ const LARGEST_PICTURE: usize = 60_000;
 
 /// Compares the picture that students see of a task with what the reference renders, bit for bit.
 fn check_task_picture(workspace: &Workspace, task: &str, bless: bool) -> Result<(), String> {
-    let picture = pictures::of(task).ok_or("the task has no picture")?;
+    let Some(picture) = pictures::of(task) else {
+        return Ok(());
+    };
     let actual = match answer(&picture.spec())? {
         Some(Answer::Picture(answer)) => ::pictures::tone::compose(&picture, &answer),
         Some(other) => return Err(format!("the worker's answer is {}", other.kind())),

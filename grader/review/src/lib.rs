@@ -5,7 +5,7 @@
 //! golden, line by line and, if the case has a [`picture`], pixel by pixel, and finds the [`cause`]
 //! of each difference. The [`exact`] oracle checks the answers independently of both. [`page`]
 //! writes the result as one self-contained HTML file; [`columns`] and [`box_tests`] are its data
-//! about pixels.
+//! about pixels. [`look`] is the page for students.
 
 pub mod bless;
 pub mod box_tests;
@@ -13,6 +13,7 @@ pub mod case;
 pub mod cause;
 pub mod columns;
 pub mod exact;
+pub mod look;
 pub mod page;
 pub mod picture;
 

@@ -1,15 +1,17 @@
-//! The program behind `grader review` and `grader bless`.
+//! The program behind `grader review`, `grader bless` and `grader look`.
 
 mod cli;
 
-use cli::{bless, review};
+use cli::{bless, look, review};
 use grader::cli::{run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = subprogram_command([review::command(), bless::command()]).get_matches();
+    let commands = [review::command(), bless::command(), look::command()];
+    let matches = subprogram_command(commands).get_matches();
     run_to_exit_code(|| match matches.subcommand() {
         Some(("bless", matches)) => bless::run(matches),
+        Some(("look", matches)) => look::run(matches),
         Some((_, matches)) => review::run(matches),
         None => unreachable!("clap requires a command"),
     })

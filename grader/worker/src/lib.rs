@@ -27,6 +27,15 @@ mod light;
 mod meshes;
 #[cfg(any(feature = "direct", feature = "global", feature = "adaptive"))]
 mod panels;
+#[cfg(any(
+    feature = "raygen",
+    feature = "intersect",
+    feature = "bbox",
+    feature = "bvh",
+    feature = "direct",
+    feature = "global",
+    feature = "adaptive"
+))]
 mod picture;
 #[cfg(feature = "raygen")]
 mod raygen;

@@ -2,10 +2,12 @@
 
 use crate::light::{environment, material, scene};
 use kit::scene::NamedLight;
-use kit::{
-    BsdfSample, Hit, LitScene, Material, PrimId, Ray, Scattering, Spectrum, Triangle, Vec2, Vec3,
-};
-use wire::light::{Light, LitWorld, Panel, scripted_f};
+#[cfg(feature = "direct")]
+use kit::{BsdfSample, Material, Scattering, Spectrum};
+use kit::{Hit, LitScene, PrimId, Ray, Triangle, Vec2, Vec3};
+#[cfg(feature = "direct")]
+use wire::light::scripted_f;
+use wire::light::{Light, LitWorld, Panel};
 
 /// Converts the world to a scene with lights. Panel `i` becomes the triangles `2i` and `2i + 1`.
 pub(crate) fn lit_scene(world: &LitWorld) -> LitScene {
@@ -95,8 +97,10 @@ fn kit_light(light: &Light) -> kit::Light {
 }
 
 /// Scripted scattering: [`scripted_f`] for diffuse surfaces, black for all others.
+#[cfg(feature = "direct")]
 pub(crate) struct ScriptedScattering;
 
+#[cfg(feature = "direct")]
 impl Scattering for ScriptedScattering {
     fn f(&self, material: &Material, wo: Vec3, wi: Vec3) -> Spectrum {
         match material {

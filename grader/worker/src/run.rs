@@ -58,6 +58,15 @@ fn dispatch(work: &Work) -> Result<Answer, String> {
         #[cfg(feature = "adaptive")]
         Work::AdaptivePixels(pixels) => Answer::AdaptivePixels(crate::adaptive::pixels(pixels)),
 
+        #[cfg(any(
+            feature = "raygen",
+            feature = "intersect",
+            feature = "bbox",
+            feature = "bvh",
+            feature = "direct",
+            feature = "global",
+            feature = "adaptive"
+        ))]
         Work::Picture(work) => Answer::Picture(crate::picture::picture(work)?),
 
         #[allow(

@@ -13,6 +13,8 @@ use kit::{Budget, FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, V
 /// of all samples so far and with the tolerance. If it returns true, the loop ends. It always ends
 /// after `budget.ns_aa` samples. The estimate contains the mean over all samples and their number.
 /// With a budget of 0 it is black, with 0 samples.
+///
+/// See it: `cargo grader picture part5.task1`.
 pub fn raytrace_pixel_adaptive(
     (x, y): (u32, u32),
     film: FilmSize,

@@ -19,6 +19,8 @@ const Z95: f64 = 1.96;
 /// This is exactly the criterion of the assignment. It fails in two cases, which task 2 corrects:
 /// if all samples happen to be equal, σ = 0 and it stops at once, and black samples satisfy 0 <= 0.
 /// Without samples the result is false.
+///
+/// See it: `cargo grader picture part5.task1`.
 pub fn has_converged(samples: &Tally, tolerance: f64) -> bool {
     // BEGIN SOLUTION(part5.task1)
     samples.count() > 0 && Z95 * samples.standard_error() <= tolerance * samples.mean()
@@ -47,6 +49,8 @@ pub const FEWEST_SAMPLES: u64 = 256;
 /// The remaining bias is small: with a tolerance of 5 %, an estimate of a light with hit
 /// probability p needs `n·p >= (1.96/0.05)² ≈ 1537` hits, and the bias is then far below the
 /// tolerance. `rule` is [`has_converged`], or another function with the same signature.
+///
+/// See it: `cargo grader picture part5.task2`.
 pub fn has_surely_converged(
     samples: &Tally,
     tolerance: f64,

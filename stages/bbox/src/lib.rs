@@ -25,6 +25,8 @@ use kit::{Aabb, Interval, Ray};
 ///   last place can be a hit, and the interval can end that much late. (This holds while `t` is
 ///   neither denormal nor infinite.)
 /// - An empty box and a box or a ray with a NaN are misses.
+///
+/// See it: `cargo grader picture part2.task2`.
 // Always inlined: a traversal tests one ray against many boxes, and only then does the compiler
 // compute `1/d` once outside of the loop.
 #[inline(always)]

@@ -16,6 +16,8 @@ use kit::{Bvh, Hit, Ray, World};
 /// nearer one first, so that the farther one is often out of range afterwards. On a hit sets
 /// `ray.max_t` to its `t`; a miss changes nothing. Both ends of the ray's range count. Of several
 /// hits with equal `t` returns the one with the lowest id.
+///
+/// See it: `cargo grader picture part2.task3`.
 pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Option<Hit> {
     // BEGIN SOLUTION(part2.task3)
     let mut closest: Option<Hit> = None;
@@ -47,6 +49,8 @@ pub fn intersect_bvh<W: World>(bvh: &Bvh, ray: &mut Ray, world: &mut W) -> Optio
 /// Whether any primitive of `bvh` blocks `ray` in its range. Stops at the first one that does.
 ///
 /// Chapter: stages/book/src/part2/task3.md
+///
+/// See it: `cargo grader picture part2.task3`.
 pub fn occludes_bvh<W: World>(bvh: &Bvh, ray: &Ray, world: &mut W) -> bool {
     // BEGIN SOLUTION(part2.task3)
     let mut blocked = false;

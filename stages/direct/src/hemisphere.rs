@@ -10,6 +10,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 /// the viewer.
 ///
 /// Chapter: stages/book/src/part3/task2.md
+///
+/// See it: `cargo grader picture part3.task2`.
 pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
     // BEGIN SOLUTION(part3.task2)
     surface.emitted(wo)
@@ -32,6 +34,8 @@ pub fn zero_bounce_radiance(surface: &Surface, wo: Vec3) -> Spectrum {
 /// alone the result is black. Mirrors and smooth glass
 /// ([`Material::is_delta`](kit::Material::is_delta)) are black too, and trace no rays, because a
 /// random direction is never their reflected or refracted direction. 0 samples give black.
+///
+/// See it: `cargo grader picture part3.task2`.
 pub fn estimate_direct_lighting_hemisphere(
     lit: &LitScene,
     surface: &Surface,

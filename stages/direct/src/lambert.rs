@@ -19,6 +19,8 @@ use kit::{BsdfSample, Spectrum, Vec2, Vec3};
 /// The factor 1/π makes `ρ` the fraction of the light that is reflected: the integral of
 /// `ρ/π · cos θ` over a hemisphere is `ρ`. A direction in the plane of the surface (`z = 0`) is on
 /// neither side.
+///
+/// See it: `cargo grader picture part3.task1`.
 pub fn lambert_f(reflectance: Spectrum, wo: Vec3, wi: Vec3) -> Spectrum {
     // BEGIN SOLUTION(part3.task1)
     if wo.z * wi.z > 0.0 {
@@ -34,6 +36,8 @@ pub fn lambert_f(reflectance: Spectrum, wo: Vec3, wi: Vec3) -> Spectrum {
 /// `wo`, otherwise 0.
 ///
 /// Chapter: stages/book/src/part3/task1.md
+///
+/// See it: `cargo grader picture part3.task1`.
 pub fn lambert_pdf(wo: Vec3, wi: Vec3) -> f64 {
     // BEGIN SOLUTION(part3.task1)
     if wo.z * wi.z > 0.0 {
@@ -53,6 +57,8 @@ pub fn lambert_pdf(wo: Vec3, wi: Vec3) -> f64 {
 /// `u` is uniform in [0, 1)². Malley's method: a uniform point on the unit disk, projected up to
 /// the hemisphere. Then `f · cos θ / pdf` is `ρ` for every direction, so all samples have the same
 /// weight. `None` if `wo` is in the plane of the surface, where no light leaves.
+///
+/// See it: `cargo grader picture part3.task1`.
 pub fn lambert_sample(reflectance: Spectrum, wo: Vec3, u: Vec2) -> Option<BsdfSample> {
     // BEGIN SOLUTION(part3.task1)
     if wo.z == 0.0 {

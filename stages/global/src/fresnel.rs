@@ -19,6 +19,8 @@
 /// If `eta · sin θi >= 1`, nothing is refracted: total internal reflection, F = 1. At grazing
 /// incidence (`cos_i = 0`) F = 1. With `eta = 1` there is no boundary and F = 0, except at grazing
 /// incidence, where the equations give 0/0.
+///
+/// See it: `cargo grader picture part4.task1`.
 pub fn fresnel_dielectric(cos_i: f64, eta: f64) -> f64 {
     // BEGIN SOLUTION(part4.task1)
     let cos_i = cos_i.abs().min(1.0);

@@ -32,6 +32,8 @@ use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3}
 ///   the path.
 ///
 /// A ray that leaves a surface starts with [`Surface::leave`].
+///
+/// See it: `cargo grader picture part4.task2`.
 #[allow(
     clippy::too_many_arguments,
     reason = "the functions of other tasks come in as arguments, so that each task can be tested alone"

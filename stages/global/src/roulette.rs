@@ -17,6 +17,8 @@ pub const MIN_BOUNCES: u32 = 3;
 /// unbiased, and dark paths, which cost as much as bright ones, become rare (Arvo and Kirk,
 /// "Particle transport and image synthesis", 1990). A black path always ends, also before the first
 /// roulette, because it contributes nothing.
+///
+/// See it: `cargo grader picture part4.task3`.
 pub fn play_roulette(throughput: Spectrum, bounces: u32, u: f64) -> Option<Spectrum> {
     // BEGIN SOLUTION(part4.task3)
     let q = throughput.max_channel().min(1.0);

@@ -17,6 +17,8 @@ use kit::{BsdfSample, Spectrum, Vec3};
 /// The mirror direction of `wo`: `wo` rotated by 180 degrees about the normal.
 ///
 /// Chapter: stages/book/src/part4/task1.md
+///
+/// See it: `cargo grader picture part4.task1`.
 pub fn reflect(wo: Vec3) -> Vec3 {
     // BEGIN SOLUTION(part4.task1)
     Vec3::new(-wo.x, -wo.y, wo.z)
@@ -32,6 +34,8 @@ pub fn reflect(wo: Vec3) -> Vec3 {
 ///
 /// `None` if there is none (total internal reflection, `η · sin θo >= 1`), or if `wo` is in the
 /// plane of the surface. With `ior` 1 the direction is `-wo`.
+///
+/// See it: `cargo grader picture part4.task1`.
 pub fn refract(wo: Vec3, ior: f64) -> Option<Vec3> {
     // BEGIN SOLUTION(part4.task1)
     let eta = relative_index(wo, ior);
@@ -57,6 +61,8 @@ fn relative_index(wo: Vec3, ior: f64) -> f64 {
 /// fraction `reflectance` of the light is reflected. `None` if `wo` is in the plane of the surface.
 ///
 /// Chapter: stages/book/src/part4/task1.md
+///
+/// See it: `cargo grader picture part4.task1`.
 pub fn mirror_sample(reflectance: Spectrum, wo: Vec3) -> Option<BsdfSample> {
     // BEGIN SOLUTION(part4.task1)
     let wi = reflect(wo);
@@ -80,6 +86,8 @@ pub fn mirror_sample(reflectance: Spectrum, wo: Vec3) -> Option<BsdfSample> {
 /// (Veach, "Robust Monte Carlo methods for light transport simulation", 1997, section 5.2). On the
 /// way into a body and out of it the factors cancel. `None` if [`refract`] returns `None`: that
 /// light is lost.
+///
+/// See it: `cargo grader picture part4.task1`.
 pub fn refraction_sample(transmittance: Spectrum, ior: f64, wo: Vec3) -> Option<BsdfSample> {
     // BEGIN SOLUTION(part4.task1)
     let wi = refract(wo, ior)?;
@@ -104,6 +112,8 @@ pub fn refraction_sample(transmittance: Spectrum, ior: f64, wo: Vec3) -> Option<
 /// F, otherwise refraction with the `pdf` 1 - F. So a path continues in one direction only, and F
 /// cancels in `f · |cos θi| / pdf`. With total internal reflection F = 1. `None` if `wo` is in the
 /// plane of the surface.
+///
+/// See it: `cargo grader picture part4.task1`.
 pub fn glass_sample(
     reflectance: Spectrum,
     transmittance: Spectrum,

@@ -22,6 +22,8 @@ use kit::{Hit, PrimId, Ray, Sphere};
 /// - A tangent ray hits the sphere once. A ray that starts on the surface hits it at `t = 0`.
 /// - `r = 0` is a point, which is hit by a ray that passes exactly through it. `r < 0`, `r` NaN and
 ///   `d = 0` are misses.
+///
+/// See it: `cargo grader picture part1.task4`.
 #[inline]
 pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
     // BEGIN SOLUTION(part1.task4)
@@ -39,6 +41,8 @@ pub fn test_sphere(s: &Sphere, ray: &Ray) -> Option<f64> {
 /// `n` and `ng` are the unit vector from the centre to the hit point: outward, also if the ray
 /// starts inside. `p` is the centre plus `r` times that vector, which projects `o + t·d` back onto
 /// the surface. `uv` is (0, 0). For `r = 0` the normal is `-d`, normalised.
+///
+/// See it: `cargo grader picture part1.task4`.
 pub fn intersect_sphere(s: &Sphere, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task4)
     let t = test_sphere(s, ray)?;

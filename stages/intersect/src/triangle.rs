@@ -19,6 +19,8 @@ use kit::{Hit, PrimId, Ray, Triangle, TriangleHit};
 ///
 /// - A triangle without area and a ray in the plane of the triangle are misses.
 /// - A vertex or a ray with a NaN or an infinite coordinate is a miss. `d = 0` is a miss.
+///
+/// See it: `cargo grader picture part1.task3`.
 #[inline]
 pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
     // BEGIN SOLUTION(part1.task3)
@@ -70,6 +72,8 @@ pub fn test_triangle(tri: &Triangle, ray: &Ray) -> Option<TriangleHit> {
 /// - `n` is `b0·n0 + b1·n1 + b2·n2`, normalised. If the three cancel, or one is not finite, it is
 ///   `ng`. Neither normal is flipped towards the ray.
 /// - `uv` is `(b1, b2)`.
+///
+/// See it: `cargo grader picture part1.task3`.
 pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<Hit> {
     // BEGIN SOLUTION(part1.task3)
     let hit = test_triangle(tri, ray)?;
@@ -84,6 +88,8 @@ pub fn intersect_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray) -> Option<H
 /// Chapter: stages/book/src/part1/task3.md
 ///
 /// This is for callers that test many triangles first and need the record of only one of them.
+///
+/// See it: `cargo grader picture part1.task3`.
 pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleHit) -> Hit {
     // BEGIN SOLUTION(part1.task3)
     let TriangleHit { t, b1, b2 } = hit;

@@ -20,6 +20,8 @@ use kit::{Camera, Ray, Vec2};
 /// The two angles are independent: each axis has its own tangent. The centre of the film is exactly
 /// on the -z axis. A field of view of 180 degrees, or slightly less, still gives a finite ray: half
 /// of it is not exactly π/2 in floating point, so its tangent is large (1.6e16) but finite.
+///
+/// See it: `cargo grader picture part1.task2`.
 pub fn generate_ray(camera: &Camera, sensor: Vec2) -> Ray {
     // BEGIN SOLUTION(part1.task2)
     let half_width = tan((0.5 * camera.h_fov).to_radians());

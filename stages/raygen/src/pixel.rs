@@ -20,6 +20,8 @@ use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
 /// - `ns_aa == 0`: no rays. The estimate is black with 0 samples, not 0/0.
 ///
 /// A pixel outside the film is valid: the camera generates rays beyond the film as well.
+///
+/// See it: `cargo grader picture part1.task1`.
 pub fn raytrace_pixel(
     x: u32,
     y: u32,

@@ -2,6 +2,7 @@
 
 use grader::course::{Course, Part, Task, stages_of};
 use grader::error::GraderError;
+use grader::picture::file_stem;
 use grader::sources::defines_function;
 use judge::Tier;
 use std::collections::BTreeSet;
@@ -30,13 +31,12 @@ pub fn write(course: &Course, part: u32, files: &Files) -> Result<String, Grader
         .iter()
         .flat_map(|line| ["- ", line, "\n"])
         .collect();
+    let first_task = here.tasks.first().map_or("all", |task| &task.key);
     Ok(TEMPLATE
         .replace("{part}", &part.to_string())
         .replace("{given}", &given(course, part))
-        .replace(
-            "{first_task}",
-            here.tasks.first().map_or("all", |task| &task.key),
-        )
+        .replace("{first_task}", first_task)
+        .replace("{first_stem}", &file_stem(first_task))
         .replace("{tasks}", &tasks)
         .replace("{ungraded}", &ungraded(course, part, files))
         .replace("{conventions}", &conventions)

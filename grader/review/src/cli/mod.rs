@@ -1,4 +1,5 @@
 //! The commands: their arguments, and the functions that run them.
 
 pub(crate) mod bless;
+pub(crate) mod look;
 pub(crate) mod review;

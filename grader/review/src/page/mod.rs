@@ -1,9 +1,10 @@
 //! Writes the review as one HTML page.
 
 mod case_text;
-mod pictures;
+pub(crate) mod pictures;
 mod rows;
 mod snapshots;
+pub(crate) mod words;
 
 use super::case::{Case, State};
 use super::{Author, Review};
@@ -13,8 +14,8 @@ use pages::html::escape;
 use std::fmt::Write;
 
 const TEMPLATE: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("page.js");
+pub(crate) const STYLE: &str = include_str!("page.css");
+pub(crate) const SCRIPT: &str = include_str!("page.js");
 
 /// Formats the page.
 pub fn write(review: &Review, author: &Author) -> String {
@@ -26,7 +27,12 @@ pub fn write(review: &Review, author: &Author) -> String {
     let mut pictures = String::new();
     for case in changed.into_iter().chain(same) {
         if let Some(picture) = &case.picture {
-            pictures.push_str(&pictures::article(case, picture));
+            pictures.push_str(&pictures::article(
+                case,
+                picture,
+                &case_text::describe(case),
+                &words::REVIEW,
+            ));
         }
     }
     if pictures.is_empty() {

@@ -135,10 +135,6 @@ class Picture {
     for (const button of article.querySelectorAll("button[data-cause]")) {
       button.addEventListener("click", () => this.next(Number(button.dataset.cause)));
     }
-    const slider = article.querySelector("input[type=range]");
-    const slide = () => this.screens[0].style.setProperty("--at", `${slider.value}%`);
-    slider.addEventListener("input", slide);
-    slide();
   }
 
   clicked(screen, event) {
@@ -264,14 +260,12 @@ class Picture {
     }
     const swatches = ["golden", "actual"].map((who) => element("td", {}, this.swatch(who, x, y)));
     body.append(element("tr", {}, element("th", {}, "colour"), ...swatches));
-    const head = Object.keys(records).map((who) => element("th", { scope: "col" }, who));
+    const { words } = this.data;
+    const head = Object.keys(records).map((who) => element("th", { scope: "col" }, words[who]));
     const short = golden && golden.length < records.actual.length && golden.length > 0;
     let note = "Answers";
-    if (short) note = "– is not stored: the golden has the main fields of this pixel.";
-    if (!golden) {
-      const instead = records.exact ? "compare with the exact oracle's record." : "only its colour is known.";
-      note = `The golden stores rows for a sample of the pixels, and none for this one: ${instead}`;
-    }
+    if (short) note = words.short;
+    if (!golden) note = records.exact ? words.instead : words.onlyColour;
     return element("table", { class: "record" }, element("caption", { class: "note" }, note), element("thead", {}, element("tr", {}, element("td"), ...head)), body);
   }
 
@@ -280,7 +274,7 @@ class Picture {
     const { width, height } = this.data;
     const size = 40;
     const image = this.article.querySelector(`img[data-who=${who}]`);
-    const made = element("span", { class: "swatch", role: "img", "aria-label": `colour of the ${who} pixel` });
+    const made = element("span", { class: "swatch", role: "img", "aria-label": `colour of the ${this.data.words[who]} pixel` });
     made.style.backgroundImage = `url(${image.src})`;
     made.style.backgroundSize = `${width * size}px ${height * size}px`;
     made.style.backgroundPosition = `${-x * size}px ${-(height - 1 - y) * size}px`;
@@ -289,11 +283,12 @@ class Picture {
 
   oracle(call) {
     if (!this.causes[call]) return [];
+    const { words } = this.data;
     const wrong = this.data.wrong[call];
-    if (wrong) return [element("p", { class: "bad" }, `The exact oracle refutes the actual answer: ${wrong.join(", ")}.`)];
+    if (wrong) return [element("p", { class: "bad" }, `${words.refuted}: ${wrong.join(", ")}.`)];
     const open = this.data.notJudged[call];
-    if (open) return [element("p", { class: "open" }, `The exact oracle does not judge all of the actual answer. Not judged: ${open.join("; ")}.`)];
-    return [element("p", { class: "good" }, "The exact oracle confirms the actual answer.")];
+    if (open) return [element("p", { class: "open" }, `${words.open}: ${open.join("; ")}.`)];
+    return [element("p", { class: "good" }, words.confirmed)];
   }
 
   boxes(x, y) {
@@ -318,6 +313,14 @@ class Picture {
   light(box, on) {
     for (const wire of this.article.querySelectorAll(`.box[data-box="${box}"]`)) wire.classList.toggle("chosen", on);
   }
+}
+
+/** The sliders between two pictures that are one on top of the other. */
+for (const slider of document.querySelectorAll(".slider input")) {
+  const screen = slider.closest("figure").querySelector(".screen");
+  const slide = () => screen.style.setProperty("--at", `${slider.value}%`);
+  slider.addEventListener("input", slide);
+  slide();
 }
 
 const pictures = new Map();

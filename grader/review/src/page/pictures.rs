@@ -1,7 +1,7 @@
 //! The pictures of the page, and their data for the page's script.
 
-use super::case_text;
 use super::rows::rows;
+use super::words::Words;
 use crate::case::Case;
 use crate::cause::Cause;
 use crate::picture::{Picture, Pixels};
@@ -12,13 +12,10 @@ use serde_json::json;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Formats a case with its picture.
-pub(super) fn article(case: &Case, picture: &Picture) -> String {
+/// Formats a case with its picture, below the HTML `about` it.
+pub(crate) fn article(case: &Case, picture: &Picture, about: &str, words: &Words) -> String {
     let id = escape(&case.path());
-    let mut text = format!(
-        "<article class=\"case picture\" id=\"{id}\">\n<h3>{id}</h3>\n{}",
-        case_text::describe(case)
-    );
+    let mut text = format!("<article class=\"case picture\" id=\"{id}\">\n<h3>{id}</h3>\n{about}");
     let image = |who: &str, picture: &Image| {
         format!(
             "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
@@ -33,9 +30,10 @@ pub(super) fn article(case: &Case, picture: &Picture) -> String {
     let _ = write!(
         text,
         "<div class=\"panels\">\n<figure>{screen}{}{}<span class=\"seam\"></span>{overlay}</div>\n\
-         <label class=\"slider\">golden <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"how much of the golden picture is shown\"> actual</label></figure>\n",
+         {}</figure>\n",
         image("golden", &picture.golden),
         image("actual", &picture.actual),
+        slider(words),
     );
     match &picture.pixels {
         None => text.push_str("<p class=\"bad\">The two pictures differ in size, so their pixels cannot be compared.</p>\n</div>\n"),
@@ -48,7 +46,7 @@ pub(super) fn article(case: &Case, picture: &Picture) -> String {
                  <script type=\"application/json\">{}</script>\n",
                 image("difference", &pixels.difference),
                 legend(pixels),
-                json_in_script(&data(case, picture, pixels).to_string()),
+                json_in_script(&data(case, picture, pixels, words).to_string()),
             );
         }
     }
@@ -61,6 +59,14 @@ pub(super) fn article(case: &Case, picture: &Picture) -> String {
     }
     text.push_str("</article>\n");
     text
+}
+
+/// The slider between two pictures that are one on top of the other.
+pub(crate) fn slider(words: &Words) -> String {
+    let Words { golden, actual, .. } = words;
+    format!(
+        "<label class=\"slider\">{golden} <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"how much of the {golden} picture is shown\"> {actual}</label>"
+    )
 }
 
 fn legend(pixels: &Pixels) -> String {
@@ -84,7 +90,7 @@ fn legend(pixels: &Pixels) -> String {
 }
 
 /// The data of a picture for the script.
-fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
+fn data(case: &Case, picture: &Picture, pixels: &Pixels, words: &Words) -> serde_json::Value {
     let [width, height] = picture.actual.size();
     let causes: Vec<u8> = pixels.causes.iter().map(|cause| *cause as u8).collect();
     let mut labels = vec![Cause::Same.label()];
@@ -97,6 +103,7 @@ fn data(case: &Case, picture: &Picture, pixels: &Pixels) -> serde_json::Value {
         "width": width,
         "height": height,
         "labels": labels,
+        "words": words,
         "causes": base64(&causes),
         "question": pixels.question,
         "golden": json!({

@@ -19,7 +19,7 @@ fn a_click_on_a_pixel_shows_its_ray_records_and_box_tests() {
     let text = page::write(&review, &Author::Reference);
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("review.html");
-    std::fs::write(&file, text.expect("the page is written")).expect("the file is written");
+    std::fs::write(&file, text).expect("the file is written");
     let address = format!("file://{}", file.display());
 
     browser.open(&address);

@@ -1,5 +1,5 @@
 //! Renders the pictures of tasks: a file for each stage, with given code for all that is not the
-//! stage's own. [`Eye`] generates the rays, [`panel`] calls a function for each pixel.
+//! stage's own. `Eye` generates the rays, `panel` calls a function for each pixel.
 
 #[cfg(feature = "adaptive")]
 mod adaptive;
@@ -7,6 +7,14 @@ mod adaptive;
 mod boxes;
 #[cfg(feature = "direct")]
 mod direct;
+#[cfg(any(
+    feature = "intersect",
+    feature = "bbox",
+    feature = "direct",
+    feature = "global",
+    feature = "adaptive"
+))]
+mod eye;
 #[cfg(any(feature = "global", feature = "adaptive"))]
 mod given_light;
 #[cfg(feature = "direct")]
@@ -26,8 +34,17 @@ mod specular;
 #[cfg(feature = "meshes")]
 mod traversal;
 
-use kit::{Camera, Mat3, Ray, Vec3, camera::half_tan};
-use wire::picture::{PictureAnswer, PictureWork, Subject, View};
+#[cfg(any(
+    feature = "intersect",
+    feature = "bbox",
+    feature = "direct",
+    feature = "global",
+    feature = "adaptive"
+))]
+use eye::Eye;
+#[cfg(any(feature = "intersect", feature = "raygen", feature = "bvh"))]
+use kit::Vec3;
+use wire::picture::{PictureAnswer, PictureWork, Subject};
 
 /// Renders a picture on the linked stage.
 pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
@@ -105,6 +122,14 @@ pub(crate) fn picture(work: &PictureWork) -> Result<PictureAnswer, String> {
 type Panel = Vec<[f32; 3]>;
 
 /// A panel of `size` pixels: calls `colour` with the column and the row of each.
+#[cfg(any(
+    feature = "raygen",
+    feature = "intersect",
+    feature = "bbox",
+    feature = "direct",
+    feature = "global",
+    feature = "adaptive"
+))]
 fn panel(size: [u32; 2], mut colour: impl FnMut(u32, u32) -> [f64; 3]) -> Panel {
     let pixels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y)));
     let each = pixels.enumerate().map(|(i, (x, y))| {
@@ -129,43 +154,6 @@ fn two_panels(size: [u32; 2], mut colours: impl FnMut(u32, u32) -> [[f64; 3]; 2]
         first
     });
     vec![first, second]
-}
-
-/// Generates the rays of a [`View`].
-struct Eye {
-    position: Vec3,
-    to_world: Mat3,
-    /// Tangents of half the horizontal and the vertical field of view.
-    half: [f64; 2],
-    size: [f64; 2],
-}
-
-impl Eye {
-    fn new(view: &View, size: [u32; 2]) -> Eye {
-        let [position, target] = [view.eye, view.target].map(Vec3::from);
-        let size = size.map(f64::from);
-        let half = half_tan(view.h_fov);
-        Eye {
-            position,
-            to_world: Camera::look_at(position, target, Vec3::Y)
-                .expect("no picture looks along +y"),
-            half: [half, half * size[1] / size[0]],
-            size,
-        }
-    }
-
-    /// The ray through the point `x`, `y` of the panel, in pixels from the bottom left.
-    fn ray(&self, x: f64, y: f64) -> Ray {
-        let [right, up] = [(x, 0), (y, 1)]
-            .map(|(place, axis)| (2.0 * place / self.size[axis] - 1.0) * self.half[axis]);
-        let d = self.to_world * Vec3::new(right, up, -1.0);
-        Ray::new(self.position, d.normalize())
-    }
-
-    /// The ray through the centre of a pixel.
-    fn through(&self, x: u32, y: u32) -> Ray {
-        self.ray(f64::from(x) + 0.5, f64::from(y) + 0.5)
-    }
 }
 
 /// The colour of a normal: each component mapped from -1..1 to 0..1.

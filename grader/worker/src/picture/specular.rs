@@ -74,7 +74,7 @@ fn through_glass(centre: Vec3, n: Vec3, d: Vec3) -> Spectrum {
             let Some(sample) = glass(frame.to_local(-d), choice) else {
                 return Spectrum::BLACK;
             };
-            throughput = throughput * sample.weight();
+            throughput *= sample.weight();
             d = frame.to_world(sample.wi);
             if d.dot(n) > 0.0 {
                 return throughput * surroundings(centre + n, d);

@@ -1,0 +1,48 @@
+//! The command `grader look`: writes a page for students and opens it.
+
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use grader::cli::Verdict;
+use grader::cli::picture::{task_argument, task_of};
+use grader::compile::BuildRoot;
+use grader::course::Course;
+use grader::error::GraderError;
+use grader::grade;
+use grader::picture::file_stem;
+use grader::report::write_whole;
+use grader::workspace::Workspace;
+use judge::cases;
+use review::look::{Look, browser, page};
+use std::path::Path;
+
+pub(crate) fn command() -> Command {
+    Command::new("look")
+        .about("Shows what is wrong in a task: writes a page with pictures and rays, and opens it in the browser")
+        .arg(task_argument())
+        .arg(
+            Arg::new("no-open")
+                .long("no-open")
+                .action(ArgAction::SetTrue)
+                .help("Write the page without opening it"),
+        )
+}
+
+pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let workspace = Workspace::above(Path::new("."))?;
+    let course = Course::read(&workspace)?;
+    let task = task_of(matches, &workspace, &course)?;
+    let specs = cases::all(0);
+    let workers = grade::workers(&BuildRoot::of(&workspace), &[task], &specs, false)?;
+    let look = Look::of(&workspace, &course, task, &specs, &workers)?;
+    let out = workspace.for_students(&format!("{}.html", file_stem(&task.key)))?;
+    write_whole(&out, page::write(&look).as_bytes())?;
+    println!("{}: {}", task.key, page::summary(&look));
+    println!("page: {}", workspace.relative(&out).display());
+    if !matches.get_flag("no-open") && !browser::open(&out) {
+        println!("(found no browser here: open the page yourself)");
+    }
+    Ok(if look.is_full() {
+        Verdict::Passed
+    } else {
+        Verdict::Failed
+    })
+}

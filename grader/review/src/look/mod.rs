@@ -1,0 +1,115 @@
+//! `grader look`: a page for students, with what is wrong in one task, and where.
+//!
+//! [`Look::of`] runs the cases of the task and compares its pictures, [`page`] formats them,
+//! [`figure`] draws the worst ray of a case, [`browser`] opens the page.
+
+pub mod browser;
+mod figure;
+pub mod page;
+
+use crate::case::Case;
+use grader::course::{Course, Task};
+use grader::diagnosis::{self, Diagnosis};
+use grader::error::GraderError;
+use grader::grade;
+use grader::picture::{self, Rendered};
+use grader::score::{CaseResult, Status, TaskResult};
+use grader::signature::Signature;
+use grader::worker_set::WorkerSet;
+use grader::workspace::Workspace;
+use judge::cases::Spec;
+use judge::tally::Finding;
+use wire::Answer;
+
+/// What a student sees of one task.
+#[derive(Clone, Debug)]
+pub struct Look {
+    /// The scores.
+    pub result: TaskResult,
+    /// The known mistake that explains the wrong answers, if there is one.
+    pub diagnosis: Option<Diagnosis>,
+    /// The task's picture, if it has one.
+    pub picture: Option<Rendered>,
+    /// The cases that lost points, in the order of the course.
+    pub failed: Vec<FailedCase>,
+}
+
+/// A case that lost points.
+#[derive(Clone, Debug)]
+pub struct FailedCase {
+    /// Its score and findings.
+    pub result: CaseResult,
+    /// The worst ray, drawn as SVG, if the case is about single shapes.
+    pub figure: Option<String>,
+    /// The comparison with the golden picture, if the case makes a picture.
+    pub picture: Option<Case>,
+}
+
+impl Look {
+    /// Runs the cases of `task` in `workers`.
+    pub fn of(
+        workspace: &Workspace,
+        course: &Course,
+        task: &Task,
+        specs: &[Spec],
+        workers: &WorkerSet,
+    ) -> Result<Look, GraderError> {
+        let Some(of_stage) = workers.workers(&task.stage) else {
+            return Err(GraderError::new(format!(
+                "`{}` does not compile: the compiler's messages are above",
+                task.stage
+            )));
+        };
+        let chosen = grade::chosen(&[task], specs)?;
+        let endings = of_stage.run(&chosen, &mut String::new())?;
+        let result = grade::score_tasks(course, &[task], &chosen, &endings)?.pop();
+        let result =
+            result.ok_or_else(|| GraderError::new("the task was graded without a result"))?;
+        let mut failed = Vec::new();
+        let cases = result.cases.iter().zip(&chosen).zip(&endings);
+        for ((case, spec), ending) in cases {
+            if matches!(case.status, Status::Passed | Status::NotAttempted) {
+                continue;
+            }
+            let answer = grade::answered(&task.key, ending, course)?.ok();
+            let picture = match answer.filter(|_| spec.picture.is_some()) {
+                Some(answer) => {
+                    let together = &workers.whole_scene;
+                    Some(Case::of(workspace, spec, case.tier, answer, together)?)
+                }
+                None => None,
+            };
+            failed.push(FailedCase {
+                result: case.clone(),
+                figure: answer.and_then(|answer| worst_ray(case, spec, answer)),
+                picture,
+            });
+        }
+        let diagnosis = match result.status {
+            Status::Passed | Status::NotAttempted => None,
+            _ => {
+                let known = diagnosis::known(workspace, &task.key)?;
+                diagnosis::diagnose(&known, &Signature::of(&result.cases))
+            }
+        };
+        Ok(Look {
+            diagnosis,
+            picture: picture::render(workspace, course, task, workers)?,
+            failed,
+            result,
+        })
+    }
+
+    /// Whether every core point is earned.
+    pub fn is_full(&self) -> bool {
+        self.result.score >= self.result.max_score
+    }
+}
+
+/// The drawing of the worst ray of a case.
+fn worst_ray(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> {
+    let wrong = case.findings.iter().filter(|finding| !finding.passed());
+    let worst = wrong.filter_map(|finding: &Finding| finding.worst.as_ref());
+    let call = worst.map(|worst| worst.call).next()?;
+    figure::draw(&spec.work, answer, call as usize)
+}

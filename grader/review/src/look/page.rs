@@ -1,0 +1,345 @@
+//! Writes what a student sees of a task as one HTML page.
+
+use super::{FailedCase, Look};
+use crate::page::pictures::{article, slider};
+use crate::page::words::LOOK;
+use crate::page::{SCRIPT, STYLE};
+use grader::picture::Rendered;
+use grader::report::table::status_text;
+use grader::score::{CaseResult, Status};
+use judge::cases::{PITFALL, checked};
+use judge::pictures::Differences;
+use judge::{Tier, plural};
+use pages::html::{escape, png_data_uri};
+use std::fmt::Write;
+
+const TEMPLATE: &str = include_str!("look.html");
+const OWN_STYLE: &str = include_str!("look.css");
+
+/// How many failed cases of a tier are shown in full. The others are folded.
+const IN_FULL: usize = 6;
+
+/// Formats the page.
+pub fn write(look: &Look) -> String {
+    let mut content = String::new();
+    if let Some(picture) = &look.picture {
+        content.push_str(&task_picture(picture));
+    }
+    let of_tier = |tier| {
+        let failed = look.failed.iter();
+        failed.filter(move |case| case.result.tier == tier)
+    };
+    let core: Vec<&FailedCase> = of_tier(Tier::Core).collect();
+    let extra: Vec<&FailedCase> = of_tier(Tier::Robust).collect();
+    if !core.is_empty() {
+        content.push_str("<h2>What is wrong</h2>\n");
+        content.push_str(&cases(&core));
+    }
+    // Extra credit is for later: textbook code does not get it.
+    if !extra.is_empty() {
+        let _ = write!(
+            content,
+            "<details><summary>Extra credit: {} where textbook formulas fail</summary>\n{}</details>\n",
+            plural(extra.len(), "case", "cases"),
+            cases(&extra)
+        );
+    }
+    content.push_str(&passed(look));
+    let title = format!("{} · First Light", look.result.key);
+    // Inserts our own texts first, because the text of an answer may contain a placeholder.
+    TEMPLATE
+        .replace("<!-- style -->", &format!("{STYLE}{OWN_STYLE}"))
+        .replace("<!-- script -->", SCRIPT)
+        .replace("<!-- title -->", &escape(&title))
+        .replace("<!-- header -->", &header(look))
+        .replace("<!-- content -->", &content)
+}
+
+/// The score in one sentence.
+pub fn summary(look: &Look) -> String {
+    let result = &look.result;
+    match &result.status {
+        Status::NotAttempted => "not written yet".into(),
+        Status::DoesNotCompile => status_text(&result.status),
+        _ if look.is_full() => "right: you have every core point".into(),
+        _ => {
+            let core = |case: &&CaseResult| case.tier == Tier::Core;
+            let all = result.cases.iter().filter(core).count();
+            let wrong = look.failed.iter().map(|case| &case.result).filter(core);
+            format!("{} of {all} cases are wrong", wrong.count())
+        }
+    }
+}
+
+fn header(look: &Look) -> String {
+    let result = &look.result;
+    let percent = 100.0 * result.score / result.max_score.max(f64::MIN_POSITIVE);
+    let mut text = format!(
+        "<p class=\"eyebrow\">First Light · {}</p>\n<h1>{}: {}</h1>\n\
+         <p>{:.2} of {:.2} core points</p>\n<div class=\"bar\"><span style=\"width:{percent:.0}%\"></span></div>\n",
+        escape(&result.key),
+        escape(&result.title),
+        escape(&summary(look)),
+        result.score,
+        result.max_score,
+    );
+    if let Some(diagnosis) = &look.diagnosis {
+        let _ = writeln!(
+            text,
+            "<details><summary>The likely mistake</summary><p>{}: {}.</p><p>{}</p></details>",
+            diagnosis.certainty.label(),
+            escape(&diagnosis.says),
+            escape(&diagnosis.hint)
+        );
+    }
+    text
+}
+
+/// The picture of the task: expected and yours with a slider, and where they differ.
+fn task_picture(rendered: &Rendered) -> String {
+    let image = |who: &str, src: String| format!("<img alt=\"{who} picture\" src=\"{src}\">");
+    let golden = image(LOOK.golden, png_data_uri(&rendered.golden));
+    let about = rendered.picture.panels.iter().map(|kind| kind.about);
+    let about = about.collect::<Vec<_>>().join("; below: ");
+    let about = escape(&about);
+    let (yours, comparison) = match &rendered.yours {
+        Ok(yours) => yours,
+        Err(status) => {
+            return format!(
+                "<section class=\"task\"><h2>Your picture</h2>\n<p class=\"bad\">There is none: {}.</p>\n\
+                 <div class=\"panels\"><figure><div class=\"screen\">{golden}</div><figcaption>Expected. {about}.</figcaption></figure></div></section>\n",
+                escape(&status_text(status))
+            );
+        }
+    };
+    let mut text = format!(
+        "<section class=\"task\"><h2>Your picture</h2>\n<p class=\"about\">{about}.</p>\n<div class=\"panels\">\n\
+         <figure><div class=\"screen\">{golden}{}<span class=\"seam\"></span></div>{}</figure>\n",
+        image(LOOK.actual, png_data_uri(yours)),
+        slider(&LOOK),
+    );
+    if comparison.is_same() {
+        text.push_str("<p class=\"good\">Your picture is as expected.</p>\n");
+    } else {
+        let _ = write!(
+            text,
+            "<figure><div class=\"screen\">{}</div><figcaption>Where yours differs.</figcaption>\n<ul class=\"legend\">",
+            image("difference", png_data_uri(&comparison.difference))
+        );
+        for (kind, marks) in rendered.picture.panels.iter().zip(&comparison.counts) {
+            if rendered.picture.panels.len() > 1 && !marks.is_empty() {
+                let _ = write!(text, "<li class=\"note\">{}:</li>", escape(kind.about));
+            }
+            for (mark, count) in marks {
+                let [r, g, b] = mark.colour();
+                let _ = write!(
+                    text,
+                    "<li><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}: {}</li>",
+                    mark.label(),
+                    plural(*count, "pixel", "pixels")
+                );
+            }
+            if kind.differences == Differences::Choice && !marks.is_empty() {
+                let _ = write!(
+                    text,
+                    "<li class=\"note\">{}: another solution can be as right.</li>",
+                    escape(kind.about)
+                );
+            }
+        }
+        text.push_str("</ul></figure>\n");
+    }
+    text + "</div></section>\n"
+}
+
+fn cases(failed: &[&FailedCase]) -> String {
+    let (full, rest) = failed.split_at(failed.len().min(IN_FULL));
+    let mut text: String = full.iter().map(|case| one_case(case)).collect();
+    if !rest.is_empty() {
+        let _ = writeln!(
+            text,
+            "<details><summary>{}</summary>",
+            plural(rest.len(), "more case", "more cases")
+        );
+        text.extend(rest.iter().map(|case| one_case(case)));
+        text.push_str("</details>\n");
+    }
+    text
+}
+
+fn one_case(failed: &FailedCase) -> String {
+    let case = &failed.result;
+    let about = describe(case);
+    if let Some(case) = &failed.picture
+        && let Some(picture) = &case.picture
+    {
+        return article(case, picture, &about, &LOOK);
+    }
+    let figure = failed.figure.as_ref().map(|svg| {
+        format!(
+            "<div class=\"figure\">{svg}<p class=\"key\"><span class=\"good\">○ expected</span> · <span class=\"bad\">× yours</span> · lines from the hit: normals · dashed: outside of the ray's range</p></div>"
+        )
+    });
+    format!(
+        "<article class=\"case failed\"><div><h3>{}</h3>\n{about}</div>{}</article>\n",
+        escape(&case.name),
+        figure.unwrap_or_default()
+    )
+}
+
+/// What a case tests, and what is wrong.
+fn describe(case: &CaseResult) -> String {
+    let mut text = format!("<p class=\"about\">{}</p>\n", escape(checked(&case.about)));
+    if case.status != Status::Failed {
+        let _ = writeln!(
+            text,
+            "<p class=\"bad\">{}</p>",
+            escape(&status_text(&case.status))
+        );
+    }
+    let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
+    for finding in wrong {
+        let _ = writeln!(
+            text,
+            "<p><strong>{}</strong>: wrong on {} of {}</p>",
+            escape(finding.aspect.label()),
+            finding.wrong,
+            finding.judged.max(finding.expected)
+        );
+        if let Some(worst) = &finding.worst {
+            let _ = writeln!(text, "<p class=\"worst\">{}</p>", escape(&worst.message));
+        }
+    }
+    if let Some((_, pitfall)) = case.about.split_once(PITFALL) {
+        let _ = writeln!(
+            text,
+            "<details><summary>A hint</summary><p>{}</p></details>",
+            escape(pitfall)
+        );
+    }
+    text
+}
+
+/// The names of the cases that passed.
+fn passed(look: &Look) -> String {
+    let cases = look.result.cases.iter();
+    let passed = cases.filter(|case| case.status == Status::Passed);
+    let names: Vec<String> = passed.map(|case| escape(&case.name)).collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<h2>What is right</h2>\n<p class=\"good\">{}</p>\n",
+        names.join(", ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grader::course::Course;
+    use grader::picture;
+    use grader::score::TaskResult;
+    use grader::workspace::Workspace;
+    use judge::tally::{Aspect, Finding, Worst};
+    use pictures::Image;
+    use pictures::difference::compare;
+    use std::path::Path;
+
+    /// Part 1, task 3 with a failed case, and a picture that lacks one pixel.
+    fn look(message: &str) -> Look {
+        let workspace = Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR")))
+            .expect("the crate is in a workspace");
+        let course = Course::read(&workspace).expect("the course is sound");
+        let task = course.tasks().find(|task| task.key == "part1.task3");
+        let task = task.expect("the course has it");
+        let finding = Finding {
+            aspect: Aspect::HitOrMiss,
+            expected: 4,
+            judged: 4,
+            wrong: 3,
+            worst: Some(Worst {
+                call: 1,
+                badness: 1.0,
+                message: message.into(),
+            }),
+            faults: Vec::new(),
+            detectable: None,
+            spread: None,
+            errors: Vec::new(),
+            judged_calls: Vec::new(),
+        };
+        let about = "Rays from behind. Pitfall: culling.";
+        let right = Finding {
+            wrong: 0,
+            worst: None,
+            ..finding.clone()
+        };
+        let case = |(i, entry)| {
+            let finding = if i == 0 { &finding } else { &right };
+            CaseResult::new(entry, about, Status::Passed, vec![finding.clone()])
+        };
+        let cases: Vec<CaseResult> = task.cases.iter().enumerate().map(case).collect();
+        let failed = FailedCase {
+            result: cases[0].clone(),
+            figure: Some("<svg></svg>".into()),
+            picture: None,
+        };
+        let picture = judge::pictures::of(&task.key).expect("it has a picture");
+        let golden = Image::filled(picture.size(), [90; 3]);
+        let mut yours = golden.clone();
+        yours.set(3, 3, [0; 3]);
+        let comparison = compare(&picture, &golden, &yours);
+        Look {
+            result: TaskResult::new(task, cases),
+            diagnosis: None,
+            picture: Some(picture::Rendered {
+                picture,
+                golden,
+                yours: Ok((yours, comparison)),
+            }),
+            failed: vec![failed],
+        }
+    }
+
+    #[test]
+    fn a_failed_case_has_its_finding_and_its_figure_and_hides_the_hint() {
+        let page = write(&look("your result: miss <here>"));
+        for text in [
+            "Intersecting triangles: 1 of 15 cases are wrong",
+            "<h3>front_face</h3>\n<p class=\"about\">Rays from behind.</p>",
+            "<strong>hit or miss</strong>: wrong on 3 of 4",
+            "your result: miss &lt;here&gt;",
+            "<div class=\"figure\"><svg></svg>",
+            "<details><summary>A hint</summary><p>culling.</p></details>",
+            "miss where there is a surface: 1 pixel",
+        ] {
+            assert!(page.contains(text), "no {text:?}");
+        }
+        assert!(page.find("What is wrong") < page.find("What is right"));
+    }
+
+    #[test]
+    fn a_full_task_says_what_is_right_and_nothing_is_wrong() {
+        let mut full = look("");
+        full.failed.clear();
+        full.result.score = full.result.max_score;
+        let page = write(&full);
+        assert!(page.contains("right: you have every core point"));
+        assert!(!page.contains("What is wrong") && page.contains("back_face"));
+    }
+
+    #[test]
+    fn the_page_loads_no_other_files() {
+        let page = write(&look("src=x"));
+        for outside in ["https://", "src=\"/", "href=\"/", "@import", "url(/"] {
+            assert!(!page.contains(outside), "{outside}");
+        }
+        // The namespace of SVG is not loaded.
+        let addresses = page.matches("http://").count();
+        assert_eq!(
+            addresses,
+            page.matches("http://www.w3.org/2000/svg").count()
+        );
+    }
+}

@@ -2,7 +2,7 @@
 
 use grader::course::{Course, Part, Task, stages_of};
 use grader::error::GraderError;
-use grader::sources::defines_function;
+use grader::sources::{defines_function, holes};
 use judge::Tier;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -101,11 +101,7 @@ fn ungraded(course: &Course, part: u32, files: &Files) -> String {
         let folder = Path::new("stages").join(&task.stage).join("src");
         for (path, contents) in files.iter().filter(|(path, _)| path.starts_with(&folder)) {
             let code = String::from_utf8_lossy(contents);
-            let hole = format!("hole!(\"{}\"", task.key);
-            // The last piece has no hole after it.
-            let mut before = code.split(&hole).collect::<Vec<_>>();
-            before.pop();
-            for before in before {
+            for before in holes(&code, &task.key) {
                 let Some((name, about)) = last_function(before) else {
                     continue;
                 };

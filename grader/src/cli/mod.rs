@@ -229,6 +229,32 @@ mod tests {
     }
 
     #[test]
+    fn a_student_sees_less_by_default_than_an_instructor() {
+        let of = |command: Command, line: &str| {
+            let matches = command.get_matches_from(line.split(' '));
+            grade::hint(&matches)
+        };
+        assert_eq!(of(command(), "grader part1"), HintLevel::Findings);
+        assert_eq!(of(command(), "grader part1 --hint 1"), HintLevel::Cases);
+        let instructor = || grade::arguments(Command::new("grader"), HintLevel::Remedy);
+        assert_eq!(of(instructor(), "grader part1"), HintLevel::Remedy);
+        assert_eq!(
+            of(instructor(), "grader part1 --hint 3"),
+            HintLevel::Mistake
+        );
+    }
+
+    #[test]
+    fn a_call_needs_its_case_and_a_case_its_task() {
+        let error = command().try_get_matches_from(["grader", "part1.task3", "--call", "2"]);
+        let error = error.expect_err("no case").to_string();
+        assert!(error.contains("--case"), "{error}");
+        let matches = command().get_matches_from(["grader", "--case", "range"]);
+        let error = run(&matches).expect_err("no task").to_string();
+        assert!(error.contains("expected the task of the case"), "{error}");
+    }
+
+    #[test]
     fn two_tasks_at_once_are_an_error() {
         let matches = command().get_matches_from(["grader", "part1", "part2"]);
         let error = run(&matches).expect_err("two tasks").to_string();

@@ -50,7 +50,11 @@ pub(super) fn blocks(
         let text = format!("  your code printed {lines}: `--long` shows them");
         out.add(3, 1, &text);
     }
-    out.blocks
+    // Without text there is no blank line before it either.
+    match out.blocks.len() {
+        1 => Vec::new(),
+        _ => out.blocks,
+    }
 }
 
 /// Collects blocks of wrapped text.

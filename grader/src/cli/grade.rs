@@ -4,7 +4,7 @@ use super::{Format, Verdict, case, seed_argument, seed_of, whole_number};
 use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::grade::{self, GradeRequest, Graded};
-use crate::next_task::{self, Known};
+use crate::next_task;
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
 use crate::report::{self, HintLevel, Report, Reveal, TaskReport, worst_test};
@@ -194,11 +194,14 @@ fn next_open_task(
     let mut graded: Vec<&str> = Vec::new();
     loop {
         let known = next_task::known(workspace, &course)?;
-        let pairs = course.tasks().zip(&known);
-        let is_open = |(task, known): &(&Task, &Known)| {
-            !known.is_complete() && !graded.contains(&task.key.as_str())
-        };
-        let open: Vec<&Task> = pairs.filter(is_open).map(|(task, _)| task).collect();
+        let open: Vec<&str> = next_task::open(&known)
+            .map(|known| known.place.key.as_str())
+            .collect();
+        let open = course.tasks().filter(|task| {
+            let key = task.key.as_str();
+            open.contains(&key) && !graded.contains(&key)
+        });
+        let open: Vec<&Task> = open.collect();
         let of_stage = open.iter().filter(|task| task.stage == open[0].stage);
         let mut keys: Vec<&str> = of_stage.map(|task| task.key.as_str()).collect();
         let is_last = keys.is_empty();

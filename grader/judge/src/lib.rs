@@ -60,9 +60,9 @@ pub fn judge(spec: &Spec, tier: Tier, answer: &Answer) -> Vec<Finding> {
     judge_in(Tally::default(), spec, tier, answer).0
 }
 
-/// As [`judge`], with every wrong answer: one for each wrong aspect of each call, in the order of the
-/// calls. Those that are wrong as a whole (a distribution, the work of a tree) are listed at one
-/// call.
+/// As [`judge`], with every wrong answer: one for each wrong aspect of each call, in the order of
+/// the calls. Those that are wrong as a whole (a distribution, the work of a tree) are listed at
+/// one call.
 pub fn judge_each(spec: &Spec, tier: Tier, answer: &Answer) -> (Vec<Finding>, Vec<WrongAnswer>) {
     let (findings, mut wrong) = judge_in(Tally::with_messages(), spec, tier, answer);
     wrong.retain(|wrong| is_about(spec, wrong.aspect));

@@ -26,8 +26,8 @@ impl Known {
 
     /// Whether the last result has every core point and its code is still the same.
     ///
-    /// A task is [open](open()) unless this is known: if a function of it is still a hole, if it was never
-    /// graded, if it lost points, or if a file of its stage changed since.
+    /// A task is [open](open()) unless this is known: if a function of it is still a hole, if it
+    /// was never graded, if it lost points, or if a file of its stage changed since.
     pub fn is_complete(&self) -> bool {
         let full = self.last.as_ref().is_some_and(TaskScore::is_complete);
         full && !self.changed

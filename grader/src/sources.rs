@@ -49,8 +49,8 @@ pub fn paths(root: &Path, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
     Ok(files)
 }
 
-/// Reads all Rust files of `stage` in the workspace `root`, sorted by path. Bytes that are not UTF-8 are replaced: the
-/// compiler reports them.
+/// Reads all Rust files of `stage` in the workspace `root`, sorted by path. Bytes that are not
+/// UTF-8 are replaced: the compiler reports them.
 pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
     let read = |path: PathBuf| {
         let bytes = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;

@@ -88,8 +88,8 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     Ok(text)
 }
 
-/// A sentence about each function with a hole that no task lists: it is not graded, but the renderer
-/// needs it.
+/// A sentence about each function with a hole that no task lists: it is not graded, but the
+/// renderer needs it.
 fn ungraded(course: &Course, part: u32, files: &Files) -> String {
     let mut text = String::new();
     for task in course

@@ -26,7 +26,8 @@ pub struct CompileErrors {
     /// The crates that have errors. Crates that depend on them were not built.
     pub failed_crates: BTreeSet<String>,
     /// The compiler's messages, but instead of those about the worker what they mean for the stage,
-    /// if the worker links one stage. They were also printed to stderr unless the build is quiet or sealed.
+    /// if the worker links one stage. They were also printed to stderr unless the build is quiet or
+    /// sealed.
     pub messages: String,
     /// The compiler's messages about the worker itself: a stage's functions do not fit its calls.
     worker_messages: String,

@@ -113,8 +113,8 @@ impl Course {
         stages_of(self.tasks())
     }
 
-    /// The tasks that `what` selects: `all`, a part such as `part2`, a task such as `part2.task3`, or
-    /// several of these with commas between them.
+    /// The tasks that `what` selects: `all`, a part such as `part2`, a task such as `part2.task3`,
+    /// or several of these with commas between them.
     pub fn select(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
         let mut chosen: Vec<&Task> = Vec::new();
         for what in what.split(',') {

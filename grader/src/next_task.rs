@@ -26,8 +26,8 @@ impl Known {
 
     /// Whether the last result has every core point and its code is still the same.
     ///
-    /// A task is open unless this is known: if a function of it is still a hole, if it was never
-    /// graded, if it lost points, or if a file of its stage changed since.
+    /// A task is [open](open()) unless this is known: if a function of it is still a hole, if it
+    /// was never graded, if it lost points, or if a file of its stage changed since.
     pub fn is_complete(&self) -> bool {
         let full = self.last.as_ref().is_some_and(TaskScore::is_complete);
         full && !self.changed
@@ -57,11 +57,29 @@ pub fn known(workspace: &Workspace, course: &Course) -> Result<Vec<Known>, Grade
     Ok(known.collect())
 }
 
+/// The open tasks of `known`, in order.
+pub fn open(known: &[Known]) -> impl Iterator<Item = &Known> {
+    let is_open = |task: &&Known| !task.is_complete() && !is_given(known, task.part_key());
+    known.iter().filter(is_open)
+}
+
 /// The first open task of `known` that is none of `but`.
 pub fn first_open<'a>(known: &'a [Known], but: &[&Task]) -> Option<&'a Place> {
-    let mut open = known.iter().filter(|known| !known.is_complete());
-    let open = open.find(|known| but.iter().all(|task| task.key != known.place.key));
-    open.map(|known| &known.place)
+    let mut places = open(known).map(|known| &known.place);
+    places.find(|place| but.iter().all(|task| task.key != place.key))
+}
+
+/// Whether the handout contains the course's own solution of a part: none of the part's tasks has a
+/// hole or was ever graded, and a task of a later part has a hole. In the full course no task has
+/// one, so none of its parts is given.
+pub fn is_given(known: &[Known], part: &str) -> bool {
+    let mut later = known
+        .iter()
+        .rev()
+        .take_while(|task| task.part_key() != part);
+    let mut of_part = known.iter().filter(|task| task.part_key() == part);
+    of_part.all(|task| !task.place.has_hole && task.last.is_none())
+        && later.any(|task| task.place.has_hole)
 }
 
 /// The chapter of the book about a task: `2.1` for `part2.task1`.
@@ -108,6 +126,31 @@ mod tests {
         ] {
             assert_eq!(first(&[full(), open]).as_deref(), Some("b"));
         }
+    }
+
+    #[test]
+    fn parts_that_the_handout_solves_are_not_open() {
+        let hole = |key: &str| {
+            let mut hole = known(key, -1.0, false);
+            hole.place.has_hole = true;
+            hole
+        };
+        let ungraded = |key: &str| known(key, -1.0, false);
+        let first = |known: &[Known]| first_open(known, &[]).map(|place| place.key.clone());
+        let solved = [ungraded("part1.task1"), ungraded("part1.task2")];
+        let [one, two] = solved.clone();
+        assert_eq!(first(&solved).as_deref(), Some("part1.task1"));
+        let later = [one.clone(), two.clone(), hole("part2.task1")];
+        assert_eq!(first(&later).as_deref(), Some("part2.task1"));
+        // Written by the student, who graded a part of it or left some of it.
+        let graded = [
+            one.clone(),
+            known("part1.task2", 5.0, false),
+            hole("part2.task1"),
+        ];
+        assert_eq!(first(&graded).as_deref(), Some("part1.task1"));
+        let half = [one, hole("part1.task2"), hole("part2.task1")];
+        assert_eq!(first(&half).as_deref(), Some("part1.task1"));
     }
 
     #[test]

@@ -49,8 +49,8 @@ pub fn paths(root: &Path, stage: &str) -> Result<Vec<PathBuf>, GraderError> {
     Ok(files)
 }
 
-/// Reads all Rust files of `stage` in the workspace `root`, sorted by path. Bytes that are not UTF-8 are replaced: the
-/// compiler reports them.
+/// Reads all Rust files of `stage` in the workspace `root`, sorted by path. Bytes that are not
+/// UTF-8 are replaced: the compiler reports them.
 pub fn read(root: &Path, stage: &str) -> Result<Vec<SourceFile>, GraderError> {
     let read = |path: PathBuf| {
         let bytes = std::fs::read(&path).map_err(|e| GraderError::file("read", &path, e))?;
@@ -95,17 +95,22 @@ pub fn defines_function(text: &str, name: &str) -> bool {
     start_of(text, name).is_some()
 }
 
-/// Whether the code in `text` has a `hole!` or an `untouched!` of the task `key`. Comments do not
-/// count: the full course has the stubs of its handouts in comments.
+/// Whether the code in `text` has a `hole!` or an `untouched!` of the task `key`.
 pub fn has_hole(text: &str, key: &str) -> bool {
-    let code = text.lines().filter(|line| !line.trim().starts_with("//"));
-    let code: String = code.flat_map(|line| [line, "\n"]).collect();
+    holes(text, key).next().is_some()
+}
+
+/// The code in front of the key in each `hole!` or `untouched!` of the task `key`. Comments do not
+/// count: the full course has the stubs of its handouts in comments.
+pub fn holes<'a>(text: &'a str, key: &str) -> impl Iterator<Item = &'a str> {
     let quoted = format!("\"{key}\"");
-    code.match_indices(&quoted).any(|(at, _)| {
-        let before = code[..at].trim_end();
-        ["hole!(", "untouched!("]
-            .iter()
-            .any(|macro_name| before.ends_with(macro_name))
+    let places: Vec<usize> = text.match_indices(&quoted).map(|(at, _)| at).collect();
+    let before = places.into_iter().map(|at| &text[..at]);
+    before.filter(|before| {
+        let line = before.rsplit('\n').next().unwrap_or_default();
+        let macros = ["hole!(", "untouched!("];
+        let is_macro = macros.iter().any(|name| before.trim_end().ends_with(name));
+        is_macro && !line.trim_start().starts_with("//")
     })
 }
 

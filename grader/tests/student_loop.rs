@@ -184,6 +184,29 @@ fn a_student_writes_a_task() {
         "{list}"
     );
 
+    // The edit opened both tasks of the stage. Both are graded, and the first that is not complete
+    // is reported.
+    let (bare, _) = run(&course, &[]);
+    assert!(bare.starts_with("part1.task1 "), "{bare}");
+    assert!(!bare.contains("part1.task2"), "{bare}");
+    let (status, _) = run(&course, &["status"]);
+    assert!(!status.contains("before your edit"), "{status}");
+    assert!(status.contains("Next: part1.task1"), "{status}");
+
+    // A call that ends the case does not hide the others.
+    write(&with("if x == 0 { panic!(\"column 0\"); }"));
+    let call = |call| run(&course, &[&one[..4], &[call]].concat()).0;
+    let (panics, others) = (call("0"), call("1"));
+    assert!(
+        panics.contains("  yours      panicked at stages/raygen"),
+        "{panics}"
+    );
+    assert!(
+        panics.contains("  verdict    no answer to judge"),
+        "{panics}"
+    );
+    assert!(others.contains("  verdict    right"), "{others}");
+
     // A changed signature is told in a few lines.
     write(
         &solution

@@ -1,14 +1,14 @@
 //! The command `grader part1`: grades the code in the workspace.
 
 use super::{Format, Verdict, case, seed_argument, seed_of, whole_number};
-use crate::course::Course;
+use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::grade::{self, GradeRequest, Graded};
 use crate::next_task;
 use crate::printed;
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
-use crate::report::{self, HintLevel, Reveal, worst_test};
+use crate::report::{self, HintLevel, Report, Reveal, TaskReport, worst_test};
 use crate::results::{self, Results};
 use crate::sources;
 use crate::workspace::Workspace;
@@ -67,6 +67,7 @@ pub(super) fn student_arguments() -> [Arg; 4] {
         Arg::new("case")
             .long("case")
             .value_name("CASE")
+            .conflicts_with("format")
             .help("Run one case of a task, such as `part1.task3 --case range`, and print its wrong calls"),
         Arg::new("call")
             .long("call")
@@ -182,27 +183,49 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     })
 }
 
-/// Grades the first open task. A task that turns out to be complete (nothing was known of it yet)
-/// is followed by the next one; if there is none, its report is the last.
+/// Grades the first open task. The open tasks of its stage are graded with it in one run, because
+/// an edit of the stage opens all of them; the report is about the first that is not complete. If
+/// all of them turn out to be complete, the next open tasks follow.
 fn next_open_task(
     workspace: &Workspace,
     seed: u64,
     times: bool,
 ) -> Result<(GradeRequest, GradedRun), GraderError> {
     let course = Course::read(workspace)?;
-    let last = course.tasks().last().map(|task| task.key.clone());
+    let mut graded: Vec<&str> = Vec::new();
     loop {
         let known = next_task::known(workspace, &course)?;
-        let open = next_task::first_open(&known, &[]).map(|place| place.key.clone());
-        let what = open.clone().or_else(|| last.clone()).unwrap_or_default();
-        let request = GradeRequest { what, seed };
-        let run = GradedRun::new(workspace, &request, times, false)?;
-        let next = next_task::known(workspace, &course)?;
-        let next = next_task::first_open(&next, &[]).map(|place| &place.key);
-        // What was graded is open still, or everything is complete.
-        if !run.graded.report.is_full() || next.is_none() || next == open.as_ref() {
+        let open: Vec<&str> = next_task::open(&known)
+            .map(|known| known.place.key.as_str())
+            .collect();
+        let open = course.tasks().filter(|task| {
+            let key = task.key.as_str();
+            open.contains(&key) && !graded.contains(&key)
+        });
+        let open: Vec<&Task> = open.collect();
+        let of_stage = open.iter().filter(|task| task.stage == open[0].stage);
+        let mut keys: Vec<&str> = of_stage.map(|task| task.key.as_str()).collect();
+        let is_last = keys.is_empty();
+        if is_last {
+            // Everything is complete: so says the report of the last task.
+            keys.extend(course.tasks().last().map(|task| task.key.as_str()));
+        }
+        let request = GradeRequest {
+            what: keys.join(","),
+            seed,
+        };
+        let mut run = GradedRun::new(workspace, &request, times, false)?;
+        let report = &mut run.graded.report;
+        let incomplete = |task: &TaskReport| task.result.score < task.result.max_score;
+        if let Some(task) = report.tasks.iter().find(|task| incomplete(task)) {
+            let what = task.result.key.clone();
+            *report = Report::new(vec![task.clone()], report.speedups.take());
+            return Ok((GradeRequest { what, seed }, run));
+        }
+        if is_last {
             return Ok((request, run));
         }
+        graded.extend(keys);
     }
 }
 

@@ -1,11 +1,10 @@
 //! The command line of `grader`.
 //!
-//! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single case),
-//! `grader watch`, `grader status`, `grader explain`, `grader picture`. Each other command is a
-//! separate program
-//! (`subprogram`), so that a student who only grades does not have to compile it. This module
-//! contains what they all share: the [`Verdict`], the exit codes ([`run_to_exit_code`]) and common
-//! options.
+//! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
+//! case), `grader watch`, `grader status`, `grader explain`, `grader picture`. Each other command is
+//! a separate program (`subprogram`), so that a student who only grades does not have to compile it.
+//! This module contains what they all share: the [`Verdict`], the exit codes ([`run_to_exit_code`])
+//! and common options.
 
 mod case;
 mod explain;
@@ -241,6 +240,32 @@ mod tests {
             // Not clap's own advice, to write `-- -1`.
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
+    }
+
+    #[test]
+    fn a_student_sees_less_by_default_than_an_instructor() {
+        let of = |command: Command, line: &str| {
+            let matches = command.get_matches_from(line.split(' '));
+            grade::hint(&matches)
+        };
+        assert_eq!(of(command(), "grader part1"), HintLevel::Findings);
+        assert_eq!(of(command(), "grader part1 --hint 1"), HintLevel::Cases);
+        let instructor = || grade::arguments(Command::new("grader"), HintLevel::Remedy);
+        assert_eq!(of(instructor(), "grader part1"), HintLevel::Remedy);
+        assert_eq!(
+            of(instructor(), "grader part1 --hint 3"),
+            HintLevel::Mistake
+        );
+    }
+
+    #[test]
+    fn a_call_needs_its_case_and_a_case_its_task() {
+        let error = command().try_get_matches_from(["grader", "part1.task3", "--call", "2"]);
+        let error = error.expect_err("no case").to_string();
+        assert!(error.contains("--case"), "{error}");
+        let matches = command().get_matches_from(["grader", "--case", "range"]);
+        let error = run(&matches).expect_err("no task").to_string();
+        assert!(error.contains("expected the task of the case"), "{error}");
     }
 
     #[test]

@@ -27,17 +27,22 @@ pub(super) fn run() -> Result<Verdict, GraderError> {
 }
 
 /// A line for each task, the points of each part, and the next step.
-fn format_status(known: &[Known], page: Page) -> String {
+fn format_status(all: &[Known], page: Page) -> String {
     let mut lines = Vec::new();
-    for known in known {
-        lines.push(line(known, page));
+    for known in all {
+        lines.push(line(
+            known,
+            next_task::is_given(all, known.part_key()),
+            page,
+        ));
     }
     lines.push(String::new());
-    let parts = known.chunk_by(|a, b| a.part_key() == b.part_key());
+    let parts = all.chunk_by(|a, b| a.part_key() == b.part_key());
     let parts = parts.map(|part_tasks| {
         let last = || part_tasks.iter().filter_map(|known| known.last.as_ref());
         let name = part_tasks[0].part_key();
         match last().count() {
+            0 if next_task::is_given(all, name) => format!("{name} given"),
             0 => format!("{name} not graded yet"),
             graded => {
                 let sum = |points: fn(f64, f64) -> f64| -> String {
@@ -55,7 +60,7 @@ fn format_status(known: &[Known], page: Page) -> String {
     });
     let parts: Vec<String> = parts.collect();
     lines.extend(wrap_to(&parts.join(", "), 2, page.width, 2));
-    let next = match next_task::first_open(known, &[]) {
+    let next = match next_task::first_open(all, &[]) {
         Some(place) => format!("Next: {}; run `cargo grader`", screen::heading(place)),
         None => "Every task is complete.".into(),
     };
@@ -69,7 +74,7 @@ fn format_status(known: &[Known], page: Page) -> String {
 /// Columns of whether a task is written.
 const WRITTEN: usize = 12;
 
-fn line(known: &Known, page: Page) -> String {
+fn line(known: &Known, is_given: bool, page: Page) -> String {
     let Known {
         place,
         last,
@@ -85,6 +90,7 @@ fn line(known: &Known, page: Page) -> String {
         (true, _) => "holes left",
     };
     let points = match last {
+        None if is_given => "given".to_owned(),
         None => "not graded yet".to_owned(),
         Some(last) => {
             let points = format!("{}/{}", number(last.score), number(last.max_score));

@@ -1,4 +1,5 @@
-//! The command `grader watch`: the desk of [`crate::watch`] is the terminal and the stages' folders.
+//! The command `grader watch`: the desk of [`crate::watch`] is the terminal and the stages'
+//! folders.
 
 use super::Verdict;
 use super::grade::{GradedRun, hint, hint_argument};

@@ -51,7 +51,7 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
             blocks.extend(detail::blocks(task, context, reveal, page));
             blocks.push(score(report, page));
             if task.result.status != Status::NotAttempted {
-                blocks.push(more(task, context, reveal, page));
+                blocks.push(more(task, reveal, page));
             }
         }
         None => {
@@ -196,7 +196,7 @@ fn score(report: &Report, page: Page) -> Block {
 }
 
 /// The command for more.
-fn more(task: &TaskReport, context: &Context, reveal: Reveal, page: Page) -> Block {
+fn more(task: &TaskReport, reveal: Reveal, page: Page) -> Block {
     let mut more = Vec::new();
     // The levels are about the answers; a task without answers has no more to say.
     let has_answers = task
@@ -218,7 +218,7 @@ fn more(task: &TaskReport, context: &Context, reveal: Reveal, page: Page) -> Blo
             task.result.key, case.name
         ));
     }
-    let text = format!("cargo grader {}: {}", context.what, more.join(", "));
+    let text = format!("cargo grader {}: {}", task.result.key, more.join(", "));
     Block {
         rank: 1,
         lines: wrap_to(&text, 2, page.width, 3),

@@ -33,8 +33,8 @@ fn path(workspace: &Workspace, key: &str) -> PathBuf {
     workspace.outputs().join(format!("{name}.rs"))
 }
 
-/// The commands that run the test of `task`, if it has one, in lines that can be pasted into a shell
-/// together. They make the folder for it, which a handout does not have.
+/// The commands that run the test of `task`, if it has one, in lines that can be pasted into a
+/// shell together. They make the folder for it, which a handout does not have.
 pub(super) fn commands(task: &TaskReport) -> Option<[String; 3]> {
     let file = with_slashes(task.test_file.as_ref()?);
     let stage = &task.result.stage;

@@ -3,7 +3,7 @@
 use grader::course::{Course, Part, Task, stages_of};
 use grader::error::GraderError;
 use grader::picture::file_stem;
-use grader::sources::defines_function;
+use grader::sources::{defines_function, holes};
 use judge::Tier;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -88,8 +88,8 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     Ok(text)
 }
 
-/// A sentence about each function with a hole that no task lists: it is not graded, but the renderer
-/// needs it.
+/// A sentence about each function with a hole that no task lists: it is not graded, but the
+/// renderer needs it.
 fn ungraded(course: &Course, part: u32, files: &Files) -> String {
     let mut text = String::new();
     for task in course
@@ -101,11 +101,7 @@ fn ungraded(course: &Course, part: u32, files: &Files) -> String {
         let folder = Path::new("stages").join(&task.stage).join("src");
         for (path, contents) in files.iter().filter(|(path, _)| path.starts_with(&folder)) {
             let code = String::from_utf8_lossy(contents);
-            let hole = format!("hole!(\"{}\"", task.key);
-            // The last piece has no hole after it.
-            let mut before = code.split(&hole).collect::<Vec<_>>();
-            before.pop();
-            for before in before {
+            for before in holes(&code, &task.key) {
                 let Some((name, about)) = last_function(before) else {
                     continue;
                 };

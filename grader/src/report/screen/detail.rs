@@ -48,7 +48,11 @@ pub(super) fn blocks(
     if let Some(printed) = printed::summary(&context.printed) {
         out.add(3, 1, &format!("  {printed}: `--long` shows them"));
     }
-    out.blocks
+    // Without text there is no blank line before it either.
+    match out.blocks.len() {
+        1 => Vec::new(),
+        _ => out.blocks,
+    }
 }
 
 /// Collects blocks of wrapped text.

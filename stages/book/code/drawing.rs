@@ -177,9 +177,15 @@ impl Drawing {
         let mut parts = symbol.split('_');
         let mut text = escape(parts.next().unwrap_or_default());
         for part in parts {
-            let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+            let end = part
+                .find(|c: char| !c.is_alphanumeric())
+                .unwrap_or(part.len());
             let (index, rest) = part.split_at(end);
-            let _ = write!(text, "<tspan dy=\"5\" font-size=\"13\">{}</tspan>", escape(index));
+            let _ = write!(
+                text,
+                "<tspan dy=\"5\" font-size=\"13\">{}</tspan>",
+                escape(index)
+            );
             if !rest.is_empty() {
                 let _ = write!(text, "<tspan dy=\"-5\">{}</tspan>", escape(rest));
             }

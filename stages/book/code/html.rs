@@ -28,10 +28,7 @@ pub fn build(out: &Path) -> Result<(), String> {
     let out = absolute(out)?;
     let mut pictures = BTreeSet::new();
     for (i, chapter) in chapters.iter().enumerate() {
-        let page = Page {
-            chapter,
-            out: &out,
-        };
+        let page = Page { chapter, out: &out };
         let body = page.body(&mut pictures)?;
         let before = i.checked_sub(1).map(|i| &chapters[i]);
         let turn = page.turn(before, chapters.get(i + 1));
@@ -44,10 +41,14 @@ pub fn build(out: &Path) -> Result<(), String> {
              <nav><details><summary>Contents</summary>{contents}</details></nav>\n\
              <main>\n{body}{turn}</main></body></html>\n"
         );
-        write(&out.join(chapter.path.with_extension("html")), text.as_bytes())?;
+        write(
+            &out.join(chapter.path.with_extension("html")),
+            text.as_bytes(),
+        )?;
         if i == 0 {
             let target = page.link_to(&chapter.path);
-            let text = format!("<!doctype html><meta http-equiv=\"refresh\" content=\"0;url={target}\">");
+            let text =
+                format!("<!doctype html><meta http-equiv=\"refresh\" content=\"0;url={target}\">");
             write(&out.join("index.html"), text.as_bytes())?;
         }
     }
@@ -87,12 +88,8 @@ impl Page<'_> {
         let mut heading: Option<(usize, String)> = None;
         for event in Parser::new_ext(text, maths::options()) {
             let event = match event {
-                Event::InlineMath(latex) => {
-                    Event::InlineHtml(maths::mathml(&latex, false)?.into())
-                }
-                Event::DisplayMath(latex) => {
-                    Event::InlineHtml(maths::mathml(&latex, true)?.into())
-                }
+                Event::InlineMath(latex) => Event::InlineHtml(maths::mathml(&latex, false)?.into()),
+                Event::DisplayMath(latex) => Event::InlineHtml(maths::mathml(&latex, true)?.into()),
                 Event::Start(Tag::Link {
                     link_type,
                     dest_url,
@@ -152,7 +149,10 @@ impl Page<'_> {
         let link = |chapter: Option<&Chapter>, left: &str, right: &str| {
             chapter.map_or(String::from("<span></span>"), |chapter| {
                 let target = self.link_to(&chapter.path);
-                format!("<a href=\"{target}\">{left}{}{right}</a>", escaped(&chapter.title))
+                format!(
+                    "<a href=\"{target}\">{left}{}{right}</a>",
+                    escaped(&chapter.title)
+                )
             })
         };
         format!(

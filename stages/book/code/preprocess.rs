@@ -50,7 +50,10 @@ mod tests {
         let input = r#"[{"root": "/"}, {"items": [{"Chapter": {"content": "$a$",
             "sub_items": [{"Chapter": {"content": "$b$", "sub_items": []}}]}}, "Separator"]}]"#;
         let book = run(input).unwrap();
-        assert!(book.contains("<mi>a</mi>") && book.contains("<mi>b</mi>"), "{book}");
+        assert!(
+            book.contains("<mi>a</mi>") && book.contains("<mi>b</mi>"),
+            "{book}"
+        );
         assert!(!book.contains('$') && book.contains("Separator"));
     }
 

@@ -49,7 +49,11 @@ fn chapters() -> Vec<(Task, Chapter)> {
 
 /// The source of the function `name` of `task`: its file and text.
 fn source_of(task: &Task, name: &str) -> (PathBuf, String) {
-    let folder = workspace().root().join("stages").join(&task.stage).join("src");
+    let folder = workspace()
+        .root()
+        .join("stages")
+        .join(&task.stage)
+        .join("src");
     let files = fs::read_dir(&folder).expect("the stage has sources");
     for file in files {
         let path = file.expect("the folder can be read").path();
@@ -73,13 +77,19 @@ fn the_summary_lists_the_chapter_of_each_part_and_task_with_its_title() {
     for part in &course().parts {
         let n = part.number;
         let path = PathBuf::from(format!("part{n}/README.md"));
-        assert_eq!(listed.get(&path), Some(&format!("Part {n}: {}", part.title)));
+        assert_eq!(
+            listed.get(&path),
+            Some(&format!("Part {n}: {}", part.title))
+        );
         for (i, task) in part.tasks.iter().enumerate() {
             let title = format!("Part {n}, Task {}: {}", i + 1, task.title);
             assert_eq!(listed.get(&path_of(task)), Some(&title));
         }
     }
-    for path in ["", "part1", "part2", "part3", "part4", "part5"].into_iter().flat_map(markdown_in) {
+    for path in ["", "part1", "part2", "part3", "part4", "part5"]
+        .into_iter()
+        .flat_map(markdown_in)
+    {
         let is_listed = path == Path::new("SUMMARY.md") || listed.contains_key(&path);
         assert!(is_listed, "SUMMARY.md does not list {}", path.display());
     }
@@ -114,7 +124,11 @@ fn functions_files_and_points_are_those_of_the_course() {
         let mut links = BTreeSet::new();
         for hole in &task.holes {
             let (path, _) = source_of(&task, hole);
-            let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+            let name = path
+                .file_name()
+                .expect("a file")
+                .to_string_lossy()
+                .into_owned();
             links.insert(format!("[`{name}`](../../../{}/src/{name})", task.stage));
         }
         let functions: Vec<String> = task.holes.iter().map(|hole| format!("`{hole}`")).collect();
@@ -152,9 +166,16 @@ fn signatures_are_those_of_the_sources() {
     for (task, chapter) in chapters() {
         let contract = Chapter::parse(
             &chapter.path,
-            chapter.section("The contract").expect("a section").text.clone(),
+            chapter
+                .section("The contract")
+                .expect("a section")
+                .text
+                .clone(),
         );
-        let shown = contract.code.iter().find(|code| code.language == "rust,ignore");
+        let shown = contract
+            .code
+            .iter()
+            .find(|code| code.language == "rust,ignore");
         let shown = compact(&shown.expect("the contract shows the signatures").text);
         let mut expected = String::new();
         for hole in &task.holes {
@@ -163,7 +184,10 @@ fn signatures_are_those_of_the_sources() {
                 .iter()
                 .find_map(|start| source.find(start.as_str()))
                 .expect("source_of has found it");
-            let signature = source[start..].split(" {\n").next().expect("a body follows");
+            let signature = source[start..]
+                .split(" {\n")
+                .next()
+                .expect("a body follows");
             expected.push_str(&compact(signature));
         }
         assert_eq!(shown, expected, "{}", task.key);
@@ -182,6 +206,51 @@ fn quoted_conventions_are_those_of_the_course_and_none_is_missing() {
         }
     }
     assert_eq!(quoted, conventions);
+}
+
+#[test]
+fn general_chapters_agree_with_the_course() {
+    let text = |path: &str| Chapter::read(Path::new(path)).expect("the chapter").text;
+    let (grading, hosting) = (text("grading.md"), text("hosting.md"));
+    for convention in course().conventions {
+        assert!(
+            grading.contains(&format!("\n- {convention}\n")),
+            "{convention}"
+        );
+    }
+    for part in &course().parts {
+        let core: f64 = part.tasks.iter().map(|task| task.points(Tier::Core)).sum();
+        let cell = format!("| [{0}](part{0}/README.md) | {core} |", part.number);
+        assert!(hosting.contains(&cell), "hosting.md has no {cell}");
+    }
+    assert_eq!(course().tasks().count(), 15);
+    assert!(text("introduction.md").contains("There are fifteen tasks"));
+}
+
+/// Handouts have another README and no mistakes.
+#[test]
+fn what_is_said_of_the_full_checkout_is_true_there() {
+    let root = workspace().root().to_path_buf();
+    let mistakes = |task: &Task| {
+        let list = fs::read_to_string(root.join(format!("grader/mutants/{}.toml", task.key)));
+        list.ok().map(|list| list.matches("[[mistake]]").count())
+    };
+    let Some(mistakes) = course().tasks().map(mistakes).sum::<Option<usize>>() else {
+        return;
+    };
+    assert!(
+        mistakes > 1000,
+        "grading.md says more than a thousand, found {mistakes}"
+    );
+    let readme = fs::read_to_string(root.join("README.md")).expect("the README");
+    let accuracy = Chapter::read(Path::new("accuracy.md")).expect("the chapter");
+    let rows = accuracy
+        .text
+        .lines()
+        .filter(|line| line.starts_with("| ") && line.contains("f"));
+    for row in rows {
+        assert!(readme.contains(row), "the README has no row {row}");
+    }
 }
 
 /// The text of inline code or emphasis: `` `x` `` or `*x*`.
@@ -212,7 +281,10 @@ fn mistakes_are_named_as_the_grader_names_them_and_fail_the_cases_shown() {
         let failed = failed.expect("the mistakes were graded");
         let columns = |line: &str| line.split(" | ").map(str::to_string).collect::<Vec<_>>();
         let lines: Vec<Vec<String>> = failed.lines().map(columns).collect();
-        let cases = lines.iter().find(|line| line[0] == "cases").expect("the cases");
+        let cases = lines
+            .iter()
+            .find(|line| line[0] == "cases")
+            .expect("the cases");
         let cases: Vec<&str> = cases[1].split_whitespace().collect();
         for row in rows {
             let (name, case) = (marked(&row[1], '*'), marked(&row[2], '`'));
@@ -221,7 +293,11 @@ fn mistakes_are_named_as_the_grader_names_them_and_fail_the_cases_shown() {
                 .filter(|mistake| mistake["description"].as_str() == Some(name))
                 .map(|mistake| mistake["id"].as_str().expect("an id"))
                 .collect();
-            assert!(!ids.is_empty(), "{}: no mistake is called: {name}", task.key);
+            assert!(
+                !ids.is_empty(),
+                "{}: no mistake is called: {name}",
+                task.key
+            );
             let fails = |line: &&Vec<String>| {
                 let of_mistake = ids
                     .iter()
@@ -231,7 +307,10 @@ fn mistakes_are_named_as_the_grader_names_them_and_fail_the_cases_shown() {
                 of_mistake && failed().any(|n| cases[n] == case)
             };
             assert!(
-                lines.iter().filter(|line| line[0] == "mutant").any(|line| fails(&line)),
+                lines
+                    .iter()
+                    .filter(|line| line[0] == "mutant")
+                    .any(|line| fails(&line)),
                 "{}: \"{name}\" does not fail {case}",
                 task.key
             );

@@ -15,7 +15,14 @@ fn figures_are_drawn_by_the_code_and_each_is_shown() {
     let shown: BTreeSet<String> = chapters()
         .iter()
         .flat_map(|chapter| &chapter.links)
-        .filter_map(|link| Some(link.split_once("figures/")?.1.strip_suffix(".svg")?.to_string()))
+        .filter_map(|link| {
+            Some(
+                link.split_once("figures/")?
+                    .1
+                    .strip_suffix(".svg")?
+                    .to_string(),
+            )
+        })
         .collect();
     let mut drawn = BTreeSet::new();
     for (name, svg) in figures::all() {
@@ -24,7 +31,10 @@ fn figures_are_drawn_by_the_code_and_each_is_shown() {
             stored == svg,
             "src/figures/{name}.svg is not what the code draws: run `cargo run -p book -- figures` and look at it"
         );
-        assert!(drawn.insert(name.to_string()), "two figures are called {name}");
+        assert!(
+            drawn.insert(name.to_string()),
+            "two figures are called {name}"
+        );
     }
     assert_eq!(drawn, shown);
     let files = fs::read_dir(book::folder().join("src/figures")).expect("the figures");
@@ -51,7 +61,10 @@ fn links_lead_somewhere() {
             if !fragment.is_empty() {
                 let text = fs::read_to_string(&target).expect("a chapter");
                 let there = Chapter::parse(Path::new(""), text);
-                let found = there.sections.iter().any(|s| html::anchor(&s.title) == fragment);
+                let found = there
+                    .sections
+                    .iter()
+                    .any(|s| html::anchor(&s.title) == fragment);
                 assert!(found, "{at}: {link} names no section");
             }
         }
@@ -80,9 +93,32 @@ fn formulas_are_latex_and_code_blocks_have_a_language() {
 }
 
 const GREEK: [&str; 26] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "kappa",
-    "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "phi", "varphi", "chi", "psi", "omega",
-    "Delta", "Omega", "Sigma",
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "rho",
+    "sigma",
+    "tau",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Delta",
+    "Omega",
+    "Sigma",
 ];
 
 /// The symbols of a formula: a letter or Greek letter with its index. Not the letters of words
@@ -166,7 +202,8 @@ fn group(chars: &[char], i: &mut usize) -> String {
 
 #[test]
 fn symbols_are_found_in_formulas() {
-    let found = symbols(r"t_{\min} \le \frac{e_1 \cdot d'}{\mathrm{det}} + \sin\theta_i^2 \text{ if } x");
+    let found =
+        symbols(r"t_{\min} \le \frac{e_1 \cdot d'}{\mathrm{det}} + \sin\theta_i^2 \text{ if } x");
     assert_eq!(found, ["t_\\min", "e_1", "d'", "\\theta_i", "x"]);
 }
 
@@ -219,7 +256,10 @@ fn every_symbol_is_defined_before_it_is_used() {
 
 fn used(section: &Section) -> BTreeSet<String> {
     let formulas = section.formulas();
-    formulas.iter().flat_map(|formula| symbols(&formula.latex)).collect()
+    formulas
+        .iter()
+        .flat_map(|formula| symbols(&formula.latex))
+        .collect()
 }
 
 /// A dollar sign that is no formula means that one was not closed.
@@ -233,7 +273,10 @@ fn no_formula_is_broken() {
         let prose = text.split("```").step_by(2).collect::<String>();
         if let Some(at) = prose.find('$') {
             let line = prose[..at].rsplit('\n').next().unwrap_or_default();
-            panic!("{}: a formula is not closed after: {line}", chapter.path.display());
+            panic!(
+                "{}: a formula is not closed after: {line}",
+                chapter.path.display()
+            );
         }
     }
 }

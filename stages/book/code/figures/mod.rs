@@ -13,7 +13,14 @@ pub type Figure = (&'static str, String);
 
 /// All figures of the book.
 pub fn all() -> Vec<Figure> {
-    [part1::figures(), part2::figures(), part3::figures(), part4::figures(), part5::figures()].concat()
+    [
+        part1::figures(),
+        part2::figures(),
+        part3::figures(),
+        part4::figures(),
+        part5::figures(),
+    ]
+    .concat()
 }
 
 /// The file of the figure `name`.

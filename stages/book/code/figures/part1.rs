@@ -108,7 +108,13 @@ fn triangle_mistakes() -> String {
     shape(
         &mut d,
         Vec2::ZERO,
-        &[w(0.0, 0.0), w(1.8, 0.0), w(1.8, 1.2), w(1.0, 2.0), w(0.0, 2.0)],
+        &[
+            w(0.0, 0.0),
+            w(1.8, 0.0),
+            w(1.8, 1.2),
+            w(1.0, 2.0),
+            w(0.0, 2.0),
+        ],
         "without b1 + b2 ≤ 1",
     );
     shape(
@@ -142,16 +148,33 @@ fn overview() -> String {
         let y = -0.9 + 0.3 * f64::from(k);
         d.line(Vec2::new(1.53, y), Vec2::new(1.67, y), "blue");
     }
-    d.polygon(&[Vec2::new(6.2, -1.1), Vec2::new(6.9, 1.2), Vec2::new(7.6, -0.8)], "green");
+    d.polygon(
+        &[
+            Vec2::new(6.2, -1.1),
+            Vec2::new(6.9, 1.2),
+            Vec2::new(7.6, -0.8),
+        ],
+        "green",
+    );
     d.arrow(at(0.0), at(6.72), "ink");
     d.dot(at(0.0), "ink");
     d.dot(at(1.6), "blue");
     d.dot(at(6.8), "red");
     d.note(at(0.0), Side::Below, "camera", "ink");
     d.note(Vec2::new(1.6, 0.9), Side::Above, "film", "blue");
-    d.note(Vec2::new(1.6, -0.9), Side::Below, "Task 1: which point", "blue");
+    d.note(
+        Vec2::new(1.6, -0.9),
+        Side::Below,
+        "Task 1: which point",
+        "blue",
+    );
     d.note(at(4.0), Side::Above, "Task 2: which ray", "ink");
-    d.note(Vec2::new(6.9, -1.1), Side::Below, "Tasks 3, 4: which hit", "green");
+    d.note(
+        Vec2::new(6.9, -1.1),
+        Side::Below,
+        "Tasks 3, 4: which hit",
+        "green",
+    );
     d.finish()
 }
 
@@ -166,7 +189,10 @@ fn film() -> String {
          with random samples, each at its own position s.",
     );
     let w = Vec2::new;
-    d.area(&[w(3.0, 1.0), w(4.0, 1.0), w(4.0, 2.0), w(3.0, 2.0)], "blue");
+    d.area(
+        &[w(3.0, 1.0), w(4.0, 1.0), w(4.0, 2.0), w(3.0, 2.0)],
+        "blue",
+    );
     for x in 0..=4 {
         d.line(w(f64::from(x), 0.0), w(f64::from(x), 2.0), "soft");
     }
@@ -174,10 +200,20 @@ fn film() -> String {
         d.line(w(0.0, f64::from(y)), w(4.0, f64::from(y)), "soft");
     }
     for x in 0..4 {
-        d.note(w(f64::from(x) + 0.5, 0.0), Side::Below, &format!("x = {x}"), "ink");
+        d.note(
+            w(f64::from(x) + 0.5, 0.0),
+            Side::Below,
+            &format!("x = {x}"),
+            "ink",
+        );
     }
     for y in 0..2 {
-        d.note(w(0.0, f64::from(y) + 0.5), Side::Left, &format!("y = {y}"), "ink");
+        d.note(
+            w(0.0, f64::from(y) + 0.5),
+            Side::Left,
+            &format!("y = {y}"),
+            "ink",
+        );
     }
     d.note(w(0.0, 2.0), Side::Above, "v = 1", "green");
     d.note(w(4.0, 0.0), Side::Right, "u = 1", "green");
@@ -186,7 +222,15 @@ fn film() -> String {
     let corner = w(5.4, 0.2);
     let size = 2.0;
     let at = |s: Vec2| corner + size * s;
-    d.polygon(&[at(w(0.0, 0.0)), at(w(1.0, 0.0)), at(w(1.0, 1.0)), at(w(0.0, 1.0))], "blue");
+    d.polygon(
+        &[
+            at(w(0.0, 0.0)),
+            at(w(1.0, 0.0)),
+            at(w(1.0, 1.0)),
+            at(w(0.0, 1.0)),
+        ],
+        "blue",
+    );
     d.line(w(4.0, 2.0), at(w(0.0, 1.0)), "soft dash");
     d.line(w(4.0, 1.0), at(w(0.0, 0.0)), "soft dash");
     let mut sampler = PixelSampler::new(3, 1, 5);
@@ -212,9 +256,12 @@ fn convergence() -> String {
         "The mean of N samples of a pixel, a quarter of which is white, for four seeds, against N from 1 to 1024 \
          on a logarithmic axis. The means approach 0.25 within a band that narrows as 1/sqrt(N).",
     );
-    let at = |n: u32, value: f64| Vec2::new(kit::math::ln(f64::from(n)) / std::f64::consts::LN_2, value);
+    let at =
+        |n: u32, value: f64| Vec2::new(kit::math::ln(f64::from(n)) / std::f64::consts::LN_2, value);
     let sigma = (0.25 * 0.75_f64).sqrt();
-    let counts: Vec<u32> = (0..=80).map(|k| kit::math::pow(2.0, f64::from(k) / 8.0).round() as u32).collect();
+    let counts: Vec<u32> = (0..=80)
+        .map(|k| kit::math::pow(2.0, f64::from(k) / 8.0).round() as u32)
+        .collect();
     let edge = |sign: f64| {
         let value = move |n: &u32| at(*n, 0.25 + sign * sigma / f64::from(*n).sqrt());
         counts.iter().map(value).collect::<Vec<_>>()
@@ -297,9 +344,16 @@ fn angles() -> String {
          equal angles; their points on the plane get farther apart outwards, so straight lines appear curved.",
     );
     let half = camera::half_tan(110.0);
-    for (centre, by_angle, words) in [(-1.9, false, "right: equal steps"), (1.9, true, "wrong: equal angles")] {
+    for (centre, by_angle, words) in [
+        (-1.9, false, "right: equal steps"),
+        (1.9, true, "wrong: equal angles"),
+    ] {
         let eye = Vec2::new(centre, 0.0);
-        d.line(eye + Vec2::new(-half, 1.0), eye + Vec2::new(half, 1.0), "blue");
+        d.line(
+            eye + Vec2::new(-half, 1.0),
+            eye + Vec2::new(half, 1.0),
+            "blue",
+        );
         for k in -4..=4 {
             let share = f64::from(k) / 4.0;
             let x = if by_angle {
@@ -308,7 +362,10 @@ fn angles() -> String {
                 share * half
             };
             d.line(eye, eye + Vec2::new(x, 1.0), "soft");
-            d.dot(eye + Vec2::new(x, 1.0), if by_angle { "red" } else { "green" });
+            d.dot(
+                eye + Vec2::new(x, 1.0),
+                if by_angle { "red" } else { "green" },
+            );
         }
         d.dot(eye, "ink");
         d.note(eye, Side::Below, words, "ink");
@@ -390,8 +447,14 @@ fn cancellation() -> String {
             let nearest = f + (b / a) * dir;
             worst_stable = worst_stable.max(error(1.0 - nearest.length_squared()));
         }
-        textbook.push(Vec2::new(exponent, kit::math::ln(worst_textbook) / std::f64::consts::LN_10));
-        stable.push(Vec2::new(exponent, kit::math::ln(worst_stable) / std::f64::consts::LN_10));
+        textbook.push(Vec2::new(
+            exponent,
+            kit::math::ln(worst_textbook) / std::f64::consts::LN_10,
+        ));
+        stable.push(Vec2::new(
+            exponent,
+            kit::math::ln(worst_stable) / std::f64::consts::LN_10,
+        ));
     }
     for power in [-16, -12, -8, -4, 0] {
         let y = f64::from(power);
@@ -399,13 +462,23 @@ fn cancellation() -> String {
         d.note(Vec2::new(1.0, y), Side::Left, &format!("1e{power}"), "ink");
     }
     for power in [1, 3, 5, 7, 9] {
-        d.note(Vec2::new(f64::from(power), -16.6), Side::Below, &format!("1e{power}"), "ink");
+        d.note(
+            Vec2::new(f64::from(power), -16.6),
+            Side::Below,
+            &format!("1e{power}"),
+            "ink",
+        );
     }
     d.path(&textbook, "red");
     d.path(&stable, "green");
     d.note(Vec2::new(4.3, -6.0), Side::Left, "b·b - a·c", "red");
     d.note(Vec2::new(6.5, -14.7), Side::Above, "r·r - ℓ·ℓ", "green");
     d.note(Vec2::new(9.5, -15.4), Side::Above, "distance", "ink");
-    d.note(Vec2::new(1.0, 0.9), Side::Right, "relative error of Δ/a", "ink");
+    d.note(
+        Vec2::new(1.0, 0.9),
+        Side::Right,
+        "relative error of Δ/a",
+        "ink",
+    );
     d.finish()
 }

@@ -109,7 +109,12 @@ fn levels() -> String {
         .map(|k| {
             let (s, size) = (sampler.get_sample(), sampler.next_2d());
             let centre = if k % 3 == 0 { 0.35 * s + 0.1 } else { s };
-            flat_box(centre.x * 1.6, centre.y, 0.02 + 0.08 * size.x, 0.02 + 0.08 * size.y)
+            flat_box(
+                centre.x * 1.6,
+                centre.y,
+                0.02 + 0.08 * size.x,
+                0.02 + 0.08 * size.y,
+            )
         })
         .collect();
     let root = halve(&boxes);
@@ -136,7 +141,11 @@ fn levels() -> String {
             nodes = nodes
                 .into_iter()
                 .flat_map(|node| {
-                    let here = if node.below.is_empty() { vec![node] } else { Vec::new() };
+                    let here = if node.below.is_empty() {
+                        vec![node]
+                    } else {
+                        Vec::new()
+                    };
                     node.below.iter().chain(here)
                 })
                 .collect();
@@ -164,7 +173,10 @@ fn split() -> String {
     let large = (0.2, 9.8);
     let small = [(5.6, 6.4), (6.7, 7.3), (7.9, 8.6), (9.0, 9.7)];
     let centre = |(a, b): (f64, f64)| 0.5 * (a + b);
-    d.path(&outline(&flat_box(large.0, 1.2, large.1 - large.0, 0.3), 0.0), "blue");
+    d.path(
+        &outline(&flat_box(large.0, 1.2, large.1 - large.0, 0.3), 0.0),
+        "blue",
+    );
     for b in small {
         d.path(&outline(&flat_box(b.0, 0.5, b.1 - b.0, 0.4), 0.0), "blue");
     }
@@ -186,7 +198,12 @@ fn split() -> String {
         d.dot(w(*c, -0.2), "ink");
     }
     d.line(w(wrong, -0.6), w(wrong, 0.1), "red");
-    d.note(w(wrong, -0.6), Side::Below, "middle of the boxes: no centroid is below it", "red");
+    d.note(
+        w(wrong, -0.6),
+        Side::Below,
+        "middle of the boxes: no centroid is below it",
+        "red",
+    );
     d.finish()
 }
 
@@ -203,8 +220,14 @@ fn slabs() -> String {
         "A ray crosses the slab of x between ex and fx, and the slab of y between ey and fy. It is in the box \
          from the later entry to the earlier exit.",
     );
-    d.area(&[w(0.0, -1.1), w(3.0, -1.1), w(3.0, 3.0), w(0.0, 3.0)], "blue");
-    d.area(&[w(-2.9, 0.0), w(4.6, 0.0), w(4.6, 2.0), w(-2.9, 2.0)], "green");
+    d.area(
+        &[w(0.0, -1.1), w(3.0, -1.1), w(3.0, 3.0), w(0.0, 3.0)],
+        "blue",
+    );
+    d.area(
+        &[w(-2.9, 0.0), w(4.6, 0.0), w(4.6, 2.0), w(-2.9, 2.0)],
+        "green",
+    );
     d.path(&outline(&b, 0.0), "ink");
     d.line(o, at(7.0), "ink");
     d.arrow(o, at(1.0), "ink");
@@ -245,7 +268,10 @@ fn intervals() -> String {
     ];
     let start = rows.iter().map(|row| row.1).fold(0.0, f64::max);
     let end = rows.iter().map(|row| row.2).fold(9.0, f64::min);
-    d.area(&[w(start, -0.2), w(end, -0.2), w(end, 2.8), w(start, 2.8)], "soft");
+    d.area(
+        &[w(start, -0.2), w(end, -0.2), w(end, 2.8), w(start, 2.8)],
+        "soft",
+    );
     for (i, (name, from, to, colour)) in rows.into_iter().enumerate() {
         let y = 2.5 - 0.7 * i as f64;
         d.line(w(from, y), w(to, y), colour);
@@ -278,7 +304,11 @@ fn traversal() -> String {
         ("G", w(7.0, 0.2), "entry 7"),
     ];
     for (from, to) in [(0, 1), (0, 2), (1, 3), (1, 4), (2, 5), (2, 6)] {
-        d.line(nodes[from].1 - w(0.0, 0.28), nodes[to].1 + w(0.0, 0.28), "soft");
+        d.line(
+            nodes[from].1 - w(0.0, 0.28),
+            nodes[to].1 + w(0.0, 0.28),
+            "soft",
+        );
     }
     for (i, (name, p, entry)) in nodes.into_iter().enumerate() {
         let colour = if i < 3 { "blue" } else { "green" };
@@ -286,7 +316,12 @@ fn traversal() -> String {
         d.label(p, Side::Centre, name, colour);
         d.note(p + w(0.25, 0.0), Side::Right, entry, "ink");
     }
-    for (leaf, hit, colour) in [(3, "hit 6", "ink"), (4, "hit 5", "ink"), (5, "hit 4.5", "red"), (6, "hit 7.5", "ink")] {
+    for (leaf, hit, colour) in [
+        (3, "hit 6", "ink"),
+        (4, "hit 5", "ink"),
+        (5, "hit 4.5", "red"),
+        (6, "hit 7.5", "ink"),
+    ] {
         d.note(nodes[leaf].1 - w(0.0, 0.28), Side::Below, hit, colour);
     }
     d.finish()

@@ -36,7 +36,10 @@ fn scattering() -> String {
         "Light Li arrives from many directions at a point of a surface; what is scattered to the viewer is Lo.",
     );
     d.line(w(-3.2, 0.0), w(3.2, 0.0), "ink");
-    d.area(&[w(-3.2, -0.2), w(3.2, -0.2), w(3.2, 0.0), w(-3.2, 0.0)], "soft");
+    d.area(
+        &[w(-3.2, -0.2), w(3.2, -0.2), w(3.2, 0.0), w(-3.2, 0.0)],
+        "soft",
+    );
     for k in [3, 8, 13, 22] {
         let direction = turn(k, 72);
         d.arrow(2.1 * direction, 0.25 * direction, "blue");
@@ -127,7 +130,10 @@ fn disk() -> String {
         w(2.4, 1.1),
         "Left: with the square root the points are uniform on the disk. Right: without it they crowd in the middle.",
     );
-    for (centre, root, words) in [(-1.25, true, "r = √u: uniform"), (1.25, false, "r = u: crowded")] {
+    for (centre, root, words) in [
+        (-1.25, true, "r = √u: uniform"),
+        (1.25, false, "r = u: crowded"),
+    ] {
         let mut sampler = PixelSampler::new(0, 0, 9);
         d.circle(w(centre, 0.0), 1.0, "soft");
         for _ in 0..400 {
@@ -208,7 +214,11 @@ fn noise() -> String {
         exact.push(by_light(fine.get_sample()));
     }
     for (estimate, colour, words) in [
-        (by_hemisphere as fn(Vec2) -> f64, "red", "uniform directions"),
+        (
+            by_hemisphere as fn(Vec2) -> f64,
+            "red",
+            "uniform directions",
+        ),
         (by_light, "green", "points of the lamp"),
     ] {
         let mut points = Vec::new();
@@ -233,7 +243,12 @@ fn noise() -> String {
         d.note(w(0.0, f64::from(power)), Side::Left, words, "ink");
     }
     for n in counts {
-        d.note(w(log(f64::from(n)), -3.0), Side::Below, &n.to_string(), "ink");
+        d.note(
+            w(log(f64::from(n)), -3.0),
+            Side::Below,
+            &n.to_string(),
+            "ink",
+        );
     }
     d.note(w(3.3, -2.9), Side::Above, "samples", "ink");
     d.note(w(-0.4, 1.1), Side::Right, "relative error", "ink");

@@ -29,16 +29,34 @@ fn path() -> String {
         "A path from the camera: it hits the floor at x1, a wall at x2 and the other wall at x3. From each of them \
          a shadow ray goes to the lamp at the ceiling.",
     );
-    d.path(&[w(-0.2, 3.2), w(-0.2, 0.0), w(5.2, 0.0), w(5.2, 3.2), w(-0.2, 3.2)], "ink");
+    d.path(
+        &[
+            w(-0.2, 3.2),
+            w(-0.2, 0.0),
+            w(5.2, 0.0),
+            w(5.2, 3.2),
+            w(-0.2, 3.2),
+        ],
+        "ink",
+    );
     let lamp = w(2.6, 3.2);
     d.line(lamp - w(0.5, 0.0), lamp + w(0.5, 0.0), "red");
     d.area(
-        &[lamp - w(0.5, 0.0), lamp + w(0.5, 0.0), lamp + w(0.4, -0.12), lamp + w(-0.4, -0.12)],
+        &[
+            lamp - w(0.5, 0.0),
+            lamp + w(0.5, 0.0),
+            lamp + w(0.4, -0.12),
+            lamp + w(-0.4, -0.12),
+        ],
         "red",
     );
     let camera = w(-1.3, 1.3);
     let points = [w(1.7, 0.0), w(5.2, 1.5), w(-0.2, 2.1)];
-    let names = [("x_1", Side::Below), ("x_2", Side::Right), ("x_3", Side::Left)];
+    let names = [
+        ("x_1", Side::Below),
+        ("x_2", Side::Right),
+        ("x_3", Side::Left),
+    ];
     let mut from = camera;
     for (p, (name, side)) in points.into_iter().zip(names) {
         d.arrow(from, p, "blue");
@@ -67,7 +85,10 @@ fn snell() -> String {
         "A boundary with glass below. The direction to the viewer, the mirrored direction at the same angle, and \
          the refracted direction at a smaller angle on the other side.",
     );
-    d.area(&[w(-1.5, -1.4), w(1.5, -1.4), w(1.5, 0.0), w(-1.5, 0.0)], "blue");
+    d.area(
+        &[w(-1.5, -1.4), w(1.5, -1.4), w(1.5, 0.0), w(-1.5, 0.0)],
+        "blue",
+    );
     d.line(w(-1.5, 0.0), w(1.5, 0.0), "ink");
     d.arrow(w(0.0, 0.0), w(0.0, 1.3), "green");
     d.line(w(0.0, 0.0), w(0.0, -1.3), "soft dash");
@@ -111,7 +132,10 @@ fn fresnel() -> String {
             return 1.0;
         }
         // The two amplitudes by Fresnel's sine and tangent laws.
-        let (a, b) = (math::atan2(sin, cos), math::atan2(sin_t, (1.0 - sin_t * sin_t).sqrt()));
+        let (a, b) = (
+            math::atan2(sin, cos),
+            math::atan2(sin_t, (1.0 - sin_t * sin_t).sqrt()),
+        );
         if a == 0.0 {
             let r = (1.0 - eta) / (1.0 + eta);
             return r * r;
@@ -156,7 +180,12 @@ fn series() -> String {
     );
     d.line(w(0.0, 0.0), w(12.0, 0.0), "ink");
     for m in [0, 2, 4, 6, 8, 10, 12] {
-        d.note(w(f64::from(m), 0.0), Side::Below, &format!("m = {m}"), "ink");
+        d.note(
+            w(f64::from(m), 0.0),
+            Side::Below,
+            &format!("m = {m}"),
+            "ink",
+        );
     }
     for (rho, colour) in [(0.5_f64, "blue"), (0.7, "green"), (0.8, "red")] {
         let limit = 1.0 / (1.0 - rho);
@@ -173,7 +202,12 @@ fn series() -> String {
         for p in points {
             d.dot(p, colour);
         }
-        d.note(w(6.3, limit - 0.55), Side::Right, &format!("ρ = {rho}"), colour);
+        d.note(
+            w(6.3, limit - 0.55),
+            Side::Right,
+            &format!("ρ = {rho}"),
+            colour,
+        );
     }
     d.finish()
 }
@@ -189,7 +223,10 @@ fn roulette() -> String {
         "24 paths over eight bounces. Without roulette all survive and get darker; with it fewer and fewer survive, \
          each as bright as at the start.",
     );
-    for (base, plays, words) in [(2.2, false, "without: all paths, ever darker"), (-1.6, true, "with: fewer paths, equally bright")] {
+    for (base, plays, words) in [
+        (2.2, false, "without: all paths, ever darker"),
+        (-1.6, true, "with: fewer paths, equally bright"),
+    ] {
         let mut sampler = PixelSampler::new(0, 0, 21);
         let mut throughput = [1.0_f64; PATHS];
         for bounce in 0..8 {
@@ -197,7 +234,11 @@ fn roulette() -> String {
                 if *beta > 0.0 {
                     let x = 1.6 * f64::from(bounce);
                     let y = base + 0.085 * i as f64;
-                    d.line(w(x, y), w(x + 1.3 * *beta, y), if plays { "green" } else { "red" });
+                    d.line(
+                        w(x, y),
+                        w(x + 1.3 * *beta, y),
+                        if plays { "green" } else { "red" },
+                    );
                 }
                 *beta *= 0.6;
                 if plays && *beta > 0.0 && bounce >= 1 {

@@ -35,11 +35,16 @@ fn interval() -> String {
          stops at the end of the first batch of 32 samples in which the interval is narrower than the tolerance.",
     );
     let mut sampler = PixelSampler::new(0, 0, 31);
-    let (mut samples, mut high, mut low, mut means) = (Tally::default(), Vec::new(), Vec::new(), Vec::new());
+    let (mut samples, mut high, mut low, mut means) =
+        (Tally::default(), Vec::new(), Vec::new(), Vec::new());
     let mut end = 320;
     for n in 1..=320_u64 {
         let u = sampler.get_sample();
-        samples.push(if u.x < 0.5 { 0.3 * u.y } else { 1.7 + 0.3 * u.y });
+        samples.push(if u.x < 0.5 {
+            0.3 * u.y
+        } else {
+            1.7 + 0.3 * u.y
+        });
         if n < 16 {
             continue;
         }
@@ -123,7 +128,11 @@ fn mean_of_pixels(p: f64, stops: impl Fn(&Tally) -> bool) -> f64 {
         let mut sampler = PixelSampler::new(pixel, 0, 13);
         let mut samples = Tally::default();
         for n in 1..=2048_u32 {
-            samples.push(if sampler.get_sample().x < p { 1.0 / p } else { 0.0 });
+            samples.push(if sampler.get_sample().x < p {
+                1.0 / p
+            } else {
+                0.0
+            });
             if n % 32 == 0 && stops(&samples) {
                 break;
             }
@@ -149,7 +158,11 @@ fn bias() -> String {
         d.line(w(1.0, y), w(3.6, y), "soft");
         d.note(w(1.0, y), Side::Left, &y.to_string(), "ink");
     }
-    for (x, words) in [(10.0, "1 in 10"), (100.0, "1 in 100"), (1000.0, "1 in 1000")] {
+    for (x, words) in [
+        (10.0, "1 in 10"),
+        (100.0, "1 in 100"),
+        (1000.0, "1 in 1000"),
+    ] {
         d.note(w(log(x), 0.0), Side::Below, words, "ink");
     }
     let plain = |samples: &Tally| is_narrow(samples, 0.05);
@@ -184,7 +197,12 @@ fn miss() -> String {
         d.line(w(1.0, y), w(4.0, y), "soft");
         d.note(w(1.0, y), Side::Left, &y.to_string(), "ink");
     }
-    for (x, words) in [(1.0, "1 in 10"), (2.0, "1 in 100"), (3.0, "1 in 1000"), (4.0, "1 in 10000")] {
+    for (x, words) in [
+        (1.0, "1 in 10"),
+        (2.0, "1 in 100"),
+        (3.0, "1 in 1000"),
+        (4.0, "1 in 10000"),
+    ] {
         d.note(w(x, 0.0), Side::Below, words, "ink");
     }
     for (batch, colour, words, at) in [

@@ -17,7 +17,9 @@ fn says(path: &str, words: &str) {
 fn triangles_overflow_where_the_text_says() {
     let largest = f64::MAX.cbrt().log10().floor();
     let smallest = f64::MIN_POSITIVE.cbrt().log10().ceil();
-    let words = format!("overflow from about $10^{{{largest}}}$ on, and lose digits below about $10^{{{smallest}}}$");
+    let words = format!(
+        "overflow from about $10^{{{largest}}}$ on, and lose digits below about $10^{{{smallest}}}$"
+    );
     says("part1/task3.md", &words);
 }
 
@@ -35,7 +37,10 @@ fn brute_force_takes_as_long_as_the_text_says() {
 #[test]
 fn a_sphere_leaves_half_of_its_box_empty() {
     let empty = 100.0 * (1.0 - std::f64::consts::PI / 6.0);
-    says("part2/task2.md", &format!("A sphere in a box leaves {empty:.0} % of the box empty"));
+    says(
+        "part2/task2.md",
+        &format!("A sphere in a box leaves {empty:.0} % of the box empty"),
+    );
 }
 
 #[test]
@@ -58,10 +63,16 @@ fn rare_light_is_lost_as_often_as_the_text_says() {
         100.0 * missed
     );
     says("part5/task2.md", &words);
-    let words = format!("256 samples miss the lamp with the probability {:.2}", 0.999_f64.powi(256));
+    let words = format!(
+        "256 samples miss the lamp with the probability {:.2}",
+        0.999_f64.powi(256)
+    );
     says("part5/task2.md", &words);
     let hits = (1.96_f64 / 0.05).powi(2).ceil();
-    says("part5/task2.md", &format!("With a tolerance of 5 % it is {hits}"));
+    says(
+        "part5/task2.md",
+        &format!("With a tolerance of 5 % it is {hits}"),
+    );
 }
 
 #[test]
@@ -73,13 +84,19 @@ fn roulette_leaves_as_many_bounces_as_the_text_says() {
 #[test]
 fn glass_reflects_as_much_as_the_text_says() {
     let r: f64 = (1.5 - 1.0) / (1.5 + 1.0);
-    says("part4/task1.md", &format!("glass reflects {:.0} % head on", 100.0 * r * r));
+    says(
+        "part4/task1.md",
+        &format!("glass reflects {:.0} % head on", 100.0 * r * r),
+    );
 }
 
 #[test]
 fn rounding_of_a_box_is_as_large_as_the_text_says() {
     let u = 0.5 * f64::EPSILON;
     let gamma = 3.0 * u / (1.0 - 3.0 * u);
-    let words = format!("a factor of $1 + {:.1} \\cdot 10^{{-16}}$", 2.0 * gamma * 1e16);
+    let words = format!(
+        "a factor of $1 + {:.1} \\cdot 10^{{-16}}$",
+        2.0 * gamma * 1e16
+    );
     says("part2/task2.md", &words);
 }

@@ -92,15 +92,29 @@ fn is_negated(before: &str) -> bool {
         return false;
     };
     let rest = rest.trim_end();
-    let last_word = rest.rsplit(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
-    let after_command = !last_word.is_empty() && rest[..rest.len() - last_word.len()].ends_with('\\');
-    rest.is_empty() || after_command || rest.ends_with(['(', ',', '=', '&', '{', '<', '>', '|', '/', '[', ';'])
+    let last_word = rest
+        .rsplit(|c: char| !c.is_ascii_alphabetic())
+        .next()
+        .unwrap_or_default();
+    let after_command =
+        !last_word.is_empty() && rest[..rest.len() - last_word.len()].ends_with('\\');
+    rest.is_empty()
+        || after_command
+        || rest.ends_with(['(', ',', '=', '&', '{', '<', '>', '|', '/', '[', ';'])
 }
 
 #[test]
 fn numbers_are_found_in_formulas() {
-    let numbers = |latex| literals(latex).into_iter().map(|l| l.value).collect::<Vec<_>>();
-    assert_eq!(numbers(r"b_1 = (-1, 2 - 3) \cdot 4^2 / 0.5"), [-1.0, 2.0, 3.0, 4.0, 0.5]);
+    let numbers = |latex| {
+        literals(latex)
+            .into_iter()
+            .map(|l| l.value)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        numbers(r"b_1 = (-1, 2 - 3) \cdot 4^2 / 0.5"),
+        [-1.0, 2.0, 3.0, 4.0, 0.5]
+    );
     assert_eq!(numbers(r"x \approx -2.5, t_{12}"), [-2.5]);
     assert_eq!(literals("0.50")[0].decimals, 2);
 }
@@ -108,7 +122,9 @@ fn numbers_are_found_in_formulas() {
 /// Compares the worked example of the chapter at `path` with `numbers`.
 fn check(path: &str, numbers: Numbers) {
     let chapter = Chapter::read(Path::new(path)).expect("the chapter");
-    let section = chapter.section("A worked example").expect("a worked example");
+    let section = chapter
+        .section("A worked example")
+        .expect("a worked example");
     let mut expected = numbers.0.into_iter();
     for formula in section.formulas() {
         for literal in literals(&formula.latex) {
@@ -143,7 +159,8 @@ fn worked_examples_have_their_numbers_in_formulas() {
         let words = prose.split_whitespace();
         let decimal = words.filter(|word| {
             let (before, after) = word.split_once('.').unwrap_or_default();
-            before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit())
+            before.ends_with(|c: char| c.is_ascii_digit())
+                && after.starts_with(|c: char| c.is_ascii_digit())
         });
         let found: Vec<&str> = decimal.collect();
         assert!(found.is_empty(), "{}: {found:?}", chapter.path.display());

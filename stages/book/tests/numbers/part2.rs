@@ -51,7 +51,10 @@ fn task1() {
     sides(&mut text, &all);
     sides(&mut text, &all[..5]);
     text.n(area(&all[5..]));
-    let ways = [vec![&all[..5], &all[5..]], vec![&all[..2], &all[2..4], &all[4..5], &all[5..]]];
+    let ways = [
+        vec![&all[..5], &all[5..]],
+        vec![&all[..2], &all[2..4], &all[4..5], &all[5..]],
+    ];
     for (i, leaves) in ways.iter().enumerate() {
         if i == 1 {
             for leaf in leaves {
@@ -133,7 +136,11 @@ const ENTRIES: [(char, f64, Option<f64>); 6] = [
 ];
 
 fn entry(node: char) -> f64 {
-    ENTRIES.iter().find(|(name, ..)| *name == node).expect("a node").1
+    ENTRIES
+        .iter()
+        .find(|(name, ..)| *name == node)
+        .expect("a node")
+        .1
 }
 
 /// Box tests, visited leaves, and the hits in the order in which they are found.
@@ -161,7 +168,10 @@ fn walk(nearer_first: bool) -> (u32, String, Vec<f64>) {
             later.extend(hit);
         } else {
             leaves.push(node);
-            let t = ENTRIES.iter().find(|(name, ..)| *name == node).and_then(|n| n.2);
+            let t = ENTRIES
+                .iter()
+                .find(|(name, ..)| *name == node)
+                .and_then(|n| n.2);
             if let Some(t) = t.filter(|t| *t <= end) {
                 end = t;
                 hits.push(t);

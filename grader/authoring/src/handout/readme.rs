@@ -76,7 +76,7 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
             text,
             "| {} | {} | {} | {} | {} | {} |",
             task.key,
-            task.title,
+            linked_title(task, files),
             holes.join(", "),
             found.join(", "),
             task.points(Tier::Core),
@@ -84,6 +84,16 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
         );
     }
     Ok(text)
+}
+
+/// The title of the task, with a link to its chapter of the book if there is one.
+fn linked_title(task: &Task, files: &Files) -> String {
+    let chapter = format!("stages/book/src/{}.md", task.key.replace('.', "/"));
+    if files.contains_key(Path::new(&chapter)) {
+        format!("[{}]({chapter})", task.title)
+    } else {
+        task.title.clone()
+    }
 }
 
 /// The path of the file that defines the function `hole`.

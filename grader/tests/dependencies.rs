@@ -17,6 +17,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("adaptive", &["kit"]),
     ("simd_bvh", &["kit"]),
     ("simd_paths", &["kit"]),
+    ("book", &["kit"]),
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
     (

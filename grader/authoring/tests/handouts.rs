@@ -76,6 +76,64 @@ fn the_handout_of_part_2_contains_the_reference_of_part_1() {
     assert!(text(handout, "stages/bbox/src/lib.rs").contains("kit::hole!(\"part2.task2\""));
 }
 
+/// The chapters of all parts and their figures, but not the code that draws and tests them, which
+/// computes what students have to write.
+#[test]
+fn a_handout_contains_the_text_of_the_book_and_not_its_code() {
+    for part in [1, 2] {
+        let handout = handout(part);
+        for file in [
+            "SUMMARY.md",
+            "part1/task1.md",
+            "part5/task2.md",
+            "figures/part1-triangle.svg",
+        ] {
+            assert!(has(handout, &format!("stages/book/src/{file}")), "{file}");
+        }
+        for file in ["Cargo.toml", "code", "tests", "book.toml"] {
+            assert!(!has(handout, &format!("stages/book/{file}")), "{file}");
+        }
+        assert!(!text(handout, "Cargo.toml").contains("stages/book"));
+        let readme = text(handout, "README.md");
+        assert!(readme.contains("[Constructing the BVH](stages/book/src/part2/task1.md)"));
+    }
+}
+
+/// Links of the chapters to the project lead to files that the handout contains.
+#[test]
+fn links_of_the_book_lead_to_files_of_the_handout() {
+    let handout = handout(1);
+    let mut links = 0;
+    for (path, contents) in &handout.files {
+        if !path.starts_with("stages/book/src") || path.extension().is_none_or(|e| e != "md") {
+            continue;
+        }
+        let chapter = String::from_utf8_lossy(contents);
+        for link in chapter
+            .split("](")
+            .skip(1)
+            .filter_map(|rest| rest.split(')').next())
+        {
+            let target = link.split('#').next().unwrap_or_default();
+            if link.contains("://") || target.is_empty() {
+                continue;
+            }
+            let mut file = path.parent().expect("a folder").to_path_buf();
+            for name in target.split('/') {
+                if name == ".." {
+                    file.pop();
+                } else {
+                    file.push(name);
+                }
+            }
+            let file = file.to_string_lossy().into_owned();
+            assert!(has(handout, &file), "{}: {link}", path.display());
+            links += 1;
+        }
+    }
+    assert!(links > 100, "found {links} links");
+}
+
 #[test]
 fn a_handout_contains_the_students_files_and_no_others() {
     let handout = handout(1);

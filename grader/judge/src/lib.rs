@@ -77,7 +77,7 @@ pub fn judge_written(
     answer: &Answer,
     not_written: &[String],
 ) -> Vec<Finding> {
-    judge_in(Tally::without(not_written), spec, tier, answer, not_written).0
+    judge_in(Tally::without(not_written), spec, tier, answer).0
 }
 
 /// As [`judge_written`], with every wrong answer: one for each wrong aspect of each call, in the
@@ -90,7 +90,7 @@ pub fn judge_each(
     not_written: &[String],
 ) -> (Vec<Finding>, Vec<WrongAnswer>) {
     let tally = Tally::without(not_written).with_messages();
-    let (findings, mut wrong) = judge_in(tally, spec, tier, answer, not_written);
+    let (findings, mut wrong) = judge_in(tally, spec, tier, answer);
     wrong.retain(|wrong| is_about(spec, wrong.aspect));
     wrong.sort_by_key(|wrong| wrong.call);
     (findings, wrong)
@@ -101,7 +101,6 @@ fn judge_in(
     spec: &Spec,
     tier: Tier,
     answer: &Answer,
-    not_written: &[String],
 ) -> (Vec<Finding>, Vec<WrongAnswer>) {
     tasks::check_of(&spec.work).judge(&mut tally, spec, tier, answer);
     let wrong = tally.take_wrong_answers();

@@ -53,20 +53,17 @@ mod tests {
             functions: vec![result("test_triangle", FunctionStatus::Right)],
             cases: Vec::new(),
         };
-        let shown = |task: &TaskResult| {
-            let mut text = String::new();
-            functions(&mut text, task);
-            text
-        };
-        assert_eq!(shown(&task), "");
+        assert_eq!(line(&task), None);
         let wrong = FunctionStatus::Wrong { of: 12, wrong: 3 };
         task.functions.push(result("intersect_triangle", wrong));
         let hole = result("record_triangle", FunctionStatus::Hole);
         task.functions.push(hole);
         assert_eq!(
-            shown(&task),
-            "  test_triangle: right in all cases; intersect_triangle: wrong in 3 of 12 cases; \
-             record_triangle: not written yet\n"
+            line(&task).as_deref(),
+            Some(
+                "test_triangle: right in all cases; intersect_triangle: wrong in 3 of 12 cases; \
+                 record_triangle: not written yet"
+            )
         );
     }
 }

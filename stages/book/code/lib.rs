@@ -48,6 +48,12 @@ mod code_of_chapters {
         Part4Task3 "part4/task3.md"
         Part5Task1 "part5/task1.md"
         Part5Task2 "part5/task2.md"
+        Part1 "part1/README.md"
+        Part2 "part2/README.md"
+        Part3 "part3/README.md"
+        Part4 "part4/README.md"
+        Part5 "part5/README.md"
+        GettingStarted "getting-started.md"
         Debugging "debugging.md"
     }
 }

@@ -208,6 +208,51 @@ fn quoted_conventions_are_those_of_the_course_and_none_is_missing() {
     assert_eq!(quoted, conventions);
 }
 
+#[test]
+fn general_chapters_agree_with_the_course() {
+    let text = |path: &str| Chapter::read(Path::new(path)).expect("the chapter").text;
+    let (grading, hosting) = (text("grading.md"), text("hosting.md"));
+    for convention in course().conventions {
+        assert!(
+            grading.contains(&format!("\n- {convention}\n")),
+            "{convention}"
+        );
+    }
+    for part in &course().parts {
+        let core: f64 = part.tasks.iter().map(|task| task.points(Tier::Core)).sum();
+        let cell = format!("| [{0}](part{0}/README.md) | {core} |", part.number);
+        assert!(hosting.contains(&cell), "hosting.md has no {cell}");
+    }
+    assert_eq!(course().tasks().count(), 15);
+    assert!(text("introduction.md").contains("There are fifteen tasks"));
+}
+
+/// Handouts have another README and no mistakes.
+#[test]
+fn what_is_said_of_the_full_checkout_is_true_there() {
+    let root = workspace().root().to_path_buf();
+    let mistakes = |task: &Task| {
+        let list = fs::read_to_string(root.join(format!("grader/mutants/{}.toml", task.key)));
+        list.ok().map(|list| list.matches("[[mistake]]").count())
+    };
+    let Some(mistakes) = course().tasks().map(mistakes).sum::<Option<usize>>() else {
+        return;
+    };
+    assert!(
+        mistakes > 1000,
+        "grading.md says more than a thousand, found {mistakes}"
+    );
+    let readme = fs::read_to_string(root.join("README.md")).expect("the README");
+    let accuracy = Chapter::read(Path::new("accuracy.md")).expect("the chapter");
+    let rows = accuracy
+        .text
+        .lines()
+        .filter(|line| line.starts_with("| ") && line.contains("f"));
+    for row in rows {
+        assert!(readme.contains(row), "the README has no row {row}");
+    }
+}
+
 /// The text of inline code or emphasis: `` `x` `` or `*x*`.
 fn marked(cell: &str, mark: char) -> &str {
     cell.strip_prefix(mark)

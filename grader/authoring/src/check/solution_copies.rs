@@ -1,6 +1,7 @@
 //! Finds copies of the solutions in a handout.
 //!
-//! Splits both into tokens and compares sequences of `LENGTH` tokens. So a copy is found even if
+//! Splits both into tokens and compares sequences of [`LENGTH`] tokens, in the chapters of the book
+//! sequences of [`LENGTH_IN_BOOK`]. So a copy is found even if
 //! its formatting was changed or if it was moved into a comment.
 
 use crate::handout::Handout;
@@ -13,61 +14,108 @@ use std::path::Path;
 /// axes); sequences of 12 tokens are shared in twenty places.
 const LENGTH: usize = 36;
 
+/// The same for the chapters of the book, which explain the formulas and must not contain them as
+/// code: about half a statement.
+const LENGTH_IN_BOOK: usize = 12;
+
+/// The folder of the chapters.
+const BOOK: &str = "stages/book/src";
+
 /// Describes the files of `handout` that contain a part of a removed solution. Reference files of
 /// earlier parts may: where a later solution repeats an earlier one, nothing is revealed.
 pub fn find(handout: &Handout) -> Vec<String> {
-    let mut solutions = SolutionSequences::new();
-    // Tests of a solution are not compared.
-    for removed in handout
-        .removed
-        .iter()
-        .filter(|removed| removed.path.iter().any(|name| name == "src"))
-    {
-        let origin = format!("{} in {}", removed.key, removed.path.display());
-        for hash in sequence_hashes(&tokens(&code(&removed.text))) {
-            solutions.entry(hash).or_insert_with(|| origin.clone());
-        }
-    }
+    let solutions = Solutions::of(handout, LENGTH);
+    let of_book = Solutions::of(handout, LENGTH_IN_BOOK).without_given_code(handout);
     let files = handout.files.iter();
     files
         .filter(|(path, _)| !handout.reference_files.contains(*path))
-        .filter_map(|(path, contents)| first_copy(path, contents, &solutions))
+        .filter_map(|(path, contents)| {
+            let solutions = if path.starts_with(BOOK) {
+                &of_book
+            } else {
+                &solutions
+            };
+            solutions.first_copy(path, contents)
+        })
         .collect()
+}
+
+/// The token sequences of one length in the removed solutions of a handout.
+struct Solutions {
+    length: usize,
+    sequences: SolutionSequences,
+}
+
+impl Solutions {
+    fn of(handout: &Handout, length: usize) -> Solutions {
+        let mut sequences = SolutionSequences::new();
+        // Tests of a solution are not compared.
+        let is_compared = |path: &Path| {
+            path.iter().any(|name| name == "src")
+                && path.file_name().is_none_or(|name| name != "tests.rs")
+        };
+        for removed in handout
+            .removed
+            .iter()
+            .filter(|removed| is_compared(&removed.path))
+        {
+            let origin = format!("{} in {}", removed.key, removed.path.display());
+            for hash in sequence_hashes(&tokens(&code(&removed.text)), length) {
+                sequences.entry(hash).or_insert_with(|| origin.clone());
+            }
+        }
+        Solutions { length, sequences }
+    }
+
+    /// Without the sequences that the stages of the handout contain, such as signatures: they are
+    /// no secret.
+    fn without_given_code(mut self, handout: &Handout) -> Solutions {
+        let stages = handout.files.iter().filter(|(path, _)| {
+            path.starts_with("stages") && path.extension().is_some_and(|e| e == "rs")
+        });
+        for (_, contents) in stages {
+            let text = String::from_utf8_lossy(contents);
+            for hash in sequence_hashes(&tokens(&without_comments(&text)), self.length) {
+                self.sequences.remove(&hash);
+            }
+        }
+        self
+    }
+
+    /// Describes the first copy in one file, if there is one. Searches the file without its
+    /// comments, for code whose comments were changed, and with them, for code in a comment.
+    fn first_copy(&self, path: &Path, contents: &[u8]) -> Option<String> {
+        let text = std::str::from_utf8(contents).ok()?;
+        [without_comments(text).as_str(), text]
+            .into_iter()
+            .find_map(|text| {
+                let tokens = tokens(text);
+                let hashes = sequence_hashes(&tokens, self.length);
+                let mut found = (0..)
+                    .zip(&hashes)
+                    .filter_map(|(i, hash)| Some((self.sequences.get(hash)?, i)));
+                let (origin, first): (_, usize) = found.next()?;
+                Some(format!(
+                    "{} contains {} tokens of the solution of {origin}: `{}`",
+                    path.display(),
+                    self.length + found.count(),
+                    tokens[first..first + self.length].join(" ")
+                ))
+            })
+    }
 }
 
 /// The hashes of all token sequences of the solutions, each with the place of its solution.
 type SolutionSequences = HashMap<u64, String>;
 
-/// Describes the first copy in one file, if there is one. Searches the file without its comments,
-/// for code whose comments were changed, and with them, for code in a comment.
-fn first_copy(path: &Path, contents: &[u8], solutions: &SolutionSequences) -> Option<String> {
-    let text = std::str::from_utf8(contents).ok()?;
-    [without_comments(text).as_str(), text]
-        .into_iter()
-        .find_map(|text| {
-            let tokens = tokens(text);
-            let hashes = sequence_hashes(&tokens);
-            let mut found = (0..)
-                .zip(&hashes)
-                .filter_map(|(i, hash)| Some((solutions.get(hash)?, i)));
-            let (origin, first): (_, usize) = found.next()?;
-            Some(format!(
-                "{} contains {} tokens of the solution of {origin}: `{}`",
-                path.display(),
-                LENGTH + found.count(),
-                tokens[first..first + LENGTH].join(" ")
-            ))
-        })
-}
-
-/// The hash of each sequence of `LENGTH` tokens, in order. (Comparing millions of strings would
+/// The hash of each sequence of `length` tokens, in order. (Comparing millions of strings would
 /// take most of the check's time.) Two different sequences have the same hash with a probability of
 /// about 2^-64.
 ///
 /// This is the rolling hash of Karp and Rabin (1987): the sum of the tokens' hashes, each times a
 /// power of `BASE`. The next hash follows from the last one by a multiplication, adding the new
 /// token and subtracting the oldest one.
-fn sequence_hashes(tokens: &[&str]) -> Vec<u64> {
+fn sequence_hashes(tokens: &[&str], length: usize) -> Vec<u64> {
     const BASE: u64 = 0x9e37_79b9_7f4a_7c15;
     let hash = |token: &&str| {
         let mut hasher = DefaultHasher::new();
@@ -75,15 +123,15 @@ fn sequence_hashes(tokens: &[&str]) -> Vec<u64> {
         hasher.finish()
     };
     let hashes: Vec<u64> = tokens.iter().map(hash).collect();
-    let oldest_power = (0..LENGTH).fold(1_u64, |power, _| power.wrapping_mul(BASE));
+    let oldest_power = (0..length).fold(1_u64, |power, _| power.wrapping_mul(BASE));
     let mut sum = 0_u64;
     let sums = hashes.iter().enumerate().map(|(i, &newest)| {
-        let oldest = i.checked_sub(LENGTH).map_or(0, |i| hashes[i]);
+        let oldest = i.checked_sub(length).map_or(0, |i| hashes[i]);
         sum = sum.wrapping_mul(BASE).wrapping_add(newest);
         sum = sum.wrapping_sub(oldest.wrapping_mul(oldest_power));
         sum
     });
-    sums.skip(LENGTH - 1).collect()
+    sums.skip(length - 1).collect()
 }
 
 /// Splits text into words, numbers and operators, as Rust does. Skips the signs that begin a
@@ -193,6 +241,15 @@ mod tests {
             copies("grader/src/truth.rs", "let n = (p1 - p0).dot(x);"),
             [""; 0]
         );
+    }
+
+    #[test]
+    fn a_chapter_of_the_book_contains_no_half_statement_of_a_solution() {
+        let half = "Then `let n = (p1 - p0).cross(p2 - p0)` is the normal.";
+        assert_eq!(copies("stages/book/src/part1/task3.md", half).len(), 1);
+        assert_eq!(copies("README.md", half), [""; 0]);
+        let formula = "the normal is along $(p_1 - p_0) \\times (p_2 - p_0)$";
+        assert_eq!(copies("stages/book/src/part1/task3.md", formula), [""; 0]);
     }
 
     #[test]

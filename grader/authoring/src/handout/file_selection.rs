@@ -18,6 +18,9 @@ const PROGRAMS: [&str; 6] = [
     "submission",
 ];
 
+/// The folder of the book, whose chapters of all parts are in every handout.
+const BOOK: &str = "stages/book";
+
 /// Files in the root folder that a handout contains.
 const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
 
@@ -53,6 +56,11 @@ impl<'a> FileSelection<'a> {
         }
         if LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {
             return false;
+        }
+        // Students need the text of the book. The crate that draws its figures and tests its text
+        // computes what students have to write.
+        if path.starts_with(BOOK) {
+            return path.starts_with(Path::new(BOOK).join("src"));
         }
         let Some(owner) = members::containing_member(self.members, path) else {
             let at_the_top = path.components().count() == 1;

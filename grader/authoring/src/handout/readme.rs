@@ -78,7 +78,7 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
             text,
             "| {} | {} | {} | {} | {} | {} |",
             task.key,
-            task.title,
+            linked_title(task, files),
             holes.join(", "),
             found.join(", "),
             task.points(Tier::Core),
@@ -134,6 +134,16 @@ fn last_function(code: &str) -> Option<(&str, String)> {
     doc.reverse();
     let first = doc.split(|line| line.is_empty()).next().unwrap_or_default();
     Some((name, first.join(" ")))
+}
+
+/// The title of the task, with a link to its chapter of the book if there is one.
+fn linked_title(task: &Task, files: &Files) -> String {
+    let chapter = format!("stages/book/src/{}.md", task.key.replace('.', "/"));
+    if files.contains_key(Path::new(&chapter)) {
+        format!("[{}]({chapter})", task.title)
+    } else {
+        task.title.clone()
+    }
 }
 
 /// The path of the file that defines the function `hole`.

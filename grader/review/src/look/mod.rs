@@ -61,7 +61,7 @@ impl Look {
             )));
         };
         let chosen = grade::chosen(&[task], specs)?;
-        let endings = of_stage.run(&chosen, &mut String::new())?;
+        let endings = of_stage.run(&chosen, &mut Vec::new())?;
         let result = grade::score_tasks(course, &[task], &chosen, &endings)?.pop();
         let result =
             result.ok_or_else(|| GraderError::new("the task was graded without a result"))?;

@@ -9,12 +9,14 @@ pub(super) fn figures() -> Vec<Figure> {
         ("part1-overview", overview()),
         ("part1-film", film()),
         ("part1-convergence", convergence()),
+        ("part1-film-mistakes", film_mistakes()),
         ("part1-camera", camera()),
         ("part1-angles", angles()),
         ("part1-triangle", triangle()),
         ("part1-barycentric", barycentric()),
         ("part1-triangle-mistakes", triangle_mistakes()),
         ("part1-sphere", sphere()),
+        ("part1-roots", roots()),
         ("part1-cancellation", cancellation()),
     ]
 }
@@ -480,5 +482,79 @@ fn cancellation() -> String {
         "relative error of Δ/a",
         "ink",
     );
+    d.finish()
+}
+
+/// The centre of each pixel on a film of 3 x 2, as it should be and after two mistakes.
+fn film_mistakes() -> String {
+    let mut d = Drawing::new(
+        660.0,
+        210.0,
+        Vec2::new(-0.2, -0.7),
+        Vec2::new(11.4, 2.3),
+        "Where the only sample of each pixel of a small film is: in the middle of each pixel; in its corner; at x \
+         divided by the height and y by the width.",
+    );
+    let (w, h) = (3.0, 2.0);
+    type Place = fn(f64, f64) -> (f64, f64);
+    let places: [(&str, Place); 3] = [
+        ("right", |x, y| ((x + 0.5) / 3.0, (y + 0.5) / 2.0)),
+        ("corner of the pixel", |x, y| (x / 3.0, y / 2.0)),
+        ("x / h and y / w", |x, y| ((x + 0.5) / 2.0, (y + 0.5) / 3.0)),
+    ];
+    for (i, (words, place)) in places.into_iter().enumerate() {
+        let corner = Vec2::new(4.0 * i as f64, 0.0);
+        for x in 0..=3 {
+            let x = f64::from(x);
+            d.line(corner + Vec2::new(x, 0.0), corner + Vec2::new(x, h), "soft");
+        }
+        for y in 0..=2 {
+            let y = f64::from(y);
+            d.line(corner + Vec2::new(0.0, y), corner + Vec2::new(w, y), "soft");
+        }
+        for (x, y) in [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)] {
+            let (u, v) = place(f64::from(x), f64::from(y));
+            let p = corner + Vec2::new(u * w, v * h);
+            d.dot(p, if i == 0 { "green" } else { "red" });
+        }
+        d.note(corner + Vec2::new(0.5 * w, -0.1), Side::Below, words, "ink");
+    }
+    d.finish()
+}
+
+/// Rays that start before, inside and behind a sphere, and one whose range starts inside.
+fn roots() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        280.0,
+        Vec2::new(-4.6, -1.7),
+        Vec2::new(4.9, 1.6),
+        "Four rays through a sphere: from outside the near root is the hit; from inside and with a range that begins \
+         between the roots it is the far one; from behind the sphere there is none.",
+    );
+    d.circle(Vec2::ZERO, 1.4, "blue");
+    let rows = [
+        (0.9, -4.0, -4.0, "outside"),
+        (0.3, -0.4, -0.4, "inside"),
+        (-0.3, -4.0, 0.1, "begins inside"),
+        (-0.9, 2.2, 2.2, "behind"),
+    ];
+    for (y, start, begin, words) in rows {
+        let half = f64::sqrt(1.4 * 1.4 - y * y);
+        let at = |x: f64| Vec2::new(x, y);
+        if begin > start {
+            d.line(at(start), at(begin), "soft dash");
+        }
+        d.arrow(at(begin), at(3.4), "ink");
+        d.dot(at(start), "ink");
+        let hit = [-half, half].into_iter().find(|x| *x >= begin);
+        for x in [-half, half] {
+            d.circle(at(x), 0.07, "soft");
+        }
+        if let Some(x) = hit {
+            d.dot(at(x), "red");
+        }
+        d.note(at(3.4), Side::Right, words, "ink");
+    }
     d.finish()
 }

@@ -11,7 +11,9 @@ pub(super) fn figures() -> Vec<Figure> {
         ("part2-split", split()),
         ("part2-slabs", slabs()),
         ("part2-intervals", intervals()),
+        ("part2-unswapped", unswapped()),
         ("part2-traversal", traversal()),
+        ("part2-overlap", overlap()),
     ]
 }
 
@@ -324,5 +326,68 @@ fn traversal() -> String {
     ] {
         d.note(nodes[leaf].1 - w(0.0, 0.28), Side::Below, hit, colour);
     }
+    d.finish()
+}
+
+/// A ray to the left through a slab: which plane is the entry.
+fn unswapped() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        200.0,
+        w(-0.4, -0.9),
+        w(9.4, 1.5),
+        "A ray that goes to the left reaches the high plane first. Who takes the low plane for the entry gets an entry \
+         after the exit, and misses the box.",
+    );
+    d.area(
+        &[w(3.0, -0.4), w(5.5, -0.4), w(5.5, 1.0), w(3.0, 1.0)],
+        "blue",
+    );
+    d.line(w(3.0, -0.4), w(3.0, 1.0), "blue");
+    d.line(w(5.5, -0.4), w(5.5, 1.0), "blue");
+    d.arrow(w(8.8, 0.3), w(0.2, 0.3), "ink");
+    d.dot(w(8.8, 0.3), "ink");
+    d.label(w(8.8, 0.3), Side::Below, "o", "ink");
+    d.label(w(3.0, 1.0), Side::Above, "l_x", "blue");
+    d.label(w(5.5, 1.0), Side::Above, "h_x", "blue");
+    d.dot(w(5.5, 0.3), "green");
+    d.dot(w(3.0, 0.3), "red");
+    d.note(w(5.95, 0.3), Side::Below, "entry", "green");
+    d.note(w(2.65, 0.3), Side::Below, "exit", "red");
+    d.finish()
+}
+
+/// Two overlapping boxes: the hit in the nearer box is farther than the hit in the other one.
+fn overlap() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        270.0,
+        w(-0.5, -0.3),
+        w(9.6, 3.4),
+        "The ray enters the left box first, but the triangle in it is hit at 6. The right box is entered at 3, and its \
+         triangle is hit at 4.5. Stopping after the first box would return the wrong triangle.",
+    );
+    let at = |t: f64| w(0.3 + 1.15 * t, 1.2);
+    d.path(&outline(&flat_box(at(1.0).x, 0.1, 5.9, 2.6), 0.0), "blue");
+    d.path(&outline(&flat_box(at(3.0).x, 0.5, 4.6, 2.6), 0.0), "green");
+    let triangle = |t: f64| {
+        [
+            at(t) + w(0.0, -0.55),
+            at(t) + w(0.12, 0.7),
+            at(t) + w(-0.08, 0.75),
+        ]
+    };
+    d.polygon(&triangle(6.0), "blue");
+    d.polygon(&triangle(4.5), "green");
+    d.arrow(at(0.0), at(7.6), "ink");
+    d.dot(at(0.0), "ink");
+    for (t, words, side) in [(1.0, "entry 1", Side::Below), (3.0, "entry 3", Side::Below)] {
+        d.dot(at(t), "ink");
+        d.note(at(t) + w(0.45, 0.0), side, words, "ink");
+    }
+    d.dot(at(4.5), "red");
+    d.note(at(4.5) + w(0.5, 0.0), Side::Below, "hit 4.5", "red");
+    d.dot(at(6.0), "ink");
+    d.note(at(6.0) + w(0.45, 0.0), Side::Below, "hit 6", "ink");
     d.finish()
 }

@@ -13,7 +13,9 @@ pub(super) fn figures() -> Vec<Figure> {
         ("part3-disk", disk()),
         ("part3-hemisphere", hemisphere()),
         ("part3-noise", noise()),
+        ("part3-acne", acne()),
         ("part3-light", light()),
+        ("part3-shadow-rays", shadow_rays()),
     ]
 }
 
@@ -287,5 +289,73 @@ fn light() -> String {
     d.label(w(1.05, 1.15), Side::Left, "r", "ink");
     d.dot(x, "ink");
     d.dot(q, "red");
+    d.finish()
+}
+
+/// A rounded hit point below the surface, with and without an offset.
+fn acne() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        230.0,
+        w(-0.3, -0.8),
+        w(9.3, 2.0),
+        "Left: the rounded hit point lies below the surface, and the ray that starts there hits the surface at once. \
+         Right: the ray starts above it, by more than the error.",
+    );
+    for (x, starts_above) in [(0.0, false), (5.0, true)] {
+        d.line(w(x, 0.0), w(x + 4.0, 0.0), "ink");
+        d.area(
+            &[w(x, -0.5), w(x + 4.0, -0.5), w(x + 4.0, 0.0), w(x, 0.0)],
+            "soft",
+        );
+        let hit = w(x + 1.6, -0.28);
+        let start = if starts_above { w(x + 1.6, 0.28) } else { hit };
+        let direction = w(0.75, 0.66);
+        d.dot(hit, "ink");
+        if starts_above {
+            d.line(hit, start, "soft dash");
+            d.arrow(start, start + 1.9 * direction, "green");
+            d.dot(start, "green");
+            d.note(start + 1.9 * direction, Side::Right, "leaves", "green");
+        } else {
+            let blocked = start + (0.28 / 0.66) * direction;
+            d.line(blocked, start + 1.9 * direction, "soft dash");
+            d.line(start, blocked, "red");
+            d.dot(blocked, "red");
+            d.note(
+                blocked + w(0.0, 0.12),
+                Side::Left,
+                "blocked by its own surface",
+                "red",
+            );
+        }
+        d.note(hit, Side::Left, "hit point", "ink");
+    }
+    d.finish()
+}
+
+/// A shadow ray that ends too late, one that ends at the lamp, and the right one.
+fn shadow_rays() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        300.0,
+        w(-0.6, -0.7),
+        w(9.6, 4.0),
+        "Three shadow rays from a surface to a lamp: one that goes on behind the lamp and hits the ceiling, one that \
+         reaches the lamp itself, and one that ends just before it.",
+    );
+    d.line(w(-0.4, 0.0), w(9.4, 0.0), "ink");
+    d.line(w(-0.4, 3.5), w(9.4, 3.5), "ink");
+    for (x, end, colour, words) in [
+        (1.2, 3.5, "red", "too long: the ceiling blocks"),
+        (4.6, 2.6, "red", "to the lamp: it blocks itself"),
+        (8.0, 2.45, "green", "right: just before it"),
+    ] {
+        d.line(w(x - 0.8, 2.6), w(x + 0.8, 2.6), "blue");
+        d.arrow(w(x, 0.0), w(x, end), colour);
+        d.dot(w(x, 0.0), "ink");
+        d.note(w(x, 0.0), Side::Below, words, colour);
+    }
+    d.note(w(9.0, 2.6), Side::Right, "lamp", "blue");
     d.finish()
 }

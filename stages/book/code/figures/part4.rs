@@ -8,6 +8,7 @@ pub(super) fn figures() -> Vec<Figure> {
     vec![
         ("part4-path", path()),
         ("part4-snell", snell()),
+        ("part4-mistakes", mistakes()),
         ("part4-fresnel", fresnel()),
         ("part4-series", series()),
         ("part4-roulette", roulette()),
@@ -277,5 +278,44 @@ fn game() -> String {
     d.note(w(q, 1.0), Side::Right, "survives with β / q", "green");
     d.note(w(0.65, 0.0), Side::Below, "ends", "red");
     d.note(w(0.6, q), Side::Above, "the mean", "blue");
+    d.finish()
+}
+
+/// The refracted direction, and four wrong ones.
+fn mistakes() -> String {
+    let mut d = Drawing::new(
+        680.0,
+        230.0,
+        w(-1.0, -1.4),
+        w(11.4, 1.25),
+        "Refraction into glass: right, with the inverse index, straight on, on the wrong side of the normal, and on \
+         the side of the viewer.",
+    );
+    let sin = 0.6;
+    let down = |s: f64| w(s, -(1.0 - s * s).sqrt());
+    let panels = [
+        ("right", down(sin / 1.5), "green"),
+        ("inverse index", down(sin * 1.5), "red"),
+        ("straight on", down(sin), "red"),
+        ("not across", down(-sin / 1.5), "red"),
+        ("same side", -down(-sin / 1.5), "red"),
+    ];
+    for (i, (words, wi, colour)) in panels.into_iter().enumerate() {
+        let centre = w(2.6 * i as f64, 0.0);
+        d.area(
+            &[
+                centre + w(-1.0, -1.05),
+                centre + w(1.0, -1.05),
+                centre + w(1.0, 0.0),
+                centre + w(-1.0, 0.0),
+            ],
+            "blue",
+        );
+        d.line(centre - w(1.0, 0.0), centre + w(1.0, 0.0), "ink");
+        d.line(centre - w(0.0, 1.0), centre + w(0.0, 1.0), "soft dash");
+        d.arrow(centre, centre - down(sin), "ink");
+        d.arrow(centre, centre + wi, colour);
+        d.note(centre - w(0.0, 1.05), Side::Below, words, colour);
+    }
     d.finish()
 }

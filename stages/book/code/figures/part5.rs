@@ -29,33 +29,37 @@ fn interval() -> String {
     let mut d = Drawing::graph(
         640.0,
         330.0,
-        w(-25.0, -0.1),
-        w(430.0, 1.9),
+        w(-25.0, 0.45),
+        w(330.0, 1.65),
         "The mean of a pixel against the number of samples, inside the interval of 95 percent confidence. The pixel \
          stops at the end of the first batch of 32 samples in which the interval is narrower than the tolerance.",
     );
     let mut sampler = PixelSampler::new(0, 0, 31);
     let (mut samples, mut high, mut low, mut means) =
         (Tally::default(), Vec::new(), Vec::new(), Vec::new());
-    let mut end = 416;
-    for n in 1..=416_u64 {
+    let mut end = 320;
+    for n in 1..=320_u64 {
         let u = sampler.get_sample();
-        samples.push(if u.x < 0.4 { 1.6 * u.y } else { 1.1 });
-        if n < 8 {
+        samples.push(if u.x < 0.5 {
+            0.3 * u.y
+        } else {
+            1.7 + 0.3 * u.y
+        });
+        if n < 16 {
             continue;
         }
         let (x, half) = (n as f64, 1.96 * samples.standard_error());
         high.push(w(x, samples.mean() + half));
         low.push(w(x, samples.mean() - half));
         means.push(w(x, samples.mean()));
-        if n % BATCH == 0 && is_narrow(&samples, TOLERANCE / 2.0) {
+        if n % BATCH == 0 && is_narrow(&samples, TOLERANCE) {
             end = n;
             break;
         }
     }
     let mean = samples.mean();
     let right = end as f64;
-    let band = TOLERANCE / 2.0 * mean;
+    let band = TOLERANCE * mean;
     let mut area = high.clone();
     area.extend(low.iter().rev());
     d.area(&area, "blue");
@@ -64,21 +68,21 @@ fn interval() -> String {
     d.path(&means, "ink");
     for sign in [-1.0, 1.0] {
         let y = mean + sign * band;
-        d.line(w(0.0, y), w(420.0, y), "green dash");
+        d.line(w(0.0, y), w(320.0, y), "green dash");
     }
-    d.line(w(0.0, 0.0), w(420.0, 0.0), "ink");
-    for n in (0..=13).map(|k| 32 * k) {
+    d.line(w(0.0, 0.5), w(320.0, 0.5), "ink");
+    for n in (0..=10).map(|k| 32 * k) {
         let x = f64::from(n);
-        d.line(w(x, 0.0), w(x, 0.05), "ink");
+        d.line(w(x, 0.5), w(x, 0.52), "ink");
         if n % 64 == 0 {
-            d.note(w(x, 0.0), Side::Below, &n.to_string(), "ink");
+            d.note(w(x, 0.5), Side::Below, &n.to_string(), "ink");
         }
     }
-    d.line(w(right, 0.0), w(right, 1.5), "red");
-    d.note(w(right, 1.5), Side::Above, "stops", "red");
-    d.note(w(right + 5.0, mean + band), Side::Above, "± τ μ", "green");
-    d.note(w(60.0, 1.45), Side::Right, "± 1.96 s", "blue");
-    d.label(w(430.0, 0.0), Side::Above, "n", "ink");
+    d.line(w(right, 0.5), w(right, 1.4), "red");
+    d.note(w(right, 1.4), Side::Above, "stops", "red");
+    d.note(w(right + 40.0, mean + band), Side::Above, "± τ μ", "green");
+    d.note(w(50.0, 1.42), Side::Right, "± 1.96 s", "blue");
+    d.label(w(322.0, 0.5), Side::Right, "n", "ink");
     d.finish()
 }
 
@@ -111,7 +115,7 @@ fn bell() -> String {
     }
     d.line(w(0.0, 0.0), w(0.0, 1.0), "soft dash");
     d.label(w(0.0, 0.0), Side::Below, "I", "ink");
-    d.note(w(0.0, 0.4), Side::Centre, "95 %", "green");
+    d.note(w(0.12, 0.4), Side::Right, "95 %", "green");
     d.note(w(2.4, 0.22), Side::Right, "means μ", "ink");
     d.finish()
 }
@@ -120,7 +124,7 @@ fn bell() -> String {
 /// batches of 32 and at most 2048 samples, if `stops` decides.
 fn mean_of_pixels(p: f64, stops: impl Fn(&Tally) -> bool) -> f64 {
     let mut all = Tally::default();
-    for pixel in 0..240 {
+    for pixel in 0..960 {
         let mut sampler = PixelSampler::new(pixel, 0, 13);
         let mut samples = Tally::default();
         for n in 1..=2048_u32 {

@@ -32,7 +32,6 @@ pub mod error;
 pub mod explain;
 pub mod grade;
 pub mod interrupt;
-pub mod last_report;
 pub mod next_task;
 pub mod packed;
 pub mod picture;

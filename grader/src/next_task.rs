@@ -69,6 +69,15 @@ pub fn first_open<'a>(known: &'a [Known], but: &[&Task]) -> Option<&'a Place> {
     places.find(|place| but.iter().all(|task| task.key != place.key))
 }
 
+/// The first open task of `course`, or its last task if none is open.
+pub fn or_last<'a>(workspace: &Workspace, course: &'a Course) -> Result<&'a Task, GraderError> {
+    let known = known(workspace, course)?;
+    let first = first_open(&known, &[]);
+    let task = first.and_then(|place| course.tasks().find(|task| task.key == place.key));
+    task.or(course.tasks().last())
+        .ok_or_else(|| GraderError::new("the course has no tasks"))
+}
+
 /// Whether the handout contains the course's own solution of a part: none of the part's tasks has a
 /// hole or was ever graded, and a task of a later part has a hole. In the full course no task has
 /// one, so none of its parts is given.

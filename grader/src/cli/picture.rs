@@ -4,7 +4,7 @@ use super::Verdict;
 use crate::compile::BuildRoot;
 use crate::course::{Course, Task};
 use crate::error::GraderError;
-use crate::last_report;
+use crate::next_task;
 use crate::picture::{self, Rendered};
 use crate::report::table::status_text;
 use crate::score::Status;
@@ -28,9 +28,9 @@ pub(super) fn command() -> Command {
 
 /// The argument that names one task.
 pub fn task_argument() -> Arg {
-    Arg::new("task").value_name("TASK").help(
-        "The task, such as `part1.task3` [default: the first with lost points in the last report]",
-    )
+    Arg::new("task")
+        .value_name("TASK")
+        .help("The task, such as `part1.task3` [default: the next open task]")
 }
 
 /// The task that [`task_argument`] names.
@@ -41,7 +41,7 @@ pub fn task_of<'a>(
 ) -> Result<&'a Task, GraderError> {
     match matches.get_one::<String>("task") {
         Some(key) => one_task(course, key),
-        None => last_report::next_task(workspace, course),
+        None => next_task::or_last(workspace, course),
     }
 }
 

@@ -268,6 +268,8 @@ mod tests {
             spread: None,
             errors: Vec::new(),
             judged_calls: Vec::new(),
+            functions: Vec::new(),
+            main: true,
         };
         let about = "Rays from behind. Pitfall: culling.";
         let right = Finding {
@@ -277,7 +279,7 @@ mod tests {
         };
         let case = |(i, entry)| {
             let finding = if i == 0 { &finding } else { &right };
-            CaseResult::new(entry, about, Status::Passed, vec![finding.clone()])
+            CaseResult::new(entry, about, Status::Passed, vec![finding.clone()], &[])
         };
         let cases: Vec<CaseResult> = task.cases.iter().enumerate().map(case).collect();
         let failed = FailedCase {

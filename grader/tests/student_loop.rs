@@ -18,14 +18,17 @@ fn root() -> PathBuf {
     grader.parent().expect("the grader is in the course").into()
 }
 
-/// Copies the files of the course that git tracks, without most goldens.
+/// Copies the files of the course that git tracks, without most snapshots.
 fn copy_course(to: &Path) {
     let mut git = Command::new("git");
     let files = git.current_dir(root()).arg("ls-files").output();
     let files = files.expect("git lists the files").stdout;
     let files = String::from_utf8(files).expect("paths are text");
-    let is_needed =
-        |path: &&str| !path.starts_with("golden/part") || path.starts_with("golden/part1.task1/");
+    let is_needed = |path: &&str| {
+        !path.starts_with("golden/part")
+            || path.starts_with("golden/part1.task1/")
+            || path.ends_with("/task.png")
+    };
     for path in files.lines().filter(is_needed) {
         let target = to.join(path);
         fs::create_dir_all(target.parent().unwrap()).unwrap();

@@ -58,7 +58,7 @@ pub fn in_place(
         ..BuildRoot::of(workspace)
     };
     let workers = workers(&build_root, &tasks, &specs, times)?;
-    // The pictures are rendered on another processor, before anything is timed.
+    // The pictures are rendered on another processor, before the speedups are measured.
     let (run, pictures) = std::thread::scope(|scope| {
         let pictures = scope.spawn(|| picture::write_all(workspace, &course, &tasks, &workers));
         let run = run(&workers, &course, &tasks, &specs);

@@ -71,11 +71,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     };
     print!("{}", describe(task, &rendered, colours));
     println!("picture: {}", workspace.relative(&path).display());
-    let is_same = matches!(&rendered.yours, Ok((_, comparison)) if comparison.is_same());
-    Ok(if is_same {
-        Verdict::Passed
-    } else {
-        Verdict::Failed
+    // A picture gives no points: that it differs is no failure.
+    Ok(match rendered.yours {
+        Ok(_) => Verdict::Passed,
+        Err(_) => Verdict::Failed,
     })
 }
 
@@ -97,20 +96,19 @@ fn describe(task: &Task, rendered: &Rendered, colours: Option<Colours>) -> Strin
         }
     };
     for (kind, marks) in rendered.picture.panels.iter().zip(counts) {
-        let _ = write!(text, "  {}: ", kind.about);
+        let _ = write!(text, "  {}:", kind.about);
         if marks.is_empty() {
-            text.push_str("as expected\n");
+            text.push_str(" as expected\n");
             continue;
         }
-        let marks = marks.iter().map(|(mark, count)| {
+        text.push('\n');
+        for (mark, count) in marks {
             let pixels = plural(*count, "pixel", "pixels");
             let chip = colours.map_or(String::new(), |colours| {
                 terminal::chip(mark.colour(), colours) + " "
             });
-            format!("{chip}{}, {pixels}", mark.label())
-        });
-        let marks: Vec<String> = marks.collect();
-        let _ = writeln!(text, "{}", marks.join("; "));
+            let _ = writeln!(text, "    {chip}{}, {pixels}", mark.label());
+        }
     }
     text
 }
@@ -176,7 +174,7 @@ mod tests {
         let text = describe(task, &rendered, None);
         assert!(
             text.ends_with(
-                "  normals: miss where there is a surface, 1 pixel; another normal, 1 pixel\n  distances: as expected\n"
+                "  normals:\n    miss where there is a surface, 1 pixel\n    another normal, 1 pixel\n  distances: as expected\n"
             ),
             "{text}"
         );

@@ -208,11 +208,11 @@ pub fn of(task: &str) -> Option<TaskPicture> {
             const {
                 &[
                     panel(
-                        "the result, by throughput (to the right) and u (up), after 1, 3, 4 and 9 bounces",
+                        "result by throughput (right) and u (up): 1, 3, 4, 9 bounces",
                         Values,
                     ),
                     panel(
-                        "top: the mean over all u; bottom: the throughput. No seam if it is unbiased",
+                        "top: mean over all u; bottom: throughput (unbiased: no seam)",
                         Values,
                     ),
                 ]

@@ -1,7 +1,7 @@
 //! `grader look`: a page for students, with what is wrong in one task, and where.
 //!
 //! [`Look::of`] runs the cases of the task and compares its pictures, [`page`] formats them,
-//! [`figure`] draws the worst ray of a case, [`browser`] opens the page.
+//! `figure` draws the worst ray of a case, [`browser`] opens the page.
 
 pub mod browser;
 mod figure;

@@ -61,7 +61,7 @@ pub fn summary(look: &Look) -> String {
     match &result.status {
         Status::NotAttempted => "not written yet".into(),
         Status::DoesNotCompile => status_text(&result.status),
-        _ if look.is_full() => "right: you have every core point".into(),
+        _ if look.is_full() => "right, you have every core point".into(),
         _ => {
             let core = |case: &&CaseResult| case.tier == Tier::Core;
             let all = result.cases.iter().filter(core).count();
@@ -327,7 +327,7 @@ mod tests {
         full.failed.clear();
         full.result.score = full.result.max_score;
         let page = write(&full);
-        assert!(page.contains("right: you have every core point"));
+        assert!(page.contains("right, you have every core point"));
         assert!(!page.contains("What is wrong") && page.contains("back_face"));
     }
 

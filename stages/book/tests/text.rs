@@ -76,9 +76,12 @@ fn formulas_are_latex_and_code_blocks_have_a_language() {
     for chapter in chapters() {
         let at = chapter.path.display();
         for formula in maths::formulas(&chapter.text) {
-            if let Err(error) = maths::mathml(&formula.latex, formula.display) {
-                panic!("{at}: {error}");
-            }
+            let markup = maths::mathml(&formula.latex, formula.display);
+            let markup = markup.unwrap_or_else(|error| panic!("{at}: {error}"));
+            // XML has no entity for the no-break space.
+            let xml = markup.replace("&nbsp;", " ");
+            let parsed = roxmltree::Document::parse(&xml);
+            assert!(parsed.is_ok(), "{at}: {} gives {markup}", formula.latex);
         }
         for code in &chapter.code {
             let known = ["rust", "rust,ignore", "text", "sh", "toml"];

@@ -94,12 +94,7 @@ mod tests {
 
     #[test]
     fn mathml_is_well_formed() {
-        for latex in [
-            r"a < b > c",
-            r"\big( x \big)",
-            r"\text{if } a & b",
-            r"\frac{1}{2}",
-        ] {
+        for latex in [r"a < b > c", r"\big( x \big)", r"\frac{1}{2}"] {
             let markup = mathml(latex, true).unwrap();
             // XML has no entity for the no-break space.
             let xml = markup.replace("&nbsp;", " ");

@@ -265,6 +265,39 @@ fn used(section: &Section) -> BTreeSet<String> {
         .collect()
 }
 
+/// Commands name files that exist and commands of this course.
+#[test]
+fn commands_can_be_run() {
+    let root = book::folder().join("../..");
+    for chapter in chapters() {
+        let at = chapter.path.display();
+        for line in chapter
+            .code
+            .iter()
+            .filter(|code| code.language == "sh")
+            .flat_map(|code| code.text.lines())
+        {
+            let command = line.split(" # ").next().unwrap_or_default().trim();
+            let known = [
+                "cargo grader",
+                "cargo run --release -p pathtracer -- -f ",
+                "cargo run -p book -- ",
+                "mdbook build stages/book",
+            ];
+            assert!(
+                known.iter().any(|known| command.starts_with(known)),
+                "{at}: {command}"
+            );
+            for scene in command
+                .split(' ')
+                .filter(|word| word.starts_with("scenes/"))
+            {
+                assert!(root.join(scene).exists(), "{at}: there is no {scene}");
+            }
+        }
+    }
+}
+
 /// A dollar sign that is no formula means that one was not closed.
 #[test]
 fn no_formula_is_broken() {

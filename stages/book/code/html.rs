@@ -107,7 +107,7 @@ impl Page<'_> {
                     title,
                     id,
                 }) => {
-                    let file = normal(&source(at).join(&*dest_url));
+                    let file = normal(&folder_of(at).join(&*dest_url));
                     let copy = self.link_to(&copy_of(&file));
                     pictures.insert(file);
                     Event::Start(Tag::Image {
@@ -173,7 +173,7 @@ impl Page<'_> {
         } else {
             format!("#{fragment}")
         };
-        let file = normal(&source(at).join(file));
+        let file = normal(&folder_of(at).join(file));
         let target = match file.strip_prefix(crate::folder().join("src")) {
             Ok(inside) => self.link_to(inside),
             Err(_) => relative(&self.page_folder(), &file),
@@ -208,7 +208,7 @@ pub fn anchor(title: &str) -> String {
 }
 
 /// The folder of the chapter `at` in the sources.
-fn source(at: &Path) -> PathBuf {
+pub fn folder_of(at: &Path) -> PathBuf {
     let file = crate::folder().join("src").join(at);
     file.parent().map(Path::to_path_buf).unwrap_or_default()
 }

@@ -59,7 +59,12 @@ pub fn mathml(latex: &str, display: bool) -> Result<String, String> {
     let parser = Parser::new(latex, &storage);
     push_mathml(&mut markup, parser, config)
         .map_err(|error| format!("cannot write the formula `{latex}` as MathML: {error}"))?;
-    Ok(markup)
+    // What version 0.8 of the library forgets: it writes operators as they are, and no space
+    // before one attribute.
+    Ok(markup
+        .replace("><</", ">&lt;</")
+        .replace(">></", ">&gt;</")
+        .replace("\"minsize", "\" minsize"))
 }
 
 /// `markdown` with MathML in place of its formulas.
@@ -85,6 +90,16 @@ mod tests {
         assert!(text.starts_with("Let <math"), "{text}");
         assert!(text.contains("<msub><mi>x</mi><mn>1</mn></msub>"), "{text}");
         assert!(text.ends_with("</math>; `$y$` is code."), "{text}");
+    }
+
+    #[test]
+    fn mathml_is_well_formed() {
+        for latex in [r"a < b > c", r"\big( x \big)", r"\frac{1}{2}"] {
+            let markup = mathml(latex, true).unwrap();
+            // XML has no entity for the no-break space.
+            let xml = markup.replace("&nbsp;", " ");
+            assert!(roxmltree::Document::parse(&xml).is_ok(), "{markup}");
+        }
     }
 
     #[test]

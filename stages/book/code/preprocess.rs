@@ -1,11 +1,17 @@
-//! The preprocessor of mdBook: formulas become MathML, so that the built book needs no server.
+//! The preprocessor of mdBook: formulas become MathML, and pictures of the project from outside the
+//! book become a part of the page. So the built book needs no server and no other folder.
 //!
 //! mdBook writes the array `[context, book]` as JSON to the preprocessor and reads the changed book
-//! back. The two first releases of its version 0.5 and all before call the list of chapters
-//! differently; this code changes the `content` of every chapter wherever it is.
+//! back. Its version 0.5 calls the list of chapters `items`, versions before it `sections`; this
+//! code changes the `content` of every chapter wherever it is.
 
-use crate::maths::with_mathml;
+use crate::html::{folder_of, normal};
+use crate::maths::{self, with_mathml};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use pulldown_cmark::{Event, Parser, Tag};
 use serde_json::Value;
+use std::path::Path;
 
 /// The book of mdBook's `input` with MathML in place of its formulas, as JSON.
 pub fn run(input: &str) -> Result<String, String> {
@@ -30,15 +36,51 @@ fn convert(value: &mut Value) -> Result<(), String> {
     match value {
         Value::Array(items) => items.iter_mut().try_for_each(convert),
         Value::Object(fields) => {
-            if let Some(Value::Object(chapter)) = fields.get_mut("Chapter")
-                && let Some(Value::String(content)) = chapter.get_mut("content")
-            {
-                *content = with_mathml(content)?;
+            if let Some(Value::Object(chapter)) = fields.get_mut("Chapter") {
+                let path = chapter.get("path").and_then(Value::as_str);
+                let path = path.unwrap_or_default().to_string();
+                if let Some(Value::String(content)) = chapter.get_mut("content") {
+                    *content = with_pictures(&with_mathml(content)?, Path::new(&path))?;
+                }
             }
             fields.values_mut().try_for_each(convert)
         }
         _ => Ok(()),
     }
+}
+
+/// `markdown` of the chapter at `path` with data URIs in place of the pictures outside of `src`.
+fn with_pictures(markdown: &str, path: &Path) -> Result<String, String> {
+    let source = crate::folder().join("src");
+    let mut text = markdown.to_string();
+    let events = Parser::new_ext(markdown, maths::options()).into_offset_iter();
+    let images = events.filter_map(|(event, range)| match event {
+        Event::Start(Tag::Image { dest_url, .. }) => Some((dest_url.to_string(), range)),
+        _ => None,
+    });
+    // From the end, so that the ranges before stay valid.
+    for (link, range) in images.collect::<Vec<_>>().into_iter().rev() {
+        let file = normal(&folder_of(path).join(&link));
+        if link.contains("://") || file.starts_with(&source) {
+            continue;
+        }
+        let bytes = std::fs::read(&file).map_err(|error| {
+            format!(
+                "{}: cannot read the picture {}: {error}",
+                path.display(),
+                file.display()
+            )
+        })?;
+        let kind = match file.extension().and_then(|extension| extension.to_str()) {
+            Some("svg") => "svg+xml",
+            Some(other) => other,
+            None => "png",
+        };
+        let uri = format!("data:image/{kind};base64,{}", STANDARD.encode(bytes));
+        let image = markdown[range.clone()].replace(&link, &uri);
+        text.replace_range(range, &image);
+    }
+    Ok(text)
 }
 
 #[cfg(test)]
@@ -55,6 +97,21 @@ mod tests {
             "{book}"
         );
         assert!(!book.contains('$') && book.contains("Separator"));
+    }
+
+    #[test]
+    fn pictures_outside_of_the_book_become_part_of_the_page() {
+        let chapter = Path::new("part4/README.md");
+        let outside = "![A box](../../../../scenes/pictures/cornell_mirror_glass.png)";
+        let page = with_pictures(outside, chapter).unwrap();
+        assert!(page.starts_with("![A box](data:image/png;base64,iVBOR"));
+        let inside = "![A path](../figures/part4-path.svg)";
+        assert_eq!(with_pictures(inside, chapter).unwrap(), inside);
+        let missing = with_pictures("![?](../../../../none.png)", chapter).unwrap_err();
+        assert!(
+            missing.starts_with("part4/README.md: cannot read the picture"),
+            "{missing}"
+        );
     }
 
     #[test]

@@ -251,6 +251,22 @@ fn what_is_said_of_the_full_checkout_is_true_there() {
     for row in rows {
         assert!(readme.contains(row), "the README has no row {row}");
     }
+    let leaks = readme
+        .lines()
+        .find_map(|line| line.strip_prefix("| Möller-Trumbore, f64 | 51 | "));
+    let leaks = leaks
+        .and_then(|rest| rest.split(' ').next())
+        .expect("the number of leaks");
+    let (thousands, rest) = leaks.split_at(leaks.len() - 3);
+    let triangles = Chapter::read(Path::new("part1/task3.md"))
+        .expect("the chapter")
+        .text;
+    let sentence = format!("about {thousands} {rest} leak");
+    let flat: String = triangles.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        flat.contains(&sentence),
+        "part1/task3.md does not say: {sentence}"
+    );
 }
 
 /// The text of inline code or emphasis: `` `x` `` or `*x*`.

@@ -76,9 +76,12 @@ fn formulas_are_latex_and_code_blocks_have_a_language() {
     for chapter in chapters() {
         let at = chapter.path.display();
         for formula in maths::formulas(&chapter.text) {
-            if let Err(error) = maths::mathml(&formula.latex, formula.display) {
-                panic!("{at}: {error}");
-            }
+            let markup = maths::mathml(&formula.latex, formula.display);
+            let markup = markup.unwrap_or_else(|error| panic!("{at}: {error}"));
+            // XML has no entity for the no-break space.
+            let xml = markup.replace("&nbsp;", " ");
+            let parsed = roxmltree::Document::parse(&xml);
+            assert!(parsed.is_ok(), "{at}: {} gives {markup}", formula.latex);
         }
         for code in &chapter.code {
             let known = ["rust", "rust,ignore", "text", "sh", "toml"];
@@ -260,6 +263,39 @@ fn used(section: &Section) -> BTreeSet<String> {
         .iter()
         .flat_map(|formula| symbols(&formula.latex))
         .collect()
+}
+
+/// Commands name files that exist and commands of this course.
+#[test]
+fn commands_can_be_run() {
+    let root = book::folder().join("../..");
+    for chapter in chapters() {
+        let at = chapter.path.display();
+        for line in chapter
+            .code
+            .iter()
+            .filter(|code| code.language == "sh")
+            .flat_map(|code| code.text.lines())
+        {
+            let command = line.split(" # ").next().unwrap_or_default().trim();
+            let known = [
+                "cargo grader",
+                "cargo run --release -p pathtracer -- -f ",
+                "cargo run -p book -- ",
+                "mdbook build stages/book",
+            ];
+            assert!(
+                known.iter().any(|known| command.starts_with(known)),
+                "{at}: {command}"
+            );
+            for scene in command
+                .split(' ')
+                .filter(|word| word.starts_with("scenes/"))
+            {
+                assert!(root.join(scene).exists(), "{at}: there is no {scene}");
+            }
+        }
+    }
 }
 
 /// A dollar sign that is no formula means that one was not closed.

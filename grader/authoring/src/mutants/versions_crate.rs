@@ -589,11 +589,18 @@ fn write_workspace(
         &root.join("grader/worker/Cargo.toml"),
         &job.join("worker/Cargo.toml"),
     )?;
-    for file in std::fs::read_dir(root.join("grader/worker/src"))
-        .map_err(|e| GraderError::file("read", root, e))?
-    {
-        let file = file.map_err(|e| GraderError::file("read", root, e))?;
-        copy(&file.path(), &job.join("worker/src").join(file.file_name()))?;
+    copy_folder(&root.join("grader/worker/src"), &job.join("worker/src"))
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<(), GraderError> {
+    let unread = |e| GraderError::file("read", from, e);
+    for entry in std::fs::read_dir(from).map_err(unread)? {
+        let entry = entry.map_err(unread)?;
+        let (path, to) = (entry.path(), to.join(entry.file_name()));
+        match path.is_dir() {
+            true => copy_folder(&path, &to)?,
+            false => copy(&path, &to)?,
+        }
     }
     Ok(())
 }

@@ -124,7 +124,13 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
     let mut classes: BTreeMap<Class, usize> = BTreeMap::new();
     let faults = about(cases, aspect).flat_map(|(_, finding)| &finding.faults);
     for Fault { class, .. } in faults {
-        *classes.entry(*class).or_default() += 1;
+        let class = match *class {
+            Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => {
+                Class::Rounded
+            }
+            class => class,
+        };
+        *classes.entry(class).or_default() += 1;
     }
     let all: usize = classes.values().sum();
     let (class, same) = classes.into_iter().max_by_key(|(_, count)| *count)?;
@@ -149,9 +155,8 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
             "{label}: about {} times the right number",
             2.0_f64.powi(power.into())
         ),
-        Class::Off(power) if power <= SINGLE_PRECISION && HAS_A_SIZE.contains(&aspect) => format!(
-            "{label}: off by about {:.0e}, as if something were rounded to single precision or typed with few digits",
-            2.0_f64.powi(power.into())
+        Class::Rounded => format!(
+            "{label}: off by less than 1 part in 100,000: the precision of f32 (`as f32`, `f32` literals), or of a constant typed with few digits"
         ),
         _ => return None,
     };
@@ -278,6 +283,20 @@ mod tests {
                 "wrong only where the ray starts inside the sphere",
             ]
         );
+    }
+
+    #[test]
+    fn errors_of_rounding_are_told_whatever_their_size() {
+        let sizes = std::cell::Cell::new(-30);
+        let rounded = sentences(|_| {
+            sizes.set(-20 - (sizes.get() + 21) % 9);
+            vec![(Aspect::Normal, Class::Off(sizes.get()))]
+        });
+        assert!(rounded[1].contains("the precision of f32"), "{rounded:?}");
+        let t = sentences(|_| vec![(Aspect::T, Class::of_number(1.0 + 3e-7, 1.0))]);
+        assert!(t[1].contains("the precision of f32"), "{t:?}");
+        let far = sentences(|_| vec![(Aspect::T, Class::of_number(1.0 + 3e-3, 1.0))]);
+        assert!(!far[1].contains("f32"), "{far:?}");
     }
 
     #[test]

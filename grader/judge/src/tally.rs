@@ -190,6 +190,8 @@ pub enum Class {
     Infinite,
     /// 0 where the right number is not 0.
     Zero,
+    /// Off by the rounding of single precision, or of a constant that is typed with few digits.
+    Rounded,
     /// The right numbers, swapped.
     Swapped,
     /// A fault with a name of its own. A finding may have several of them.
@@ -208,6 +210,8 @@ impl Class {
             Class::Zero
         } else if (ratio + 1.0).abs() < SAME {
             Class::Negated
+        } else if (ratio - 1.0).abs() < ROUNDED {
+            Class::Rounded
         } else if ratio.is_finite() && ratio > 0.0 {
             Class::Ratio(ratio.log2().round().clamp(-99.0, 99.0) as i8)
         } else {
@@ -217,6 +221,10 @@ impl Class {
 
     /// The class of a wrong colour where neither it nor the right one is black.
     pub fn of_colour(answered: [f64; 3], right: [f64; 3]) -> Class {
+        let is_rounded = |(a, r): (f64, f64)| a == r || (a / r - 1.0).abs() < ROUNDED;
+        if answered.into_iter().zip(right).all(is_rounded) {
+            return Class::Rounded;
+        }
         let mut ratios = [0; 3];
         for ((ratio, a), r) in ratios.iter_mut().zip(answered).zip(right) {
             if a == 0.0 && r == 0.0 {
@@ -261,6 +269,8 @@ impl Class {
             && (answered.length() - 1.0).abs() > SAME
         {
             Class::WrongLength
+        } else if (answered - right).length() < ROUNDED {
+            Class::Rounded
         } else {
             Class::of_size((answered - right).length())
         }
@@ -282,6 +292,10 @@ impl Class {
 /// Answers that match the right one to this bound after a change of sign, length or order have the
 /// class of that change.
 pub(crate) const SAME: f64 = 1e-6;
+
+/// A smaller relative error comes from rounding: f32 has a precision of 6e-8, and a few operations
+/// multiply it; 3.14159 for π is off by 8e-7.
+const ROUNDED: f64 = 1e-5;
 
 /// The smallest error of an origin that counts as a fixed offset. Rounding errors are smaller.
 const MIN_FIXED_OFFSET: f64 = 1e-9;

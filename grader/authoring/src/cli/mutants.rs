@@ -5,6 +5,7 @@ use authoring::mutants::blessing::{self, BlessVerdict, Blessing};
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::groups;
 use authoring::mutants::run;
+use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::table::Table;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
 use grader::cli::{Verdict, whole_number};
@@ -30,11 +31,10 @@ pub(crate) fn command() -> Command {
             Arg::new("seeds")
                 .long("seeds")
                 .value_name("N")
-                .default_value("1")
                 .value_parser(|value: &str| whole_number(value, 1, u64::MAX))
                 .allow_negative_numbers(true)
                 .conflicts_with("bless")
-                .help("Grade the correct versions with seeds 0 to N - 1. The stored tables are for seed 0"),
+                .help("Instead, grade only the correct versions, with seeds 0 to N - 1, in the cases that depend on the seed"),
         )
         .arg(
             Arg::new("with")
@@ -67,7 +67,7 @@ pub(crate) fn command() -> Command {
 
 pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let what: &String = matches.get_one("what").expect("it has a default");
-    let seeds: u64 = *matches.get_one("seeds").expect("it has a default");
+    let seeds: Option<&u64> = matches.get_one("seeds");
     let with: Option<&PathBuf> = matches.get_one("with");
     let bless = matches.get_flag("bless");
     let against_bless = matches.get_flag("against-bless");
@@ -75,6 +75,14 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let course = Course::read(&workspace)?;
     let mut verdict = Verdict::Passed;
     for task in course.select(what)? {
+        if let Some(&seeds) = seeds {
+            let graded = seeds::grade(&workspace, &course, task, 0..seeds)?;
+            show_seeds(&task.key, seeds, &graded);
+            if !graded.marked_down.is_empty() {
+                verdict = Verdict::Failed;
+            }
+            continue;
+        }
         if matches.get_flag("families") {
             let known = diagnosis::known(&workspace, &task.key)?;
             let graded = run::families(&workspace, &course, task)?;
@@ -94,7 +102,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             continue;
         }
         let corpus = Corpus::read(&workspace, task)?;
-        let graded = run::task(&workspace, &course, task, seeds)?;
+        let graded = run::task(&workspace, &course, task)?;
         let known = run::known(&corpus, &graded);
         let table = Table::of(&graded, &known);
         let marked_down: Vec<&run::Graded> = graded
@@ -113,7 +121,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         if bless {
             diagnosis::store(&workspace, &task.key, &known)?;
             table.store(&workspace, &task.key)?;
-        } else if seeds == 1 && !same_as_stored(&workspace, &task.key, &table, &known)? {
+        } else if !same_as_stored(&workspace, &task.key, &table, &known)? {
             verdict = Verdict::Failed;
         }
     }
@@ -266,23 +274,7 @@ fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
         println!("  WRONG DIAGNOSIS: {name} is diagnosed as {named:?}");
     }
     for graded in marked_down {
-        println!(
-            "  MARKED DOWN: {} is correct, but lost {} core points",
-            graded.name,
-            graded.result.max_score - graded.result.score
-        );
-        for case in graded
-            .result
-            .cases
-            .iter()
-            .filter(|case| case.score < case.max_score)
-        {
-            let why = case
-                .worst()
-                .map(|(_, worst)| worst.message.as_str())
-                .unwrap_or_default();
-            println!("    {}: {why}", case.name);
-        }
+        show_marked_down(&graded.name, graded);
     }
     println!(
         "  diagnosed correctly: {} of {}",
@@ -294,5 +286,38 @@ fn show(task: &str, table: &Table, marked_down: &[&run::Graded]) {
         println!(
             "  held-out mutants whose mistakes are all recognised: {recognised} of {held_out}"
         );
+    }
+}
+
+/// Prints how the correct versions fared with `seeds` seeds.
+fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
+    let versions = plural(graded.versions, "correct version", "correct versions");
+    println!(
+        "{task}: {versions}, {seeds} seeds, {}: {} marked down",
+        plural(
+            graded.cases.len(),
+            "case that depends on the seed",
+            "cases that depend on the seed"
+        ),
+        graded.marked_down.len()
+    );
+    for (seed, graded) in &graded.marked_down {
+        show_marked_down(&format!("{} with seed {seed}", graded.name), graded);
+    }
+}
+
+/// Prints where correct code lost core points.
+fn show_marked_down(name: &str, graded: &run::Graded) {
+    println!(
+        "  MARKED DOWN: {name} is correct, but lost {} core points",
+        graded.result.max_score - graded.result.score
+    );
+    let cases = graded.result.cases.iter();
+    for case in cases.filter(|case| case.score < case.max_score) {
+        let why = case
+            .worst()
+            .map(|(_, worst)| worst.message.as_str())
+            .unwrap_or_default();
+        println!("    {}: {why}", case.name);
     }
 }

@@ -12,5 +12,6 @@ pub mod corpus;
 pub mod families;
 pub mod groups;
 pub mod run;
+pub mod seeds;
 pub mod table;
 pub mod versions_crate;

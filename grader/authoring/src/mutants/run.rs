@@ -17,7 +17,6 @@ use judge::cases::{self, Spec};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use tempfile::TempPath;
-use wire::Work;
 
 /// A version of a task's code and its score.
 #[derive(Clone, Debug)]
@@ -50,38 +49,19 @@ impl Graded {
 }
 
 /// Grades the reference, all variants and all mutants of `task`, in that order, with seed 0.
-///
-/// Then grades the correct versions with the seeds from 1 to `seeds - 1`, in the cases that depend
-/// on the seed. The result contains only those of them that lost core points.
 pub fn task(
     workspace: &Workspace,
     course: &Course,
     task: &Task,
-    seeds: u64,
 ) -> Result<Vec<Graded>, GraderError> {
     let mutants = Corpus::read(workspace, task)?.mutants;
     let (kinds, versions) = versions(workspace, task, mutants)?;
-    let differs = |version: &usize| *version == 0 || redefines_hole(task, &versions[*version]);
     let worker = VersionsWorker {
         program: versions_crate::worker(workspace, &task.stage, &versions)?,
         course,
         versions: kinds,
     };
-    let everything = 0..worker.versions.len();
-    let specs = cases::all(0);
-    let mut graded = worker.grade_all(task, &specs, everything.clone())?;
-    let is_correct = |version: &usize| matches!(worker.versions[*version].1, Kind::Correct);
-    for seed in 1..seeds {
-        let others = cases::all(seed);
-        let fresh = changed(task, &specs, &others);
-        if fresh.cases.is_empty() {
-            break;
-        }
-        let correct = everything.clone().filter(is_correct).filter(differs);
-        let again = worker.grade(&fresh, &others, correct, None)?;
-        graded.extend(again.into_iter().filter(Graded::is_marked_down));
-    }
-    Ok(graded)
+    worker.grade_all(task, &cases::all(0), 0..worker.versions.len())
 }
 
 /// Grades mutants whose mistakes need not be listed in the corpus.
@@ -124,7 +104,7 @@ pub fn families(
 }
 
 /// Whether a variant defines functions of `task` itself and does not use the reference's.
-fn redefines_hole(task: &Task, variant: &Sources) -> bool {
+pub(super) fn redefines_hole(task: &Task, variant: &Sources) -> bool {
     let own = variant.get(Path::new("lib.rs"));
     own.is_some_and(|text| defines_hole(task, text))
 }
@@ -138,28 +118,19 @@ fn defines_hole(task: &Task, text: &str) -> bool {
     task.holes.iter().any(defines)
 }
 
-/// `task` with only those cases that differ between `specs` and `others`.
-fn changed(task: &Task, specs: &[Spec], others: &[Spec]) -> Task {
-    let of = |specs: &[Spec], name: &str| -> Option<Work> {
-        let spec = specs.iter().find(|spec| spec.is(&task.key, name));
-        spec.map(|spec| spec.work.clone())
-    };
-    let mut task = task.clone();
-    task.cases
-        .retain(|case| of(specs, &case.name) != of(others, &case.name));
-    task
-}
-
 /// A worker that contains all versions of a stage.
-struct VersionsWorker<'a> {
-    program: TempPath,
-    course: &'a Course,
-    versions: Vec<Named>,
+pub(super) struct VersionsWorker<'a> {
+    /// The program.
+    pub(super) program: TempPath,
+    /// The course, whose points the scores are.
+    pub(super) course: &'a Course,
+    /// The versions, in the order of their numbers.
+    pub(super) versions: Vec<Named>,
 }
 
 impl VersionsWorker<'_> {
-    /// Grades some of the versions with seed 0, and compares their answers with those of the
-    /// reference, which is the first version.
+    /// Grades some of the versions, by their numbers, and compares the answers of mutants with those
+    /// of the reference, which is the first version.
     fn grade_all(
         &self,
         task: &Task,
@@ -169,21 +140,9 @@ impl VersionsWorker<'_> {
         let chosen = chosen(&[task], specs)?;
         let endings = self.workers(0).run(&chosen, &mut String::new())?;
         let reference = ReferenceAnswers::of(&chosen, &endings);
-        self.grade(task, specs, versions, Some(&reference))
-    }
-
-    /// Grades some of the versions, by their numbers. Without `reference`, no mutant is compared
-    /// with it.
-    fn grade(
-        &self,
-        task: &Task,
-        specs: &[Spec],
-        versions: impl Iterator<Item = usize>,
-        reference: Option<&ReferenceAnswers>,
-    ) -> Result<Vec<Graded>, GraderError> {
         let versions: Vec<usize> = versions.collect();
         let each = versions.into_par_iter();
-        each.map(|version| self.grade_one(task, specs, version, reference))
+        each.map(|version| self.grade_one(task, specs, version, &reference))
             .collect()
     }
 
@@ -192,15 +151,15 @@ impl VersionsWorker<'_> {
         task: &Task,
         specs: &[Spec],
         version: usize,
-        reference: Option<&ReferenceAnswers>,
+        reference: &ReferenceAnswers,
     ) -> Result<Graded, GraderError> {
         let (name, kind) = self.versions[version].clone();
         let chosen = chosen(&[task], specs)?;
         let endings = self.workers(version).run(&chosen, &mut String::new())?;
         let mut results = score_tasks(self.course, &[task], &chosen, &endings)?;
-        let blessings = match (&kind, reference) {
-            (Kind::Mutant(_), Some(reference)) => reference.bless(&chosen, &endings),
-            _ => Vec::new(),
+        let blessings = match &kind {
+            Kind::Mutant(_) => reference.bless(&chosen, &endings),
+            Kind::Correct => Vec::new(),
         };
         let result = results
             .pop()
@@ -214,7 +173,7 @@ impl VersionsWorker<'_> {
     }
 
     /// The workers that run one version.
-    fn workers(&self, version: usize) -> StageWorkers {
+    pub(super) fn workers(&self, version: usize) -> StageWorkers {
         let worker = Worker {
             program: self.program.to_path_buf(),
             environment: vec![(VERSION_VARIABLE, version.to_string())],

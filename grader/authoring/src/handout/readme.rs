@@ -86,16 +86,6 @@ fn section(part: &Part, files: &Files) -> Result<String, GraderError> {
     Ok(text)
 }
 
-/// The title of the task, with a link to its chapter of the book if there is one.
-fn linked_title(task: &Task, files: &Files) -> String {
-    let chapter = format!("stages/book/src/{}.md", task.key.replace('.', "/"));
-    if files.contains_key(Path::new(&chapter)) {
-        format!("[{}]({chapter})", task.title)
-    } else {
-        task.title.clone()
-    }
-}
-
 /// The path of the file that defines the function `hole`.
 fn defining_file(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> {
     let folder = Path::new("stages").join(&task.stage).join("src");
@@ -116,4 +106,14 @@ fn defining_file(task: &Task, hole: &str, files: &Files) -> Result<String, Grade
         ))
     })?;
     Ok(path.display().to_string())
+}
+
+/// The title of the task, with a link to its chapter of the book if there is one.
+fn linked_title(task: &Task, files: &Files) -> String {
+    let chapter = format!("stages/book/src/{}.md", task.key.replace('.', "/"));
+    if files.contains_key(Path::new(&chapter)) {
+        format!("[{}]({chapter})", task.title)
+    } else {
+        task.title.clone()
+    }
 }

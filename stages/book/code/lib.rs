@@ -1,7 +1,7 @@
 //! The book of the course.
 //!
-//! The text is Markdown in `src`, one chapter for each part and each task. It reads well as it is; this
-//! crate makes its figures, checks it, and renders it as HTML:
+//! The text is Markdown in `src`, one chapter for each part and each task. It reads well as it is;
+//! this crate makes its figures, checks it, and renders it as HTML:
 //!
 //! - [`drawing`]: a figure as SVG. [`figures`]: the figures, drawn by code that calls `kit`.
 //! - [`chapter`]: a chapter's sections, formulas, links and code blocks, as the tests read them.

@@ -136,16 +136,6 @@ fn last_function(code: &str) -> Option<(&str, String)> {
     Some((name, first.join(" ")))
 }
 
-/// The title of the task, with a link to its chapter of the book if there is one.
-fn linked_title(task: &Task, files: &Files) -> String {
-    let chapter = format!("stages/book/src/{}.md", task.key.replace('.', "/"));
-    if files.contains_key(Path::new(&chapter)) {
-        format!("[{}]({chapter})", task.title)
-    } else {
-        task.title.clone()
-    }
-}
-
 /// The path of the file that defines the function `hole`.
 fn defining_file(task: &Task, hole: &str, files: &Files) -> Result<String, GraderError> {
     let folder = Path::new("stages").join(&task.stage).join("src");
@@ -161,4 +151,14 @@ fn defining_file(task: &Task, hole: &str, files: &Files) -> Result<String, Grade
         ))
     })?;
     Ok(path.display().to_string())
+}
+
+/// The title of the task, with a link to its chapter of the book if there is one.
+fn linked_title(task: &Task, files: &Files) -> String {
+    let chapter = format!("stages/book/src/{}.md", task.key.replace('.', "/"));
+    if files.contains_key(Path::new(&chapter)) {
+        format!("[{}]({chapter})", task.title)
+    } else {
+        task.title.clone()
+    }
 }

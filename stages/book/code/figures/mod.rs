@@ -1,11 +1,18 @@
 //! The figures of the chapters. Each is a function that draws it; [`all`] lists them by name.
 
-mod part1;
-mod part2;
-mod part3;
+mod part1_camera;
+mod part1_film;
+mod part1_sphere;
+mod part1_triangle;
+mod part2_box;
+mod part2_traversal;
+mod part2_tree;
+mod part3_diffuse;
+mod part3_direct;
 mod part4;
 mod part5;
 
+use kit::{Aabb, Vec2, Vec3};
 use std::path::PathBuf;
 
 /// A figure: its file name without `.svg`, and its SVG.
@@ -14,9 +21,15 @@ pub type Figure = (&'static str, String);
 /// All figures of the book.
 pub fn all() -> Vec<Figure> {
     [
-        part1::figures(),
-        part2::figures(),
-        part3::figures(),
+        part1_film::figures(),
+        part1_camera::figures(),
+        part1_triangle::figures(),
+        part1_sphere::figures(),
+        part2_tree::figures(),
+        part2_box::figures(),
+        part2_traversal::figures(),
+        part3_diffuse::figures(),
+        part3_direct::figures(),
         part4::figures(),
         part5::figures(),
     ]
@@ -36,4 +49,30 @@ pub fn write_all() -> Result<(), String> {
             .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
     }
     Ok(())
+}
+
+/// A point of the page.
+fn w(x: f64, y: f64) -> Vec2 {
+    Vec2::new(x, y)
+}
+
+/// The outline of a box in the xy plane, with a gap around it.
+fn outline(b: &Aabb, gap: f64) -> Vec<Vec2> {
+    let (low, high) = (b.min - gap, b.max + gap);
+    vec![
+        w(low.x, low.y),
+        w(high.x, low.y),
+        w(high.x, high.y),
+        w(low.x, high.y),
+        w(low.x, low.y),
+    ]
+}
+
+/// A box in the xy plane.
+fn flat_box(x: f64, y: f64, width: f64, height: f64) -> Aabb {
+    let min = Vec3::new(x, y, 0.0);
+    Aabb {
+        min,
+        max: min + Vec3::new(width, height, 0.0),
+    }
 }

@@ -1,6 +1,6 @@
 //! Figures of Part 4.
 
-use super::Figure;
+use super::{Figure, w};
 use crate::drawing::{Drawing, Side, turn};
 use kit::{PixelSampler, Vec2, math};
 
@@ -14,10 +14,6 @@ pub(super) fn figures() -> Vec<Figure> {
         ("part4-roulette", roulette()),
         ("part4-game", game()),
     ]
-}
-
-fn w(x: f64, y: f64) -> Vec2 {
-    Vec2::new(x, y)
 }
 
 /// A path in a room, with a shadow ray to the lamp from each surface.

@@ -1,6 +1,6 @@
 //! Figures of Part 5.
 
-use super::Figure;
+use super::{Figure, w};
 use crate::drawing::{Drawing, Side};
 use kit::{PixelSampler, Tally, Vec2, math};
 
@@ -11,10 +11,6 @@ pub(super) fn figures() -> Vec<Figure> {
         ("part5-bias", bias()),
         ("part5-miss", miss()),
     ]
-}
-
-fn w(x: f64, y: f64) -> Vec2 {
-    Vec2::new(x, y)
 }
 
 /// Whether the relative half width of the interval is at most `tolerance`.

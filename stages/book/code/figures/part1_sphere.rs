@@ -1,0 +1,160 @@
+//! Figures of Part 1: spheres.
+
+use super::Figure;
+use crate::drawing::{Drawing, Side};
+use kit::{Sphere, Vec2, Vec3};
+
+pub(super) fn figures() -> Vec<Figure> {
+    vec![
+        ("part1-sphere", sphere()),
+        ("part1-roots", roots()),
+        ("part1-cancellation", cancellation()),
+    ]
+}
+
+/// A sphere, cut in the plane of the ray.
+fn sphere() -> String {
+    let ball = Sphere {
+        center: Vec3::ZERO,
+        radius: 1.5,
+    };
+    let (height, start) = (0.9, -4.2);
+    let half_chord = (ball.radius * ball.radius - height * height).sqrt();
+    let mut d = Drawing::new(
+        640.0,
+        330.0,
+        Vec2::new(-4.4, -1.7),
+        Vec2::new(2.9, 1.9),
+        "The line of the ray passes the centre m at the distance l and meets the sphere at t1 and t2. The middle \
+         of both is b/a. The vector f goes from the centre to the origin o; the normal n points outwards.",
+    );
+    let w = Vec2::new;
+    d.circle(Vec2::ZERO, ball.radius, "blue");
+    let o = w(start, height);
+    d.line(w(-4.2, height), w(2.8, height), "soft");
+    d.arrow(o, w(start + 1.2, height), "ink");
+    d.arrow(Vec2::ZERO, o, "green dash");
+    d.line(Vec2::ZERO, w(0.0, height), "ink dash");
+    let hit = w(-half_chord, height);
+    d.line(Vec2::ZERO, hit, "blue");
+    d.arrow(hit, hit + 0.75 * hit.normalize(), "red");
+    for p in [hit, w(half_chord, height)] {
+        d.dot(p, "red");
+    }
+    d.dot(w(0.0, height), "ink");
+    d.dot(o, "ink");
+    d.dot(Vec2::ZERO, "blue");
+    d.label(o, Side::Above, "o", "ink");
+    d.label(w(start + 0.8, height), Side::Above, "d", "ink");
+    d.label(0.55 * o, Side::Below, "f", "green");
+    d.label(Vec2::ZERO, Side::Below, "m", "blue");
+    d.label(0.45 * hit, Side::Left, "r", "blue");
+    d.label(w(0.0, 0.5 * height), Side::Right, "ℓ", "ink");
+    d.label(hit + w(0.3, 0.0), Side::Above, "t_1", "red");
+    d.label(w(half_chord + 0.2, height), Side::Above, "t_2", "red");
+    d.note(w(0.0, height), Side::Above, "t = b/a", "ink");
+    d.label(hit + 0.75 * hit.normalize(), Side::Left, "n", "red");
+    d.finish()
+}
+
+/// Rays that start before, inside and behind a sphere, and one whose range starts inside.
+fn roots() -> String {
+    let mut d = Drawing::new(
+        640.0,
+        280.0,
+        Vec2::new(-4.6, -1.7),
+        Vec2::new(4.9, 1.6),
+        "Four rays through a sphere: from outside the near root is the hit; from inside and with a range that begins \
+         between the roots it is the far one; from behind the sphere there is none.",
+    );
+    d.circle(Vec2::ZERO, 1.4, "blue");
+    let rows = [
+        (0.9, -4.0, -4.0, "outside"),
+        (0.3, -0.4, -0.4, "inside"),
+        (-0.3, -4.0, 0.1, "begins inside"),
+        (-0.9, 2.2, 2.2, "behind"),
+    ];
+    for (y, start, begin, words) in rows {
+        let half = f64::sqrt(1.4 * 1.4 - y * y);
+        let at = |x: f64| Vec2::new(x, y);
+        if begin > start {
+            d.line(at(start), at(begin), "soft dash");
+        }
+        d.arrow(at(begin), at(3.4), "ink");
+        d.dot(at(start), "ink");
+        let hit = [-half, half].into_iter().find(|x| *x >= begin);
+        for x in [-half, half] {
+            d.circle(at(x), 0.07, "soft");
+        }
+        if let Some(x) = hit {
+            d.dot(at(x), "red");
+        }
+        d.note(at(3.4), Side::Right, words, "ink");
+    }
+    d.finish()
+}
+
+/// The relative error of the textbook's near root for a sphere of radius 1, against its distance.
+fn cancellation() -> String {
+    let mut d = Drawing::graph(
+        640.0,
+        330.0,
+        Vec2::new(0.0, -17.0),
+        Vec2::new(10.0, 1.0),
+        "The relative error of the half chord from b*b - a*c grows with the square of the distance and reaches 1 \
+         at a distance of about 10 to the power of 8 radii. Computed from r*r - l*l it stays near 10 to the power of -16.",
+    );
+    let (mut textbook, mut stable) = (Vec::new(), Vec::new());
+    for k in 0..=80_u32 {
+        let exponent = 1.0 + f64::from(k) / 10.0;
+        // The largest error of a few neighbouring distances.
+        let (mut worst_textbook, mut worst_stable) = (1e-17_f64, 1e-17_f64);
+        for j in 0..24_u32 {
+            let distance = kit::math::pow(10.0, exponent + f64::from(j) / 240.0);
+            let line = 0.6;
+            let f = Vec3::new(line, 0.0, distance);
+            let dir = -Vec3::Z;
+            let (a, b) = (dir.dot(dir), -f.dot(dir));
+            let c = f.dot(f) - 1.0;
+            // Exactly 1 - 0.36.
+            let truth = 0.64;
+            let error = |value: f64| ((value - truth) / truth).abs().min(10.0);
+            worst_textbook = worst_textbook.max(error(b * b - a * c));
+            let nearest = f + (b / a) * dir;
+            worst_stable = worst_stable.max(error(1.0 - nearest.length_squared()));
+        }
+        textbook.push(Vec2::new(
+            exponent,
+            kit::math::ln(worst_textbook) / std::f64::consts::LN_10,
+        ));
+        stable.push(Vec2::new(
+            exponent,
+            kit::math::ln(worst_stable) / std::f64::consts::LN_10,
+        ));
+    }
+    for power in [-16, -12, -8, -4, 0] {
+        let y = f64::from(power);
+        d.line(Vec2::new(1.0, y), Vec2::new(9.5, y), "soft");
+        d.note(Vec2::new(1.0, y), Side::Left, &format!("1e{power}"), "ink");
+    }
+    for power in [1, 3, 5, 7, 9] {
+        d.note(
+            Vec2::new(f64::from(power), -16.6),
+            Side::Below,
+            &format!("1e{power}"),
+            "ink",
+        );
+    }
+    d.path(&textbook, "red");
+    d.path(&stable, "green");
+    d.note(Vec2::new(4.3, -6.0), Side::Left, "b·b - a·c", "red");
+    d.note(Vec2::new(6.5, -14.7), Side::Above, "r·r - ℓ·ℓ", "green");
+    d.note(Vec2::new(9.5, -15.4), Side::Above, "distance", "ink");
+    d.note(
+        Vec2::new(1.0, 0.9),
+        Side::Right,
+        "relative error of Δ/a",
+        "ink",
+    );
+    d.finish()
+}

@@ -1,0 +1,2 @@
+//! The `viewer` program.
+fn main() {}

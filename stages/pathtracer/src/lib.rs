@@ -31,6 +31,7 @@ pub mod tracer;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};
+pub use adaptive::rate_colour;
 pub use environment_file::{EnvironmentFileError, load_environment};
 pub use lens::Lens;
 pub use lit::{DirectSampling, LightSettings, render_lit};

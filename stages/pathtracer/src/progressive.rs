@@ -76,8 +76,8 @@ impl ProgressiveRender {
 
     /// Renders the next `count` pending tiles on rayon's current thread pool, or fewer if `stop` is
     /// set: call it until [`ProgressiveRender::is_done`]. A tile that `stop` interrupts is rendered
-    /// again later.
-    pub fn run(&mut self, scene: &PreparedScene, count: usize, stop: &AtomicBool) {
+    /// again later. Returns the tiles that were rendered.
+    pub fn run(&mut self, scene: &PreparedScene, count: usize, stop: &AtomicBool) -> Vec<Cell> {
         let job = job_of_pass(&self.job, self.pass);
         let tiles: Vec<Cell> = self.pending.iter().copied().take(count).collect();
         let finished = Mutex::new(Vec::with_capacity(tiles.len()));
@@ -89,10 +89,14 @@ impl ProgressiveRender {
             }
         };
         scene.render_tiles(&job, &self.settings, &tiles, stop, &finish);
-        for tile in finished.into_inner().expect("no thread panics here") {
-            self.so_far.add_tile(&tile);
-            self.pending.retain(|pending| *pending != tile.cell);
-        }
+        let finished = finished.into_inner().expect("no thread panics here");
+        finished.iter().for_each(|tile| self.so_far.add_tile(tile));
+        let finished: Vec<Cell> = finished.iter().map(|tile| tile.cell).collect();
+        let (rendered, mut pending): (Vec<Cell>, Vec<Cell>) =
+            tiles.iter().partition(|tile| finished.contains(tile));
+        pending.extend(self.pending.drain(tiles.len()..));
+        self.pending = pending;
+        rendered
     }
 
     /// The index of the first sample of a pass; `None` if it has no room for all its samples.

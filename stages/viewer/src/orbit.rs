@@ -58,8 +58,8 @@ impl Orbit {
         let camera = self.view.camera;
         let polar = camera.c2w.z_axis.angle_between(Vec3::Y);
         // Dragging up looks from further below.
-        let range = MIN_POLAR_ANGLE..=std::f64::consts::PI - MIN_POLAR_ANGLE;
-        let target = (polar + up).clamp(*range.start().min(&polar), range.end().max(polar));
+        let largest = std::f64::consts::PI - MIN_POLAR_ANGLE;
+        let target = (polar + up).clamp(MIN_POLAR_ANGLE.min(polar), largest.max(polar));
         let about_right = Mat3::from_axis_angle(camera.c2w.x_axis, target - polar);
         let rotation = Mat3::from_axis_angle(Vec3::Y, -right) * about_right;
         let offset = rotation * (camera.pos - self.view.target);

@@ -31,9 +31,14 @@ impl Projection {
 
     /// The ends of the part of the segment from `a` to `b` that is in front of the camera.
     pub fn segment(&self, a: Vec3, b: Vec3) -> Option<(Vec3, Vec3)> {
-        let near = NEAR.max(1e-4 * (self.camera.pos - a).length().min((self.camera.pos - b).length()));
+        let near = NEAR.max(
+            1e-4 * (self.camera.pos - a)
+                .length()
+                .min((self.camera.pos - b).length()),
+        );
         let (za, zb) = (-self.to_camera(a).z, -self.to_camera(b).z);
-        let at = |from: Vec3, to: Vec3, z0: f64, z1: f64| from + (to - from) * ((near - z0) / (z1 - z0));
+        let at =
+            |from: Vec3, to: Vec3, z0: f64, z1: f64| from + (to - from) * ((near - z0) / (z1 - z0));
         match (za >= near, zb >= near) {
             (true, true) => Some((a, b)),
             (true, false) => Some((a, at(b, a, zb, za))),
@@ -45,6 +50,11 @@ impl Projection {
     /// The distance of `p` from the camera.
     pub fn distance(&self, p: Vec3) -> f64 {
         self.camera.pos.distance(p)
+    }
+
+    /// The distance of `p` from the plane of the camera, negative behind it.
+    pub fn depth(&self, p: Vec3) -> f64 {
+        -self.to_camera(p).z
     }
 
     /// The shift in world space, at the distance of `p`, that appears as `shift` on the film.

@@ -142,5 +142,7 @@ impl SceneData {
 
 /// When a file was last changed; `None` if there is no such file.
 pub fn modified(path: &Path) -> Option<SystemTime> {
-    std::fs::metadata(path).and_then(|file| file.modified()).ok()
+    std::fs::metadata(path)
+        .and_then(|file| file.modified())
+        .ok()
 }

@@ -102,13 +102,20 @@ impl<T: Send + 'static> Task<T> {
     }
 }
 
+impl<T> Task<T> {
+    /// Asks the computation to return early.
+    pub fn stop(&self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
+}
+
 fn ended() -> StageFailure {
     StageFailure::Panic("the thread ended".to_owned())
 }
 
 impl<T> Drop for Task<T> {
     fn drop(&mut self) {
-        self.stop.store(true, Ordering::Relaxed);
+        self.stop();
     }
 }
 
@@ -141,6 +148,8 @@ mod tests {
             sender.send(()).expect("the test waits");
         });
         drop(task);
-        receiver.recv_timeout(Duration::from_secs(60)).expect("it stops");
+        receiver
+            .recv_timeout(Duration::from_secs(60))
+            .expect("it stops");
     }
 }

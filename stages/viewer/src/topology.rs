@@ -222,7 +222,10 @@ const EDGE_WEIGHT: f64 = 0.1;
 
 /// The names of the node and the material of a primitive.
 fn names(scene: &Scene, prim: usize) -> (String, String) {
-    let object = scene.object_of.get(prim).map(|&o| &scene.objects[o as usize]);
+    let object = scene
+        .object_of
+        .get(prim)
+        .map(|&o| &scene.objects[o as usize]);
     let node = object.map_or_else(String::new, |object| object.name.clone());
     let material = object.and_then(|object| scene.materials.get(object.material as usize));
     (node, material.map_or_else(String::new, |m| m.name.clone()))
@@ -233,9 +236,15 @@ fn names(scene: &Scene, prim: usize) -> (String, String) {
 pub fn move_vertex(scene: &mut Scene, topology: &Topology, v: u32, position: Vec3) {
     let moved: Vec<u32> = topology.corners_at(v).iter().map(|c| c.triangle).collect();
     let is_flat = |t: &Triangle| t.n0 == t.n1 && t.n1 == t.n2;
-    let flat: Vec<bool> = moved.iter().map(|&t| is_flat(&scene.triangles[t as usize])).collect();
+    let flat: Vec<bool> = moved
+        .iter()
+        .map(|&t| is_flat(&scene.triangles[t as usize]))
+        .collect();
     for corner in topology.corners_at(v) {
-        *position_of(&mut scene.triangles[corner.triangle as usize], corner.vertex) = position;
+        *position_of(
+            &mut scene.triangles[corner.triangle as usize],
+            corner.vertex,
+        ) = position;
     }
     for (&t, flat) in moved.iter().zip(flat) {
         let triangle = &mut scene.triangles[t as usize];
@@ -257,7 +266,10 @@ fn smooth_normal(scene: &Scene, topology: &Topology, u: u32, t: u32, i: u8) -> V
     let shared = normal(t, i);
     let mut sum = Vec3::ZERO;
     for corner in topology.corners_at(u) {
-        let triangle = &scene.triangles[corner.triangle as usize];
+        // The triangles of area lights are not part of the scene file.
+        let Some(triangle) = scene.triangles.get(corner.triangle as usize) else {
+            continue;
+        };
         // Normals that were equal before one of them was updated still point about the same way.
         if normal(corner.triangle, corner.vertex).dot(shared) > SAME_SURFACE {
             sum += (triangle.p1 - triangle.p0).cross(triangle.p2 - triangle.p0);
@@ -291,8 +303,8 @@ mod tests {
 
     /// A square of two triangles in the plane z = 0.
     fn square() -> Scene {
-        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
-            .map(|(x, y)| Vec3::new(x, y, 0.0));
+        let [a, b, c, d] =
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
         Scene {
             triangles: vec![Triangle::flat(a, b, c), Triangle::flat(a, c, d)],
             ..Scene::default()
@@ -312,8 +324,14 @@ mod tests {
     #[test]
     fn weights_pick_vertices_edges_and_faces() {
         let topology = Topology::new(&square());
-        assert_eq!(topology.element_at(1, [0.02, 0.95, 0.03]), Element::Vertex(2));
-        assert_eq!(topology.element_at(0, [0.5, 0.05, 0.45]), Element::Edge(0, 2));
+        assert_eq!(
+            topology.element_at(1, [0.02, 0.95, 0.03]),
+            Element::Vertex(2)
+        );
+        assert_eq!(
+            topology.element_at(0, [0.5, 0.05, 0.45]),
+            Element::Edge(0, 2)
+        );
         assert_eq!(topology.element_at(0, [0.3, 0.3, 0.4]), Element::Face(0));
     }
 

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 pub use view::ViewError;
 
 /// Renders a scene file.
-#[derive(Debug, Parser)]
+#[derive(Clone, Debug, Parser)]
 #[command(
     name = "pathtracer",
     version,

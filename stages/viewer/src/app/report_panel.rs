@@ -1,0 +1,86 @@
+//! The failing cases of a report, and the sentences about the shown one.
+
+use super::colors;
+use crate::command::Command;
+use crate::session::Session;
+use egui::{Grid, RichText, ScrollArea, Ui};
+
+pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    let Some(report) = session.report() else {
+        return;
+    };
+    ui.heading("Report");
+    if report.cases.is_empty() {
+        ui.colored_label(colors::RIGHT, "No case lost points.");
+        return;
+    }
+    ui.weak(format!("{} cases lost points", report.cases.len()));
+    let opened = report.opened.as_ref().map(|(index, _)| *index);
+    ScrollArea::vertical()
+        .id_salt("cases")
+        .max_height(180.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            for (i, case) in report.cases.iter().enumerate() {
+                let text = RichText::new(format!("{} {}", case.task, case.name)).small();
+                if ui
+                    .add(egui::Button::selectable(opened == Some(i), text).truncate())
+                    .clicked()
+                {
+                    commands.push(Command::OpenCase(i));
+                }
+            }
+        });
+    let Some(case) = report.case() else { return };
+    ui.separator();
+    ui.label(RichText::new(&case.title).strong());
+    ui.label(&case.about);
+    ui.weak(format!(
+        "{} of {} points, {}",
+        case.points.0, case.points.1, case.status
+    ));
+    if let Some(diagnosis) = &case.diagnosis {
+        ui.label(diagnosis);
+    }
+    for finding in &case.findings {
+        let text = format!(
+            "{}: wrong on {} of {}",
+            finding.aspect, finding.wrong, finding.judged
+        );
+        ui.colored_label(colors::WRONG, text);
+        if let Some((_, sentence)) = &finding.worst {
+            ui.label(RichText::new(sentence).small());
+        }
+    }
+    if let Some(view) = report.view() {
+        ui.separator();
+        if let Some(failure) = &view.failure {
+            ui.colored_label(colors::HOVERED, failure.to_string());
+        }
+        ui.weak("Your code now, and the exact answer:");
+        Grid::new("answers")
+            .num_columns(3)
+            .spacing([8.0, 3.0])
+            .show(ui, |ui| {
+                for row in &view.rows {
+                    ui.weak(row.name);
+                    let color = if row.is_same() {
+                        ui.visuals().text_color()
+                    } else {
+                        colors::WRONG
+                    };
+                    ui.add(
+                        egui::Label::new(RichText::new(&row.student).small().color(color)).wrap(),
+                    );
+                    ui.add(egui::Label::new(RichText::new(&row.right).small()).wrap());
+                    ui.end_row();
+                }
+            });
+        if !view.is_of_report {
+            ui.weak("The report's ray is another one: it was made with another seed.");
+        }
+    }
+    if case.test().is_some() && ui.button("Save as test").clicked() {
+        commands.push(Command::SaveCaseAsTest);
+    }
+}

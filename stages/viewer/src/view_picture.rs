@@ -1,9 +1,9 @@
 //! The picture of the 3D view: ray-traced, at the resolution that the time allows.
 
+use crate::project::Projection;
 use crate::scene_data::SceneData;
 use crate::tree_walk;
-use kit::camera::half_tan;
-use kit::{Camera, Hit, Primitive, Spectrum, Vec2, Vec3};
+use kit::{Camera, Hit, PrimId, Primitive, Spectrum, Vec2, Vec3};
 use pathtracer::{Accel, Counters, layers, tone};
 use raygen::generate_ray;
 use rayon::prelude::*;
@@ -123,8 +123,9 @@ struct Surfaces<'a> {
     /// The tree that rays traverse; that of the scene, or of a node.
     node: Option<NodeColors>,
     edges: bool,
-    /// The size of a pixel at distance 1.
-    pixel_angle: f64,
+    projection: Projection,
+    /// Width and height in pixels.
+    size: Vec2,
 }
 
 /// The tree below a node, and the colours of its primitives.
@@ -161,7 +162,8 @@ impl<'a> Surfaces<'a> {
                 ViewStyle::Materials { edges } => edges,
                 ViewStyle::Node(_) => true,
             },
-            pixel_angle: 2.0 * half_tan(request.camera.v_fov) / f64::from(size.1),
+            projection: Projection::new(&request.camera),
+            size: Vec2::new(f64::from(size.0), f64::from(size.1)),
         }
     }
 
@@ -179,7 +181,7 @@ impl<'a> Surfaces<'a> {
         let facing = AMBIENT + (1.0 - AMBIENT) * hit.n.dot(d).abs();
         let mut color = self.color(&hit) * facing;
         if self.edges {
-            color = color * (1.0 - EDGE_OPACITY * self.edge_strength(&hit));
+            color = color * (1.0 - EDGE_OPACITY * self.edge_strength(sensor, hit.prim));
         }
         let [r, g, b] = tone::to_bytes(color * std::f64::consts::FRAC_1_SQRT_2);
         let hit = ViewHit {
@@ -205,26 +207,32 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// How strongly the edges of a triangle show at a hit, from 0 to 1: fully within half a pixel
-    /// of an edge, and not at all for triangles of a few pixels, which would be all edge.
-    fn edge_strength(&self, hit: &Hit) -> f64 {
-        let Primitive::Triangle(triangle) = self.data.scene().primitive(hit.prim) else {
+    /// How strongly the edges of a triangle show at a position on the film, from 0 to 1: fully
+    /// within half a pixel of an edge, and not at all for triangles of a few pixels, which would be
+    /// all edge.
+    fn edge_strength(&self, sensor: Vec2, prim: PrimId) -> f64 {
+        let Primitive::Triangle(triangle) = self.data.scene().primitive(prim) else {
             return 0.0;
         };
         let p = [triangle.p0, triangle.p1, triangle.p2];
-        let weights = [1.0 - hit.uv.x - hit.uv.y, hit.uv.x, hit.uv.y];
-        let double_area = (p[1] - p[0]).cross(p[2] - p[0]).length();
-        let pixel = hit.t * self.pixel_angle;
-        let heights = [0, 1, 2].map(|i: usize| {
-            let edge: Vec3 = p[(i + 2) % 3] - p[(i + 1) % 3];
-            double_area / edge.length() / pixel
-        });
-        let smallest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let pixel = |p: Vec3| Some(self.projection.point(p)? * self.size);
+        let at = sensor * self.size;
+        let (mut nearest, mut smallest) = (f64::INFINITY, f64::INFINITY);
+        for i in 0..3 {
+            let (a, b) = (p[(i + 1) % 3], p[(i + 2) % 3]);
+            let visible = self.projection.segment(a, b);
+            let Some((a, b)) = visible.and_then(|(a, b)| Some((pixel(a)?, pixel(b)?))) else {
+                continue;
+            };
+            let along = (b - a).normalize_or_zero();
+            let distance = |p: Vec2| along.perp_dot(p - a).abs();
+            nearest = nearest.min(distance(at));
+            if let Some(opposite) = pixel(p[i]) {
+                smallest = smallest.min(distance(opposite));
+            }
+        }
         let fade = ((smallest - MIN_HEIGHT) / MIN_HEIGHT).clamp(0.0, 1.0);
-        let nearest = (0..3)
-            .map(|i| weights[i] * heights[i])
-            .fold(f64::INFINITY, f64::min);
-        fade * (1.5 * EDGE_WIDTH - nearest).clamp(0.0, 0.5 * EDGE_WIDTH) / (0.5 * EDGE_WIDTH)
+        fade * (EDGE_WIDTH + 0.5 - nearest).clamp(0.0, 1.0)
     }
 }
 
@@ -235,6 +243,6 @@ const DARKEST: f64 = 0.04;
 /// The opacity of edges.
 const EDGE_OPACITY: f64 = 0.55;
 /// Half of the width of an edge in pixels.
-const EDGE_WIDTH: f64 = 0.7;
+const EDGE_WIDTH: f64 = 0.5;
 /// The height of a triangle in pixels below which its edges are not drawn.
-const MIN_HEIGHT: f64 = 4.0;
+const MIN_HEIGHT: f64 = 3.0;

@@ -91,7 +91,9 @@ impl App {
     }
 
     fn central(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> bool {
-        let fps = self.frames.rate();
+        // Without a display frames take no time.
+        let is_timed = !self.session.patience.always_sharp;
+        let fps = if is_timed { self.frames.rate() } else { 0.0 };
         let rect = ui.available_rect_before_wrap();
         if self
             .session

@@ -1,13 +1,13 @@
 //! The tree: the selected node, its statistics, and a slider of depths.
 
+use super::colors;
 use super::side_panel::{facts, short};
-use super::{colors, key_button};
 use crate::command::Command;
 use crate::session::Session;
 use crate::tree_walk::{NodeStatistics, Side};
 use crate::view_picture::LEFT_COLOR;
 use crate::view_picture::RIGHT_COLOR;
-use egui::{Key, RichText, Slider, Ui};
+use egui::{RichText, Slider, Ui};
 use kit::{Bvh, NodeKind};
 use pathtracer::Accel;
 use std::sync::Arc;
@@ -23,12 +23,12 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         return;
     };
     ui.horizontal(|ui| {
-        for (label, key, command) in [
-            ("Left", Key::ArrowLeft, Command::Descend(Side::Left)),
-            ("Right", Key::ArrowRight, Command::Descend(Side::Right)),
-            ("Up", Key::ArrowUp, Command::Ascend),
+        for (label, command) in [
+            ("Left child", Command::Descend(Side::Left)),
+            ("Right child", Command::Descend(Side::Right)),
+            ("Parent", Command::Ascend),
         ] {
-            if key_button(ui, label, key) {
+            if ui.button(label).clicked() {
                 commands.push(command);
             }
         }
@@ -43,9 +43,9 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         statistics(ui, "node", &node, tree);
     }
     ui.horizontal(|ui| {
-        ui.colored_label(colors::of(LEFT_COLOR), "■ left");
-        ui.colored_label(colors::of(RIGHT_COLOR), "■ right");
-        ui.colored_label(colors::SELECTED, "■ node");
+        ui.colored_label(colors::of(LEFT_COLOR), "● left");
+        ui.colored_label(colors::of(RIGHT_COLOR), "● right");
+        ui.colored_label(colors::SELECTED, "● node");
     });
     ui.separator();
     egui::CollapsingHeader::new("Whole tree")

@@ -50,10 +50,12 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, session: &mut Session) {
         (colors::RIGHT, "the exact hit"),
     ];
     for (i, (color, text)) in legend.into_iter().enumerate() {
-        let at = rect.min + egui::vec2(10.0, 10.0 + 18.0 * i as f32);
+        let at = rect.min + egui::vec2(16.0, 18.0 + 18.0 * i as f32);
         let font = FontId::proportional(13.0);
+        ui.painter_at(rect).circle_filled(at, 4.0, color);
+        let at = at + egui::vec2(10.0, 0.0);
         ui.painter_at(rect)
-            .text(at, Align2::LEFT_TOP, format!("● {text}"), font, color);
+            .text(at, Align2::LEFT_CENTER, text, font, color);
     }
 }
 

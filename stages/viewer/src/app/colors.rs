@@ -55,6 +55,12 @@ pub(super) fn of(color: Spectrum) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
+/// A coloured dot in a line of text.
+pub(super) fn dot(ui: &mut Ui, color: Color32) {
+    let (rect, _) = ui.allocate_exact_size(egui::Vec2::splat(10.0), egui::Sense::hover());
+    ui.painter().circle_filled(rect.center(), 4.0, color);
+}
+
 /// A value from 0 to 1 as a colour from black over blue, red and yellow to white.
 pub(super) fn heat(value: f64) -> [u8; 3] {
     const STOPS: [[f64; 3]; 5] = [

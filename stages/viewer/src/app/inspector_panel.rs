@@ -22,7 +22,6 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
     if session.inspector.inspected().is_none() {
         return;
     }
-    ui.separator();
     ui.horizontal(|ui| {
         ui.heading("Pixel");
         if ui.button("Close (Q)").clicked() {
@@ -67,6 +66,7 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
     rays(ui, inspector, commands);
     tests(ui, inspector, commands);
     session.inspector.filter = filter;
+    ui.separator();
 }
 
 fn values(ui: &mut Ui, inspected: &Inspected) {
@@ -76,8 +76,9 @@ fn values(ui: &mut Ui, inspected: &Inspected) {
     let lines = text::pixel(inspected.scene.scene(), film, replay);
     let rows: Vec<(&str, String)> = lines
         .lines()
-        .filter_map(|line| line.split_once(' '))
-        .map(|(name, value)| (name, value.trim().to_owned()))
+        // Names have a column of twelve characters.
+        .filter_map(|line| line.split_at_checked(12))
+        .map(|(name, value)| (name.trim_end(), value.to_owned()))
         .collect();
     facts(ui, "values", &rows);
     match inspected.agrees() {
@@ -172,16 +173,17 @@ fn ray_line(ui: &mut Ui, scene: &Scene, record: &RayRecord, selected: bool, wron
     let (boxes, prims) = record.test_counts();
     ui.horizontal(|ui| {
         ui.add_space(8.0 * record.depth as f32);
-        let mark = if wrong { "✖" } else { "●" };
-        let color = if wrong {
-            colors::WRONG
-        } else {
-            colors::ray(record.role)
-        };
-        ui.colored_label(color, mark);
+        colors::dot(
+            ui,
+            if wrong {
+                colors::WRONG
+            } else {
+                colors::ray(record.role)
+            },
+        );
         let line = format!("{}: {found}", text::role(record.role));
         let hover = format!("{boxes} box tests, {prims} primitive tests");
-        let label = egui::Button::selectable(selected, RichText::new(line).small()).truncate();
+        let label = egui::Button::selectable(selected, RichText::new(line).size(11.0)).truncate();
         ui.add(label).on_hover_text(hover).clicked()
     })
     .inner
@@ -207,7 +209,7 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     for line in
         std::iter::once(format!("max_t = {:?}", record.ray.max_t)).chain(text::surface(record))
     {
-        ui.add(Label::new(RichText::new(line).small()).wrap());
+        ui.add(Label::new(RichText::new(line).size(11.0)).wrap());
     }
     let parting = inspected.truth.first_wrong.as_ref();
     let parting = parting.filter(|(s, r, _)| (*s, *r) == (sample, ray));
@@ -222,7 +224,9 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
                     Some(wrong) if wrong == i => colors::WRONG,
                     _ => test_color(ui, test),
                 };
-                let mut line = RichText::new(text::test(scene, test)).small().color(color);
+                let mut line = RichText::new(text::test(scene, test))
+                    .size(11.0)
+                    .color(color);
                 if i + 1 == step {
                     line = line
                         .strong()

@@ -22,7 +22,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
         .auto_shrink([false, true])
         .show(ui, |ui| {
             for (i, case) in report.cases.iter().enumerate() {
-                let text = RichText::new(format!("{} {}", case.task, case.name)).small();
+                let text = RichText::new(format!("{} {}", case.task, case.name)).size(11.0);
                 if ui
                     .add(egui::Button::selectable(opened == Some(i), text).truncate())
                     .clicked()
@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
         );
         ui.colored_label(colors::WRONG, text);
         if let Some((_, sentence)) = &finding.worst {
-            ui.label(RichText::new(sentence).small());
+            ui.label(RichText::new(sentence).size(11.0));
         }
     }
     if let Some(view) = report.view() {
@@ -70,9 +70,10 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
                         colors::WRONG
                     };
                     ui.add(
-                        egui::Label::new(RichText::new(&row.student).small().color(color)).wrap(),
+                        egui::Label::new(RichText::new(&row.student).size(11.0).color(color))
+                            .wrap(),
                     );
-                    ui.add(egui::Label::new(RichText::new(&row.right).small()).wrap());
+                    ui.add(egui::Label::new(RichText::new(&row.right).size(11.0)).wrap());
                     ui.end_row();
                 }
             });

@@ -122,7 +122,7 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         if ui.button("Camera to file (D)").clicked() {
             commands.push(Command::DumpCamera);
         }
-        ui.label(RichText::new(settings.flags()).small().weak());
+        ui.label(RichText::new(settings.flags()).size(11.0).weak());
     });
 }
 
@@ -290,7 +290,7 @@ fn comparison(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
     };
     ui.separator();
     ui.label(RichText::new("Compared with").strong());
-    ui.label(RichText::new(name).small());
+    ui.label(RichText::new(name).size(11.0));
     match session.difference() {
         None => {
             ui.colored_label(colors::WRONG, "the sizes differ");

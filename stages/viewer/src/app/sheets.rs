@@ -30,7 +30,10 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
                 ui.weak("? or Esc closes this sheet");
             });
             let height = ctx.content_rect().height() - 110.0;
-            ScrollArea::vertical().max_height(height).show(ui, help);
+            ScrollArea::vertical()
+                .max_height(height)
+                .min_scrolled_height(height)
+                .show(ui, help);
         });
         if modal.should_close() {
             commands.push(Command::ToggleHelp);

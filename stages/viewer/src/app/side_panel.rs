@@ -12,12 +12,19 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
             report_panel::show(ui, session, commands);
             ui.separator();
         }
+        // The replay is what the user looks at: it comes first.
+        let replay_first = session.mode() == Mode::Render;
+        if replay_first {
+            inspector_panel::show(ui, session, commands);
+        }
         match session.mode() {
             Mode::Edit => selection(ui, session),
             Mode::Bvh => tree_panel::show(ui, session, commands),
             Mode::Render => settings_panel::progress(ui, session, commands),
         }
-        inspector_panel::show(ui, session, commands);
+        if !replay_first {
+            inspector_panel::show(ui, session, commands);
+        }
         if session.scene().is_some() {
             ui.separator();
             settings_panel::settings(ui, session, commands);
@@ -77,11 +84,12 @@ fn scene_facts(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
                 ],
             );
             for warning in &data.source.warnings {
-                ui.label(RichText::new(warning).small());
+                ui.label(RichText::new(warning).size(11.0));
             }
             if let Some(failure) = &data.missing_accel {
                 ui.label(
-                    RichText::new(format!("{failure}: a simpler way to find hits is used")).small(),
+                    RichText::new(format!("{failure}: a simpler way to find hits is used"))
+                        .size(11.0),
                 );
             }
             for path in session.recent().iter().skip(1) {

@@ -43,9 +43,14 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         statistics(ui, "node", &node, tree);
     }
     ui.horizontal(|ui| {
-        ui.colored_label(colors::of(LEFT_COLOR), "● left");
-        ui.colored_label(colors::of(RIGHT_COLOR), "● right");
-        ui.colored_label(colors::SELECTED, "● node");
+        for (color, name) in [
+            (colors::of(LEFT_COLOR), "left"),
+            (colors::of(RIGHT_COLOR), "right"),
+            (colors::SELECTED, "node"),
+        ] {
+            colors::dot(ui, color);
+            ui.label(name);
+        }
     });
     ui.separator();
     egui::CollapsingHeader::new("Whole tree")

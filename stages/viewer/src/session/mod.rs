@@ -493,6 +493,6 @@ const ROTATION_PER_VIEW: f64 = std::f64::consts::PI;
 fn beside(orbit: Orbit) -> Orbit {
     let mut spy = Orbit::new(orbit.view());
     spy.rotate(-0.7, -0.25);
-    spy.zoom(-6.0);
+    spy.zoom(-4.0);
     Orbit::new(spy.view())
 }

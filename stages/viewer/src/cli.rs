@@ -36,15 +36,24 @@ pub struct ViewerArgs {
     pub light: bool,
 }
 
+/// The path that stands for no scene.
+const NO_SCENE: &str = "-";
+
 impl ViewerArgs {
     /// Parses the command line. The scene may be missing; its path is then empty.
     pub fn parse_from(
         arguments: impl IntoIterator<Item = OsString>,
     ) -> Result<ViewerArgs, clap::Error> {
-        let command =
-            ViewerArgs::command().mut_arg("scene", |scene| scene.required(false).default_value(""));
+        // clap accepts no empty path.
+        let command = ViewerArgs::command().mut_arg("scene", |scene| {
+            scene.required(false).default_value(NO_SCENE)
+        });
         let matches: ArgMatches = command.try_get_matches_from(arguments)?;
-        ViewerArgs::from_arg_matches(&matches)
+        let mut args = ViewerArgs::from_arg_matches(&matches)?;
+        if args.render.scene.as_os_str() == NO_SCENE {
+            args.render.scene = PathBuf::new();
+        }
+        Ok(args)
     }
 
     /// The mode and the file of `--snapshot`. The error is a sentence.

@@ -49,17 +49,14 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
         ui.checkbox(&mut filter.one_sample, "this sample only");
         let mut depth = filter.depth.map_or(-1, i64::from);
         let any = |value: f64, _: std::ops::RangeInclusive<usize>| match value < 0.0 {
-            true => "any depth".to_owned(),
-            false => format!("depth {value:.0}"),
+            true => "any".to_owned(),
+            false => format!("{value:.0}"),
         };
-        if ui
-            .add(
-                egui::DragValue::new(&mut depth)
-                    .range(-1..=64)
-                    .custom_formatter(any),
-            )
-            .changed()
-        {
+        let label = ui.weak("depth").id;
+        let field = egui::DragValue::new(&mut depth)
+            .range(-1..=64)
+            .custom_formatter(any);
+        if ui.add(field).labelled_by(label).changed() {
             filter.depth = u32::try_from(depth).ok();
         }
     });

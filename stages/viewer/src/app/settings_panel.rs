@@ -40,81 +40,56 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 commands,
                 Command::Depth,
             );
-            ui.label("size");
+            let label = ui.label("size").id;
             ui.horizontal(|ui| {
                 let mut film = settings.film;
-                ui.add(edge(&mut film.w));
+                ui.add(edge(&mut film.w)).labelled_by(label);
                 ui.label("x");
-                ui.add(edge(&mut film.h));
+                ui.add(edge(&mut film.h)).labelled_by(label);
                 if film != settings.film {
                     settings.film = film;
                     settings.cell = None;
                 }
             });
             ui.end_row();
-            ui.label("direct light (H, M)");
-            let name = |sampling| match sampling {
-                DirectSampling::Lights => "lights",
-                DirectSampling::Hemisphere => "hemisphere",
-                DirectSampling::Mis => "MIS",
-            };
-            let current = &mut settings.light.direct_sampling;
-            ComboBox::from_id_salt("direct")
-                .selected_text(name(*current))
-                .width(96.0)
-                .show_ui(ui, |ui| {
-                    for sampling in [
-                        DirectSampling::Lights,
-                        DirectSampling::Hemisphere,
-                        DirectSampling::Mis,
-                    ] {
-                        ui.selectable_value(current, sampling, name(sampling));
-                    }
-                });
-            ui.end_row();
-            ui.label("samples (U)");
-            let name = |sampler| match sampler {
-                SamplerName::Independent => "independent",
-                SamplerName::Stratified => "stratified",
-                SamplerName::Sobol => "Sobol",
-            };
-            let current = &mut settings.sampler;
-            ComboBox::from_id_salt("sampler")
-                .selected_text(name(*current))
-                .width(96.0)
-                .show_ui(ui, |ui| {
-                    for sampler in [
-                        SamplerName::Sobol,
-                        SamplerName::Stratified,
-                        SamplerName::Independent,
-                    ] {
-                        ui.selectable_value(current, sampler, name(sampler));
-                    }
-                });
-            ui.end_row();
-            ui.label("adaptive (A)");
+            choice(
+                ui,
+                "direct light (H, M)",
+                &mut settings.light.direct_sampling,
+                &[
+                    (DirectSampling::Lights, "lights"),
+                    (DirectSampling::Hemisphere, "hemisphere"),
+                    (DirectSampling::Mis, "MIS"),
+                ],
+            );
+            choice(
+                ui,
+                "samples (U)",
+                &mut settings.sampler,
+                &[
+                    (SamplerName::Sobol, "Sobol"),
+                    (SamplerName::Stratified, "stratified"),
+                    (SamplerName::Independent, "independent"),
+                ],
+            );
+            let label = ui.label("adaptive (A)").id;
             ui.horizontal(|ui| {
                 let mut is_on = settings.light.adaptive.is_some();
-                if ui.checkbox(&mut is_on, "").changed() {
+                if ui.checkbox(&mut is_on, "").labelled_by(label).changed() {
                     commands.push(Command::ToggleAdaptive);
                 }
                 if let Some((batch, tolerance)) = &mut settings.light.adaptive {
-                    ui.add(
-                        DragValue::new(batch)
-                            .range(1..=4096_u32)
-                            .update_while_editing(false),
-                    );
-                    ui.add(
-                        DragValue::new(tolerance)
-                            .range(0.0..=1.0)
-                            .speed(0.001)
-                            .update_while_editing(false),
-                    );
+                    let batch = DragValue::new(batch).range(1..=4096_u32);
+                    ui.add(batch.update_while_editing(false)).labelled_by(label);
+                    let tolerance = DragValue::new(tolerance).range(0.0..=1.0).speed(0.001);
+                    ui.add(tolerance.update_while_editing(false))
+                        .labelled_by(label);
                 }
             });
             ui.end_row();
-            ui.label("roulette");
-            ui.checkbox(&mut settings.light.roulette, "");
+            let label = ui.label("roulette").id;
+            ui.checkbox(&mut settings.light.roulette, "")
+                .labelled_by(label);
             ui.end_row();
         });
     session.set_settings(settings);
@@ -124,6 +99,20 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         }
         ui.label(RichText::new(settings.flags()).size(11.0).weak());
     });
+}
+
+/// One of several values, in a row of its own.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, choices: &[(T, &str)]) {
+    let id = ui.label(label).id;
+    let name = choices.iter().find(|(choice, _)| choice == value);
+    let field = ComboBox::from_id_salt(label).selected_text(name.map_or("", |(_, name)| name));
+    let shown = field.width(96.0).show_ui(ui, |ui| {
+        for (choice, name) in choices {
+            ui.selectable_value(value, *choice, *name);
+        }
+    });
+    shown.response.labelled_by(id);
+    ui.end_row();
 }
 
 /// A field for the width or the height of the picture.

@@ -60,7 +60,7 @@ impl Window {
 
     /// Draws frames until nothing is in progress.
     pub(crate) fn settle(&mut self) {
-        self.harness.run_steps(4);
+        self.harness.run_steps(3);
     }
 
     /// Presses and releases a key.

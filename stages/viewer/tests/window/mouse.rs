@@ -102,25 +102,16 @@ fn select_vertex(window: &mut Window) -> (u32, Pos2) {
 fn dragging_a_selected_vertex_moves_it_and_the_tree_and_the_picture_follow() {
     let mut window = Window::open("", "cornell_whale.dae");
     let (_, in_view) = select_vertex(&mut window);
-    // The view is below the bar at the top.
-    let top = 600.0 - 27.0 - view_height(&mut window);
+    // The bars at the top and at the bottom are equally high.
+    let top = (600.0 - view_height(&mut window)) / 2.0;
     let at = in_view + egui::vec2(0.0, top);
-    let mut selected = None;
     // The picked element is a vertex only very near to it.
-    for (dx, dy) in [
-        (0.0, 0.0),
-        (1.0, 0.0),
-        (-1.0, 0.0),
-        (0.0, 1.0),
-        (0.0, -1.0),
-        (2.0, 0.0),
-        (-2.0, 0.0),
-        (0.0, 2.0),
-        (0.0, -2.0),
-    ] {
-        window.click(at + egui::vec2(dx, dy));
+    let offsets = (-4..=4).flat_map(|y| (-4..=4).map(move |x| egui::vec2(x as f32, y as f32)));
+    let mut selected = None;
+    for offset in offsets {
+        window.click(at + offset);
         if let Some(Element::Vertex(v)) = window.session().selection() {
-            selected = Some((v, at + egui::vec2(dx, dy)));
+            selected = Some((v, at + offset));
             break;
         }
     }
@@ -286,7 +277,7 @@ fn a_resize_keeps_the_picture() {
 
 #[test]
 fn closing_during_a_render_asks() {
-    let mut window = Window::open("-r 400 300 -s 1024", "cornell_whale.dae");
+    let mut window = Window::open("-r 400 300 -s 64", "cornell_whale.dae");
     let session = window.session();
     session.patience = viewer::view3d::Patience::WINDOW;
     session.apply(Command::Render);

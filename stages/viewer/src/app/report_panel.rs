@@ -3,7 +3,7 @@
 use super::colors;
 use crate::command::Command;
 use crate::session::Session;
-use egui::{Grid, RichText, ScrollArea, Ui};
+use egui::{RichText, ScrollArea, Ui};
 
 pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let Some(report) = session.report() else {
@@ -58,25 +58,23 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
             ui.colored_label(colors::HOVERED, failure.to_string());
         }
         ui.weak("Your code now, and the exact answer:");
-        Grid::new("answers")
-            .num_columns(3)
-            .spacing([8.0, 3.0])
-            .show(ui, |ui| {
-                for row in &view.rows {
-                    ui.weak(row.name);
-                    let color = if row.is_same() {
-                        ui.visuals().text_color()
+        for row in &view.rows {
+            ui.horizontal(|ui| {
+                colors::dot(
+                    ui,
+                    if row.is_right {
+                        colors::RIGHT
                     } else {
                         colors::WRONG
-                    };
-                    ui.add(
-                        egui::Label::new(RichText::new(&row.student).size(11.0).color(color))
-                            .wrap(),
-                    );
-                    ui.add(egui::Label::new(RichText::new(&row.right).size(11.0)).wrap());
-                    ui.end_row();
-                }
+                    },
+                );
+                ui.label(RichText::new(row.name).strong());
             });
+            for (who, value) in [("yours", &row.student), ("exact", &row.right)] {
+                let text = RichText::new(format!("{who}: {value}")).size(11.0);
+                ui.add(egui::Label::new(text).wrap());
+            }
+        }
         if !view.is_of_report {
             ui.weak("The report's ray is another one: it was made with another seed.");
         }

@@ -161,19 +161,22 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         (false, false) => format!("stopped at {:.0} %", 100.0 * progress),
     };
     ui.add(ProgressBar::new(progress as f32).text(state));
+    let mut rows = vec![("pass", pass.to_string())];
     let seconds = render.time().as_secs_f64();
-    let mut rows = vec![
-        ("pass", pass.to_string()),
-        ("time", format!("{seconds:.1} s")),
-    ];
+    // Snapshots are the same on every machine: they show no times.
+    let is_timed = !session.patience.always_sharp;
+    if is_timed {
+        rows.push(("time", format!("{seconds:.1} s")));
+    }
     if let Some(rendered) = render.render().map(|render| render.rendered()) {
         let rays = rendered.counters.rays;
+        let rate = rays as f64 / seconds.max(1e-9) / 1e6;
         rows.push((
             "rays",
-            format!(
-                "{rays}, {:.2} million/s",
-                rays as f64 / seconds.max(1e-9) / 1e6
-            ),
+            match is_timed {
+                true => format!("{rays}, {rate:.2} million/s"),
+                false => rays.to_string(),
+            },
         ));
         if let Some(error) = rendered.relative_error() {
             rows.push(("noise", format!("{:.2} %", 100.0 * error)));

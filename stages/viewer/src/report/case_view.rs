@@ -45,14 +45,15 @@ pub struct Row {
     pub student: String,
     /// The exact one.
     pub right: String,
+    /// Whether the stage's answer scores: it may be off by the rounding errors of correct code.
+    pub is_right: bool,
 }
 
-impl Row {
-    /// Whether both are the same text.
-    pub fn is_same(&self) -> bool {
-        self.student == self.right
-    }
-}
+/// The largest distance on the film between a sample and the point where its ray goes.
+const SENSOR_TOLERANCE: f64 = 1e-9;
+/// The largest difference of the length of a unit vector from 1: a normalisation has about 4
+/// roundings.
+const UNIT_TOLERANCE: f64 = 1e-14;
 
 impl CaseView {
     /// The view of the worst answer of a case; `None` if the case is not about a single ray and
@@ -135,12 +136,13 @@ impl CaseView {
         let right = expected.hits.first();
         let answered = answer.as_ref().ok().copied().flatten();
         let mut rows = Vec::new();
-        let mut row = |name, student: Option<String>, right: Option<String>| {
+        let mut row = |name, student: Option<String>, right: Option<String>, is_right| {
             let none = || "-".to_owned();
             rows.push(Row {
                 name,
                 student: student.unwrap_or_else(none),
                 right: right.unwrap_or_else(none),
+                is_right,
             });
         };
         let said = |hit: bool| Some(if hit { "hit" } else { "miss" }.to_owned());
@@ -148,37 +150,30 @@ impl CaseView {
             (true, true) => Some("hit or miss".to_owned()),
             (hit, _) => said(hit),
         };
-        row(
-            "result",
-            answer.as_ref().ok().and_then(|hit| said(hit.is_some())),
-            right_says,
-        );
-        let number = |x: f64| format!("{x:?}");
-        row(
-            "t",
-            answered.map(|hit| number(hit.t)),
-            right.map(|hit| number(hit.t)),
-        );
-        row(
-            "primitive",
-            answered.map(|hit| hit.prim.0.to_string()),
-            right.map(|hit| hit.prim.to_string()),
-        );
-        row(
-            "p",
-            answered.map(|hit| vector(hit.p)),
-            right.map(|hit| vector(hit.p)),
-        );
-        row(
-            "n",
-            answered.map(|hit| vector(hit.n)),
-            right.and_then(|hit| hit.n).map(vector),
-        );
-        row(
-            "ng",
-            answered.map(|hit| vector(hit.ng)),
-            right.and_then(|hit| hit.ng).map(vector),
-        );
+        let student_says = answer.as_ref().ok().and_then(|hit| said(hit.is_some()));
+        let scores = answer.as_ref().is_ok_and(|hit| match hit {
+            Some(_) => right.is_some(),
+            None => expected.miss || right.is_none(),
+        });
+        row("result", student_says, right_says, scores);
+        if let (Some(hit), Some(right)) = (answered, right) {
+            let number = |x: f64| Some(format!("{x:?}"));
+            let is_near = |a: Vec3, b: Vec3, bound: f64| (a - b).abs().max_element() <= bound;
+            let is_right = (hit.t - right.t).abs() <= right.t_bound;
+            row("t", number(hit.t), number(right.t), is_right);
+            let is_right = expected.hits.iter().any(|one| one.prim == hit.prim.0);
+            let prims = (hit.prim.0.to_string(), right.prim.to_string());
+            row("primitive", Some(prims.0), Some(prims.1), is_right);
+            let is_right = is_near(hit.p, right.p, right.p_bound);
+            row("p", Some(vector(hit.p)), Some(vector(right.p)), is_right);
+            for (name, n, right, bound) in [
+                ("n", hit.n, right.n, right.n_bound),
+                ("ng", hit.ng, right.ng, right.ng_bound),
+            ] {
+                let is_right = right.is_none_or(|right| is_near(n, right, bound));
+                row(name, Some(vector(n)), right.map(vector), is_right);
+            }
+        }
         CaseView {
             scene,
             student: answered.map(|hit| hit.t).into_iter().collect(),
@@ -214,6 +209,12 @@ impl CaseView {
             right: ends(exact),
             rows: vec![Row {
                 name: "interval",
+                is_right: answer.as_ref().is_ok_and(|interval| {
+                    let verdict = oracle::bbox(&bounds, ray);
+                    verdict
+                        .judge(oracle::KernelClass::Textbook, *interval)
+                        .scores()
+                }),
                 student: answer
                     .as_ref()
                     .map_or("-".to_owned(), |interval| text(*interval)),
@@ -232,22 +233,47 @@ impl CaseView {
                 format!("({:?}, {:?})", p.x, p.y)
             })
         };
-        let row = |name, student: &dyn Fn(&Ray) -> String, right: String| Row {
+        let row = |name,
+                   student: &dyn Fn(&Ray) -> String,
+                   right: String,
+                   judge: &dyn Fn(&Ray) -> bool| Row {
             name,
             student: answer.as_ref().map_or("-".to_owned(), student),
             right,
+            is_right: answer.as_ref().is_ok_and(judge),
         };
         let seen = |ray: &Ray| Projection::new(camera).point(ray.o + ray.d);
+        let is_seen =
+            |ray: &Ray| seen(ray).is_some_and(|at| at.distance(sensor) <= SENSOR_TOLERANCE);
+        let is_unit = |ray: &Ray| (ray.d.length() - 1.0).abs() <= UNIT_TOLERANCE;
         let rows = vec![
-            row("o", &|ray| vector(ray.o), vector(camera.pos)),
+            row("o", &|ray| vector(ray.o), vector(camera.pos), &|ray| {
+                ray.o == camera.pos
+            }),
             row(
                 "point on the film",
                 &|ray| point(seen(ray)),
                 point(Some(sensor)),
+                &is_seen,
             ),
-            row("length of d", &|ray| text(ray.d.length()), text(1.0)),
-            row("min_t", &|ray| text(ray.min_t), text(camera.n_clip)),
-            row("max_t", &|ray| text(ray.max_t), text(camera.f_clip)),
+            row(
+                "length of d",
+                &|ray| text(ray.d.length()),
+                text(1.0),
+                &is_unit,
+            ),
+            row(
+                "min_t",
+                &|ray| text(ray.min_t),
+                text(camera.n_clip),
+                &|ray| ray.min_t == camera.n_clip,
+            ),
+            row(
+                "max_t",
+                &|ray| text(ray.max_t),
+                text(camera.f_clip),
+                &|ray| ray.max_t == camera.f_clip,
+            ),
         ];
         CaseView {
             camera: Some(*camera),

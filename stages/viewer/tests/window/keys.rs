@@ -5,6 +5,7 @@ use egui::{Key, Modifiers};
 use kit::film::Cell;
 use pathtracer::DirectSampling;
 use pathtracer::args::SamplerName;
+use viewer::command::Command;
 use viewer::session::{HeatKind, Mode};
 
 /// A window with a small picture.
@@ -155,9 +156,7 @@ fn c_toggles_cell_mode_and_forgets_the_cell() {
         x1: 9,
         y1: 8,
     };
-    window
-        .session()
-        .apply(viewer::command::Command::SetCell(cell));
+    window.session().apply(Command::SetCell(cell));
     assert_eq!(
         window.session().message(),
         "Selected cell measures 8x6 pixels"
@@ -215,9 +214,7 @@ fn x_t_and_g_show_where_the_work_is() {
 fn n_and_b_walk_through_tests_and_rays() {
     let mut window = window();
     window.press(Key::R);
-    window
-        .session()
-        .apply(viewer::command::Command::Inspect(16, 12));
+    window.session().apply(Command::Inspect(16, 12));
     window.settle();
     let position = |window: &mut Window| window.session().inspector.position();
     assert_eq!(position(&mut window), (0, 0, 0));
@@ -277,11 +274,11 @@ fn space_resets_the_view_completely() {
     let home = *window.session().orbit().expect("a camera");
     window
         .session()
-        .apply(viewer::command::Command::Orbit(kit::Vec2::new(0.2, 0.1)));
-    window.session().apply(viewer::command::Command::Zoom(3.0));
+        .apply(Command::Orbit(kit::Vec2::new(0.2, 0.1)));
+    window.session().apply(Command::Zoom(3.0));
     window
         .session()
-        .apply(viewer::command::Command::Pan(kit::Vec2::new(0.1, 0.0)));
+        .apply(Command::Pan(kit::Vec2::new(0.1, 0.0)));
     assert_ne!(*window.session().orbit().expect("a camera"), home);
     window.press(Key::Space);
     assert_eq!(*window.session().orbit().expect("a camera"), home);
@@ -291,7 +288,7 @@ fn space_resets_the_view_completely() {
 #[test]
 fn no_key_breaks_anything() {
     for name in ["spheres.dae", ""] {
-        for mode in [Key::E, Key::V, Key::R] {
+        for mode in Mode::ALL {
             let folder = tempfile::tempdir().expect("a folder");
             let mut window = Window::open("-r 16 12", name);
             window.session().output_folder = folder.path().to_owned();
@@ -299,7 +296,7 @@ fn no_key_breaks_anything() {
                 if binding.key == Key::Escape {
                     continue;
                 }
-                window.press(mode);
+                window.session().apply(Command::Mode(mode));
                 let shift = binding.shift == Some(true);
                 let modifiers = if shift {
                     Modifiers::SHIFT

@@ -132,8 +132,10 @@ impl Headless {
             ..RawInput::default()
         };
         let app = &mut self.app;
-        let output = self.ctx.run_ui(input, |ui| app.ui(ui));
+        let mut output = self.ctx.run_ui(input, |ui| app.ui(ui));
         self.rasteriser.update(&output.textures_delta);
+        // What is handled has to be removed: egui checks it when a frame's output is dropped.
+        output.textures_delta.clear();
         let primitives = self.ctx.tessellate(output.shapes, output.pixels_per_point);
         self.rasteriser.draw(
             self.size,

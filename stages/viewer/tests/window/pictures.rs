@@ -1,9 +1,11 @@
 //! Pictures of every mode, light and dark, large and small. They are reviewed like goldens.
 
 use super::common::{Window, session};
+use clap::ValueEnum;
 use egui::Key;
 use egui_kittest::SnapshotOptions;
 use viewer::command::Command;
+use viewer::snapshot::{self, Shot};
 
 /// Pixels may differ where compilers round differently: this many.
 const MAX_FAILED_PIXELS: usize = 30;
@@ -85,4 +87,17 @@ fn keys() {
 fn without_a_scene() {
     let mut window = window("", "", SMALL);
     check(&mut window, "empty");
+}
+
+/// The pictures of `--snapshot`, which README shows: every one has something in its middle.
+#[test]
+fn every_shot_can_be_taken() {
+    for shot in Shot::value_variants() {
+        let session = session("-r 32 24 -s 2", "cornell_spheres.dae");
+        let picture = snapshot::take(session, *shot, [640, 480]);
+        assert_eq!(picture.size, [640, 480]);
+        let row = &picture.pixels[240 * 640..240 * 640 + 380];
+        let is_plain = row.iter().all(|pixel| *pixel == row[0]);
+        assert!(!is_plain, "{shot:?}");
+    }
 }

@@ -36,6 +36,20 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "simd_paths",
         ],
     ),
+    (
+        "viewer",
+        &[
+            "kit",
+            "pathtracer",
+            "scenes",
+            "raygen",
+            "intersect",
+            "bbox",
+            "judge",
+            "oracle",
+            "wire",
+        ],
+    ),
     ("wire", &[]),
     ("harness", &["kit", "wire"]),
     (

@@ -55,13 +55,28 @@ impl Accel {
         skip: Option<PrimId>,
         counters: &mut Counters,
     ) -> Option<Hit> {
+        if let Accel::Simd(tree) = self {
+            let (id, hit) = closest_in(tree, scene, ray, skip, counters)?;
+            return record_hit(scene, id, ray, hit);
+        }
         let mut world = SceneWorld::new(scene, skip);
-        let hit = match self {
-            Accel::Bvh(tree) => intersect_bvh(tree, ray, &mut world),
-            Accel::Simd(tree) => {
-                let (id, hit) = closest_in(tree, scene, ray, skip, counters)?;
-                return record_hit(scene, id, ray, hit);
-            }
+        let hit = self.closest_through(scene, ray, &mut world);
+        *counters += world.counters();
+        hit
+    }
+
+    /// [`Accel::closest`] with tests by `world`. Panics if this is the wide tree, whose tests do
+    /// not go through [`World`].
+    #[inline]
+    pub(crate) fn closest_through<W: World>(
+        &self,
+        scene: &Scene,
+        ray: &mut Ray,
+        world: &mut W,
+    ) -> Option<Hit> {
+        match self {
+            Accel::Bvh(tree) => intersect_bvh(tree, ray, world),
+            Accel::Simd(_) => panic!("{NO_WORLD}"),
             Accel::Brute => {
                 let mut closest: Option<Hit> = None;
                 for id in prims(scene) {
@@ -75,9 +90,7 @@ impl Accel {
                 }
                 closest
             }
-        };
-        *counters += world.counters();
-        hit
+        }
     }
 
     /// Whether any primitive of `scene` but `skip` is hit in the range of `ray`.
@@ -91,16 +104,33 @@ impl Accel {
         skip: Option<PrimId>,
         counters: &mut Counters,
     ) -> bool {
+        if let Accel::Simd(tree) = self {
+            return occluded_in(tree, scene, ray, skip, counters);
+        }
         let mut world = SceneWorld::new(scene, skip);
-        let blocked = match self {
-            Accel::Bvh(tree) => occludes_bvh(tree, ray, &mut world),
-            Accel::Simd(tree) => return occluded_in(tree, scene, ray, skip, counters),
-            Accel::Brute => prims(scene).any(|id| world.blocked(id, ray)),
-        };
+        let blocked = self.occluded_through(scene, ray, &mut world);
         *counters += world.counters();
         blocked
     }
+
+    /// [`Accel::occluded`] with tests by `world`. Panics if this is the wide tree.
+    #[inline]
+    pub(crate) fn occluded_through<W: World>(
+        &self,
+        scene: &Scene,
+        ray: &Ray,
+        world: &mut W,
+    ) -> bool {
+        match self {
+            Accel::Bvh(tree) => occludes_bvh(tree, ray, world),
+            Accel::Simd(_) => panic!("{NO_WORLD}"),
+            Accel::Brute => prims(scene).any(|id| world.blocked(id, ray)),
+        }
+    }
 }
+
+/// The message for the wide tree where tests have to go through [`World`].
+const NO_WORLD: &str = "the tests of the wide tree do not go through `World`";
 
 fn prims(scene: &Scene) -> impl Iterator<Item = PrimId> {
     let count = u32::try_from(scene.len()).expect("fewer than 2^32 primitives");

@@ -5,6 +5,7 @@
 
 use crate::materials::{Materials, PathMaterials};
 use crate::textures::Textures;
+use crate::tracer::{RayRole, RayTracer, SceneTracer};
 use crate::{Accel, Counters, DirectSampling, LightSettings};
 use direct::{
     estimate_direct_lighting_hemisphere, estimate_direct_lighting_importance,
@@ -58,17 +59,17 @@ impl From<&Hit> for RayOrigin {
 }
 
 /// Traces the paths of one tile through a scene.
-pub(crate) struct PathIntegrator<'a> {
+pub(crate) struct PathIntegrator<'a, T = SceneTracer<'a>> {
     pub(crate) lit: &'a LitScene,
     textures: &'a Textures,
-    accel: &'a Accel,
-    settings: &'a LightSettings,
+    pub(crate) tracer: T,
+    pub(crate) settings: &'a LightSettings,
     /// The numbers of rays and tests so far. In a cell, because several callbacks that are passed
     /// to one stage increment them.
     counters: Cell<Counters>,
     pub(crate) materials: Materials,
-    /// The finished pixels and the luminances of their samples.
-    pub(crate) luminance: Vec<((u32, u32), Tally)>,
+    /// The luminances of the samples of each finished pixel.
+    pub(crate) luminance: Vec<Tally>,
     /// The largest number of rays on a path; 0 in a scene without light.
     pub(crate) max_depth: u32,
     /// The number of directions that one estimate by hemisphere sampling traces.
@@ -83,11 +84,27 @@ impl<'a> PathIntegrator<'a> {
         accel: &'a Accel,
         settings: &'a LightSettings,
     ) -> PathIntegrator<'a> {
+        let tracer = SceneTracer {
+            scene: &lit.scene,
+            accel,
+        };
+        PathIntegrator::with_tracer(lit, textures, tracer, settings)
+    }
+}
+
+impl<'a, T: RayTracer> PathIntegrator<'a, T> {
+    /// An integrator whose rays are traced by `tracer` in `lit.scene`.
+    pub(crate) fn with_tracer(
+        lit: &'a LitScene,
+        textures: &'a Textures,
+        tracer: T,
+        settings: &'a LightSettings,
+    ) -> PathIntegrator<'a, T> {
         let area_lights = lit.emitters.iter().filter(|e| !e.is_delta()).count() as u32;
         PathIntegrator {
             lit,
             textures,
-            accel,
+            tracer,
             settings,
             counters: Cell::default(),
             materials: Materials::new(settings.force_effects),
@@ -110,7 +127,7 @@ impl<'a> PathIntegrator<'a> {
 
     /// Calls `count`, which may increment the counters. Calls must not be nested.
     #[inline]
-    pub(crate) fn counting<T>(&self, count: impl FnOnce(&mut Counters) -> T) -> T {
+    pub(crate) fn counting<R>(&self, count: impl FnOnce(&mut Counters) -> R) -> R {
         let mut counters = self.counters.get();
         let result = count(&mut counters);
         self.counters.set(counters);
@@ -159,7 +176,8 @@ impl<'a> PathIntegrator<'a> {
                 tint: &tint,
             },
             &mut |ray| {
-                let hit = self.closest(ray, self.skip(origin, ray))?;
+                let role = RayRole::of_path(origin.is_some());
+                let hit = self.closest(role, ray, self.skip(origin, ray))?;
                 origin = Some(RayOrigin::from(&hit));
                 tint.set(self.texture_color(&hit));
                 Some(hit)
@@ -182,7 +200,7 @@ impl<'a> PathIntegrator<'a> {
 
     /// Emission and direct light at the first hit. Needs the stage `direct`, but not `global`.
     fn emission_and_direct(&self, ray: &Ray, sampler: &mut PixelSampler) -> Spectrum {
-        let Some(hit) = self.closest(ray, None) else {
+        let Some(hit) = self.closest(RayRole::Camera, ray, None) else {
             return self.lit.background(ray.d);
         };
         let tint = self.texture_color(&hit);
@@ -216,7 +234,8 @@ impl<'a> PathIntegrator<'a> {
         let materials = self.materials.at(tint);
         if let Some(sample) = materials.sample(surface.material, wo, u, choice) {
             let ray = surface.leave(surface.frame.to_world(sample.wi));
-            black_box(self.closest(&ray, self.skip(Some(surface.into()), &ray)));
+            let skip = self.skip(Some(surface.into()), &ray);
+            black_box(self.closest(RayRole::Bounce, &ray, skip));
         }
     }
 
@@ -245,11 +264,10 @@ impl<'a> PathIntegrator<'a> {
     }
 
     #[inline]
-    fn closest(&self, ray: &Ray, skip: Option<PrimId>) -> Option<Hit> {
+    fn closest(&self, role: RayRole, ray: &Ray, skip: Option<PrimId>) -> Option<Hit> {
         let hit = self.counting(|counters| {
             counters.rays += 1;
-            let scene = &self.lit.scene;
-            self.accel.closest(scene, &mut { *ray }, skip, counters)
+            self.tracer.closest(role, ray, skip, counters)
         });
         if hit.is_none() && (self.has_background || self.settings.force_effects) {
             self.materials.count(Effect::Background);
@@ -261,7 +279,7 @@ impl<'a> PathIntegrator<'a> {
     fn occluded(&self, ray: &Ray, skip: Option<PrimId>) -> bool {
         self.counting(|counters| {
             counters.rays += 1;
-            self.accel.occluded(&self.lit.scene, ray, skip, counters)
+            self.tracer.occluded(ray, skip, counters)
         })
     }
 
@@ -287,7 +305,7 @@ impl<'a> PathIntegrator<'a> {
         let (lit, materials) = (self.lit, &self.materials.at(tint));
         let trace = &mut |ray: &Ray| {
             self.materials.count(Effect::DirectLight);
-            self.closest(ray, self.skip(origin, ray))
+            self.closest(RayRole::Light, ray, self.skip(origin, ray))
         };
         let occluded = &mut |ray: &Ray| {
             self.materials.count(Effect::DirectLight);

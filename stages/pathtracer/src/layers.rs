@@ -43,7 +43,8 @@ impl Feature {
     }
 }
 
-fn albedo(material: &Material) -> Spectrum {
+/// The reflectance or transmittance of a material; black for emitters.
+pub fn albedo(material: &Material) -> Spectrum {
     match *material {
         Material::Diffuse { reflectance }
         | Material::Mirror { reflectance }

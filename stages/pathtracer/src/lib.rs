@@ -8,6 +8,7 @@
 //! [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
 
 pub mod accel;
+pub mod args;
 pub mod environment_file;
 mod integrator;
 pub mod layers;
@@ -19,13 +20,18 @@ pub mod normals;
 pub mod output;
 mod packet;
 pub mod part_file;
+pub mod picture;
+pub mod progressive;
 pub mod rendered;
+pub mod replay;
 pub mod textures;
 mod tiles;
 pub mod tone;
+pub mod tracer;
 pub mod world;
 
 pub use accel::{Accel, AccelKind};
+pub use adaptive::rate_colour;
 pub use environment_file::{EnvironmentFileError, load_environment};
 pub use lens::Lens;
 pub use lit::{DirectSampling, LightSettings, render_lit};
@@ -33,6 +39,10 @@ pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};
 pub use part_file::PartFile;
-pub use rendered::{Job, Rendered};
+pub use picture::{Picture, PreparedScene};
+pub use progressive::ProgressiveRender;
+pub use rendered::{Job, Rendered, RenderedTile};
+pub use replay::replay_pixel;
 pub use textures::Textures;
+pub use tracer::RayRole;
 pub use world::{Counters, SceneWorld};

@@ -7,13 +7,15 @@
 
 use crate::integrator::PathIntegrator;
 use crate::packet::PacketRenderer;
+use crate::rendered::RenderedTile;
 use crate::textures::Textures;
 use crate::tiles;
+use crate::tracer::RayTracer;
 use crate::{Accel, Job, Lens, Rendered};
 use adaptive::{has_converged, has_surely_converged, raytrace_pixel_adaptive};
 use kit::effects::{EffectSettings, Requirement};
 use kit::film::Cell as Tile;
-use kit::{Budget, Film, LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
+use kit::{Budget, LitScene, PixelEstimate, PixelSampler, Ray, Spectrum, Tally, Vec2};
 use raygen::{generate_ray, raytrace_pixel};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -95,31 +97,88 @@ pub fn render_lit(
     stop: &AtomicBool,
     tile_done: &(dyn Fn(Tile, u64) + Sync),
 ) -> Rendered {
+    let tiles = job.cell.tiles();
+    let finished = |tile: RenderedTile| {
+        tile_done(tile.cell, tile.counters.rays);
+        tile
+    };
+    let tiles = render_lit_tiles(lit, textures, accel, job, settings, &tiles, stop, &finished);
+    let mut rendered = Rendered::black(job.film, true);
+    tiles.iter().for_each(|tile| rendered.add_tile(tile));
+    rendered
+}
+
+/// Renders some tiles of the picture of [`render_lit`], with the same pixels. `finish` is called
+/// with each tile and returns what to keep of it. A tile that is in progress when `stop` is set has
+/// black pixels without samples.
+#[allow(
+    clippy::too_many_arguments,
+    reason = "those of `render_lit`, and the tiles"
+)]
+pub fn render_lit_tiles<R: Send>(
+    lit: &LitScene,
+    textures: &Textures,
+    accel: &Accel,
+    job: &Job,
+    settings: &LightSettings,
+    tiles: &[Tile],
+    stop: &AtomicBool,
+    finish: &(dyn Fn(RenderedTile) -> R + Sync),
+) -> Vec<R> {
     if let Some(renderer) = PacketRenderer::new(lit, textures, accel, job, settings) {
-        return renderer.render(stop, tile_done);
+        return renderer.render(tiles, stop, finish);
     }
-    let (film, integrators) = tiles::render(
-        job.film,
-        job.cell,
+    tiles::render(
+        tiles,
         job.sampling,
         || PathIntegrator::new(lit, textures, accel, settings),
         |integrator, x, y, sampler| {
             if stop.load(Ordering::Relaxed) {
+                integrator.luminance.push(Tally::default());
                 return PixelEstimate::default();
             }
-            let camera_ray = &mut |sensor| generate_ray(&job.camera, sensor);
-            let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
-                let ray = integrator.through_lens(&job.camera, ray, sampler);
-                integrator.radiance(&ray, sampler)
-            };
-            let (estimate, luminance) =
-                sample_pixel(job, settings, (x, y), sampler, camera_ray, trace_ray);
-            integrator.luminance.push(((x, y), luminance));
-            estimate
+            integrator.pixel(job, (x, y), sampler)
         },
-        |cell, integrator| tile_done(cell, integrator.counters().rays),
-    );
-    assemble(film, &integrators)
+        |cell, pixels, integrator| finish(integrator.into_tile(cell, pixels)),
+    )
+}
+
+impl<T: RayTracer> PathIntegrator<'_, T> {
+    /// Estimates the pixel `(x, y)` with one path at a time, and stores the tally of its
+    /// luminances.
+    pub(crate) fn pixel(
+        &mut self,
+        job: &Job,
+        (x, y): (u32, u32),
+        sampler: &mut PixelSampler,
+    ) -> PixelEstimate {
+        let this = &*self;
+        let camera_ray = &mut |sensor| {
+            this.tracer.sample_starts(sensor);
+            generate_ray(&job.camera, sensor)
+        };
+        let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
+            let ray = this.through_lens(&job.camera, ray, sampler);
+            let radiance = this.radiance(&ray, sampler);
+            this.tracer.sample_ends(radiance);
+            radiance
+        };
+        let (estimate, luminance) =
+            sample_pixel(job, this.settings, (x, y), sampler, camera_ray, trace_ray);
+        self.luminance.push(luminance);
+        estimate
+    }
+
+    /// The finished tile, and what was counted for it.
+    pub(crate) fn into_tile(self, cell: Tile, pixels: Vec<PixelEstimate>) -> RenderedTile {
+        RenderedTile {
+            cell,
+            pixels,
+            counters: self.counters(),
+            effects: self.materials.counts(),
+            luminance: self.luminance,
+        }
+    }
 }
 
 /// Estimates the pixel `(x, y)` with samples that `trace_ray` traces, and tallies their luminances.
@@ -156,19 +215,4 @@ pub(crate) fn sample_pixel(
         ),
     };
     (estimate, luminance)
-}
-
-/// Combines the film with what the integrator of each tile counted.
-pub(crate) fn assemble(film: Film, integrators: &[PathIntegrator<'_>]) -> Rendered {
-    let width = film.size().w as usize;
-    let mut luminance = vec![Tally::default(); film.pixels().len()];
-    for ((x, y), tally) in integrators.iter().flat_map(|i| &i.luminance) {
-        luminance[*y as usize * width + *x as usize] = *tally;
-    }
-    Rendered {
-        film,
-        luminance,
-        counters: integrators.iter().map(PathIntegrator::counters).sum(),
-        effects: integrators.iter().map(|i| i.materials.counts()).sum(),
-    }
 }

@@ -1,10 +1,12 @@
 //! Normal shading: each pixel shows the shading normal at the first hit.
 
+use crate::rendered::RenderedTile;
 use crate::tiles;
+use crate::tracer::{RayRole, RayTracer, SceneTracer};
 use crate::{Accel, Counters, Job, Rendered};
 use kit::effects::EffectCounts;
 use kit::film::Cell;
-use kit::{Ray, Scene, Spectrum, Vec3};
+use kit::{PixelEstimate, PixelSampler, Ray, Scene, Spectrum, Vec3};
 use raygen::{generate_ray, raytrace_pixel};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -26,37 +28,76 @@ pub fn render_normals(
     stop: &AtomicBool,
     tile_done: &(dyn Fn(Cell, u64) + Sync),
 ) -> Rendered {
-    let (film, counters) = tiles::render(
-        job.film,
-        job.cell,
+    let finished = |tile: RenderedTile| {
+        tile_done(tile.cell, tile.counters.rays);
+        tile
+    };
+    let tiles = render_normal_tiles(scene, accel, job, &job.cell.tiles(), stop, &finished);
+    let mut rendered = Rendered::black(job.film, false);
+    tiles.iter().for_each(|tile| rendered.add_tile(tile));
+    rendered
+}
+
+/// Renders some tiles of the picture of [`render_normals`], with the same pixels. `finish` is
+/// called with each tile and returns what to keep of it. A tile that is in progress when `stop` is
+/// set has black pixels without samples.
+pub fn render_normal_tiles<R: Send>(
+    scene: &Scene,
+    accel: &Accel,
+    job: &Job,
+    tiles: &[Cell],
+    stop: &AtomicBool,
+    finish: &(dyn Fn(RenderedTile) -> R + Sync),
+) -> Vec<R> {
+    let tracer = SceneTracer { scene, accel };
+    tiles::render(
+        tiles,
         job.sampling,
         Counters::default,
         |counters, x, y, sampler| {
             if stop.load(Ordering::Relaxed) {
-                return Default::default();
+                return PixelEstimate::default();
             }
-            raytrace_pixel(
-                x,
-                y,
-                job.film,
-                job.samples,
-                sampler,
-                &mut |sensor| generate_ray(&job.camera, sensor),
-                &mut |ray: &Ray, _| {
-                    counters.rays += 1;
-                    match accel.closest(scene, &mut { *ray }, None, counters) {
-                        Some(hit) => normal_color(hit.n),
-                        None => Spectrum::BLACK,
-                    }
-                },
-            )
+            normal_pixel(&tracer, job, (x, y), sampler, counters)
         },
-        |tile, counters| tile_done(tile, counters.rays),
-    );
-    Rendered {
-        film,
-        luminance: Vec::new(),
-        counters: counters.into_iter().sum(),
-        effects: EffectCounts::default(),
-    }
+        |cell, pixels, counters| {
+            finish(RenderedTile {
+                cell,
+                pixels,
+                luminance: Vec::new(),
+                counters,
+                effects: EffectCounts::default(),
+            })
+        },
+    )
+}
+
+/// Estimates the normal in the pixel `(x, y)`.
+pub(crate) fn normal_pixel(
+    tracer: &impl RayTracer,
+    job: &Job,
+    (x, y): (u32, u32),
+    sampler: &mut PixelSampler,
+    counters: &mut Counters,
+) -> PixelEstimate {
+    raytrace_pixel(
+        x,
+        y,
+        job.film,
+        job.samples,
+        sampler,
+        &mut |sensor| {
+            tracer.sample_starts(sensor);
+            generate_ray(&job.camera, sensor)
+        },
+        &mut |ray: &Ray, _| {
+            counters.rays += 1;
+            let color = match tracer.closest(RayRole::Camera, ray, None, counters) {
+                Some(hit) => normal_color(hit.n),
+                None => Spectrum::BLACK,
+            };
+            tracer.sample_ends(color);
+            color
+        },
+    )
 }

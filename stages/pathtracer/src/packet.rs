@@ -5,16 +5,17 @@
 
 use crate::accel::{closest_in, occluded_in};
 use crate::integrator::{PathIntegrator, RayOrigin};
-use crate::lit::{assemble, sample_pixel};
+use crate::lit::sample_pixel;
+use crate::rendered::RenderedTile;
 use crate::textures::Textures;
 use crate::tiles;
 use crate::world::{record_hit, test_primitive};
-use crate::{Accel, Counters, DirectSampling, Job, LightSettings, Rendered};
+use crate::{Accel, Counters, DirectSampling, Job, LightSettings};
 use global::roulette::MIN_BOUNCES;
 use kit::effects::Effect;
 use kit::film::Cell as Tile;
 use kit::{
-    Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum,
+    Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum, Tally,
     TriangleHit, Vec3,
 };
 use simd_bvh::WideBvh;
@@ -82,20 +83,19 @@ impl<'a> PacketRenderer<'a> {
         })
     }
 
-    /// Renders the picture as [`crate::render_lit`] does.
-    pub(crate) fn render(
+    /// Renders `tiles` as [`crate::lit::render_lit_tiles`] does.
+    pub(crate) fn render<R: Send>(
         &self,
+        tiles: &[Tile],
         stop: &AtomicBool,
-        tile_done: &(dyn Fn(Tile, u64) + Sync),
-    ) -> Rendered {
-        let (film, integrators) = tiles::render_tiles(
-            self.job.film,
-            self.job.cell,
+        finish: &(dyn Fn(RenderedTile) -> R + Sync),
+    ) -> Vec<R> {
+        tiles::render_tiles(
+            tiles,
             || PathIntegrator::new(self.lit, self.textures, self.accel, self.settings),
             |integrator, tile| self.tile(integrator, tile, stop),
-            |tile, integrator| tile_done(tile, integrator.counters().rays),
-        );
-        assemble(film, &integrators)
+            |tile, pixels, integrator| finish(integrator.into_tile(tile, pixels)),
+        )
     }
 
     fn tile(
@@ -111,6 +111,9 @@ impl<'a> PacketRenderer<'a> {
         for pixels in pixels.chunks(BATCH_SIZE.div_ceil(first as usize)) {
             if stop.load(Ordering::Relaxed) {
                 estimates.extend(pixels.iter().map(|_| PixelEstimate::default()));
+                integrator
+                    .luminance
+                    .extend(pixels.iter().map(|_| Tally::default()));
                 continue;
             }
             let mut starts: Vec<PathStart> = pixels
@@ -158,7 +161,7 @@ impl<'a> PacketRenderer<'a> {
                 ready[used - 1]
             },
         );
-        integrator.luminance.push((start.pixel, luminance));
+        integrator.luminance.push(luminance);
         estimate
     }
 

@@ -21,6 +21,21 @@ pub struct Job {
     pub sampling: Sampling,
 }
 
+/// A part of a picture and its statistics.
+#[derive(Clone, Debug)]
+pub struct RenderedTile {
+    /// The pixels of the tile in the film.
+    pub cell: Cell,
+    /// The estimates, in the order of [`Cell::pixels`].
+    pub pixels: Vec<PixelEstimate>,
+    /// Tallies of the luminances of each pixel's samples, in the same order; empty for normals.
+    pub luminance: Vec<Tally>,
+    /// Rays and tests.
+    pub counters: Counters,
+    /// Operations of each effect.
+    pub effects: EffectCounts,
+}
+
 /// A picture and its statistics.
 #[derive(Clone, Debug)]
 pub struct Rendered {
@@ -36,6 +51,34 @@ pub struct Rendered {
 }
 
 impl Rendered {
+    /// A black picture without samples. `is_lit` says whether pixels have tallies of luminances.
+    pub fn black(size: FilmSize, is_lit: bool) -> Rendered {
+        let film = Film::new(size);
+        let tallies = if is_lit { film.pixels().len() } else { 0 };
+        Rendered {
+            film,
+            luminance: vec![Tally::default(); tallies],
+            counters: Counters::default(),
+            effects: EffectCounts::default(),
+        }
+    }
+
+    /// Averages the pixels of a tile with those of the picture, each sample with the same weight. A
+    /// pixel without samples is replaced.
+    pub fn add_tile(&mut self, tile: &RenderedTile) {
+        let width = self.film.size().w as usize;
+        for (i, (x, y)) in tile.cell.pixels().enumerate() {
+            if let Some(mean) = mean(self.film.get(x, y), tile.pixels[i]) {
+                self.film.set(x, y, mean);
+            }
+            if let Some(tally) = tile.luminance.get(i) {
+                self.luminance[y as usize * width + x as usize].merge(tally);
+            }
+        }
+        self.counters += tile.counters;
+        self.effects = self.effects + tile.effects;
+    }
+
     /// The number of pixels with a NaN. There should be none.
     pub fn nan_pixels(&self) -> usize {
         let pixels = self.film.pixels().iter();
@@ -55,12 +98,8 @@ impl Rendered {
     pub fn add(&mut self, other: &Rendered) {
         let size = self.film.size();
         for (x, y) in size.whole().pixels() {
-            let (a, b) = (self.film.get(x, y), other.film.get(x, y));
-            let samples = a.samples + b.samples;
-            if samples > 0 {
-                let sum = a.radiance * f64::from(a.samples) + b.radiance * f64::from(b.samples);
-                let radiance = sum / f64::from(samples);
-                self.film.set(x, y, PixelEstimate { radiance, samples });
+            if let Some(mean) = mean(self.film.get(x, y), other.film.get(x, y)) {
+                self.film.set(x, y, mean);
             }
         }
         for (tally, other) in self.luminance.iter_mut().zip(&other.luminance) {
@@ -87,5 +126,23 @@ impl Rendered {
                 0.0
             }
         })
+    }
+}
+
+/// The mean of two estimates, each sample with the same weight; `None` without samples. An estimate
+/// without samples leaves the other one as it is, bit for bit.
+pub(crate) fn mean(a: PixelEstimate, b: PixelEstimate) -> Option<PixelEstimate> {
+    match (a.samples, b.samples) {
+        (0, 0) => None,
+        (0, _) => Some(b),
+        (_, 0) => Some(a),
+        (n, m) => {
+            let samples = n + m;
+            let sum = a.radiance * f64::from(n) + b.radiance * f64::from(m);
+            Some(PixelEstimate {
+                radiance: sum / f64::from(samples),
+                samples,
+            })
+        }
     }
 }

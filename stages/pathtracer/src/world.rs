@@ -3,7 +3,7 @@
 use kit::{Aabb, Hit, Interval, PrimId, Primitive, Ray, Scene, TriangleHit, World};
 use simd_bvh::TestCounts;
 use std::iter::Sum;
-use std::ops::{Add, AddAssign};
+use std::ops::{Add, AddAssign, Sub};
 
 /// How many rays were traced and what they tested. Each tile has its own counters; their sum is
 /// exact.
@@ -24,6 +24,18 @@ impl Add for Counters {
             rays: self.rays + other.rays,
             box_tests: self.box_tests + other.box_tests,
             prim_tests: self.prim_tests + other.prim_tests,
+        }
+    }
+}
+
+impl Sub for Counters {
+    type Output = Counters;
+    /// What was counted since `before`.
+    fn sub(self, before: Counters) -> Counters {
+        Counters {
+            rays: self.rays - before.rays,
+            box_tests: self.box_tests - before.box_tests,
+            prim_tests: self.prim_tests - before.prim_tests,
         }
     }
 }

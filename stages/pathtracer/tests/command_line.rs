@@ -40,6 +40,9 @@ fn folder() -> tempfile::TempDir {
 fn pathtracer(folder: &Path, args: &str) -> snapbox::cmd::OutputAssert {
     Command::new(cargo_bin!("pathtracer"))
         .current_dir(folder)
+        // Without a display no window opens.
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
         .args(args.split(' '))
         .assert()
 }
@@ -66,6 +69,9 @@ fn refused(args: &str, message: &str) {
 #[test]
 fn errors_name_the_allowed_values() {
     refused("square.dae", "pathtracer -f picture.png square.dae");
+    refused("square.dae", "there is no display");
+    refused("--pixel 480 0 square.dae", "choose X from 0 to 479");
+    refused("--pixel 0 360 square.dae", "Y from 0 to 359");
     refused("-f a.png -s 0 square.dae", "whole number from 1 to");
     refused("-f a.png --seed x square.dae", "whole number from 0 to");
     refused("-f a.png --seed -1 square.dae", "whole number from 0 to");

@@ -9,10 +9,11 @@ use submission::packages::members::{self, Member};
 
 /// The programs of a handout. It contains their crates and what these depend on, and no other
 /// crates.
-const PROGRAMS: [&str; 6] = [
+const PROGRAMS: [&str; 7] = [
     "grader",
     "worker",
     "pathtracer",
+    "viewer",
     "cost",
     "review",
     "submission",

@@ -12,6 +12,7 @@ use crate::cases::Spec;
 use crate::tally::Finding;
 use crate::tasks;
 use std::fmt::Write;
+use wire::Work;
 
 /// A case that lost points, and its findings.
 #[derive(Clone, Copy, Debug)]
@@ -62,11 +63,14 @@ pub fn as_file(what: &str, task: &str, test: &str) -> String {
 
 /// Returns a test for one call of a case.
 pub fn test(spec: &Spec, tier: Tier, call: usize) -> Option<String> {
-    let body = tasks::check_of(&spec.work).repro(tier, call)?;
-    let mut text = format!(
-        "/// {}\n#[test]\nfn {}_{call}() {{\n",
-        spec.about, spec.name
-    );
+    let name = format!("{}_{call}", spec.name);
+    of_work(&spec.work, tier, call, spec.about, &name)
+}
+
+/// Returns a test for one call of any work, with the doc comment `about` and the name `name`.
+pub fn of_work(work: &Work, tier: Tier, call: usize, about: &str, name: &str) -> Option<String> {
+    let body = tasks::check_of(work).repro(tier, call)?;
+    let mut text = format!("/// {about}\n#[test]\nfn {name}() {{\n");
     body.lines().for_each(|line| {
         let _ = writeln!(text, "    {line}");
     });

@@ -1,6 +1,6 @@
 //! Rendering in passes, until a time limit or a noise target is reached (`--time`, `--error`).
 
-use crate::args::Args;
+use pathtracer::args::Args;
 use pathtracer::{Job, Rendered};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};

@@ -1,9 +1,9 @@
 //! `--export`: writes the scene for another renderer.
 
-use crate::args::Args;
 use crate::failure::Failure;
 use crate::{outputs, view};
 use kit::LitScene;
+use pathtracer::args::Args;
 use pathtracer::{Job, LightSettings, PartFile, to_mitsuba};
 use std::io::{self, Write};
 use std::path::Path;

@@ -1,6 +1,7 @@
 //! Errors that end the program, their messages and exit codes.
 
 use kit::hole::Hole;
+use pathtracer::args::ViewError;
 use pathtracer::{EnvironmentFileError, OutputError};
 use scenes::SceneError;
 use std::any::Any;
@@ -76,6 +77,15 @@ impl From<String> for Failure {
 impl From<SceneError> for Failure {
     fn from(why: SceneError) -> Failure {
         Failure::Scene(why)
+    }
+}
+
+impl From<ViewError> for Failure {
+    fn from(why: ViewError) -> Failure {
+        match why {
+            ViewError::Flag(why) => Failure::Input(why),
+            ViewError::File(why) => Failure::Scene(why),
+        }
     }
 }
 

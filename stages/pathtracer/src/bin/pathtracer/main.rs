@@ -1,22 +1,21 @@
 //! The `pathtracer` program: renders a scene file to a picture file.
 
-mod args;
 mod budget;
 mod explain;
 mod export;
 mod failure;
 mod outputs;
+mod pixel;
 mod progress;
 mod run;
-mod settings;
 mod summary;
-mod values;
 mod view;
+mod window;
 
-use args::Args;
 use clap::Parser;
 use failure::Failure;
 use kit::hole::Hole;
+use pathtracer::args::Args;
 use std::panic;
 use std::process::ExitCode;
 

@@ -1,8 +1,8 @@
 //! The files that a run writes. All are created before rendering, and no two are the same.
 
-use crate::args::Args;
 use crate::failure::Failure;
 use pathtracer::Output;
+use pathtracer::args::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,18 +1,18 @@
 //! The steps of a run: load, build, render, write, report.
 
-use crate::args::{Args, Shade};
 use crate::budget::{Budget, SAMPLES_PER_PASS};
 use crate::explain;
 use crate::export;
 use crate::failure::Failure;
 use crate::outputs::Outputs;
 use crate::progress::Progress;
-use crate::{summary, view};
+use crate::{pixel, summary, view, window};
 use kit::hole;
-use kit::{Emitter, Environment, LitScene, Scene};
+use kit::{Emitter, LitScene};
+use pathtracer::args::{Args, Shade};
 use pathtracer::{
-    Accel, DirectSampling, Job, LightSettings, layers::channels, layers::features,
-    load_environment, render_lit, render_normals,
+    Accel, DirectSampling, Job, LightSettings, Picture, layers::channels, layers::features,
+    render_lit, render_normals,
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
@@ -30,11 +30,12 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         note_unused(&args.unused_by_export(), "--export writes no picture");
         return export::run(args, &light, renderer, Path::new(path));
     }
+    if args.pixel.is_some() {
+        note_unused(&args.unused_by_pixel(), "--pixel writes no picture");
+        return pixel::run(args, &light);
+    }
     let Some(path) = &args.file else {
-        let scene = args.scene.display();
-        return Err(Failure::Input(format!(
-            "there is no viewer yet: add -f and the file to write, as in\n  pathtracer -f picture.png {scene}"
-        )));
+        return window::open(args);
     };
     let start = Instant::now();
     let scene = view::load_scene(&args.scene)?;
@@ -43,11 +44,8 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
     let outputs = Outputs::create(args, path)?;
-    let environment = match &args.environment {
-        Some(path) => Some(load_environment(path)?),
-        None => None,
-    };
-    let picture = Picture::new(args, scene, environment);
+    let environment = view::load_environment(args)?;
+    let picture = Picture::new(args.shade, scene, environment);
     match &picture {
         Picture::Normals(_) => note_unused_by_normals(args),
         Picture::Lit(lit) => {
@@ -167,39 +165,6 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::from(INTERRUPTED));
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// What the picture shows.
-enum Picture {
-    /// Surface normals.
-    Normals(Scene),
-    /// Light.
-    Lit(LitScene),
-}
-
-impl Picture {
-    /// Selects by `--shade`.
-    fn new(args: &Args, scene: Scene, environment: Option<Environment>) -> Picture {
-        match args.shade {
-            Shade::Normals => Picture::Normals(scene),
-            Shade::Lit => Picture::Lit(LitScene::new(scene, environment)),
-            Shade::Auto => {
-                let lit = LitScene::new(scene.clone(), environment);
-                if lit.has_light() {
-                    Picture::Lit(lit)
-                } else {
-                    Picture::Normals(scene)
-                }
-            }
-        }
-    }
-
-    fn scene(&self) -> &Scene {
-        match self {
-            Picture::Normals(scene) => scene,
-            Picture::Lit(lit) => &lit.scene,
-        }
-    }
 }
 
 /// Prints which of the given flags have no effect on a picture of normals.

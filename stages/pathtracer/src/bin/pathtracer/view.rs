@@ -1,10 +1,10 @@
 //! Loads the scene, its textures and the camera.
 
-use crate::args::Args;
 use crate::failure::Failure;
-use kit::{Camera, FilmSize, Scene};
+use kit::{Camera, Environment, FilmSize, Scene};
 use pathtracer::Textures;
-use scenes::{CameraFile, placement};
+use pathtracer::args::Args;
+use scenes::placement;
 use std::io::{IsTerminal, stderr};
 use std::path::Path;
 
@@ -30,20 +30,23 @@ pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
     textures
 }
 
-/// The camera and the size of the picture: those of the camera file `-c` with its angles unchanged,
-/// else those of the scene.
+/// Reads the environment map of `-e`, if there is one.
+pub(crate) fn load_environment(args: &Args) -> Result<Option<Environment>, Failure> {
+    let path = args.environment.as_ref();
+    Ok(path
+        .map(|path| pathtracer::load_environment(path))
+        .transpose()?)
+}
+
+/// The camera and the size of the picture ([`Args::view`]). Prints a note if the scene's camera is
+/// not used.
 pub(crate) fn camera_and_film(args: &Args, scene: &Scene) -> Result<(Camera, FilmSize), Failure> {
-    let Some(path) = &args.camera else {
-        let film = args.film(None)?;
-        if placement::is_edge_on(scene) {
-            eprintln!(
-                "note: with the scene's camera half of the picture would be empty, so the camera frames the whole \
-                 scene instead: use -c for another camera"
-            );
-        }
-        return Ok((placement::place(scene, film).camera, film));
-    };
-    let file = CameraFile::load(path)?;
-    let film = args.film(Some(file.film))?;
-    Ok((file.view.camera, film))
+    let (view, film) = args.view(scene)?;
+    if args.camera.is_none() && placement::is_edge_on(scene) {
+        eprintln!(
+            "note: with the scene's camera half of the picture would be empty, so the camera frames the whole \
+             scene instead: use -c for another camera"
+        );
+    }
+    Ok((view.camera, film))
 }

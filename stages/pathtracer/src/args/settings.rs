@@ -1,11 +1,11 @@
 //! Converts flags to the settings of the renderer.
 
-use crate::args::{Args, SamplerName};
-use crate::values::samples;
+use super::values::samples;
+use super::{Args, SamplerName};
+use crate::{DirectSampling, Lens, LightSettings};
 use kit::FilmSize;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
-use pathtracer::{DirectSampling, Lens, LightSettings};
 
 /// The size of the picture without `-r` and without a camera file.
 const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
@@ -16,7 +16,7 @@ const MAX_PIXELS: u64 = 100_000_000;
 
 impl Args {
     /// The size of the picture. `of_camera_file` is the size in the camera file, if there is one.
-    pub(crate) fn film(&self, of_camera_file: Option<FilmSize>) -> Result<FilmSize, String> {
+    pub fn film(&self, of_camera_file: Option<FilmSize>) -> Result<FilmSize, String> {
         let size = match self.resolution.as_deref() {
             Some(&[w, h]) => FilmSize { w, h },
             _ => of_camera_file.unwrap_or(DEFAULT_SIZE),
@@ -33,7 +33,7 @@ impl Args {
     }
 
     /// The part of the picture to render.
-    pub(crate) fn cell_of(&self, film: FilmSize) -> Result<Cell, String> {
+    pub fn cell_of(&self, film: FilmSize) -> Result<Cell, String> {
         let Some(&[x, y, dx, dy]) = self.cell.as_deref() else {
             return Ok(film.whole());
         };
@@ -52,8 +52,21 @@ impl Args {
         })
     }
 
+    /// The pixel of `--pixel`, if it is in the picture.
+    pub fn pixel_of(&self, film: FilmSize) -> Result<Option<(u32, u32)>, String> {
+        match self.pixel.as_deref() {
+            Some(&[x, y]) if x >= film.w || y >= film.h => Err(format!(
+                "--pixel {x} {y}: the pixel is not in the picture: choose X from 0 to {} and Y from 0 to {}",
+                film.w - 1,
+                film.h - 1
+            )),
+            Some(&[x, y]) => Ok(Some((x, y))),
+            _ => Ok(None),
+        }
+    }
+
     /// The two values of `-a`: samples per batch and tolerance.
-    pub(crate) fn adaptive(&self) -> Result<Option<(u32, f64)>, String> {
+    pub fn adaptive(&self) -> Result<Option<(u32, f64)>, String> {
         let Some([batch, tolerance]) = self.adaptive.as_deref() else {
             return Ok(None);
         };
@@ -68,7 +81,7 @@ impl Args {
     }
 
     /// The settings of light transport.
-    pub(crate) fn light(&self) -> Result<LightSettings, String> {
+    pub fn light(&self) -> Result<LightSettings, String> {
         let default = LightSettings::default();
         if self.lens_radius > 0.0 && self.focus.is_none() {
             return Err(format!(
@@ -96,7 +109,7 @@ impl Args {
     }
 
     /// The source of random numbers for `samples` samples per pixel.
-    pub(crate) fn sampling(&self, samples: u32) -> Sampling {
+    pub fn sampling(&self, samples: u32) -> Sampling {
         Sampling {
             pattern: match self.sampler {
                 SamplerName::Independent => Pattern::Independent,
@@ -109,7 +122,20 @@ impl Args {
     }
 
     /// The given flags that have no effect with `--export`.
-    pub(crate) fn unused_by_export(&self) -> Vec<&'static str> {
+    pub fn unused_by_export(&self) -> Vec<&'static str> {
+        given(&[
+            (self.file.is_some(), "-f"),
+            (self.cell.is_some(), "-p"),
+            (self.layers.is_some(), "--layers"),
+            (self.time.is_some(), "--time"),
+            (self.error.is_some(), "--error"),
+            (self.stats, "--stats"),
+            (self.explain, "--explain"),
+        ])
+    }
+
+    /// The given flags that have no effect with `--pixel`.
+    pub fn unused_by_pixel(&self) -> Vec<&'static str> {
         given(&[
             (self.file.is_some(), "-f"),
             (self.cell.is_some(), "-p"),
@@ -122,7 +148,7 @@ impl Args {
     }
 
     /// The given flags that have no effect with normal shading.
-    pub(crate) fn unused_by_normals(&self) -> Vec<&'static str> {
+    pub fn unused_by_normals(&self) -> Vec<&'static str> {
         given(&[
             (self.light_samples.is_some(), "-l"),
             (self.max_depth.is_some(), "-m"),

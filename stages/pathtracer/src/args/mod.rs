@@ -1,138 +1,149 @@
 //! The command line: the assignment's flags with its short names, and long names.
 
-use crate::values::{
+use self::values::{
     depth, edge, length, pixels, positive, positive_length, samples, seed, threads,
 };
 use clap::{Parser, ValueEnum};
-use pathtracer::AccelKind;
+mod settings;
+mod values;
+mod view;
+
+use crate::AccelKind;
 use std::path::PathBuf;
 
+pub use view::ViewError;
+
 /// Renders a scene file.
-#[derive(Debug, Parser)]
+#[derive(Clone, Debug, Parser)]
 #[command(
     name = "pathtracer",
     version,
     max_term_width = 100,
     allow_negative_numbers = true
 )]
-pub(crate) struct Args {
+pub struct Args {
     /// The scene: a COLLADA file
     #[arg(value_name = "SCENE.dae")]
-    pub(crate) scene: PathBuf,
+    pub scene: PathBuf,
 
     /// Camera rays per pixel (should be a power of 2)
     #[arg(short = 's', long, value_name = "INT", default_value_t = 1, value_parser = samples)]
-    pub(crate) samples: u32,
+    pub samples: u32,
 
     /// Samples per area light [default: 1]
     #[arg(short = 'l', long, value_name = "INT", value_parser = samples)]
-    pub(crate) light_samples: Option<u32>,
+    pub light_samples: Option<u32>,
 
     /// Render threads
     #[arg(short = 't', long, value_name = "INT", default_value_t = 1, value_parser = threads)]
-    pub(crate) threads: usize,
+    pub threads: usize,
 
     /// Maximum ray depth: 0 is emission only, 1 is direct light [default: 1]
     #[arg(short = 'm', long, value_name = "INT", value_parser = depth)]
-    pub(crate) max_depth: Option<u32>,
+    pub max_depth: Option<u32>,
 
     /// The picture to write: .png (tone-mapped), .exr or .hdr (linear radiance)
     #[arg(short = 'f', long = "file", value_name = "FILENAME")]
-    pub(crate) file: Option<PathBuf>,
+    pub file: Option<PathBuf>,
 
     /// Width and height of the picture in pixels [default: the camera file's, else 480 360]
     #[arg(short = 'r', long, num_args = 2, value_names = ["W", "H"], value_parser = edge)]
-    pub(crate) resolution: Option<Vec<u32>>,
+    pub resolution: Option<Vec<u32>>,
 
     /// Render only a cell of the picture: its bottom left pixel, counted from the bottom left of
     /// the picture, and its size, which is also the size of the written picture
     #[arg(short = 'p', long = "cell", num_args = 4, value_names = ["X", "Y", "DX", "DY"], value_parser = pixels)]
-    pub(crate) cell: Option<Vec<u32>>,
+    pub cell: Option<Vec<u32>>,
 
     /// Camera file [default: the scene's camera, else one that shows the whole scene]
     #[arg(short = 'c', long, value_name = "FILENAME")]
-    pub(crate) camera: Option<PathBuf>,
+    pub camera: Option<PathBuf>,
 
     /// Samples per batch and tolerance for adaptive sampling
     #[arg(short = 'a', long, num_args = 2, value_names = ["INT", "FLOAT"])]
-    pub(crate) adaptive: Option<Vec<String>>,
+    pub adaptive: Option<Vec<String>>,
 
     /// Sample the hemisphere uniformly for direct lighting
     #[arg(short = 'H', long)]
-    pub(crate) hemisphere: bool,
+    pub hemisphere: bool,
 
     /// Sample the lights and the BSDF for direct lighting (multiple importance sampling); needs
     /// `estimate_direct_lighting_mis` of part3.task3, in stages/direct/src/mis.rs
     #[arg(long, conflicts_with = "hemisphere")]
-    pub(crate) mis: bool,
+    pub mis: bool,
 
     /// Trace dim paths to the maximum depth, without Russian roulette
     #[arg(long)]
-    pub(crate) no_roulette: bool,
+    pub no_roulette: bool,
 
     /// The distribution of a pixel's samples
     // At equal noise, Sobol points need less than half the time of independent samples.
     #[arg(long, value_enum, default_value_t = SamplerName::Sobol)]
-    pub(crate) sampler: SamplerName,
+    pub sampler: SamplerName,
 
     /// Environment map (.exr or .hdr) that lights the scene
     #[arg(short = 'e', long, value_name = "FILENAME")]
-    pub(crate) environment: Option<PathBuf>,
+    pub environment: Option<PathBuf>,
 
     /// Radius of the camera's lens for depth of field; 0 is a pinhole
     #[arg(long, value_name = "LENGTH", default_value_t = 0.0, value_parser = length)]
-    pub(crate) lens_radius: f64,
+    pub lens_radius: f64,
 
     /// Distance from the lens to the plane of focus
     #[arg(long, value_name = "LENGTH", value_parser = positive_length, requires = "lens_radius")]
-    pub(crate) focus: Option<f64>,
+    pub focus: Option<f64>,
 
     /// What the picture shows
     #[arg(long, value_enum, default_value_t = DEFAULT_SHADE)]
-    pub(crate) shade: Shade,
+    pub shade: Shade,
 
     /// Render passes of -s samples (16 if that is 1) for this many seconds
     #[arg(long, value_name = "SECONDS", value_parser = positive, conflicts_with = "adaptive")]
-    pub(crate) time: Option<f64>,
+    pub time: Option<f64>,
 
     /// Render passes of -s samples (16 if that is 1) until the mean noise of the pixels is at most
     /// this fraction of the mean luminance, such as 0.02; with --time until either limit is reached
     #[arg(long, value_name = "TARGET", value_parser = positive, conflicts_with = "adaptive")]
-    pub(crate) error: Option<f64>,
+    pub error: Option<f64>,
 
     /// Also write an .exr with albedo, normal, depth, primitive number and variance
     #[arg(long, value_name = "FILENAME")]
-    pub(crate) layers: Option<PathBuf>,
+    pub layers: Option<PathBuf>,
 
     /// Export the scene for another renderer instead of rendering; only mitsuba is supported
     #[arg(long, num_args = 2, value_names = ["mitsuba", "OUT.xml"])]
-    pub(crate) export: Option<Vec<String>>,
+    pub export: Option<Vec<String>>,
+
+    /// Print a pixel, counted from the bottom left, instead of writing a picture: its values, and a
+    /// replay of its samples with every ray and every box and primitive test
+    #[arg(long, num_args = 2, value_names = ["X", "Y"], value_parser = pixels)]
+    pub pixel: Option<Vec<u32>>,
 
     /// Print how the time was spent
     #[arg(long)]
-    pub(crate) stats: bool,
+    pub stats: bool,
 
     /// Print which effects the scene calls for and why, how many operations they take, and how many
     /// all effects would take (the picture is rendered a second time to count these)
     #[arg(long)]
-    pub(crate) explain: bool,
+    pub explain: bool,
 
     /// Simulate every effect, called for or not: the same picture with more operations
     #[arg(long)]
-    pub(crate) force_effects: bool,
+    pub force_effects: bool,
 
     /// How ray intersections are found
     #[arg(long, value_enum, default_value_t = DEFAULT_ACCEL)]
-    pub(crate) accel: AccelName,
+    pub accel: AccelName,
 
     /// Seed of the random numbers
     #[arg(long, value_name = "INT", default_value_t = 0, value_parser = seed)]
-    pub(crate) seed: u64,
+    pub seed: u64,
 }
 
 /// What the picture shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Shade {
+pub enum Shade {
     /// Light if the scene has any, else normals
     Auto,
     /// Surface normals as colours
@@ -155,7 +166,7 @@ const DEFAULT_ACCEL: AccelName = AccelName::Simd;
 
 /// The distribution of a pixel's samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SamplerName {
+pub enum SamplerName {
     /// Independent random samples
     Independent,
     /// One random sample in each of -s cells of the pixel (jittered)
@@ -166,7 +177,7 @@ pub(crate) enum SamplerName {
 
 /// How ray intersections are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum AccelName {
+pub enum AccelName {
     /// Every ray tests every primitive
     Brute,
     /// A binary bounding volume hierarchy
@@ -184,4 +195,12 @@ impl From<AccelName> for AccelKind {
             AccelName::Simd => AccelKind::Simd,
         }
     }
+}
+
+/// Whether a window can be opened: on Linux and other Unix systems apart from macOS, whether the
+/// variable `DISPLAY` or `WAYLAND_DISPLAY` is set.
+pub fn has_display() -> bool {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let needs_server = cfg!(unix) && !cfg!(target_os = "macos");
+    !needs_server || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")
 }

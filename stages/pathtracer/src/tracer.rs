@@ -1,0 +1,88 @@
+//! How the rays of a path are traced: directly, or with everything recorded.
+
+use crate::{Accel, Counters};
+use kit::{Hit, PrimId, Ray, Scene, Spectrum, Vec2};
+
+/// Why a ray is traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RayRole {
+    /// From the camera.
+    Camera,
+    /// From a surface, along a sampled direction: it continues the path.
+    Bounce,
+    /// From a surface to a point on a light: is anything between them?
+    Shadow,
+    /// From a surface, along a direction sampled to find light
+    /// ([`DirectSampling::Hemisphere`](crate::DirectSampling::Hemisphere) and
+    /// [`Mis`](crate::DirectSampling::Mis)). The path does not continue there.
+    Light,
+}
+
+impl RayRole {
+    /// The role of a ray of a path: the first one comes from the camera.
+    #[inline]
+    pub(crate) fn of_path(starts_on_surface: bool) -> RayRole {
+        if starts_on_surface {
+            RayRole::Bounce
+        } else {
+            RayRole::Camera
+        }
+    }
+}
+
+/// Traces single rays through one scene, and counts the tests (not the rays).
+///
+/// Integrators are generic over it: [`SceneTracer`] compiles to calls of [`Accel`], so recording
+/// costs nothing while nothing is recorded.
+pub(crate) trait RayTracer {
+    /// The closest hit of `ray` with a primitive other than `skip`.
+    fn closest(
+        &self,
+        role: RayRole,
+        ray: &Ray,
+        skip: Option<PrimId>,
+        counters: &mut Counters,
+    ) -> Option<Hit>;
+
+    /// Whether any primitive other than `skip` is hit in the range of `ray`, a shadow ray.
+    fn occluded(&self, ray: &Ray, skip: Option<PrimId>, counters: &mut Counters) -> bool;
+
+    /// Called before the camera ray of a sample at `sensor` on the film, in [0, 1]².
+    #[inline]
+    fn sample_starts(&self, sensor: Vec2) {
+        let _ = sensor;
+    }
+
+    /// Called with the radiance of a finished sample.
+    #[inline]
+    fn sample_ends(&self, radiance: Spectrum) {
+        let _ = radiance;
+    }
+}
+
+/// Traces rays and records nothing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SceneTracer<'a> {
+    pub(crate) scene: &'a Scene,
+    /// Built over `scene`.
+    pub(crate) accel: &'a Accel,
+}
+
+impl RayTracer for SceneTracer<'_> {
+    #[inline]
+    fn closest(
+        &self,
+        _: RayRole,
+        ray: &Ray,
+        skip: Option<PrimId>,
+        counters: &mut Counters,
+    ) -> Option<Hit> {
+        self.accel
+            .closest(self.scene, &mut { *ray }, skip, counters)
+    }
+
+    #[inline]
+    fn occluded(&self, ray: &Ray, skip: Option<PrimId>, counters: &mut Counters) -> bool {
+        self.accel.occluded(self.scene, ray, skip, counters)
+    }
+}

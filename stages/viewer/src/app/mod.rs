@@ -1,0 +1,244 @@
+//! Draws the session with egui, and turns its input into commands.
+//!
+//! Reading order: this file (the layout), `input` (keys and files), `view_panel` (the 3D view and
+//! its mouse), `scene_lines` (grid, boxes, rays), `picture_panel` (the picture and its mouse),
+//! `side_panel` with `settings_panel`, `tree_panel`, `inspector_panel` and `report_panel`, `sheets`
+//! (help, questions).
+
+mod case_panel;
+mod colors;
+mod input;
+mod inspector_panel;
+mod picture_panel;
+mod report_panel;
+mod scene_lines;
+mod settings_panel;
+mod sheets;
+mod side_panel;
+mod tree_panel;
+mod view_panel;
+
+use crate::command::Command;
+use crate::session::{Mode, Saved, Session};
+use crate::snapshot;
+use egui::{Align, Key, Layout, RichText, Ui};
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+/// The window's content.
+pub struct App {
+    /// The state.
+    pub session: Session,
+    view: view_panel::ViewPanel,
+    picture: picture_panel::PicturePanel,
+    frames: FrameRate,
+    title: String,
+    /// Why the last screenshot of the window was not written.
+    failed_screenshot: Arc<Mutex<Option<String>>>,
+}
+
+/// The width of the panel at the side.
+const SIDE_WIDTH: f32 = 290.0;
+
+impl App {
+    /// Draws `session`.
+    pub fn new(session: Session) -> App {
+        App {
+            session,
+            view: Default::default(),
+            picture: Default::default(),
+            frames: FrameRate::default(),
+            title: String::new(),
+            failed_screenshot: Arc::default(),
+        }
+    }
+
+    /// Draws one frame, and executes the commands of its input.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        let theme = if self.session.dark() {
+            egui::Theme::Dark
+        } else {
+            egui::Theme::Light
+        };
+        ctx.set_theme(theme);
+        colors::set_style(&ctx);
+        self.frames.next(ctx.input(|input| input.time));
+        let mut commands = input::commands(&ctx, self.session.mode());
+        commands
+            .drain(..)
+            .for_each(|command| self.session.apply(command));
+        let mut is_busy = self.session.update(Instant::now());
+
+        egui::Panel::top("top").show(ui, |ui| self.top_bar(ui, &mut commands));
+        egui::Panel::bottom("bottom").show(ui, |ui| self.status_bar(ui));
+        let side = SIDE_WIDTH.min(0.4 * ui.available_width());
+        egui::Panel::right("side").exact_size(side).show(ui, |ui| {
+            side_panel::show(ui, &mut self.session, &mut commands);
+        });
+        egui::CentralPanel::default()
+            .frame(egui::Frame::new().fill(colors::backdrop(ui)))
+            .show(ui, |ui| is_busy |= self.central(ui, &mut commands));
+        sheets::show(&ctx, &mut self.session, &mut commands);
+        commands
+            .drain(..)
+            .for_each(|command| self.session.apply(command));
+        if is_busy {
+            // Background work wakes the window; this moves what shows time.
+            ctx.request_repaint_after(std::time::Duration::from_millis(30));
+        }
+        self.talk_to_window(&ctx);
+    }
+
+    fn central(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> bool {
+        // Without a display frames take no time.
+        let is_timed = !self.session.patience.always_sharp;
+        let fps = if is_timed { self.frames.rate() } else { 0.0 };
+        let rect = ui.available_rect_before_wrap();
+        if self
+            .session
+            .report()
+            .is_some_and(|report| report.opened.is_some())
+        {
+            case_panel::show(ui, rect, &mut self.session);
+            return false;
+        }
+        if self.session.mode() != Mode::Render {
+            return self.view.show(ui, rect, &mut self.session, commands, fps);
+        }
+        if self.session.inspector.inspected().is_none() {
+            self.picture.show(ui, rect, &mut self.session, commands);
+            return false;
+        }
+        // The picture, and beside it the rays of the pixel in 3D.
+        let (left, right) = rect.split_left_right_at_fraction(0.5);
+        self.picture.show(
+            ui,
+            left.shrink2(egui::vec2(1.0, 0.0)),
+            &mut self.session,
+            commands,
+        );
+        self.view.show(ui, right, &mut self.session, commands, fps)
+    }
+
+    fn top_bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        ui.horizontal(|ui| {
+            for (mode, key) in [(Mode::Edit, "E"), (Mode::Bvh, "V"), (Mode::Render, "R")] {
+                let text = RichText::new(format!("{} ({key})", mode.name())).strong();
+                let selected = self.session.mode() == mode;
+                if ui.selectable_label(selected, text).clicked() {
+                    commands.push(match mode {
+                        Mode::Render if self.session.render().is_none() => Command::Render,
+                        mode => Command::Mode(mode),
+                    });
+                }
+            }
+            ui.separator();
+            match self.session.scene() {
+                Some(scene) => ui.label(scene.name()),
+                None => ui.weak("no scene"),
+            };
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if ui.button("Keys (?)").clicked() {
+                    commands.push(Command::ToggleHelp);
+                }
+                let other = if self.session.dark() {
+                    "Light (L)"
+                } else {
+                    "Dark (L)"
+                };
+                if ui.button(other).clicked() {
+                    commands.push(Command::ToggleTheme);
+                }
+                if ui.button("Save (S)").clicked() {
+                    commands.push(Command::Screenshot);
+                }
+            });
+        });
+    }
+
+    fn status_bar(&mut self, ui: &mut Ui) {
+        ui.horizontal(|ui| {
+            if let Some((path, since)) = self.session.loading() {
+                ui.spinner();
+                ui.label(format!(
+                    "Loading {} for {:.0} s",
+                    path.display(),
+                    since.elapsed().as_secs_f64()
+                ));
+                return;
+            }
+            ui.add(egui::Label::new(self.session.message()).truncate());
+        });
+    }
+
+    /// Title, screenshots and closing, which the window does.
+    fn talk_to_window(&mut self, ctx: &egui::Context) {
+        let title = match self.session.scene() {
+            Some(scene) => format!("{} - First Light", scene.name()),
+            None => "First Light".to_owned(),
+        };
+        if title != self.title {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+        let failed = self
+            .failed_screenshot
+            .lock()
+            .expect("no thread panics here")
+            .take();
+        if let Some(why) = failed {
+            self.session.say(why);
+        }
+        for saved in self.session.take_saved() {
+            if let Saved::Window(path) = saved {
+                let failed = Arc::clone(&self.failed_screenshot);
+                ctx.request_screenshot(move |picture| {
+                    if let Err(why) = snapshot::write(&path, &picture) {
+                        *failed.lock().expect("no thread panics here") = Some(why);
+                    }
+                });
+            }
+        }
+        if ctx.input(|input| input.viewport().close_requested()) && !self.session.may_close() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+        }
+        if self.session.quits() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+        }
+    }
+}
+
+/// The number of frames in a second, smoothed.
+#[derive(Default)]
+struct FrameRate {
+    last: Option<f64>,
+    seconds: f64,
+}
+
+impl FrameRate {
+    fn next(&mut self, time: f64) {
+        if let Some(last) = self.last {
+            let seconds = (time - last).max(1e-4);
+            // A pause is no slow frame.
+            if seconds < 0.5 {
+                self.seconds += 0.1 * (seconds - self.seconds);
+            }
+        }
+        self.last = Some(time);
+    }
+
+    fn rate(&self) -> f64 {
+        if self.seconds > 0.0 {
+            1.0 / self.seconds
+        } else {
+            0.0
+        }
+    }
+}
+
+/// A button with its key.
+fn key_button(ui: &mut Ui, label: &str, key: Key) -> bool {
+    ui.button(format!("{label} ({})", key.symbol_or_name()))
+        .clicked()
+}

@@ -1,0 +1,292 @@
+//! The picture in progress, and the mouse over it: click a pixel, drag a cell, wipe.
+
+use super::colors;
+use crate::command::Command;
+use crate::session::Session;
+use egui::{
+    Align2, Color32, ColorImage, FontId, Pos2, Rect, Sense, Stroke, TextureHandle, TextureOptions,
+    Ui,
+};
+use kit::film::Cell;
+use kit::{Film, FilmSize};
+use pathtracer::tone;
+
+/// The picture and its textures.
+#[derive(Default)]
+pub(super) struct PicturePanel {
+    /// What the texture shows, and the texture.
+    shown: Option<(ShownKey, TextureHandle)>,
+    reference: Option<(String, TextureHandle)>,
+    /// The pixel where a drag in cell mode started.
+    cell_start: Option<(u32, u32)>,
+}
+
+/// What decides how the picture looks.
+#[derive(Clone, PartialEq)]
+struct ShownKey {
+    version: u64,
+    rate: bool,
+    heat: Option<(bool, u64)>,
+    render: u64,
+}
+
+impl PicturePanel {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        session: &mut Session,
+        commands: &mut Vec<Command>,
+    ) {
+        let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
+        let Some(render) = session.render() else {
+            hint(ui, rect, "R renders the picture");
+            return;
+        };
+        if let Some(failure) = render.failure() {
+            hint(
+                ui,
+                rect,
+                &format!("{failure}: there is no picture without it"),
+            );
+            return;
+        }
+        let film = render.job().film;
+        let area = fitted(rect, film);
+        self.update_texture(ui, session);
+        self.paint(ui, area, session);
+        let pixel = |at: Pos2| pixel_at(area, film, at);
+        let hovered = response.hover_pos().and_then(pixel);
+        session.point_at_pixel(hovered);
+        if session.cell_mode() {
+            let clamped = |at: Pos2| pixel(at.clamp(area.min, area.max - egui::Vec2::splat(0.01)));
+            if response.drag_started() {
+                let press = ui.input(|input| input.pointer.press_origin());
+                self.cell_start = press.and_then(clamped);
+            }
+            let end = response.interact_pointer_pos().and_then(clamped);
+            if let (Some(start), Some(end)) = (self.cell_start, end) {
+                let cell = cell_between(start, end);
+                outline(ui, area, film, cell, colors::WRONG);
+                if response.drag_stopped() {
+                    commands.push(Command::SetCell(cell));
+                    self.cell_start = None;
+                }
+            }
+        } else if session.comparison().is_some() && response.dragged() {
+            if let (Some(at), Some(comparison)) =
+                (response.interact_pointer_pos(), session.comparison_mut())
+            {
+                comparison.wipe = ((at.x - area.left()) / area.width()).clamp(0.0, 1.0);
+            }
+        } else if response.clicked()
+            && let Some((x, y)) = response.interact_pointer_pos().and_then(pixel)
+        {
+            commands.push(Command::Inspect(x, y));
+        }
+        self.paint_marks(ui, area, session, film);
+    }
+
+    fn update_texture(&mut self, ui: &Ui, session: &Session) {
+        let Some(render) = session.render() else {
+            return;
+        };
+        let shown = render.shown();
+        let heat = session.heat();
+        let map = heat
+            .kind
+            .zip(heat.map())
+            .filter(|(_, map)| map.size == render.job().film);
+        let key = ShownKey {
+            version: shown.version,
+            rate: session.shows_rate(),
+            heat: map.map(|(kind, map)| {
+                let sum = map.pixels.iter().map(|counters| kind.of(counters)).sum();
+                (kind == crate::session::HeatKind::Boxes, sum)
+            }),
+            render: render.number(),
+        };
+        if self.shown.as_ref().is_some_and(|(of, _)| *of == key) {
+            return;
+        }
+        let film = &shown.film;
+        let image = match map {
+            Some((kind, map)) => {
+                let most = map
+                    .pixels
+                    .iter()
+                    .map(|c| kind.of(c))
+                    .max()
+                    .unwrap_or(0)
+                    .max(1);
+                image_of(film.size(), |x, y| {
+                    let share = kind.of(&map.get(x, y)) as f64 / most as f64;
+                    Some(colors::heat(share))
+                })
+            }
+            None if session.shows_rate() => {
+                let most = render.job().samples * shown.pass;
+                image_of(film.size(), |x, y| {
+                    Some(rate_bytes(film.get(x, y).samples, most))
+                })
+            }
+            None => image_of(film.size(), |x, y| {
+                pixel_bytes(film, shown.preview.as_ref(), x, y)
+            }),
+        };
+        let options = TextureOptions::NEAREST;
+        match &mut self.shown {
+            Some((of, texture)) => {
+                texture.set(image, options);
+                *of = key;
+            }
+            None => self.shown = Some((key, ui.ctx().load_texture("picture", image, options))),
+        }
+    }
+
+    fn paint(&mut self, ui: &Ui, area: Rect, session: &Session) {
+        let Some((_, texture)) = &self.shown else {
+            return;
+        };
+        let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
+        let painter = ui.painter_at(area);
+        painter.image(texture.id(), area, whole, Color32::WHITE);
+        let Some(comparison) = session.comparison() else {
+            self.reference = None;
+            return;
+        };
+        let reference = &comparison.reference;
+        if self
+            .reference
+            .as_ref()
+            .is_none_or(|(name, _)| *name != reference.name)
+        {
+            let image = image_of(reference.size, |x, y| Some(reference.get(x, y)));
+            let texture = ui
+                .ctx()
+                .load_texture("reference", image, TextureOptions::NEAREST);
+            self.reference = Some((reference.name.clone(), texture));
+        }
+        let Some((_, texture)) = &self.reference else {
+            return;
+        };
+        if comparison.flickers {
+            let time = ui.input(|input| input.time);
+            if (2.0 * time) as u64 % 2 == 0 {
+                painter.image(texture.id(), area, whole, Color32::WHITE);
+            }
+            ui.ctx()
+                .request_repaint_after(std::time::Duration::from_millis(100));
+            return;
+        }
+        let wipe = comparison.wipe;
+        let mut right = area;
+        right.min.x += wipe * area.width();
+        let uv = Rect::from_min_max(Pos2::new(wipe, 0.0), Pos2::new(1.0, 1.0));
+        painter.image(texture.id(), right, uv, Color32::WHITE);
+        let line = [right.left_top(), right.left_bottom()];
+        painter.line_segment(line, Stroke::new(1.5, colors::SELECTED));
+    }
+
+    fn paint_marks(&self, ui: &Ui, area: Rect, session: &Session, film: FilmSize) {
+        if let Some(cell) = session.settings().and_then(|settings| settings.cell) {
+            outline(ui, area, film, cell, colors::WRONG);
+        }
+        let of_replay = session.inspector.inspected().map(|i| i.replay.pixel);
+        if let Some((x, y)) = session.inspector.running().or(of_replay) {
+            let cell = Cell {
+                x0: x,
+                y0: y,
+                x1: x + 1,
+                y1: y + 1,
+            };
+            outline(ui, area.expand(0.0), film, cell, colors::SELECTED);
+            let center = screen_rect(area, film, cell).center();
+            ui.painter_at(area)
+                .circle_stroke(center, 9.0, Stroke::new(1.5, colors::SELECTED));
+        }
+    }
+}
+
+/// The bytes of the colour of a pixel with `samples` of at most `most` samples.
+fn rate_bytes(samples: u32, most: u32) -> [u8; 3] {
+    let color = pathtracer::rate_colour(samples, most).to_array();
+    color.map(|c| (255.0 * c).round() as u8)
+}
+
+/// The bytes of a pixel: of the film, else of the preview; `None` before both.
+fn pixel_bytes(film: &Film, preview: Option<&Film>, x: u32, y: u32) -> Option<[u8; 3]> {
+    let pixel = film.get(x, y);
+    if pixel.samples > 0 {
+        return Some(tone::to_bytes(pixel.radiance));
+    }
+    let preview = preview?;
+    let (size, small) = (film.size(), preview.size());
+    let scaled =
+        |at: u32, from: u32, to: u32| (u64::from(at) * u64::from(to) / u64::from(from)) as u32;
+    let pixel = preview.get(scaled(x, size.w, small.w), scaled(y, size.h, small.h));
+    (pixel.samples > 0).then(|| tone::to_bytes(pixel.radiance))
+}
+
+/// An image whose rows start at the top, of pixels that count from the bottom.
+fn image_of(size: FilmSize, pixel: impl Fn(u32, u32) -> Option<[u8; 3]>) -> ColorImage {
+    let mut pixels = Vec::with_capacity(size.whole().area() as usize);
+    for y in (0..size.h).rev() {
+        for x in 0..size.w {
+            pixels.push(match pixel(x, y) {
+                Some([r, g, b]) => Color32::from_rgb(r, g, b),
+                None => Color32::TRANSPARENT,
+            });
+        }
+    }
+    ColorImage::new([size.w as usize, size.h as usize], pixels)
+}
+
+/// The largest rectangle of the film's shape in the middle of `rect`.
+fn fitted(rect: Rect, film: FilmSize) -> Rect {
+    let size = egui::vec2(film.w as f32, film.h as f32);
+    let scale = (rect.width() / size.x).min(rect.height() / size.y);
+    Rect::from_center_size(rect.center(), size * scale)
+}
+
+/// The pixel of the film at a point of the window.
+fn pixel_at(area: Rect, film: FilmSize, at: Pos2) -> Option<(u32, u32)> {
+    let x = ((at.x - area.left()) / area.width() * film.w as f32).floor();
+    let y = ((area.bottom() - at.y) / area.height() * film.h as f32).floor();
+    let inside = x >= 0.0 && y >= 0.0 && x < film.w as f32 && y < film.h as f32;
+    inside.then_some((x as u32, y as u32))
+}
+
+/// The rectangle of pixels between two pixels, both included.
+fn cell_between(a: (u32, u32), b: (u32, u32)) -> Cell {
+    Cell {
+        x0: a.0.min(b.0),
+        y0: a.1.min(b.1),
+        x1: a.0.max(b.0) + 1,
+        y1: a.1.max(b.1) + 1,
+    }
+}
+
+/// Where a cell is in the window.
+fn screen_rect(area: Rect, film: FilmSize, cell: Cell) -> Rect {
+    let x = |x: u32| area.left() + area.width() * x as f32 / film.w as f32;
+    let y = |y: u32| area.bottom() - area.height() * y as f32 / film.h as f32;
+    Rect::from_min_max(
+        Pos2::new(x(cell.x0), y(cell.y1)),
+        Pos2::new(x(cell.x1), y(cell.y0)),
+    )
+}
+
+fn outline(ui: &Ui, area: Rect, film: FilmSize, cell: Cell, color: Color32) {
+    let rect = screen_rect(area, film, cell);
+    let stroke = Stroke::new(1.5, color);
+    ui.painter_at(area.expand(2.0))
+        .rect_stroke(rect, 0.0, stroke, egui::StrokeKind::Outside);
+}
+
+fn hint(ui: &Ui, rect: Rect, text: &str) {
+    let font = FontId::proportional(18.0);
+    let color = ui.visuals().text_color();
+    ui.painter_at(rect)
+        .text(rect.center(), Align2::CENTER_CENTER, text, font, color);
+}

@@ -1,0 +1,312 @@
+//! The settings of renders, and the progress of the one that runs.
+
+use super::side_panel::facts;
+use super::{colors, key_button};
+use crate::command::Command;
+use crate::session::{HeatKind, Session};
+use crate::settings::Change;
+use egui::{ComboBox, DragValue, Key, ProgressBar, RichText, Ui};
+use pathtracer::DirectSampling;
+use pathtracer::args::SamplerName;
+
+/// The settings of the next render.
+pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
+    let Some(mut settings) = session.settings().copied() else {
+        return;
+    };
+    ui.heading("Settings");
+    egui::Grid::new("settings")
+        .num_columns(2)
+        .spacing([12.0, 4.0])
+        .show(ui, |ui| {
+            stepper(
+                ui,
+                "camera rays ( [ ] )",
+                settings.samples,
+                commands,
+                Command::Samples,
+            );
+            stepper(
+                ui,
+                "light samples ( - = )",
+                settings.light.light_samples,
+                commands,
+                Command::LightSamples,
+            );
+            stepper(
+                ui,
+                "ray depth ( , . )",
+                settings.light.max_depth,
+                commands,
+                Command::Depth,
+            );
+            let label = ui.label("size").id;
+            ui.horizontal(|ui| {
+                let mut film = settings.film;
+                ui.add(edge(&mut film.w)).labelled_by(label);
+                ui.label("x");
+                ui.add(edge(&mut film.h)).labelled_by(label);
+                if film != settings.film {
+                    settings.film = film;
+                    settings.cell = None;
+                }
+            });
+            ui.end_row();
+            choice(
+                ui,
+                "direct light (H, M)",
+                &mut settings.light.direct_sampling,
+                &[
+                    (DirectSampling::Lights, "lights"),
+                    (DirectSampling::Hemisphere, "hemisphere"),
+                    (DirectSampling::Mis, "MIS"),
+                ],
+            );
+            choice(
+                ui,
+                "samples (U)",
+                &mut settings.sampler,
+                &[
+                    (SamplerName::Sobol, "Sobol"),
+                    (SamplerName::Stratified, "stratified"),
+                    (SamplerName::Independent, "independent"),
+                ],
+            );
+            let label = ui.label("adaptive (A)").id;
+            ui.horizontal(|ui| {
+                let mut is_on = settings.light.adaptive.is_some();
+                if ui.checkbox(&mut is_on, "").labelled_by(label).changed() {
+                    commands.push(Command::ToggleAdaptive);
+                }
+                if let Some((batch, tolerance)) = &mut settings.light.adaptive {
+                    let batch = DragValue::new(batch).range(1..=4096_u32);
+                    ui.add(batch.update_while_editing(false)).labelled_by(label);
+                    let tolerance = DragValue::new(tolerance).range(0.0..=1.0).speed(0.001);
+                    ui.add(tolerance.update_while_editing(false))
+                        .labelled_by(label);
+                }
+            });
+            ui.end_row();
+            let label = ui.label("roulette").id;
+            ui.checkbox(&mut settings.light.roulette, "")
+                .labelled_by(label);
+            ui.end_row();
+        });
+    session.set_settings(settings);
+    ui.horizontal_wrapped(|ui| {
+        if ui.button("Camera to file (D)").clicked() {
+            commands.push(Command::DumpCamera);
+        }
+        ui.label(RichText::new(settings.flags()).size(11.0).weak());
+    });
+}
+
+/// One of several values, in a row of its own.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, choices: &[(T, &str)]) {
+    let id = ui.label(label).id;
+    let name = choices.iter().find(|(choice, _)| choice == value);
+    let field = ComboBox::from_id_salt(label).selected_text(name.map_or("", |(_, name)| name));
+    let shown = field.width(96.0).show_ui(ui, |ui| {
+        for (choice, name) in choices {
+            ui.selectable_value(value, *choice, *name);
+        }
+    });
+    shown.response.labelled_by(id);
+    ui.end_row();
+}
+
+/// A field for the width or the height of the picture.
+fn edge(size: &mut u32) -> DragValue<'_> {
+    DragValue::new(size)
+        .range(1..=8192_u32)
+        .update_while_editing(false)
+}
+
+/// A number with a button for less and one for more.
+fn stepper(
+    ui: &mut Ui,
+    label: &str,
+    value: u32,
+    commands: &mut Vec<Command>,
+    command: fn(Change) -> Command,
+) {
+    ui.label(label);
+    ui.horizontal(|ui| {
+        if ui.small_button("<").clicked() {
+            commands.push(command(Change::Less));
+        }
+        ui.monospace(value.to_string());
+        if ui.small_button(">").clicked() {
+            commands.push(command(Change::More));
+        }
+    });
+    ui.end_row();
+}
+
+/// The render: its progress, and what can be done with it.
+pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
+    ui.heading("Render");
+    let Some(render) = session.render() else {
+        ui.weak("R renders the picture.");
+        return;
+    };
+    let (progress, pass) = {
+        let shown = render.shown();
+        (shown.progress, shown.pass)
+    };
+    let (is_running, is_done) = (render.is_running(), render.is_done());
+    let state = match (is_running, is_done) {
+        (true, _) => format!("{:.0} %", 100.0 * progress),
+        (false, true) => "done".to_owned(),
+        (false, false) => format!("stopped at {:.0} %", 100.0 * progress),
+    };
+    ui.add(ProgressBar::new(progress as f32).text(state));
+    let mut rows = vec![("pass", pass.to_string())];
+    let seconds = render.time().as_secs_f64();
+    // Snapshots are the same on every machine: they show no times.
+    let is_timed = !session.patience.always_sharp;
+    if is_timed {
+        rows.push(("time", format!("{seconds:.1} s")));
+    }
+    if let Some(rendered) = render.render().map(|render| render.rendered()) {
+        let rays = rendered.counters.rays;
+        let rate = rays as f64 / seconds.max(1e-9) / 1e6;
+        rows.push((
+            "rays",
+            match is_timed {
+                true => format!("{rays}, {rate:.2} million/s"),
+                false => rays.to_string(),
+            },
+        ));
+        if let Some(error) = rendered.relative_error() {
+            rows.push(("noise", format!("{:.2} %", 100.0 * error)));
+        }
+    }
+    facts(ui, "render", &rows);
+    ui.horizontal_wrapped(|ui| {
+        if key_button(ui, if is_running { "Stop" } else { "Resume" }, Key::P) {
+            commands.push(Command::StopOrResume);
+        }
+        if key_button(ui, "More samples", Key::O) {
+            commands.push(Command::AddSamples);
+        }
+        if key_button(ui, "Restart", Key::R) {
+            commands.push(Command::Render);
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        let toggle =
+            |ui: &mut Ui, is_on: bool, label: &str| ui.selectable_label(is_on, label).clicked();
+        if toggle(ui, session.cell_mode(), "Cell (C)") {
+            commands.push(Command::ToggleCell);
+        }
+        if toggle(ui, session.shows_rate(), "Rate (T)") {
+            commands.push(Command::ToggleRate);
+        }
+        let heat = match session.heat().kind {
+            None => "Heat map (X)",
+            Some(HeatKind::Boxes) => "Heat map: boxes (X)",
+            Some(HeatKind::Primitives) => "Heat map: primitives (X)",
+        };
+        if toggle(ui, session.heat().kind.is_some(), heat) {
+            commands.push(Command::NextHeat);
+        }
+        if ui.button("Dearest pixel (G)").clicked() {
+            commands.push(Command::GoToDearest);
+        }
+    });
+    under_pointer(ui, session);
+    comparison(ui, session, commands);
+}
+
+/// The pixel under the mouse.
+fn under_pointer(ui: &mut Ui, session: &Session) {
+    let (Some(render), Some((x, y))) = (session.render(), session.pixel_under_pointer()) else {
+        ui.weak("Click a pixel to replay its samples.");
+        return;
+    };
+    let film = render.job().film;
+    if x >= film.w || y >= film.h {
+        return;
+    }
+    let pixel = render.shown().film.get(x, y);
+    let [r, g, b] = pathtracer::tone::to_bytes(pixel.radiance);
+    let mut rows = vec![
+        ("pixel", format!("{x} {y}")),
+        (
+            "linear",
+            pixel
+                .radiance
+                .to_array()
+                .map(|c| format!("{c:.5}"))
+                .join(" "),
+        ),
+        ("8 bit", format!("{r} {g} {b}")),
+        ("samples", pixel.samples.to_string()),
+    ];
+    let rendered = render.render().map(|render| render.rendered());
+    let i = y as usize * film.w as usize + x as usize;
+    if let Some(tally) = rendered.and_then(|rendered| rendered.luminance.get(i)) {
+        rows.push(("variance", format!("{:.3e}", tally.variance())));
+    }
+    if let Some(map) = session.heat().map().filter(|map| map.size == film) {
+        let counts = map.get(x, y);
+        rows.push((
+            "tests",
+            format!(
+                "{} boxes, {} primitives",
+                counts.box_tests, counts.prim_tests
+            ),
+        ));
+    }
+    if let Some(comparison) = session.comparison().filter(|c| c.reference.size == film) {
+        let [r, g, b] = comparison.reference.get(x, y);
+        rows.push(("other", format!("{r} {g} {b}")));
+    }
+    facts(ui, "pixel", &rows);
+}
+
+/// The comparison with another picture.
+fn comparison(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
+    let Some((name, flickers)) = session
+        .comparison()
+        .map(|comparison| (comparison.reference.name.clone(), comparison.flickers))
+    else {
+        ui.horizontal(|ui| {
+            if ui.button("Keep to compare (K)").clicked() {
+                commands.push(Command::KeepForComparison);
+            }
+            ui.weak("or drop a picture here");
+        });
+        return;
+    };
+    ui.separator();
+    ui.label(RichText::new("Compared with").strong());
+    ui.label(RichText::new(name).size(11.0));
+    match session.difference() {
+        None => {
+            ui.colored_label(colors::WRONG, "the sizes differ");
+        }
+        Some(difference) => {
+            let mut rows = vec![
+                ("pixels", difference.pixels.to_string()),
+                ("largest", difference.largest.to_string()),
+                ("RMSE", format!("{:.3}", difference.rmse)),
+                ("PSNR", format!("{:.2} dB", difference.psnr)),
+            ];
+            if let Some(error) = difference.relative_mse {
+                rows.push(("relative MSE", format!("{error:.3e}")));
+            }
+            facts(ui, "difference", &rows);
+        }
+    }
+    ui.horizontal(|ui| {
+        if ui.selectable_label(flickers, "Flicker (F)").clicked() {
+            commands.push(Command::Flicker);
+        }
+        if ui.button("End").clicked() {
+            commands.push(Command::EndComparison);
+        }
+        ui.weak("drag to wipe");
+    });
+}

@@ -1,0 +1,129 @@
+//! Everything that a key, a click, a drag or a button does, as a value.
+
+use crate::session::Mode;
+use crate::settings::Change;
+use crate::tree_walk::Side;
+use kit::Vec2;
+use kit::film::Cell;
+use std::path::PathBuf;
+
+/// A command.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Switches to a mode. A render goes on in the background.
+    Mode(Mode),
+    /// Switches to render mode and starts a render, from the beginning.
+    Render,
+    /// Rotates the camera about its target, in fractions of the view's height.
+    Orbit(Vec2),
+    /// Moves the camera along the film, in fractions of the view's height.
+    Pan(Vec2),
+    /// Moves the camera towards its target, in steps of the wheel.
+    Zoom(f64),
+    /// Returns to the view at the start.
+    ResetView,
+    /// Shows or hides the edges of triangles.
+    ToggleEdges,
+    /// Selects what is under the pointer, or nothing.
+    Select,
+    /// Moves the selected vertex, in fractions of the view's width and height.
+    MoveVertex(Vec2),
+    /// The vertex is where it should be: the next move is another one.
+    EndMove,
+    /// Moves the vertex back that was moved last.
+    UndoMove,
+    /// Selects a child of the node.
+    Descend(Side),
+    /// Selects the parent of the node.
+    Ascend,
+    /// Selects the node at a depth of the tree.
+    GoToDepth(usize),
+    /// Selects a node.
+    GoToNode(u32),
+    /// Changes the camera rays per pixel.
+    Samples(Change),
+    /// Changes the samples per light.
+    LightSamples(Change),
+    /// Changes the ray depth.
+    Depth(Change),
+    /// Switches uniform sampling of the hemisphere on or off.
+    ToggleHemisphere,
+    /// Switches multiple importance sampling on or off.
+    ToggleMis,
+    /// Switches adaptive sampling on or off.
+    ToggleAdaptive,
+    /// Selects the next distribution of samples.
+    NextSampler,
+    /// Switches cell mode on or off. Off also forgets the cell.
+    ToggleCell,
+    /// Renders only this cell.
+    SetCell(Cell),
+    /// Stops the render, or resumes it.
+    StopOrResume,
+    /// Renders as many samples again.
+    AddSamples,
+    /// Shows the number of samples of each pixel, or the picture.
+    ToggleRate,
+    /// Shows the heat map of box tests, then of primitive tests, then the picture.
+    NextHeat,
+    /// Inspects the pixel with the most tests.
+    GoToDearest,
+    /// Keeps the picture, to compare later ones with it.
+    KeepForComparison,
+    /// Reads a picture file to compare with.
+    CompareWith(PathBuf),
+    /// Ends the comparison.
+    EndComparison,
+    /// Shows both pictures in turns, or side by side.
+    Flicker,
+    /// Replays a pixel, counted from the bottom left.
+    Inspect(u32, u32),
+    /// Replays the pixel under the pointer.
+    InspectUnderPointer,
+    /// Walks through the tests of the ray.
+    StepTest {
+        /// Forward, else back.
+        forward: bool,
+    },
+    /// Walks from ray to ray.
+    StepRay {
+        /// Forward, else back.
+        forward: bool,
+    },
+    /// Selects a sample of the replay.
+    SelectSample(usize),
+    /// Selects a ray of the sample.
+    SelectRay(usize),
+    /// Selects a test of the ray.
+    SelectTest(usize),
+    /// Saves the selected ray as a Rust test.
+    SaveRayAsTest,
+    /// Forgets the replay.
+    CloseInspector,
+    /// Saves the picture or the view.
+    Screenshot,
+    /// Writes the camera to a file.
+    DumpCamera,
+    /// Shows or hides the text in the view.
+    ToggleOverlay,
+    /// Switches between light and dark.
+    ToggleTheme,
+    /// Shows or hides the list of keys.
+    ToggleHelp,
+    /// Opens a scene file.
+    Open(PathBuf),
+    /// Reads the scene file again.
+    Reload,
+    /// Opens a case of the report.
+    OpenCase(usize),
+    /// Saves the test of the opened case.
+    SaveCaseAsTest,
+    /// Closes the list of keys; else asks to close the window.
+    Escape,
+    /// Saves the picture in progress and closes the window.
+    SaveAndQuit,
+    /// Closes the window.
+    Quit,
+    /// Does not close the window.
+    DoNotQuit,
+}

@@ -1,0 +1,36 @@
+//! The window: the scene, the tree over it, the picture in progress, and the rays of a pixel.
+//!
+//! Everything but the drawing works without a display and is tested there. Reading order:
+//! [`command`] (what a key, a click or a drag does, as a value), [`keys`] (the one list of keys),
+//! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
+//! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`tree_walk`],
+//! [`view_picture`] and [`view3d`] (the ray-traced view), [`render_control`] (the picture),
+//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`], [`report`] (a
+//! report of the grader), [`ray_test`]. [`task`] runs work in the background and catches the holes
+//! of stages that are not written yet; [`project`] is the projection of lines.
+//!
+//! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
+//! [`raster`], which draws egui's shapes without a GPU. [`cli`] has the flags of the program.
+
+pub mod app;
+pub mod cli;
+pub mod command;
+pub mod compare;
+pub mod inspector;
+pub mod keys;
+pub mod orbit;
+pub mod project;
+pub mod raster;
+pub mod ray_test;
+pub mod render_control;
+pub mod report;
+pub mod scene_data;
+pub mod session;
+pub mod settings;
+pub mod snapshot;
+pub mod task;
+pub mod topology;
+pub mod tree_walk;
+pub mod truth;
+pub mod view3d;
+pub mod view_picture;

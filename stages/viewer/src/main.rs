@@ -1,0 +1,88 @@
+//! The `viewer` program: opens the window, or writes a picture of it.
+
+use eframe::{CreationContext, Frame, NativeOptions};
+use egui::{Ui, ViewportBuilder};
+use pathtracer::args::has_display;
+use std::env;
+use std::process::ExitCode;
+use std::sync::Arc;
+use viewer::app::App;
+use viewer::cli::ViewerArgs;
+use viewer::command::Command;
+use viewer::report::OpenReport;
+use viewer::session::Session;
+use viewer::snapshot;
+use viewer::task::{Wake, silence_holes};
+use viewer::view3d::Patience;
+
+/// Exit code for invalid input, and if there is no display.
+const BAD_INPUT: u8 = 2;
+
+fn main() -> ExitCode {
+    let args = match ViewerArgs::parse_from(env::args_os()) {
+        Ok(args) => args,
+        Err(why) => why.exit(),
+    };
+    match run(&args) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("error: {why}");
+            ExitCode::from(BAD_INPUT)
+        }
+    }
+}
+
+fn run(args: &ViewerArgs) -> Result<(), String> {
+    let shot = args.shot()?;
+    // Invalid flags are errors before a window opens.
+    args.render.light()?;
+    let report = args.report.as_deref().map(OpenReport::load).transpose()?;
+    if shot.is_none() && !has_display() {
+        return Err(
+            "there is no display to open a window on: set DISPLAY or WAYLAND_DISPLAY, or use pathtracer with -f"
+                .to_owned(),
+        );
+    }
+    silence_holes();
+    let start = |wake: Wake| {
+        let mut session = Session::new(args.render.clone(), wake);
+        if let Some(report) = report {
+            session.set_report(report);
+            session.apply(Command::OpenCase(0));
+        }
+        if args.light {
+            session.apply(Command::ToggleTheme);
+        }
+        session
+    };
+    if let Some((shot, path)) = shot {
+        let mut session = start(Arc::new(|| ()));
+        session.patience = Patience::COMPLETE;
+        let picture = snapshot::take(session, shot, args.window_size());
+        return snapshot::write(&path, &picture);
+    }
+    let [width, height] = args.window_size().map(|size| size as f32);
+    let options = NativeOptions {
+        viewport: ViewportBuilder::default()
+            .with_inner_size([width, height])
+            .with_min_inner_size([480.0, 360.0]),
+        ..NativeOptions::default()
+    };
+    let create = |creation: &CreationContext<'_>| {
+        let ctx = creation.egui_ctx.clone();
+        let session = start(Arc::new(move || ctx.request_repaint()));
+        let window: Box<dyn eframe::App> = Box::new(Window(App::new(session)));
+        Ok(window)
+    };
+    eframe::run_native("First Light", options, Box::new(create))
+        .map_err(|why| format!("cannot open a window: {why}"))
+}
+
+/// The window, as eframe sees it.
+struct Window(App);
+
+impl eframe::App for Window {
+    fn ui(&mut self, ui: &mut Ui, _: &mut Frame) {
+        self.0.ui(ui);
+    }
+}

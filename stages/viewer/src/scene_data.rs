@@ -1,0 +1,148 @@
+//! A loaded scene with everything that the window needs of it.
+
+use crate::task::{StageFailure, guarded};
+use kit::{Aabb, Bvh, Environment, FilmSize, Scene};
+use pathtracer::args::{Args, Shade};
+use pathtracer::{Accel, AccelKind, Picture, PreparedScene, Textures, load_environment};
+use scenes::placement::View;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+/// The parts of a scene that stay when a vertex moves.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The scene file.
+    pub path: PathBuf,
+    /// What its pictures show.
+    pub shade: Shade,
+    /// How hits are found.
+    pub accel: AccelKind,
+    /// The environment map of the flag `-e`.
+    pub environment: Option<Environment>,
+    /// The textures.
+    pub textures: Textures,
+    /// Repaired or ignored parts of the file, and missing textures.
+    pub warnings: Vec<String>,
+    /// When the file was last changed.
+    pub modified: Option<SystemTime>,
+}
+
+/// A scene that is ready to be shown, and its trees.
+#[derive(Clone, Debug)]
+pub struct SceneData {
+    /// The parts that stay when a vertex moves.
+    pub source: Arc<Source>,
+    /// The scene of the file, without triangles for its area lights.
+    pub file_scene: Arc<Scene>,
+    /// What is rendered.
+    pub prepared: PreparedScene,
+    /// The binary tree over the scene: for the visualiser and for replays.
+    pub tree: Accel,
+    /// Why the wide tree is not used, if it should be.
+    pub missing_accel: Option<StageFailure>,
+    /// The bounding box.
+    pub bounds: Aabb,
+}
+
+/// A scene as it is opened: with its view.
+#[derive(Clone, Debug)]
+pub struct Opened {
+    /// The scene.
+    pub data: SceneData,
+    /// The view of `-c`, else that of the scene.
+    pub view: View,
+    /// The size of the picture.
+    pub film: FilmSize,
+}
+
+impl Opened {
+    /// Reads the scene `path`, with the flags of `args`. The error is a sentence.
+    pub fn load(path: &Path, args: &Args) -> Result<Opened, String> {
+        let modified = modified(path);
+        let loaded = scenes::load(path).map_err(|why| why.to_string())?;
+        let (view, film) = args.view(&loaded.scene).map_err(|why| why.to_string())?;
+        let environment = match &args.environment {
+            Some(map) => Some(load_environment(map).map_err(|why| why.to_string())?),
+            None => None,
+        };
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let (textures, missing) = Textures::load(&loaded.scene, folder);
+        let warnings = loaded.warnings.iter().map(ToString::to_string);
+        let source = Source {
+            path: path.to_owned(),
+            shade: args.shade,
+            accel: args.accel.into(),
+            environment,
+            textures,
+            warnings: warnings
+                .chain(missing.iter().map(ToString::to_string))
+                .collect(),
+            modified,
+        };
+        Ok(Opened {
+            data: SceneData::build(Arc::new(source), Arc::new(loaded.scene)),
+            view,
+            film,
+        })
+    }
+}
+
+impl SceneData {
+    /// Builds the trees. If a stage fails, the next simpler way to find hits is used: in the end
+    /// brute force, which needs no tree.
+    pub fn build(source: Arc<Source>, file_scene: Arc<Scene>) -> SceneData {
+        let environment = source.environment.clone();
+        let picture = Picture::new(source.shade, Scene::clone(&file_scene), environment);
+        let scene = picture.scene();
+        let build = |kind| guarded(|| Accel::build(kind, scene));
+        let tree = build(AccelKind::Bvh);
+        let mut missing_accel = tree.as_ref().err().cloned();
+        let tree = tree.unwrap_or(Accel::Brute);
+        let accel = match source.accel {
+            AccelKind::Bvh => tree.clone(),
+            kind => build(kind).unwrap_or_else(|failure| {
+                missing_accel = Some(failure);
+                tree.clone()
+            }),
+        };
+        SceneData {
+            bounds: scene.bounds(),
+            prepared: PreparedScene {
+                textures: source.textures.clone(),
+                picture,
+                accel,
+            },
+            source,
+            file_scene,
+            tree,
+            missing_accel,
+        }
+    }
+
+    /// The scene that is rendered.
+    pub fn scene(&self) -> &Scene {
+        self.prepared.scene()
+    }
+
+    /// The binary tree; `None` if it could not be built.
+    pub fn bvh(&self) -> Option<&Bvh> {
+        match &self.tree {
+            Accel::Bvh(tree) => Some(tree),
+            _ => None,
+        }
+    }
+
+    /// The name of the file without its folder.
+    pub fn name(&self) -> String {
+        let name = self.source.path.file_name().unwrap_or_default();
+        name.to_string_lossy().into_owned()
+    }
+}
+
+/// When a file was last changed; `None` if there is no such file.
+pub fn modified(path: &Path) -> Option<SystemTime> {
+    std::fs::metadata(path)
+        .and_then(|file| file.modified())
+        .ok()
+}

@@ -1,0 +1,173 @@
+//! Selecting and moving parts of the scene.
+
+use super::Session;
+use crate::project::Projection;
+use crate::scene_data::SceneData;
+use crate::task::Task;
+use crate::topology::{Element, ElementInfo, Topology, move_vertex};
+use kit::{Scene, Vec2, Vec3};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// The vertex that is being moved, and the moves so far.
+#[derive(Default)]
+pub(super) struct Edit {
+    /// The vertex and its newest position, which the scene does not show yet.
+    wanted: Option<(u32, Vec3)>,
+    rebuilding: Option<Task<SceneData>>,
+    /// Whether the mouse is moving the vertex.
+    is_moving: bool,
+    /// Each vertex that was moved, and where it was before.
+    undo: Vec<(u32, Vec3)>,
+}
+
+impl Edit {
+    /// The mouse has let go of the vertex.
+    pub(super) fn end_move(&mut self) {
+        self.is_moving = false;
+    }
+
+    pub(super) fn is_rebuilding(&self) -> bool {
+        self.rebuilding.is_some() || self.wanted.is_some()
+    }
+}
+
+impl Session {
+    /// The vertices and edges of the scene, once they are found.
+    pub fn topology(&self) -> Option<&Topology> {
+        let (of, topology, _) = self.topology.as_ref()?;
+        let is_current = self
+            .scene
+            .as_ref()
+            .is_some_and(|scene| Arc::ptr_eq(scene, of));
+        topology.as_ref().filter(|_| is_current)
+    }
+
+    /// What is under the pointer.
+    pub fn hovered(&self) -> Option<Element> {
+        let (scene, topology) = (self.scene.as_ref()?, self.topology()?);
+        let hit = self.view.picture(scene)?.hit_at(self.pointer_in_view?)?;
+        let triangles = scene.scene().triangles.len() as u32;
+        if hit.prim >= triangles {
+            return Some(Element::Sphere(hit.prim - triangles));
+        }
+        let [b1, b2] = hit.uv.map(f64::from);
+        Some(topology.element_at(hit.prim, [1.0 - b1 - b2, b1, b2]))
+    }
+
+    /// Facts about the selected element.
+    pub fn selection_info(&self) -> Option<ElementInfo> {
+        let (scene, topology) = (self.scene.as_ref()?, self.topology()?);
+        Some(topology.info(scene.scene(), self.selection?))
+    }
+
+    pub(super) fn select(&mut self) {
+        self.selection = self.hovered();
+    }
+
+    /// Where the selected vertex is, or will be as soon as the tree is rebuilt.
+    pub fn selected_vertex_position(&self) -> Option<Vec3> {
+        let Some(Element::Vertex(v)) = self.selection else {
+            return None;
+        };
+        match self.edit.wanted {
+            Some((wanted, position)) if wanted == v => Some(position),
+            _ => self.topology().map(|topology| topology.position(v)),
+        }
+    }
+
+    /// Moves the selected vertex in the plane of the film by fractions of the view.
+    pub(super) fn move_vertex(&mut self, by: Vec2) {
+        let (Some(position), Some(Element::Vertex(v)), Some(orbit)) =
+            (self.selected_vertex_position(), self.selection, self.orbit)
+        else {
+            return;
+        };
+        let scene = self.scene.as_ref().expect("a vertex is selected");
+        let camera = match self.view.picture(scene) {
+            Some(picture) => picture.request.camera,
+            None => orbit.camera(),
+        };
+        if !self.edit.is_moving {
+            self.edit.is_moving = true;
+            self.edit.undo.push((v, position));
+        }
+        let position = position + Projection::new(&camera).shift_at(position, by);
+        self.edit.wanted = Some((v, position));
+    }
+
+    pub(super) fn undo_move(&mut self) {
+        match self.edit.undo.pop() {
+            Some(before) => self.edit.wanted = Some(before),
+            None => self.say("Nothing was moved"),
+        }
+    }
+
+    /// Finds the topology, and rebuilds the trees around the moved vertex.
+    pub(super) fn update_editing(&mut self, wait: Duration) {
+        self.update_topology(wait);
+        if self.edit.rebuilding.is_none() {
+            self.start_rebuild();
+        }
+        let Some(rebuilt) = self
+            .edit
+            .rebuilding
+            .as_ref()
+            .and_then(|task| task.wait(wait))
+        else {
+            return;
+        };
+        self.edit.rebuilding = None;
+        match rebuilt {
+            Ok(data) => {
+                self.scene = Some(Arc::new(data));
+                self.render = None;
+                self.inspector.close();
+                self.update_topology(wait);
+            }
+            Err(failure) => self.say(format!("The tree was not rebuilt: {failure}")),
+        }
+    }
+
+    fn start_rebuild(&mut self) {
+        let (Some((v, position)), Some(scene), Some(topology)) =
+            (self.edit.wanted, &self.scene, self.topology())
+        else {
+            return;
+        };
+        // Triangles of area lights are not those of the file: their lights would not follow.
+        let of_file = scene.file_scene.triangles.len() as u32;
+        if topology.corners_at(v).iter().any(|c| c.triangle >= of_file) {
+            self.edit.wanted = None;
+            self.say("The corner of an area light cannot be moved");
+            return;
+        }
+        let mut moved = Scene::clone(&scene.file_scene);
+        move_vertex(&mut moved, topology, v, position);
+        let source = Arc::clone(&scene.source);
+        self.edit.wanted = None;
+        self.edit.rebuilding = Some(Task::spawn(Arc::clone(&self.wake), move |_| {
+            SceneData::build(source, Arc::new(moved))
+        }));
+    }
+
+    fn update_topology(&mut self, wait: Duration) {
+        let Some(scene) = &self.scene else { return };
+        let is_current = self
+            .topology
+            .as_ref()
+            .is_some_and(|(of, ..)| Arc::ptr_eq(of, scene));
+        if !is_current {
+            let data = Arc::clone(scene);
+            let task = Task::spawn(Arc::clone(&self.wake), move |_| Topology::new(data.scene()));
+            self.topology = Some((Arc::clone(scene), None, Some(task)));
+        }
+        let Some((_, topology, task)) = &mut self.topology else {
+            return;
+        };
+        if let Some(Ok(found)) = task.as_ref().and_then(|task| task.wait(wait)) {
+            *topology = Some(found);
+            *task = None;
+        }
+    }
+}

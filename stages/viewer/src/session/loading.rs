@@ -1,0 +1,126 @@
+//! Opening scenes: in the background, with the last scene shown until the new one is there.
+
+use super::Session;
+use crate::orbit::Orbit;
+use crate::scene_data::{Opened, modified};
+use crate::settings::RenderSettings;
+use crate::task::Task;
+use crate::tree_walk::TreeWalk;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// The number of recent scenes that are listed.
+const MAX_RECENT: usize = 8;
+/// The time between two looks at whether the scene file has changed.
+const LOOK_EVERY: Duration = Duration::from_secs(1);
+
+impl Session {
+    /// Starts to read a scene.
+    pub(super) fn open(&mut self, path: PathBuf) {
+        self.message = format!("Loading {}", path.display());
+        let mut args = self.args.clone();
+        // The camera of `-c` belongs to the scene of the command line.
+        if path != self.args.scene {
+            args.camera = None;
+        }
+        let file = path.clone();
+        let task = Task::spawn(Arc::clone(&self.wake), move |_| Opened::load(&file, &args));
+        self.loading = Some((path, Instant::now(), task));
+    }
+
+    /// Reads the scene file again. The camera stays.
+    pub(super) fn reload(&mut self) {
+        if let Some(scene) = &self.scene {
+            self.open(scene.source.path.clone());
+        }
+    }
+
+    pub(super) fn update_loading(&mut self, now: Instant, wait: Duration) {
+        self.reload_if_changed(now);
+        let loaded = self
+            .loading
+            .as_ref()
+            .and_then(|(_, _, task)| task.wait(wait));
+        let (Some(loaded), Some((path, since, _))) = (loaded, self.loading.as_ref()) else {
+            return;
+        };
+        let (path, time) = (path.clone(), since.elapsed());
+        self.loading = None;
+        match loaded {
+            Ok(Ok(opened)) => self.show(opened, time),
+            // The last scene stays.
+            Ok(Err(why)) => self.message = format!("Not loaded: {why}"),
+            Err(failure) => self.message = format!("{} is not loaded: {failure}", path.display()),
+        }
+    }
+
+    fn show(&mut self, opened: Opened, time: Duration) {
+        let settings = match (RenderSettings::new(&self.args, opened.film), self.settings) {
+            (_, Some(settings)) => settings,
+            (Ok(settings), None) => settings,
+            (Err(why), None) => {
+                self.message = format!("Not loaded: {why}");
+                return;
+            }
+        };
+        let path = opened.data.source.path.clone();
+        let is_same_file = self
+            .scene
+            .as_ref()
+            .is_some_and(|old| old.source.path == path);
+        if !is_same_file {
+            self.orbit = Some(Orbit::new(opened.view));
+            self.walk = TreeWalk::default();
+        }
+        self.settings = Some(settings);
+        self.spy = None;
+        self.selection = None;
+        self.render = None;
+        self.inspector.close();
+        self.heat = Default::default();
+        self.edit = Default::default();
+        let scene = opened.data.scene();
+        let mut message = format!(
+            "{}: {} triangles, {} spheres, loaded in {:.2} s",
+            path.display(),
+            scene.triangles.len(),
+            scene.spheres.len(),
+            time.as_secs_f64()
+        );
+        if let Some(failure) = &opened.data.missing_accel {
+            message += &format!("; a simpler tree is used: {failure}");
+        }
+        match opened.data.source.warnings.as_slice() {
+            [] => {}
+            [warning] => message += &format!("; {warning}"),
+            [first, rest @ ..] => message += &format!("; {first}; {} more warnings", rest.len()),
+        }
+        self.message = message;
+        self.scene = Some(Arc::new(opened.data));
+        self.recent.retain(|recent| *recent != path);
+        self.recent.insert(0, path);
+        self.recent.truncate(MAX_RECENT);
+    }
+
+    /// Reads the scene file again if it was changed on the disk.
+    fn reload_if_changed(&mut self, now: Instant) {
+        let is_due = self
+            .last_look_at_file
+            .is_none_or(|last| now.duration_since(last) >= LOOK_EVERY);
+        let Some(scene) = self
+            .scene
+            .as_ref()
+            .filter(|_| is_due && self.loading.is_none())
+        else {
+            return;
+        };
+        self.last_look_at_file = Some(now);
+        let path: &Path = &scene.source.path;
+        let newest = modified(path);
+        // A file that is being replaced may be missing for a moment.
+        if newest.is_some() && newest != scene.source.modified {
+            self.reload();
+        }
+    }
+}

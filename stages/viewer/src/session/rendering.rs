@@ -1,0 +1,332 @@
+//! The picture: rendering, cells, heat maps, comparisons, and the pixel that is inspected.
+
+use super::{Mode, Session};
+use crate::compare::{Difference, Reference};
+use crate::render_control::RenderControl;
+use crate::scene_data::SceneData;
+use crate::settings::RenderSettings;
+use crate::task::Task;
+use kit::film::Cell;
+use kit::{Camera, PixelEstimate};
+use pathtracer::replay::{HeatMap, heat_map};
+use pathtracer::{Counters, Job, LightSettings};
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// What a heat map counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HeatKind {
+    /// Box tests.
+    Boxes,
+    /// Primitive tests.
+    Primitives,
+}
+
+impl HeatKind {
+    /// The number that the map shows.
+    pub fn of(self, counters: &Counters) -> u64 {
+        match self {
+            HeatKind::Boxes => counters.box_tests,
+            HeatKind::Primitives => counters.prim_tests,
+        }
+    }
+}
+
+/// The heat map of the picture.
+#[derive(Default)]
+pub struct Heat {
+    /// What it shows; `None` if the picture is shown.
+    pub kind: Option<HeatKind>,
+    /// The counts, and what they are of.
+    map: Option<(Arc<SceneData>, Job, LightSettings, HeatMap)>,
+    counting: Option<(Arc<SceneData>, Job, LightSettings, Task<HeatMap>)>,
+    goes_to_dearest: bool,
+}
+
+impl Heat {
+    /// The counts of the newest picture that was counted.
+    pub fn map(&self) -> Option<&HeatMap> {
+        self.map.as_ref().map(|(_, _, _, map)| map)
+    }
+
+    /// Whether it is counting.
+    pub fn is_counting(&self) -> bool {
+        self.counting.is_some()
+    }
+}
+
+/// Another picture beside the one of the render.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The other picture.
+    pub reference: Reference,
+    /// The share of the width, from the left, that shows the render.
+    pub wipe: f32,
+    /// Whether both are shown in turns instead.
+    pub flickers: bool,
+    /// The difference, and the version of the render that it is of.
+    difference: Option<(u64, Option<Difference>)>,
+}
+
+impl Session {
+    /// The camera of renders.
+    pub fn render_camera(&self) -> Option<Camera> {
+        Some(self.orbit?.camera())
+    }
+
+    /// Starts a render from the beginning.
+    pub(super) fn start_render(&mut self) {
+        self.mode = Mode::Render;
+        self.restart_render();
+    }
+
+    pub(super) fn restart_render(&mut self) {
+        let (Some(scene), Some(camera), Some(settings)) =
+            (self.scene.clone(), self.render_camera(), self.settings)
+        else {
+            self.say("There is no scene to render: drop a .dae file here");
+            return;
+        };
+        let job = settings.job(camera);
+        let wake = Arc::clone(&self.wake);
+        self.render = Some(RenderControl::start(&scene, job, settings.light, wake));
+        self.message = format!("Rendering with {}", settings.flags());
+    }
+
+    /// Changes the settings. In render mode the render starts again, with the new settings.
+    pub(super) fn change_settings(&mut self, change: impl FnOnce(&mut RenderSettings)) {
+        let Some(settings) = &mut self.settings else {
+            return;
+        };
+        change(settings);
+        self.message = settings.flags();
+        if self.mode == Mode::Render {
+            self.restart_render();
+        }
+    }
+
+    /// Sets the settings from a panel.
+    pub fn set_settings(&mut self, settings: RenderSettings) {
+        if self.settings != Some(settings) {
+            self.change_settings(|old| *old = settings);
+        }
+    }
+
+    pub(super) fn toggle_cell(&mut self) {
+        self.cell_mode = !self.cell_mode;
+        if self.cell_mode {
+            self.say("Cell mode: drag a rectangle in the picture");
+        } else if self
+            .settings
+            .is_some_and(|settings| settings.cell.is_some())
+        {
+            self.change_settings(|settings| settings.cell = None);
+        }
+    }
+
+    pub(super) fn set_cell(&mut self, cell: Cell) {
+        if cell.area() > 0 {
+            self.change_settings(|settings| settings.cell = Some(cell));
+            let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
+            self.message = format!("Selected cell measures {w}x{h} pixels");
+        }
+    }
+
+    pub(super) fn stop_or_resume(&mut self) {
+        let Some(render) = &mut self.render else {
+            return self.start_render();
+        };
+        if render.is_running() {
+            render.stop();
+            self.say("Stopped: P resumes");
+        } else if render.is_done() {
+            self.say("The picture is complete: O adds samples, R starts again");
+        } else {
+            render.resume();
+            self.say("Resumed");
+        }
+    }
+
+    pub(super) fn add_samples(&mut self) {
+        if let Some(render) = &mut self.render {
+            if render.is_done() {
+                render.add_samples();
+                self.say("Another pass with as many samples");
+            } else {
+                self.say("Samples can be added when the picture is complete");
+            }
+        }
+    }
+
+    /// The job whose pixels are inspected: that of the render, else the one that would start.
+    fn inspected_job(&self) -> Option<(Arc<SceneData>, Job, LightSettings, u32)> {
+        if let Some(render) = self.render.as_ref().filter(|_| self.mode == Mode::Render) {
+            let passes = match render.render() {
+                Some(done) if done.is_done() => done.passes(),
+                Some(stopped) => (stopped.passes() - 1).max(1),
+                None => 1,
+            };
+            return Some((
+                Arc::clone(render.scene()),
+                *render.job(),
+                *render.settings(),
+                passes,
+            ));
+        }
+        let settings = self.settings?;
+        let job = settings.job(self.render_camera()?);
+        Some((self.scene.clone()?, job, settings.light, 1))
+    }
+
+    pub(super) fn inspect(&mut self, x: u32, y: u32) {
+        let Some((scene, job, settings, passes)) = self.inspected_job() else {
+            return;
+        };
+        if x >= job.film.w || y >= job.film.h {
+            return;
+        }
+        let rendered = self.rendered_pixel(x, y, passes);
+        let wake = Arc::clone(&self.wake);
+        self.inspector
+            .inspect(&scene, job, settings, passes, rendered, (x, y), &wake);
+        self.message = format!("Replaying pixel {x} {y}");
+    }
+
+    /// The pixel of the render, if it has all samples of `passes` passes.
+    fn rendered_pixel(&self, x: u32, y: u32, passes: u32) -> Option<PixelEstimate> {
+        let render = self.render.as_ref().filter(|_| self.mode == Mode::Render)?;
+        let pixel = render.shown().film.get(x, y);
+        let is_adaptive = render.settings().adaptive.is_some();
+        let expected = passes * render.job().samples;
+        (pixel.samples > 0 && (is_adaptive || pixel.samples == expected)).then_some(pixel)
+    }
+
+    pub(super) fn next_heat(&mut self) {
+        self.heat.kind = match self.heat.kind {
+            None => Some(HeatKind::Boxes),
+            Some(HeatKind::Boxes) => Some(HeatKind::Primitives),
+            Some(HeatKind::Primitives) => None,
+        };
+        self.count_heat();
+    }
+
+    pub(super) fn go_to_dearest(&mut self) {
+        self.heat.goes_to_dearest = true;
+        self.heat.kind = self.heat.kind.or(Some(HeatKind::Boxes));
+        self.count_heat();
+    }
+
+    /// Starts to count, unless the counts are there.
+    fn count_heat(&mut self) {
+        let Some((scene, job, settings, _)) = self.inspected_job() else {
+            return;
+        };
+        let is_same = |s: &Arc<SceneData>, j: &Job, l: &LightSettings| {
+            Arc::ptr_eq(s, &scene) && (*j, *l) == (job, settings)
+        };
+        let is_there = self
+            .heat
+            .map
+            .as_ref()
+            .is_some_and(|(s, j, l, _)| is_same(s, j, l));
+        let is_coming = self
+            .heat
+            .counting
+            .as_ref()
+            .is_some_and(|(s, j, l, _)| is_same(s, j, l));
+        if self.heat.kind.is_none() || is_there || is_coming {
+            return;
+        }
+        let data = Arc::clone(&scene);
+        let task = Task::spawn(Arc::clone(&self.wake), move |stop| {
+            let prepared = &data.prepared;
+            heat_map(
+                &prepared.picture,
+                &prepared.textures,
+                &data.tree,
+                &job,
+                &settings,
+                stop,
+            )
+        });
+        self.heat.counting = Some((scene, job, settings, task));
+    }
+
+    pub(super) fn update_heat(&mut self, wait: Duration) {
+        let counted = self
+            .heat
+            .counting
+            .as_ref()
+            .and_then(|(.., task)| task.wait(wait));
+        if let Some(counted) = counted
+            && let Some((scene, job, settings, _)) = self.heat.counting.take()
+        {
+            match counted {
+                Ok(map) => self.heat.map = Some((scene, job, settings, map)),
+                Err(failure) => {
+                    self.heat.kind = None;
+                    self.heat.goes_to_dearest = false;
+                    self.say(format!("Nothing was counted: {failure}"));
+                }
+            }
+        }
+        if let (true, None, Some(kind), Some(map)) = (
+            self.heat.goes_to_dearest,
+            &self.heat.counting,
+            self.heat.kind,
+            self.heat.map(),
+        ) {
+            let dearest = map.dearest(|counters| kind.of(counters));
+            self.heat.goes_to_dearest = false;
+            if let Some((x, y)) = dearest {
+                self.inspect(x, y);
+            }
+        }
+    }
+
+    pub(super) fn keep_for_comparison(&mut self) {
+        let Some(render) = &self.render else {
+            return self.say("There is no picture to keep: R renders one");
+        };
+        let flags = match &self.settings {
+            Some(settings) => settings.flags(),
+            None => String::new(),
+        };
+        let reference = Reference::of_film(&flags, &render.shown().film);
+        self.compare(reference);
+        self.say("Kept: later pictures are compared with this one");
+    }
+
+    pub(super) fn compare_with(&mut self, path: &Path) {
+        match Reference::load(path) {
+            Ok(reference) => self.compare(reference),
+            Err(why) => self.say(why),
+        }
+    }
+
+    fn compare(&mut self, reference: Reference) {
+        self.comparison = Some(Comparison {
+            reference,
+            wipe: 0.5,
+            flickers: false,
+            difference: None,
+        });
+    }
+
+    /// The difference between the picture so far and the one it is compared with; `None` if their
+    /// sizes differ.
+    pub fn difference(&mut self) -> Option<Difference> {
+        let (render, comparison) = (self.render.as_ref()?, self.comparison.as_mut()?);
+        let shown = render.shown();
+        match comparison.difference {
+            Some((version, difference)) if version == shown.version => difference,
+            _ => {
+                let actual = Reference::of_film("", &shown.film);
+                let difference = Difference::of(&actual, &comparison.reference);
+                comparison.difference = Some((shown.version, difference));
+                difference
+            }
+        }
+    }
+}

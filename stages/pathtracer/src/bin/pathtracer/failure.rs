@@ -123,7 +123,10 @@ mod tests {
 
     #[test]
     fn the_flag_mis_names_the_function_that_it_needs() {
-        let hole = |task| Hole { task };
+        let hole = |task| Hole {
+            task,
+            function: "f",
+        };
         let text = needed_for(&hole("part3.task3"), true);
         assert!(text.contains("`estimate_direct_lighting_mis`, in stages/direct/src/mis.rs"));
         let others = [("part3.task3", false), ("part3.task1", true)];

@@ -91,10 +91,10 @@ pub fn is_given(known: &[Known], part: &str) -> bool {
         && later.any(|task| task.place.has_hole)
 }
 
-/// The chapter of the book about a task: `2.1` for `part2.task1`.
+/// The chapter of the book about a task: `stages/book/src/part2/task1.md` for `part2.task1`.
 pub fn chapter(key: &str) -> Option<String> {
-    let (part, task) = key.strip_prefix("part")?.split_once(".task")?;
-    Some(format!("{part}.{task}"))
+    let (part, task) = key.split_once('.')?;
+    Some(format!("stages/book/src/{part}/{task}.md"))
 }
 
 #[cfg(test)]
@@ -164,7 +164,8 @@ mod tests {
 
     #[test]
     fn the_chapter_is_in_the_key() {
-        assert_eq!(chapter("part2.task1").as_deref(), Some("2.1"));
+        let path = "stages/book/src/part2/task1.md";
+        assert_eq!(chapter("part2.task1").as_deref(), Some(path));
         assert_eq!(chapter("toy"), None);
     }
 }

@@ -258,6 +258,9 @@ fn success(report: &Report, context: &Context, page: Page) -> Vec<Block> {
     }
     if let Some(next) = &context.next {
         blocks.push(block(1, format!("Next: {}", heading(next))));
+        if let Some(chapter) = chapter(&next.key) {
+            blocks.push(block(1, format!("Its chapter: {chapter}")));
+        }
     }
     if report.robust_score < report.robust_max_score {
         let text = format!(
@@ -281,15 +284,11 @@ fn speedup(report: &Report) -> Option<String> {
     ))
 }
 
-/// A task with its file and its chapter: "part2.task1 Constructing the BVH, in
-/// stages/bvh/src/construct.rs, chapter 2.1 of the book".
+/// A task with its file: "part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs".
 pub fn heading(place: &Place) -> String {
     let mut text = format!("{} {}", place.key, place.title);
     if let Some(file) = &place.file {
         text.push_str(&format!(", in {file}"));
-    }
-    if let Some(chapter) = chapter(&place.key) {
-        text.push_str(&format!(", chapter {chapter} of the book"));
     }
     text
 }

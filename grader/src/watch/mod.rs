@@ -100,7 +100,7 @@ pub fn run(
                 },
                 "p" => session.show_remark_of_task(desk, picture),
                 "c" => session.show_remark_of_task(desk, |_, key| match chapter(key) {
-                    Some(chapter) => format!("{key} is chapter {chapter} of the book."),
+                    Some(chapter) => format!("The chapter about {key}: {chapter}"),
                     None => format!("The book has no chapter about {key}."),
                 }),
                 other => session.show(desk, &format!("There is no key {other:?}.")),

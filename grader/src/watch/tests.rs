@@ -132,7 +132,7 @@ fn keys_that_only_show_grade_nothing() {
         last(1)
     );
     assert!(
-        last(2).contains("part1.task1 is chapter 1.1 of the book."),
+        last(2).contains("The chapter about part1.task1: stages/book/src/part1/task1.md"),
         "{}",
         last(2)
     );

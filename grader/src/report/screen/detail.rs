@@ -2,6 +2,7 @@
 
 use super::{Block, Context};
 use crate::compile_errors;
+use crate::next_task::chapter;
 use crate::printed;
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
@@ -81,6 +82,9 @@ fn not_written(out: &mut Lines, task: &TaskResult, context: &Context) {
     };
     out.add(0, 3, &format!("{} {}", task.key, task.title));
     out.add(0, SENTENCES, &format!("  {what}"));
+    if let Some(chapter) = chapter(&task.key) {
+        out.add(1, 2, &format!("  Its chapter: {chapter}"));
+    }
     let run = format!(
         "  Then run `cargo grader {}`, or keep `cargo grader watch` running.",
         task.key
@@ -221,6 +225,9 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             out.add(0, SENTENCES, &format!("  {label}: {}.", found.says));
             if reveal.hint >= HintLevel::Remedy {
                 out.add(1, SENTENCES, &format!("  Hint: {}", found.hint));
+                if let Some(chapter) = chapter(&report.result.key) {
+                    out.add(2, 2, &format!("  More in its chapter: {chapter}"));
+                }
             }
             if found.is_likely() {
                 return;

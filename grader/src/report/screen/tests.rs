@@ -238,8 +238,8 @@ fn full_marks_are_a_success() {
     for line in [
         "Part 1 is complete.\n",
         "picture: target/first-light/ring.png\n",
-        "Next: part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs, chapter",
-        "2.1 of the book\n",
+        "Next: part2.task1 Constructing the BVH, in stages/bvh/src/construct.rs",
+        "Its chapter: stages/book/src/part2/task1.md\n",
         "extra credit 3 of 15: `cargo grader part1 --extra`\n",
     ] {
         assert!(text.contains(line), "no {line:?} in\n{text}");

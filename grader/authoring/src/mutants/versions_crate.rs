@@ -551,6 +551,7 @@ fn write_workspace(
     let hosts = stages.iter().map(StageVersions::folder);
     let members: Vec<String> = hosts.chain(["worker".to_string()]).collect();
     spec.insert("members".into(), toml::Value::from(members));
+    spec.remove("default-members");
     let dependencies = spec
         .get_mut("dependencies")
         .and_then(toml::Value::as_table_mut)

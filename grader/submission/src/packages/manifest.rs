@@ -76,9 +76,10 @@ pub fn without_unused_dev_dependencies(text: &str, is_used: impl Fn(&str) -> boo
     kept.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// Adds the list of the folders that `cargo test` tests to the workspace's `Cargo.toml`, after its
+/// Sets the list of the folders that `cargo test` tests in the workspace's `Cargo.toml`, after its
 /// members.
 pub fn with_default_members(text: &str, folders: &[PathBuf]) -> String {
+    let text = &without_default_members(text);
     let entries = folders.iter();
     let entries: String = entries
         .map(|folder| format!("    \"{}\",\n", folder.display()))
@@ -90,6 +91,20 @@ pub fn with_default_members(text: &str, folders: &[PathBuf]) -> String {
         Some((members, rest)) => format!("{members}\n]\n{list}{rest}"),
         None => text.to_string(),
     }
+}
+
+/// Removes the list of default members, with its comment.
+fn without_default_members(text: &str) -> String {
+    let Some((before, list)) = text.split_once("default-members = [\n") else {
+        return text.to_string();
+    };
+    let mut before: Vec<&str> = before.lines().collect();
+    while before.last().is_some_and(|line| line.starts_with('#')) {
+        before.pop();
+    }
+    let rest = list.split_once("]\n").map_or("", |(_, rest)| rest);
+    let before: String = before.into_iter().flat_map(|line| [line, "\n"]).collect();
+    before + rest
 }
 
 #[cfg(test)]
@@ -108,7 +123,9 @@ mod tests {
     fn default_members_follow_the_members() {
         let text = "[workspace]\nmembers = [\n    \"a\",\n    \"b\",\n]\n\n[workspace.package]\n";
         let expected = "[workspace]\nmembers = [\n    \"a\",\n    \"b\",\n]\n# What `cargo test` tests. For all other crates: `cargo test --workspace`.\ndefault-members = [\n    \"b\",\n]\n\n[workspace.package]\n";
-        assert_eq!(with_default_members(text, &[PathBuf::from("b")]), expected);
+        let with = |text| with_default_members(text, &[PathBuf::from("b")]);
+        assert_eq!(with(text), expected);
+        assert_eq!(with(expected), expected);
     }
 
     #[test]

@@ -13,6 +13,7 @@ mod rendering;
 pub use files::Saved;
 pub use rendering::{Comparison, Heat, HeatKind};
 
+use loading::Loading;
 use rendering::CameraRays;
 
 use crate::command::Command;
@@ -21,14 +22,14 @@ use crate::inspector::Inspector;
 use crate::orbit::Orbit;
 use crate::render_control::RenderControl;
 use crate::report::OpenReport;
-use crate::scene_data::{Opened, SceneData};
+use crate::scene_data::SceneData;
 use crate::settings::RenderSettings;
 use crate::task::{Task, Wake};
-use crate::topology::{Element, Topology};
+use crate::topology::Element;
 use crate::tree_walk::{NodeStatistics, TreeWalk};
 use crate::view_picture::{ViewRequest, ViewStyle};
 use crate::view3d::{Patience, View3d};
-use editing::Edit;
+use editing::{Edit, FoundTopology};
 use kit::{FilmSize, Vec2};
 use pathtracer::args::Args;
 use scenes::placement::for_film;
@@ -71,7 +72,7 @@ pub struct Session {
     /// Where files are written.
     pub output_folder: PathBuf,
     scene: Option<Arc<SceneData>>,
-    loading: Option<(PathBuf, Instant, Task<Result<Opened, String>>)>,
+    loading: Option<Loading>,
     /// The scenes that were open, the newest first.
     recent: Vec<PathBuf>,
     last_look_at_file: Option<Instant>,
@@ -82,7 +83,7 @@ pub struct Session {
     spy: Option<Orbit>,
     settings: Option<RenderSettings>,
     edges: bool,
-    topology: Option<(Arc<SceneData>, Option<Topology>, Option<Task<Topology>>)>,
+    topology: Option<FoundTopology>,
     selection: Option<Element>,
     edit: Edit,
     walk: TreeWalk,
@@ -322,7 +323,9 @@ impl Session {
 
     /// The file that is being read, and since when.
     pub fn loading(&self) -> Option<(&PathBuf, Instant)> {
-        self.loading.as_ref().map(|(path, since, _)| (path, *since))
+        self.loading
+            .as_ref()
+            .map(|loading| (&loading.path, loading.since))
     }
 
     /// The scenes that were open, the newest first.

@@ -148,6 +148,29 @@ fn a_cell_has_the_pixels_of_the_whole_picture() {
     }
 }
 
+/// The replay of a pixel as text: every ray and every test, and the pixel itself.
+#[test]
+fn a_pixel_is_replayed_as_text() {
+    let folder = folder();
+    let run = pathtracer(folder.path(), "--pixel 20 15 -r 40 30 -s 2 square.dae").success();
+    let text = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    for line in [
+        "Pixel       20 15 of 40 x 30, counted from the bottom left",
+        "Linear      0.5 0.5 1.0",
+        "8 bit       217 217 255",
+        "Samples     2",
+        "Replay      2 samples: their mean is the pixel of the picture, bit for bit",
+        "camera ray: o = (",
+        "of `wall` at t = ",
+        "n = (0.0, 0.0, 1.0) (shading normal)",
+        "ng = (0.0, 0.0, 1.0) (geometric normal)",
+        "triangle 1 of `wall`: ",
+    ] {
+        assert!(text.contains(line), "no `{line}` in:\n{text}");
+    }
+    assert_eq!(names(folder.path()), ["square.dae"], "nothing is written");
+}
+
 #[test]
 fn exr_has_linear_values() {
     let folder = folder();

@@ -5,7 +5,7 @@
 //! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
 //! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`tree_walk`],
 //! [`view_picture`] and [`view3d`] (the ray-traced view), [`render_control`] (the picture),
-//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`], [`report`] (a
+//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`], [`features`] (what waits for a task), [`report`] (a
 //! report of the grader), [`ray_test`]. [`task`] runs work in the background and catches the holes
 //! of stages that are not written yet; [`project`] is the projection of lines.
 //!
@@ -16,6 +16,7 @@ pub mod app;
 pub mod cli;
 pub mod command;
 pub mod compare;
+pub mod features;
 pub mod inspector;
 pub mod keys;
 pub mod orbit;

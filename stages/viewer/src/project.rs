@@ -26,7 +26,7 @@ impl Projection {
     /// Where `p` appears on the film, in [0, 1]² from the bottom left if it is visible; `None`
     /// behind the camera.
     pub fn point(&self, p: Vec3) -> Option<Vec2> {
-        self.of_camera_space(self.to_camera(p))
+        self.of_camera_space(self.in_camera_space(p))
     }
 
     /// The ends of the part of the segment from `a` to `b` that is in front of the camera.
@@ -36,7 +36,7 @@ impl Projection {
                 .length()
                 .min((self.camera.pos - b).length()),
         );
-        let (za, zb) = (-self.to_camera(a).z, -self.to_camera(b).z);
+        let (za, zb) = (-self.in_camera_space(a).z, -self.in_camera_space(b).z);
         let at =
             |from: Vec3, to: Vec3, z0: f64, z1: f64| from + (to - from) * ((near - z0) / (z1 - z0));
         match (za >= near, zb >= near) {
@@ -54,17 +54,17 @@ impl Projection {
 
     /// The distance of `p` from the plane of the camera, negative behind it.
     pub fn depth(&self, p: Vec3) -> f64 {
-        -self.to_camera(p).z
+        -self.in_camera_space(p).z
     }
 
     /// The shift in world space, at the distance of `p`, that appears as `shift` on the film.
     pub fn shift_at(&self, p: Vec3, shift: Vec2) -> Vec3 {
-        let depth = -self.to_camera(p).z;
+        let depth = -self.in_camera_space(p).z;
         let c2w = self.camera.c2w;
         2.0 * depth * (shift.x * self.half.x * c2w.x_axis + shift.y * self.half.y * c2w.y_axis)
     }
 
-    fn to_camera(&self, p: Vec3) -> Vec3 {
+    fn in_camera_space(&self, p: Vec3) -> Vec3 {
         self.camera.c2w.transpose() * (p - self.camera.pos)
     }
 

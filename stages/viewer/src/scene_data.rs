@@ -1,5 +1,6 @@
 //! A loaded scene with everything that the window needs of it.
 
+use crate::features::Feature;
 use crate::task::{StageFailure, guarded};
 use kit::{Aabb, Bvh, Environment, FilmSize, Scene};
 use pathtracer::args::{Args, Shade};
@@ -68,15 +69,27 @@ impl Opened {
         };
         let folder = path.parent().unwrap_or(Path::new(""));
         let (textures, missing) = Textures::load(&loaded.scene, folder);
+        // Until there is light, the window shows what there is.
+        let no_light = match args.shade {
+            Shade::Auto => Feature::Light.missing(),
+            Shade::Normals | Shade::Lit => None,
+        };
+        let shade = if no_light.is_some() {
+            Shade::Normals
+        } else {
+            args.shade
+        };
+        let no_light = no_light.map(|why| format!("{why}: pictures show normals instead of light"));
         let warnings = loaded.warnings.iter().map(ToString::to_string);
         let source = Source {
             path: path.to_owned(),
-            shade: args.shade,
+            shade,
             accel: args.accel.into(),
             environment,
             textures,
             warnings: warnings
                 .chain(missing.iter().map(ToString::to_string))
+                .chain(no_light)
                 .collect(),
             modified,
         };

@@ -63,7 +63,7 @@ key question; shot 8_keys
 key Escape; key Escape 2
 kill -0 "$viewer" 2> /dev/null && { echo "the window did not close"; exit 1; }
 
-open_window --light --window 800 600 "$root/scenes/dae/gems.dae"
+open_window -s 1024 --light --window 800 600 "$root/scenes/dae/gems.dae"
 shot 9_light_small
 key r 0.3; key Escape 1; shot 10_question
 key Escape 2

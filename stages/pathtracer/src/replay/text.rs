@@ -57,7 +57,7 @@ pub fn pixel(scene: &Scene, film: FilmSize, replay: &PixelReplay) -> String {
         text,
         "Samples     {samples}{}",
         match &replay.luminance {
-            Some(tally) => format!(", variance of their luminances {}", tally.variance()),
+            Some(tally) => format!(", variance of their luminances {:?}", tally.variance()),
             None => String::new(),
         }
     );

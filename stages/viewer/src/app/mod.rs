@@ -19,6 +19,7 @@ mod tree_panel;
 mod view_panel;
 
 use crate::command::Command;
+use crate::features::Feature;
 use crate::session::{Mode, Saved, Session};
 use crate::snapshot;
 use egui::{Align, Key, Layout, RichText, Ui};
@@ -106,6 +107,10 @@ impl App {
         if self.session.mode() != Mode::Render {
             return self.view.show(ui, rect, &mut self.session, commands, fps);
         }
+        if !self.session.camera_rays().is_empty() {
+            // There is no picture, but there are camera rays.
+            return self.view.show(ui, rect, &mut self.session, commands, fps);
+        }
         if self.session.inspector.inspected().is_none() {
             self.picture.show(ui, rect, &mut self.session, commands);
             return false;
@@ -126,7 +131,17 @@ impl App {
             for (mode, key) in [(Mode::Edit, "E"), (Mode::Bvh, "V"), (Mode::Render, "R")] {
                 let text = RichText::new(format!("{} ({key})", mode.name())).strong();
                 let selected = self.session.mode() == mode;
-                if ui.selectable_label(selected, text).clicked() {
+                // Without camera rays and intersections there is no picture to render.
+                let why = self.session.missing().why(Feature::Pictures);
+                let why = why
+                    .filter(|_| mode == Mode::Render)
+                    .map(ToString::to_string);
+                let button = egui::Button::selectable(selected, text);
+                let mut response = ui.add_enabled(why.is_none(), button);
+                if let Some(why) = why {
+                    response = response.on_disabled_hover_text(why);
+                }
+                if response.clicked() {
                     commands.push(match mode {
                         Mode::Render if self.session.render().is_none() => Command::Render,
                         mode => Command::Mode(mode),

@@ -172,7 +172,7 @@ impl PicturePanel {
         };
         if comparison.flickers {
             let time = ui.input(|input| input.time);
-            if (2.0 * time) as u64 % 2 == 0 {
+            if ((2.0 * time) as u64).is_multiple_of(2) {
                 painter.image(texture.id(), area, whole, Color32::WHITE);
             }
             ui.ctx()

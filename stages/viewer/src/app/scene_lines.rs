@@ -474,5 +474,19 @@ pub(super) fn of_session(ui: &Ui, rect: Rect, session: &Session) {
             );
         }
     }
+    if session.mode() == Mode::Render
+        && let Some(render) = session.render()
+        && let [first, ..] = session.camera_rays()
+    {
+        let scene = render.scene();
+        let depth = 0.3 * scene.bounds.extent().length();
+        let job = render.job();
+        frustum(&lines, &job.camera, job.film, depth, colors::line(ui), None);
+        let stroke = Stroke::new(1.2, colors::ray(RayRole::Camera));
+        for ray in session.camera_rays() {
+            lines.line(ray.o, ray.at(4.0 * depth), stroke, Hidden::Shown);
+        }
+        lines.disc(first.o, 4.0, stroke.color);
+    }
     replay(&lines, &session.inspector);
 }

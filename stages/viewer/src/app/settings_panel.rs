@@ -3,8 +3,10 @@
 use super::side_panel::facts;
 use super::{colors, key_button};
 use crate::command::Command;
+use crate::features::{Feature, MissingFeatures};
 use crate::session::{HeatKind, Session};
 use crate::settings::Change;
+use crate::task::StageFailure;
 use egui::{ComboBox, DragValue, Key, ProgressBar, RichText, Ui};
 use pathtracer::DirectSampling;
 use pathtracer::args::SamplerName;
@@ -14,7 +16,9 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     let Some(mut settings) = session.settings().copied() else {
         return;
     };
+    let missing = session.missing().clone();
     ui.heading("Settings");
+    missing_features(ui, &missing);
     egui::Grid::new("settings")
         .num_columns(2)
         .spacing([12.0, 4.0])
@@ -57,9 +61,17 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 "direct light (H, M)",
                 &mut settings.light.direct_sampling,
                 &[
-                    (DirectSampling::Lights, "lights"),
-                    (DirectSampling::Hemisphere, "hemisphere"),
-                    (DirectSampling::Mis, "MIS"),
+                    (
+                        DirectSampling::Lights,
+                        "lights",
+                        missing.why(Feature::Light),
+                    ),
+                    (
+                        DirectSampling::Hemisphere,
+                        "hemisphere",
+                        missing.why(Feature::Hemisphere),
+                    ),
+                    (DirectSampling::Mis, "MIS", missing.why(Feature::Mis)),
                 ],
             );
             choice(
@@ -67,15 +79,18 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
                 "samples (U)",
                 &mut settings.sampler,
                 &[
-                    (SamplerName::Sobol, "Sobol"),
-                    (SamplerName::Stratified, "stratified"),
-                    (SamplerName::Independent, "independent"),
+                    (SamplerName::Sobol, "Sobol", None),
+                    (SamplerName::Stratified, "stratified", None),
+                    (SamplerName::Independent, "independent", None),
                 ],
             );
             let label = ui.label("adaptive (A)").id;
             ui.horizontal(|ui| {
                 let mut is_on = settings.light.adaptive.is_some();
-                if ui.checkbox(&mut is_on, "").labelled_by(label).changed() {
+                let is_written = missing.why(Feature::Adaptive).is_none();
+                let checkbox = egui::Checkbox::without_text(&mut is_on);
+                let checkbox = ui.add_enabled(is_written, checkbox).labelled_by(label);
+                if checkbox.changed() {
                     commands.push(Command::ToggleAdaptive);
                 }
                 if let Some((batch, tolerance)) = &mut settings.light.adaptive {
@@ -101,14 +116,32 @@ pub(super) fn settings(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     });
 }
 
-/// One of several values, in a row of its own.
-fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, choices: &[(T, &str)]) {
+/// What waits for a task, greyed.
+fn missing_features(ui: &mut Ui, missing: &MissingFeatures) {
+    for (feature, why) in missing.iter() {
+        let text = RichText::new(format!("{}: {why}", feature.name()));
+        ui.add_enabled(false, egui::Label::new(text.size(11.0)));
+    }
+}
+
+/// A value, its name, and why it cannot be chosen.
+type Choice<'a, T> = (T, &'a str, Option<&'a StageFailure>);
+
+/// One of several values, in a row of its own. Values that wait for a task are greyed.
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, choices: &[Choice<'_, T>]) {
     let id = ui.label(label).id;
-    let name = choices.iter().find(|(choice, _)| choice == value);
-    let field = ComboBox::from_id_salt(label).selected_text(name.map_or("", |(_, name)| name));
+    let name = choices.iter().find(|(choice, ..)| choice == value);
+    let field = ComboBox::from_id_salt(label).selected_text(name.map_or("", |(_, name, _)| name));
     let shown = field.width(96.0).show_ui(ui, |ui| {
-        for (choice, name) in choices {
-            ui.selectable_value(value, *choice, *name);
+        for (choice, name, why) in choices {
+            let selected = egui::Button::selectable(value == choice, *name);
+            let response = ui.add_enabled(why.is_none(), selected);
+            if response.clicked() {
+                *value = *choice;
+            }
+            if let Some(why) = why {
+                response.on_disabled_hover_text(why.to_string());
+            }
         }
     });
     shown.response.labelled_by(id);

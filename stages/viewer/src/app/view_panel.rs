@@ -154,7 +154,10 @@ impl ViewPanel {
                 session.walk().node(),
                 session.walk().depth()
             ),
-            Mode::Render => "Rays of the pixel".to_owned(),
+            Mode::Render => match session.render().and_then(|render| render.failure()) {
+                Some(failure) => format!("{failure}: camera rays instead of a picture"),
+                None => "Rays of the pixel".to_owned(),
+            },
         };
         let inset = egui::vec2(8.0, 6.0);
         painter.text(

@@ -21,6 +21,13 @@ pub(super) struct Edit {
     undo: Vec<(u32, Vec3)>,
 }
 
+/// The topology of a scene, or the search for it.
+pub(super) struct FoundTopology {
+    of: Arc<SceneData>,
+    topology: Option<Topology>,
+    task: Option<Task<Topology>>,
+}
+
 impl Edit {
     /// The mouse has let go of the vertex.
     pub(super) fn end_move(&mut self) {
@@ -35,12 +42,12 @@ impl Edit {
 impl Session {
     /// The vertices and edges of the scene, once they are found.
     pub fn topology(&self) -> Option<&Topology> {
-        let (of, topology, _) = self.topology.as_ref()?;
-        let is_current = self
-            .scene
+        let found = self.topology.as_ref()?;
+        let scene = self.scene.as_ref()?;
+        found
+            .topology
             .as_ref()
-            .is_some_and(|scene| Arc::ptr_eq(scene, of));
-        topology.as_ref().filter(|_| is_current)
+            .filter(|_| Arc::ptr_eq(scene, &found.of))
     }
 
     /// What is under the pointer.
@@ -153,21 +160,22 @@ impl Session {
 
     fn update_topology(&mut self, wait: Duration) {
         let Some(scene) = &self.scene else { return };
-        let is_current = self
-            .topology
-            .as_ref()
-            .is_some_and(|(of, ..)| Arc::ptr_eq(of, scene));
-        if !is_current {
+        let is_current = |found: &FoundTopology| Arc::ptr_eq(&found.of, scene);
+        if !self.topology.as_ref().is_some_and(is_current) {
             let data = Arc::clone(scene);
             let task = Task::spawn(Arc::clone(&self.wake), move |_| Topology::new(data.scene()));
-            self.topology = Some((Arc::clone(scene), None, Some(task)));
+            self.topology = Some(FoundTopology {
+                of: Arc::clone(scene),
+                topology: None,
+                task: Some(task),
+            });
         }
-        let Some((_, topology, task)) = &mut self.topology else {
+        let Some(found) = &mut self.topology else {
             return;
         };
-        if let Some(Ok(found)) = task.as_ref().and_then(|task| task.wait(wait)) {
-            *topology = Some(found);
-            *task = None;
+        if let Some(Ok(topology)) = found.task.as_ref().and_then(|task| task.wait(wait)) {
+            found.topology = Some(topology);
+            found.task = None;
         }
     }
 }

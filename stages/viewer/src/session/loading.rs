@@ -15,6 +15,13 @@ const MAX_RECENT: usize = 8;
 /// The time between two looks at whether the scene file has changed.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 
+/// A scene that is being read.
+pub(super) struct Loading {
+    pub(super) path: PathBuf,
+    pub(super) since: Instant,
+    task: Task<Result<Opened, String>>,
+}
+
 impl Session {
     /// Starts to read a scene.
     pub(super) fn open(&mut self, path: PathBuf) {
@@ -26,7 +33,11 @@ impl Session {
         }
         let file = path.clone();
         let task = Task::spawn(Arc::clone(&self.wake), move |_| Opened::load(&file, &args));
-        self.loading = Some((path, Instant::now(), task));
+        self.loading = Some(Loading {
+            path,
+            since: Instant::now(),
+            task,
+        });
     }
 
     /// Reads the scene file again. The camera stays.
@@ -38,14 +49,11 @@ impl Session {
 
     pub(super) fn update_loading(&mut self, now: Instant, wait: Duration) {
         self.reload_if_changed(now);
-        let loaded = self
-            .loading
-            .as_ref()
-            .and_then(|(_, _, task)| task.wait(wait));
-        let (Some(loaded), Some((path, since, _))) = (loaded, self.loading.as_ref()) else {
+        let Some(loading) = &self.loading else { return };
+        let Some(loaded) = loading.task.wait(wait) else {
             return;
         };
-        let (path, time) = (path.clone(), since.elapsed());
+        let (path, time) = (loading.path.clone(), loading.since.elapsed());
         self.loading = None;
         match loaded {
             Ok(Ok(opened)) => self.show(opened, time),

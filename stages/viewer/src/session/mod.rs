@@ -13,19 +13,23 @@ mod rendering;
 pub use files::Saved;
 pub use rendering::{Comparison, Heat, HeatKind};
 
+use loading::Loading;
+use rendering::CameraRays;
+
 use crate::command::Command;
+use crate::features::MissingFeatures;
 use crate::inspector::Inspector;
 use crate::orbit::Orbit;
 use crate::render_control::RenderControl;
 use crate::report::OpenReport;
-use crate::scene_data::{Opened, SceneData};
+use crate::scene_data::SceneData;
 use crate::settings::RenderSettings;
 use crate::task::{Task, Wake};
-use crate::topology::{Element, Topology};
+use crate::topology::Element;
 use crate::tree_walk::{NodeStatistics, TreeWalk};
 use crate::view_picture::{ViewRequest, ViewStyle};
 use crate::view3d::{Patience, View3d};
-use editing::Edit;
+use editing::{Edit, FoundTopology};
 use kit::{FilmSize, Vec2};
 use pathtracer::args::Args;
 use scenes::placement::for_film;
@@ -68,7 +72,7 @@ pub struct Session {
     /// Where files are written.
     pub output_folder: PathBuf,
     scene: Option<Arc<SceneData>>,
-    loading: Option<(PathBuf, Instant, Task<Result<Opened, String>>)>,
+    loading: Option<Loading>,
     /// The scenes that were open, the newest first.
     recent: Vec<PathBuf>,
     last_look_at_file: Option<Instant>,
@@ -79,12 +83,13 @@ pub struct Session {
     spy: Option<Orbit>,
     settings: Option<RenderSettings>,
     edges: bool,
-    topology: Option<(Arc<SceneData>, Option<Topology>, Option<Task<Topology>>)>,
+    topology: Option<FoundTopology>,
     selection: Option<Element>,
     edit: Edit,
     walk: TreeWalk,
     statistics: Vec<(Arc<SceneData>, NodeStatistics)>,
     render: Option<RenderControl>,
+    camera_rays: CameraRays,
     cell_mode: bool,
     show_rate: bool,
     heat: Heat,
@@ -92,6 +97,8 @@ pub struct Session {
     /// The replay of a pixel.
     pub inspector: Inspector,
     report: Option<OpenReport>,
+    finding_features: Option<Task<MissingFeatures>>,
+    missing: MissingFeatures,
     /// The picture of the 3D view.
     pub view: View3d,
     pointer_in_view: Option<Vec2>,
@@ -130,12 +137,15 @@ impl Session {
             walk: TreeWalk::default(),
             statistics: Vec::new(),
             render: None,
+            camera_rays: CameraRays::default(),
             cell_mode: false,
             show_rate: false,
             heat: Heat::default(),
             comparison: None,
             inspector: Inspector::default(),
             report: None,
+            finding_features: None,
+            missing: MissingFeatures::default(),
             view: View3d::default(),
             pointer_in_view: None,
             pointer_pixel: None,
@@ -147,6 +157,8 @@ impl Session {
             asks_to_quit: false,
             quits: false,
         };
+        let task = Task::spawn(Arc::clone(&session.wake), |_| MissingFeatures::find());
+        session.finding_features = Some(task);
         if !path.as_os_str().is_empty() {
             session.open(path);
         }
@@ -239,6 +251,14 @@ impl Session {
         } else {
             Duration::ZERO
         };
+        if let Some(Ok(missing)) = self
+            .finding_features
+            .as_ref()
+            .and_then(|task| task.wait(wait))
+        {
+            self.missing = missing;
+            self.finding_features = None;
+        }
         self.update_loading(now, wait);
         self.update_editing(wait);
         if let Some(render) = &mut self.render {
@@ -246,7 +266,9 @@ impl Session {
         }
         self.update_heat(wait);
         self.inspector.update(wait);
-        if self.inspector.inspected().is_some() && self.spy.is_none() {
+        self.update_camera_rays(wait);
+        let shows_rays = self.inspector.inspected().is_some() || !self.camera_rays().is_empty();
+        if shows_rays && self.spy.is_none() {
             self.spy = self.orbit.map(beside);
         }
         self.loading.is_some()
@@ -301,7 +323,9 @@ impl Session {
 
     /// The file that is being read, and since when.
     pub fn loading(&self) -> Option<(&PathBuf, Instant)> {
-        self.loading.as_ref().map(|(path, since, _)| (path, *since))
+        self.loading
+            .as_ref()
+            .map(|loading| (&loading.path, loading.since))
     }
 
     /// The scenes that were open, the newest first.
@@ -416,6 +440,11 @@ impl Session {
 
     pub(crate) fn take_report(&mut self) -> Option<OpenReport> {
         self.report.take()
+    }
+
+    /// What does not work because a task is not written yet.
+    pub fn missing(&self) -> &MissingFeatures {
+        &self.missing
     }
 
     /// What happened last, as a sentence.

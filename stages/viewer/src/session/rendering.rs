@@ -7,9 +7,10 @@ use crate::scene_data::SceneData;
 use crate::settings::RenderSettings;
 use crate::task::Task;
 use kit::film::Cell;
-use kit::{Camera, PixelEstimate};
+use kit::{Camera, PixelEstimate, Ray, Vec2};
 use pathtracer::replay::{HeatMap, heat_map};
 use pathtracer::{Counters, Job, LightSettings};
+use raygen::generate_ray;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -55,6 +56,18 @@ impl Heat {
         self.counting.is_some()
     }
 }
+
+/// Camera rays of a render that failed: what is written may be seen.
+#[derive(Default)]
+pub(super) struct CameraRays {
+    /// The number of the render.
+    render: Option<u64>,
+    running: Option<Task<Vec<Ray>>>,
+    rays: Vec<Ray>,
+}
+
+/// The rays along each edge of the film that are shown.
+const CAMERA_RAYS: u32 = 10;
 
 /// Another picture beside the one of the render.
 #[derive(Clone, Debug)]
@@ -156,6 +169,51 @@ impl Session {
             } else {
                 self.say("Samples can be added when the picture is complete");
             }
+        }
+    }
+
+    /// Camera rays through the film of a render that failed; none if it did not, and until
+    /// `generate_ray` is written.
+    pub fn camera_rays(&self) -> &[Ray] {
+        let current = self.render.as_ref().map(RenderControl::number);
+        if current == self.camera_rays.render {
+            &self.camera_rays.rays
+        } else {
+            &[]
+        }
+    }
+
+    pub(super) fn update_camera_rays(&mut self, wait: Duration) {
+        let failed = self
+            .render
+            .as_ref()
+            .filter(|render| render.failure().is_some());
+        if let Some(render) = failed
+            && self.camera_rays.render != Some(render.number())
+        {
+            let camera = render.job().camera;
+            let share = |i: u32| (f64::from(i) + 0.5) / f64::from(CAMERA_RAYS);
+            let sensors = (0..CAMERA_RAYS * CAMERA_RAYS)
+                .map(move |i| Vec2::new(share(i % CAMERA_RAYS), share(i / CAMERA_RAYS)));
+            let task = Task::spawn(Arc::clone(&self.wake), move |_| {
+                sensors
+                    .map(|sensor| generate_ray(&camera, sensor))
+                    .collect()
+            });
+            self.camera_rays = CameraRays {
+                render: Some(render.number()),
+                running: Some(task),
+                rays: Vec::new(),
+            };
+        }
+        let generated = self
+            .camera_rays
+            .running
+            .as_ref()
+            .and_then(|task| task.wait(wait));
+        if let Some(generated) = generated {
+            self.camera_rays.running = None;
+            self.camera_rays.rays = generated.unwrap_or_default();
         }
     }
 

@@ -91,11 +91,10 @@ fn select_vertex(window: &mut Window) -> (u32, Pos2) {
             .point(p)
             .is_some_and(|film| !picture.hides(film, projection.distance(p)))
     });
-    let nearest = visible
+    visible
         .filter_map(|v| Some((v, shown(v)?)))
         .min_by(|a, b| a.1.distance(middle).total_cmp(&b.1.distance(middle)))
-        .expect("a vertex");
-    nearest
+        .expect("a vertex")
 }
 
 #[test]

@@ -36,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) 
     ui.label(RichText::new(&case.title).strong());
     ui.label(&case.about);
     ui.weak(format!(
-        "{} of {} points, {}",
+        "{:.2} of {} points, {}",
         case.points.0, case.points.1, case.status
     ));
     if let Some(diagnosis) = &case.diagnosis {

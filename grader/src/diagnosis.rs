@@ -172,7 +172,8 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         false => Certainty::of(likeness),
     };
     let verb = match certainty {
-        Certainty::Likely => "equal",
+        Certainty::Likely if equal == of => "equal",
+        Certainty::Likely => "nearly equal",
         Certainty::Perhaps => "look most like",
     };
     Some(Diagnosis {

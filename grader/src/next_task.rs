@@ -63,10 +63,17 @@ pub fn open(known: &[Known]) -> impl Iterator<Item = &Known> {
     known.iter().filter(is_open)
 }
 
-/// The first open task of `known` that is none of `but`.
+/// The open task of `known` to go on with, none of `but`: one that was not complete before comes
+/// first, and of these the first after the tasks `but`, if there is one.
 pub fn first_open<'a>(known: &'a [Known], but: &[&Task]) -> Option<&'a Place> {
-    let mut places = open(known).map(|known| &known.place);
-    places.find(|place| but.iter().all(|task| task.key != place.key))
+    let position = |key: &str| known.iter().position(|task| task.place.key == key);
+    let last = but.iter().filter_map(|task| position(&task.key)).max();
+    let others = open(known).filter(|known| but.iter().all(|task| task.key != known.place.key));
+    let later = others.min_by_key(|known| {
+        let was_complete = known.last.as_ref().is_some_and(TaskScore::is_complete);
+        (was_complete, position(&known.place.key) < last)
+    });
+    later.map(|known| &known.place)
 }
 
 /// The first open task of `course`, or its last task if none is open.

@@ -97,13 +97,7 @@ fn fields(cases: &[&CaseResult]) -> Option<String> {
     };
     let (wrong, right) = (labels(true), labels(false));
     let tells = !wrong.is_empty() && wrong.len() <= right.len();
-    tells.then(|| {
-        format!(
-            "only {} wrong; {} right on every call",
-            are(&wrong),
-            are(&right)
-        )
-    })
+    tells.then(|| format!("wrong: {}; all other fields are right", wrong.join(", ")))
 }
 
 /// Which functions are wrong, in tasks of several.
@@ -138,12 +132,8 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
     let label = aspect.label();
     let manner = match class {
         _ if !regular => return None,
-        Class::FalseHit => {
-            "every wrong answer is a hit where there is a miss, never a missed hit".into()
-        }
-        Class::FalseMiss => {
-            "every wrong answer is a miss where there is a hit, never a false hit".into()
-        }
+        Class::FalseHit => "where hit or miss is wrong, there is a hit instead of a miss".into(),
+        Class::FalseMiss => "where hit or miss is wrong, there is a miss instead of a hit".into(),
         Class::NotANumber => format!("{label}: every wrong answer is NaN"),
         Class::Infinite => format!("{label}: every wrong answer is infinite"),
         Class::Zero => format!("{label}: every wrong answer is 0"),
@@ -215,15 +205,6 @@ fn where_wrong(
     (!telling.is_empty()).then(|| format!("wrong only where {}", telling.join(" and ")))
 }
 
-/// "t is" or "t and normal are".
-fn are(labels: &[&str]) -> String {
-    match labels {
-        [] => String::new(),
-        [one] => format!("{one} is"),
-        [most @ .., last] => format!("{} and {last} are", most.join(", ")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -282,8 +263,8 @@ mod tests {
         assert_eq!(
             missed,
             [
-                "only hit or miss is wrong; t and normal are right on every call",
-                "every wrong answer is a miss where there is a hit, never a false hit",
+                "wrong: hit or miss; all other fields are right",
+                "where hit or miss is wrong, there is a miss instead of a hit",
                 "wrong only where the ray starts inside the sphere",
             ]
         );

@@ -147,7 +147,7 @@ impl Aspect {
             Aspect::Bounds => "bounding boxes",
             Aspect::LeafSize => "leaf size",
             Aspect::Repeatable => "same tree on a second build",
-            Aspect::Work => "work",
+            Aspect::Work => "number of tests",
             Aspect::Savings => "saved tests",
             Aspect::BuildTime => "growth of the build time",
             Aspect::Bsdf => "BSDF",

@@ -219,7 +219,10 @@ fn next_open_task(
         let incomplete = |task: &TaskReport| task.result.score < task.result.max_score;
         if let Some(task) = report.tasks.iter().find(|task| incomplete(task)) {
             let what = task.result.key.clone();
-            *report = Report::new(vec![task.clone()], report.speedups.take());
+            // The tasks that are complete now are told once: the next run leaves them out.
+            let complete = report.tasks.iter().filter(|task| !incomplete(task));
+            let shown = complete.chain([task]).cloned().collect();
+            *report = Report::new(shown, report.speedups.take());
             return Ok((GradeRequest { what, seed }, run));
         }
         if is_last {

@@ -83,11 +83,11 @@ fn line(known: &Known, is_given: bool, page: Page) -> String {
     let title = one_line(&place.title, title_width(page));
     let padding = " ".repeat(title_width(page).saturating_sub(columns(&title)));
     let before = format!("{}  {title}{padding} ", place.key);
-    let written = match (place.has_hole, place.open.as_slice()) {
-        (false, _) => "written",
-        (true, []) => "hole left",
-        (true, open) if open.len() == 1 => "1 hole left",
-        (true, _) => "holes left",
+    // A hole in a function that is not graded does not count.
+    let written = match place.open.as_slice() {
+        [] => "written",
+        [_] => "1 hole left",
+        _ => "holes left",
     };
     let points = match last {
         None if is_given => "given".to_owned(),

@@ -1,6 +1,6 @@
 //! The parts of the message about a wrong answer.
 
-use super::wrap::columns;
+use super::wrap::{columns, shorten_numbers};
 
 /// The result and the question: what stands before and after ". Ray: ". Not every message has a
 /// question.
@@ -21,9 +21,41 @@ pub(crate) fn without_reason(result: &str, width: usize) -> &str {
     }
 }
 
+/// The result with as few digits as show that it differs from the expected one.
+pub(crate) fn with_telling_digits(result: &str) -> String {
+    let differs = |text: &str| match text.split_once("; expected: ") {
+        Some((yours, expected)) => {
+            let yours = yours
+                .rsplit_once("your result: ")
+                .map_or(yours, |(_, yours)| yours);
+            !expected.starts_with(yours)
+        }
+        None => true,
+    };
+    let digits = [3, 4, 6, 8, 10, 12, 14, 16];
+    let texts = digits.iter().map(|digits| shorten_numbers(result, *digits));
+    let telling = texts.into_iter().find(|text| differs(text));
+    telling.unwrap_or_else(|| result.to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn as_many_digits_are_shown_as_differ() {
+        let of = |yours: f64| {
+            with_telling_digits(&format!(
+                "t: your result: t = {yours}; expected: t = 8.825531"
+            ))
+        };
+        assert_eq!(of(7.125531), "t: your result: t = 7.13; expected: t = 8.83");
+        assert_eq!(
+            of(8.825538),
+            "t: your result: t = 8.82554; expected: t = 8.82553"
+        );
+        assert_eq!(with_telling_digits("4.123456 boxes"), "4.12 boxes");
+    }
 
     #[test]
     fn a_message_is_a_result_with_a_reason_and_a_ray() {

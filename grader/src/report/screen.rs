@@ -11,7 +11,7 @@ use super::wrap::{columns, one_line, wrap_to};
 use super::{Report, Reveal, TaskReport};
 use crate::next_task::chapter;
 use crate::printed::Printed;
-use crate::score::{Status, TaskResult};
+use crate::score::{CaseResult, Status, TaskResult};
 use crate::sources::Place;
 use judge::Tier;
 
@@ -171,14 +171,27 @@ fn state(task: &TaskResult) -> String {
         Status::Crashed(_) => "every case crashes".into(),
         _ if task.score >= task.max_score => "complete".into(),
         Status::Failed => {
-            let lost = super::table::failed(task).filter(|case| case.tier == Tier::Core);
-            match lost.count() {
-                0 => summary(task),
+            let is_core = |case: &&CaseResult| case.tier == Tier::Core;
+            let failed = match super::table::failed(task).filter(is_core).count() {
+                0 => return right_so_far(task),
                 1 => "1 case fails".into(),
                 count => format!("{count} cases fail"),
+            };
+            let reduced = task.cases.iter().filter(is_core);
+            match reduced.filter(|case| case.is_only_reduced()).count() {
+                0 => failed,
+                count => format!("{failed}, {count} more count a quarter"),
             }
         }
         _ => summary(task),
+    }
+}
+
+/// The status of a task without a failed core case.
+fn right_so_far(task: &TaskResult) -> String {
+    match super::table::waiting(task) {
+        Some(waiting) => format!("right so far; {waiting}"),
+        None => summary(task),
     }
 }
 

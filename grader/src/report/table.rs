@@ -130,7 +130,8 @@ fn coloured(table: &str, report: &Report) -> String {
 pub(super) fn summary(task: &TaskResult) -> String {
     let lost = |tier: Tier| {
         let failed = |case: &&CaseResult| {
-            case.tier == tier && !matches!(case.status, Status::Passed | Status::Needs(_))
+            let counts = !matches!(case.status, Status::Passed | Status::Needs(_));
+            case.tier == tier && counts && !case.is_only_reduced()
         };
         task.cases.iter().filter(failed).count()
     };
@@ -156,7 +157,7 @@ pub(super) fn summary(task: &TaskResult) -> String {
 }
 
 /// How many cases need another task to be written first, and which task.
-fn waiting(task: &TaskResult) -> Option<String> {
+pub(super) fn waiting(task: &TaskResult) -> Option<String> {
     let mut needs = task.cases.iter().filter_map(|case| match &case.status {
         Status::Needs(other) => Some(other),
         _ => None,
@@ -179,12 +180,14 @@ pub fn status_text(status: &Status) -> String {
 }
 
 /// The cases of a task that lost points by themselves, not because something else is missing.
+/// The cases whose own answers are wrong, or that have none.
 pub(super) fn failed(task: &TaskResult) -> impl Iterator<Item = &CaseResult> {
     task.cases.iter().filter(|case| {
-        !matches!(
+        let has_no_result = matches!(
             case.status,
             Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
-        )
+        );
+        !has_no_result && !case.is_only_reduced()
     })
 }
 

@@ -71,7 +71,7 @@ pub(crate) fn numbers_to_fit(text: &str, width: usize) -> String {
 }
 
 /// The text with every decimal number of more than `digits` significant digits rounded to these.
-fn shorten_numbers(text: &str, digits: usize) -> String {
+pub(crate) fn shorten_numbers(text: &str, digits: usize) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {

@@ -286,6 +286,14 @@ const STAGE_FUNCTIONS: &[StageFunction] = &[
         ],
         returns: "PixelEstimate",
     },
+    // Given, but the worker uses it for the picture of the sample rate.
+    StageFunction {
+        stage: "adaptive",
+        function: "rate_colour",
+        generics: "",
+        parameters: &[("samples", "u32"), ("ns_aa", "u32")],
+        returns: "Spectrum",
+    },
 ];
 
 /// A stage and the versions that its crate contains, the reference first.

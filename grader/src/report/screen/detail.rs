@@ -19,6 +19,7 @@ use judge::tally::{Finding, Worst};
 const NAMES: usize = 2;
 const SENTENCES: usize = 3;
 const MESSAGE: usize = 9;
+const RESULT: usize = 4;
 
 /// How many failed cases are described at the level that shows nothing else.
 const DESCRIBED: usize = 4;
@@ -182,14 +183,13 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         out.add(0, 2, &text);
         // The message ends with the question; both have a line of their own.
         let (found, question) = message::parts(&worst.message);
-        let found = message::without_reason(found, out.page.width.saturating_sub(4));
-        let question = question.map(|question| format!("    Ray: {question}"));
-        let lines = [format!("    {found}"), question.unwrap_or_default()];
-        let lines = lines.iter().filter(|line| !line.is_empty());
-        let lines: Vec<String> = lines
-            .map(|line| numbers_to_fit(line, out.page.width))
-            .collect();
-        out.blocks.push(Block { rank: 0, lines });
+        let found = message::with_telling_digits(found);
+        out.add(0, RESULT, &format!("    {found}"));
+        if let Some(question) = question {
+            let line = format!("    Ray: {question}");
+            let lines = vec![numbers_to_fit(&line, out.page.width)];
+            out.blocks.push(Block { rank: 0, lines });
+        }
     }
     for reduction in first.reductions.iter().take(1) {
         out.add(1, 2, &format!("  {}: {reduction}", first.name));
@@ -219,6 +219,7 @@ fn worst(case: &CaseResult) -> Option<(&Finding, &Worst)> {
 /// The likely mistake at the levels that show it, else what the wrong answers have in common.
 fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     let lost_core = report.result.score < report.result.max_score;
+    let has_crashed = failed(&report.result).any(|case| matches!(case.status, Status::Crashed(_)));
     match &report.diagnosis {
         Some(found) if reveal.hint >= HintLevel::Mistake => {
             let label = found.certainty.label();
@@ -229,18 +230,15 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
                     out.add(2, 2, &format!("  More in its chapter: {chapter}"));
                 }
             }
-            if found.is_likely() {
-                return;
-            }
         }
-        None if reveal.hint >= HintLevel::Mistake && lost_core => {
+        None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
             out.add(2, 1, "  The answers match no known mistake.");
         }
         _ => {}
     }
     if !report.regularities.is_empty() {
         let common = report.regularities.join("; ");
-        out.add(1, SENTENCES, &format!("  All wrong answers: {common}."));
+        out.add(1, SENTENCES, &format!("  In common: {common}."));
     }
 }
 
@@ -251,20 +249,20 @@ fn waiting(out: &mut Lines, task: &TaskResult) {
         .iter()
         .filter(|case| matches!(case.status, Status::Needs(_)));
     if let Some(case) = needs.next() {
-        let more = match needs.count() {
-            0 => String::new(),
+        let status = status_text(&case.status);
+        let text = match needs.count() {
+            0 => format!(
+                "{}: right so far. The case {} {status}",
+                task.key, case.name
+            ),
             others => format!(
-                " (and {})",
-                judge::plural(others, "other case", "other cases")
+                "{}: right so far. {} cases, such as {}: {status}",
+                task.key,
+                others + 1,
+                case.name
             ),
         };
-        let status = status_text(&case.status);
-        out.add(
-            0,
-            SENTENCES,
-            &format!("{}: the case {} {status}{more}", task.key, case.name),
-        );
-        return;
+        return out.add(0, SENTENCES, &text);
     }
     let half = task
         .cases

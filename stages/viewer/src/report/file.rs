@@ -60,7 +60,7 @@ impl FailedCase {
     pub fn test(&self) -> Option<String> {
         let (call, _) = self.worst_call()?;
         let test = repro::test(self.spec.as_ref()?, self.tier, call as usize)?;
-        Some(repro::as_file(&self.task, &test))
+        Some(repro::as_file("The worst answer of", &self.task, &test))
     }
 }
 

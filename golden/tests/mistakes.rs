@@ -261,7 +261,10 @@ fn work_is_refused_confirmed_or_not_judged() {
         }
     });
     let none = none.expect("an answer").not_judged_sentences().join(";");
-    assert!(none.contains("work: there are fewer tests"), "{none}");
+    assert!(
+        none.contains("number of tests: there are fewer tests"),
+        "{none}"
+    );
 }
 
 #[test]

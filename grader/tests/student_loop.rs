@@ -180,7 +180,8 @@ fn a_student_writes_a_task() {
         assert!(text.contains(part), "no {part:?} in\n{text}");
     }
     // What the other calls print is left out.
-    assert!(text.ends_with("your code printed:\nat 1\n"), "{text}");
+    let printed = "part1.task1 center_of_each_pixel printed:\n    at 1\n";
+    assert!(text.ends_with(printed), "{text}");
     let (list, _) = run(&course, &one[..3]);
     assert!(
         list.contains("\nwrong: ") && list.contains("--call 1\n"),
@@ -188,10 +189,14 @@ fn a_student_writes_a_task() {
     );
 
     // The edit opened both tasks of the stage. Both are graded, and the first that is not complete
-    // is reported.
+    // is reported, after a line for each that is.
     let (bare, _) = run(&course, &[]);
     assert!(bare.starts_with("part1.task1 "), "{bare}");
-    assert!(!bare.contains("part1.task2"), "{bare}");
+    let complete = bare.lines().find(|line| line.starts_with("part1.task2 "));
+    assert!(
+        complete.is_some_and(|line| line.ends_with("complete")),
+        "{bare}"
+    );
     let (status, _) = run(&course, &["status"]);
     assert!(!status.contains("before your edit"), "{status}");
     assert!(status.contains("Next: part1.task1"), "{status}");

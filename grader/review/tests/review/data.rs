@@ -138,7 +138,7 @@ fn what_is_not_judged_is_not_confirmed() {
     for text in [
         "1 of 1 case changed; the exact oracle does not judge all aspects of 1",
         "it does not judge all their aspects",
-        "Not judged: work: there are fewer tests",
+        "Not judged: number of tests: there are fewer tests",
         "not judged: <span title=",
     ] {
         assert!(rounded.contains(text), "no {text:?}");

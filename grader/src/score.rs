@@ -162,8 +162,8 @@ impl CaseResult {
         self.reductions.push(why);
     }
 
-    /// Whether its answers are right, and it lost points for another reason: another case shows that
-    /// the idea of the task is missing.
+    /// Whether its answers are right, and it lost points for another reason: another case shows
+    /// that the idea of the task is missing.
     pub fn is_only_reduced(&self) -> bool {
         let is_right = !self.findings.is_empty() && self.findings.iter().all(Finding::passed);
         is_right && !self.reductions.is_empty()

@@ -87,8 +87,8 @@ impl Workspace {
             .join(format!("{case}.png"))
     }
 
-    /// The path of the file `name` in `target/first-light`, the folder of what the grader writes for
-    /// students. Creates the folder.
+    /// The path of the file `name` in `target/first-light`, the folder of what the grader writes
+    /// for students. Creates the folder.
     pub fn for_students(&self, name: &str) -> Result<PathBuf, GraderError> {
         let folder = self.root.join("target").join("first-light");
         std::fs::create_dir_all(&folder).map_err(|e| GraderError::file("create", &folder, e))?;

@@ -1,7 +1,7 @@
 //! Limits how often the student's code may call a function that it is given.
 //!
-//! The worker keeps a log of such calls. Without a limit, the log of an endless loop would reach the
-//! memory limit before the loop reaches the time limit.
+//! The worker keeps a log of such calls. Without a limit, the log of an endless loop would reach
+//! the memory limit before the loop reaches the time limit.
 
 /// The largest number of calls of one function in one call of the student's code. The cases need at
 /// most some thousands.

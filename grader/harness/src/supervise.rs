@@ -91,8 +91,8 @@ fn watch(
     let run_all = move || {
         clock::start();
         for index in indices {
-            // On this thread: if the student's code keeps stdout locked, this one waits in vain, and
-            // the time limit ends it.
+            // On this thread: if the student's code keeps stdout locked, this one waits in vain,
+            // and the time limit ends it.
             print(&wire::output_marker(index));
             let record = run(index, &cases[index as usize]);
             print("");

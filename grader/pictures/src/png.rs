@@ -12,8 +12,8 @@ const MAX_SIDE: u32 = 4096;
 /// The largest palette of a PNG file.
 const PALETTE: usize = 256;
 
-/// Encodes the picture, with a palette if it has few colours. The same picture always gives the same
-/// bytes.
+/// Encodes the picture, with a palette if it has few colours. The same picture always gives the
+/// same bytes.
 pub fn encode(picture: &Image) -> Vec<u8> {
     let mut bytes = Vec::new();
     let [w, h] = picture.size();

@@ -158,8 +158,8 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
     }
 }
 
-/// The aspect that shows that `function` does not have the idea of its task, if there is one. A case
-/// without answers shows nothing.
+/// The aspect that shows that `function` does not have the idea of its task, if there is one. A
+/// case without answers shows nothing.
 fn lacking_idea<'a>(task: &'a Task, cases: &[CaseResult], function: &str) -> Option<&'a Idea> {
     task.idea.iter().find(|idea| {
         let case = cases.iter().find(|case| case.name == idea.case);

@@ -20,8 +20,8 @@ const SAME_QUESTION: u32 = 200;
 /// calls do not distinguish more mistakes, but make the stored signatures large.
 const MOST_CALLS: usize = 200;
 
-/// One call in so many is compared. They are odd and not multiples of 5, so that the compared pixels
-/// are in all columns of a picture.
+/// One call in so many is compared. They are odd and not multiples of 5, so that the compared
+/// pixels are in all columns of a picture.
 const STRIDES: [u32; 7] = [1, 3, 7, 17, 51, 119, 357];
 
 /// Which calls of a case with so many calls are compared: one in how many.

@@ -84,8 +84,8 @@ pub enum Subject {
         /// Samples per pixel.
         samples: u32,
     },
-    /// The functions of mirrors and glass: a mirror ball and a glass ball on a chequered floor, then
-    /// the Fresnel reflectance and the refracted direction over the angle.
+    /// The functions of mirrors and glass: a mirror ball and a glass ball on a chequered floor,
+    /// then the Fresnel reflectance and the refracted direction over the angle.
     Specular,
     /// `estimate_radiance`: indirect light in a world of rectangles.
     Paths {

@@ -1,6 +1,7 @@
 //! Which features work, and which task the others wait for.
 //!
-//! Each feature is tried once, on a picture of one pixel: the hole that it runs into names the task.
+//! Each feature is tried once, on a picture of one pixel: the hole that it runs into names the
+//! task.
 
 use crate::task::{StageFailure, guarded};
 use kit::scene::{NamedLight, NamedMaterial, Object};

@@ -5,9 +5,10 @@
 //! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
 //! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`tree_walk`],
 //! [`view_picture`] and [`view3d`] (the ray-traced view), [`render_control`] (the picture),
-//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`], [`features`] (what waits for a task), [`report`] (a
-//! report of the grader), [`ray_test`]. [`task`] runs work in the background and catches the holes
-//! of stages that are not written yet; [`project`] is the projection of lines.
+//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`], [`features`]
+//! (what waits for a task), [`report`] (a report of the grader), [`ray_test`]. [`task`] runs work
+//! in the background and catches the holes of stages that are not written yet; [`project`] is the
+//! projection of lines.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
 //! [`raster`], which draws egui's shapes without a GPU. [`cli`] has the flags of the program.

@@ -133,8 +133,8 @@ impl<'a> VersionsWorker<'a> {
         }
     }
 
-    /// Grades some of the versions, by their numbers, and compares the answers of mutants with those
-    /// of the reference, which is the first version.
+    /// Grades some of the versions, by their numbers, and compares the answers of mutants with
+    /// those of the reference, which is the first version.
     fn grade_all(
         &self,
         task: &Task,
@@ -150,8 +150,8 @@ impl<'a> VersionsWorker<'a> {
             .collect()
     }
 
-    /// Grades one of the versions, by its number. Without `reference`, a mutant is not compared with
-    /// it.
+    /// Grades one of the versions, by its number. Without `reference`, a mutant is not compared
+    /// with it.
     pub(super) fn grade_one(
         &self,
         task: &Task,

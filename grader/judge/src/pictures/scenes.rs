@@ -138,8 +138,8 @@ pub(super) fn traversal() -> Subject {
 /// Half of the width and depth of the room.
 const HALF: f64 = 1.0;
 
-/// The height of its floor. It is not 0: the error bound of a coordinate is relative, and a ray that
-/// leaves a floor at 0 would start in it.
+/// The height of its floor. It is not 0: the error bound of a coordinate is relative, and a ray
+/// that leaves a floor at 0 would start in it.
 const FLOOR: f64 = -0.75;
 
 /// The height of its ceiling.

@@ -1,7 +1,7 @@
 //! A report of the grader: its failing cases, each with the ray that is wrong.
 //!
-//! Reading order: [`mod@file`] (what is read of `report.json`), [`case_view`] (one case: shapes, ray, the
-//! stage's answer and the exact one).
+//! Reading order: [`mod@file`] (what is read of `report.json`), [`case_view`] (one case: shapes,
+//! ray, the stage's answer and the exact one).
 
 pub mod case_view;
 pub mod file;

@@ -1,7 +1,8 @@
 //! The window without a display: every key, click and drag, and pictures of every mode.
 //!
 //! Pictures are drawn by [`viewer::raster`], so they are the same on every machine with the same
-//! fonts. They are in `tests/snapshots`; `UPDATE_SNAPSHOTS=1 cargo test -p viewer` accepts new ones.
+//! fonts. They are in `tests/snapshots`; `UPDATE_SNAPSHOTS=1 cargo test -p viewer` accepts new
+//! ones.
 
 mod common;
 mod files;

@@ -35,7 +35,7 @@ pub struct Spec {
     /// The aspects that the case judges; empty for all aspects of its answers. So a mistake that
     /// shows in every case is reported only in the cases that are about it.
     pub about_aspects: &'static [Aspect],
-    /// The main answers of the case, if they are not those of [`Spec::is_main`]'s rule.
+    /// The main answers of the case, if they are not those of `Spec::is_main`'s rule.
     pub main_aspects: &'static [Aspect],
     /// The exact results, as far as they have been computed.
     pub(crate) expected_cache: Arc<ExpectedCache>,

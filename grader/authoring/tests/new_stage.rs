@@ -168,16 +168,21 @@ impl Copy {
     fn insert(&self, insertion: &Insertion) {
         let path = self.root.join(insertion.file);
         let text = std::fs::read_to_string(&path).expect("the file exists");
-        let line = format!("{}\n", insertion.after);
+        let is_place = |line: &str| line.trim_start() == insertion.after.trim_start();
+        let places = text.lines().filter(|line| is_place(line)).count();
         assert_eq!(
-            text.matches(&line).count(),
-            1,
+            places, 1,
             "{} has the line `{}` once",
-            insertion.file,
-            insertion.after
+            insertion.file, insertion.after
         );
-        let with = format!("{line}{}\n", insertion.lines);
-        file_tree::write(&path, text.replacen(&line, &with, 1).as_bytes()).expect("written");
+        let with: String = text
+            .lines()
+            .map(|line| match is_place(line) {
+                true => format!("{line}\n{}\n", insertion.lines),
+                false => format!("{line}\n"),
+            })
+            .collect();
+        file_tree::write(&path, with.as_bytes()).expect("written");
     }
 
     /// The report of the new part.

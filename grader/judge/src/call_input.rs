@@ -101,11 +101,8 @@ pub fn of(work: &Work, call: usize) -> Option<String> {
                 pixel.ns_aa, pixel.batch, pixel.tolerance
             )
         }),
-        Work::BuildGrowth(_)
-        | Work::Timing(_)
-        | Work::TimeTest(_)
-        | Work::Visits(_)
-        | Work::Picture(_) => None,
+        // Measurements, pictures, and kinds whose calls nobody describes.
+        _ => None,
     }
 }
 

@@ -154,8 +154,8 @@ fn biased(answer: &Answer, off: f64) -> Answer {
     answer
 }
 
-/// The same answers, with samples moved along x so that the mean positions in their pixels, of
-/// calls that follow each other, have the correlation `r`.
+/// The same answers, with the samples moved along x: the mean positions in the pixels of successive
+/// calls have the correlation `r`.
 fn correlated(spec: &Spec, answer: &Answer, r: f64) -> Answer {
     /// Shrinks the positions towards the centre of the pixel, so that they stay inside it.
     const SHRINK: f64 = 0.3;

@@ -14,7 +14,7 @@ pub struct Known {
     pub place: Place,
     /// Its last result, if it was graded.
     pub last: Option<TaskScore>,
-    /// Whether its stage changed after that.
+    /// Whether a file of its stage changed since then.
     pub changed: bool,
 }
 
@@ -117,15 +117,7 @@ mod tests {
                 open: Vec::new(),
                 has_hole: false,
             },
-            last: (score >= 0.0).then(|| TaskScore {
-                score,
-                max_score: 5.0,
-                robust_score: 0.0,
-                robust_max_score: 0.0,
-                attempted: true,
-                status: String::new(),
-                sources: String::new(),
-            }),
+            last: (score >= 0.0).then(|| TaskScore::of(score, 5.0)),
             changed,
         }
     }

@@ -208,7 +208,6 @@ fn where_wrong(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::score::Status;
     use judge::tally::Tally;
 
     const TASK: &str = "part1.task4";
@@ -237,20 +236,7 @@ mod tests {
                 );
             }
         }
-        CaseResult {
-            name: spec.name.into(),
-            tier: Tier::Core,
-            score: 0.0,
-            max_score: 1.0,
-            status: Status::Failed,
-            about: String::new(),
-            findings: tally.into_findings(),
-            reductions: Vec::new(),
-            shares: Vec::new(),
-            with_neighbours: false,
-            calls: 0,
-            crash: None,
-        }
+        CaseResult::failed(spec.name, tally.into_findings())
     }
 
     #[test]

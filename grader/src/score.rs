@@ -103,6 +103,27 @@ pub struct TaskResult {
     pub cases: Vec<CaseResult>,
 }
 
+#[cfg(test)]
+impl CaseResult {
+    /// A failed core case worth one point, for tests of what is said about it.
+    pub(crate) fn failed(name: &str, findings: Vec<Finding>) -> CaseResult {
+        CaseResult {
+            name: name.into(),
+            tier: Tier::Core,
+            score: 0.0,
+            max_score: 1.0,
+            status: Status::Failed,
+            about: String::new(),
+            findings,
+            reductions: Vec::new(),
+            shares: Vec::new(),
+            with_neighbours: false,
+            calls: 0,
+            crash: None,
+        }
+    }
+}
+
 impl CaseResult {
     /// Scores a case: `findings` earn a fraction of its points, of which the functions with `holes`
     /// have their share.

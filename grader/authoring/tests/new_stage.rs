@@ -145,8 +145,8 @@ const INSERTIONS: &[Insertion] = &[
     },
     Insertion {
         file: "grader/judge/src/tasks/mod.rs",
-        after: "        part5_task2::cases::cases(seed),",
-        lines: "        part7_task1::cases(),",
+        after: "    (\"part5.task2\", part5_task2::cases::cases),",
+        lines: "    (\"part7.task1\", |_| part7_task1::cases()),",
     },
     Insertion {
         file: "grader/worker/src/run.rs",

@@ -2,11 +2,9 @@
 
 use grader::error::GraderError;
 use grader::report::write_whole;
-use pictures::image::Rgb;
 use pictures::tone::tone;
 use pictures::{Image, png};
 use std::path::Path;
-use wire::answer::Hit;
 use wire::{Answer, Work};
 
 /// Converts `answer` to a picture of `width` by `height` pixels, in the colours of
@@ -20,12 +18,6 @@ pub fn compose([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Optio
     Some(Image::from_fn([width, height], |x, y| {
         tone(colours[((height - 1 - y) * width + x) as usize])
     }))
-}
-
-/// Returns the colour of a hit: its normal, each component mapped from -1..1 to 0..1; black for a
-/// miss.
-pub fn normal_colour(hit: Option<&Hit>) -> Rgb {
-    tone(judge::picture::hit(hit))
 }
 
 /// Writes the picture as a PNG file. The file is written completely or not at all.

@@ -55,7 +55,8 @@ pub fn chip(colour: Rgb, colours: Colours) -> String {
     format!("\x1b[38;{}m■\x1b[0m", code(colour, colours))
 }
 
-/// The colour as the parameters of an escape sequence, after `38;` or `48;`.
+/// The parameters that follow `38;` (foreground) or `48;` (background) in the escape sequence for
+/// this colour.
 fn code([r, g, b]: Rgb, colours: Colours) -> String {
     match colours {
         Colours::True => format!("2;{r};{g};{b}"),

@@ -78,7 +78,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     })
 }
 
-/// The columns of a picture in the terminal.
+/// The width of a picture in the terminal, in columns.
 const COLUMNS: u32 = 80;
 
 /// The picture, if the terminal has colours, and the legend.

@@ -124,15 +124,7 @@ mod tests {
                 open: open.iter().map(ToString::to_string).collect(),
                 has_hole: !open.is_empty(),
             },
-            last: score.map(|score| TaskScore {
-                score,
-                max_score: 20.0,
-                robust_score: 0.0,
-                robust_max_score: 0.0,
-                attempted: true,
-                status: String::new(),
-                sources: String::new(),
-            }),
+            last: score.map(|score| TaskScore::of(score, 20.0)),
             changed,
         }
     }

@@ -55,7 +55,6 @@ fn named(class: Class) -> Option<Class> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judge::Tier;
     use judge::tally::Tally;
 
     /// A failed case with one fault of each class.
@@ -64,20 +63,7 @@ mod tests {
         for (aspect, class) in faults {
             tally.judge_class(*aspect, 0, Some(*class), 1.0, String::new);
         }
-        CaseResult {
-            name: name.into(),
-            tier: Tier::Core,
-            score: 0.0,
-            max_score: 1.0,
-            status: Status::Failed,
-            about: String::new(),
-            findings: tally.into_findings(),
-            reductions: Vec::new(),
-            shares: Vec::new(),
-            with_neighbours: false,
-            calls: 0,
-            crash: None,
-        }
+        CaseResult::failed(name, tally.into_findings())
     }
 
     fn order(cases: &[CaseResult]) -> Vec<&str> {

@@ -44,14 +44,6 @@ impl Orbit {
         self.view.camera
     }
 
-    /// Sets the angles of view, here and in the home view.
-    pub fn set_fov(&mut self, h_fov: f64, v_fov: f64) {
-        for view in [&mut self.view, &mut self.home] {
-            view.camera.h_fov = h_fov;
-            view.camera.v_fov = v_fov;
-        }
-    }
-
     /// Rotates about the target: `right` about the vertical axis, `up` towards it; in radians of a
     /// drag in these directions, so the scene follows the mouse. Stops at the poles.
     pub fn rotate(&mut self, right: f64, up: f64) {

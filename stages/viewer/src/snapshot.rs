@@ -4,7 +4,6 @@ use crate::app::App;
 use crate::command::Command;
 use crate::raster::Rasteriser;
 use crate::session::{Mode, Session};
-use crate::settings::Change;
 use crate::tree_walk::Side;
 use clap::ValueEnum;
 use egui::{Color32, ColorImage, Context, Pos2, RawInput, Rect, Vec2};
@@ -80,11 +79,6 @@ pub fn take(session: Session, shot: Shot, size: [usize; 2]) -> ColorImage {
         picture = window.settle();
     }
     picture
-}
-
-/// More samples for a shot whose picture should not be noisy.
-pub fn more_samples(session: &mut Session, doublings: u32) {
-    (0..doublings).for_each(|_| session.apply(Command::Samples(Change::More)));
 }
 
 /// The window without a display: frames are drawn by [`Rasteriser`].

@@ -6,7 +6,7 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
@@ -81,15 +81,6 @@ impl<T: Send + 'static> Task<T> {
             wake();
         });
         Task { receiver, stop }
-    }
-
-    /// The result, if it is there.
-    pub fn poll(&self) -> Option<Result<T, StageFailure>> {
-        match self.receiver.try_recv() {
-            Ok(result) => Some(result),
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Err(ended())),
-        }
     }
 
     /// The result, if it is there within `time`.

@@ -1,8 +1,8 @@
 //! Finds copies of the solutions in a handout.
 //!
 //! Splits both into tokens and compares sequences of `LENGTH` tokens, in the chapters of the book
-//! sequences of `LENGTH_IN_BOOK`. So a copy is found even if
-//! its formatting was changed or if it was moved into a comment.
+//! sequences of `LENGTH_IN_BOOK`. So a copy is found even if its formatting was changed or if it was
+//! moved into a comment.
 
 use crate::handout::Handout;
 use std::collections::HashMap;

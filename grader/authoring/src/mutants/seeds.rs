@@ -58,7 +58,7 @@ pub fn grade(
     for block in blocks {
         let specs: Vec<(u64, Vec<Spec>)> = block
             .into_par_iter()
-            .map(|seed| (seed, cases::all(seed)))
+            .map(|seed| (seed, cases::of(&task.key, seed)))
             .collect();
         let each = distinct.par_iter();
         let graded: Vec<Vec<(u64, Graded)>> = each
@@ -110,7 +110,7 @@ impl VersionsWorker<'_> {
 
 /// `task` with only those cases that depend on the seed.
 fn that_depend_on_the_seed(task: &Task) -> Task {
-    let [zero, one] = [0, 1].map(cases::all);
+    let [zero, one] = [0, 1].map(|seed| cases::of(&task.key, seed));
     let of = |specs: &[Spec], name: &str| -> Option<Work> {
         let spec = specs.iter().find(|spec| spec.is(&task.key, name));
         spec.map(|spec| spec.work.clone())

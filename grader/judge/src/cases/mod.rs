@@ -128,7 +128,12 @@ impl Spec {
 
 /// All cases of all tasks.
 pub fn all(seed: u64) -> Vec<Spec> {
-    tasks::cases(seed)
+    tasks::cases(seed, |_| true)
+}
+
+/// All cases of one task; the others are not made.
+pub fn of(task: &str, seed: u64) -> Vec<Spec> {
+    tasks::cases(seed, |key| key == task)
 }
 
 #[cfg(test)]
@@ -150,6 +155,23 @@ mod tests {
                     "{name}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn the_cases_of_a_task_are_those_of_all_tasks_that_have_its_key() {
+        let all = all(3);
+        let tasks: std::collections::BTreeSet<&str> = all.iter().map(|spec| spec.task).collect();
+        for task in tasks {
+            let names = |specs: &[Spec]| -> Vec<String> {
+                let of_task = specs.iter().filter(|spec| spec.task == task);
+                of_task
+                    .map(|spec| format!("{} {:?}", spec.name, spec.work))
+                    .collect()
+            };
+            let own = of(task, 3);
+            assert_eq!(names(&own).len(), own.len(), "{task}");
+            assert!(names(&own) == names(&all), "{task}");
         }
     }
 

@@ -70,7 +70,7 @@ pub(super) fn spheres() -> Subject {
         .map(|sphere| (sphere.center.into(), sphere.radius))
         .collect();
     spheres.push(((1.4 * eye).into(), 1.0));
-    // Half of the sky: the ball that the eye is in is cut by the edge of the picture.
+    // The eye is in this one: it is hit from inside wherever nothing else is hit.
     spheres.push(([-9.0, 6.0, -4.0], 16.0));
     Subject::Shapes {
         triangles: Vec::new(),
@@ -96,7 +96,7 @@ pub(super) fn leaves() -> Subject {
     }
 }
 
-/// A staircase of boxes, a flat one, and one that the eye is in.
+/// A staircase of boxes, a flat one below it, and one behind the eye.
 pub(super) fn boxes() -> Subject {
     let mut boxes: Vec<[Xyz; 2]> = (0..6)
         .flat_map(|i| (0..4).map(move |j| (f64::from(i), f64::from(j))))
@@ -106,7 +106,7 @@ pub(super) fn boxes() -> Subject {
             [min, [min[0] + 0.7, height, min[2] + 0.7]]
         })
         .collect();
-    // Flat: a sheet above the floor. Behind the eye. Around the eye, which is seen from inside.
+    // A flat sheet, and a box behind the eye, which must not be seen.
     boxes.push([[-3.4, -0.1, -2.4], [3.4, -0.1, 2.4]]);
     boxes.push([[5.0, 5.0, 8.0], [8.0, 8.0, 11.0]]);
     Subject::Boxes {

@@ -2,8 +2,8 @@
 
 use super::{FailedCase, Look};
 use crate::page::pictures::{article, slider};
+use crate::page::whole;
 use crate::page::words::LOOK;
-use crate::page::{SCRIPT, STYLE};
 use grader::picture::Rendered;
 use grader::report::table::status_text;
 use grader::score::{CaseResult, Status};
@@ -13,7 +13,6 @@ use judge::{Tier, plural};
 use pages::html::{escape, png_data_uri};
 use std::fmt::Write;
 
-const TEMPLATE: &str = include_str!("look.html");
 const OWN_STYLE: &str = include_str!("look.css");
 
 /// How many failed cases of a tier are shown in full. The others are folded.
@@ -46,13 +45,7 @@ pub fn write(look: &Look) -> String {
     }
     content.push_str(&passed(look));
     let title = format!("{} · First Light", look.result.key);
-    // Inserts our own texts first, because the text of an answer may contain a placeholder.
-    TEMPLATE
-        .replace("<!-- style -->", &format!("{STYLE}{OWN_STYLE}"))
-        .replace("<!-- script -->", SCRIPT)
-        .replace("<!-- title -->", &escape(&title))
-        .replace("<!-- header -->", &header(look))
-        .replace("<!-- content -->", &content)
+    whole(OWN_STYLE, &title, &header(look), &content)
 }
 
 /// The score in one sentence.

@@ -14,8 +14,8 @@ use pages::html::escape;
 use std::fmt::Write;
 
 const TEMPLATE: &str = include_str!("page.html");
-pub(crate) const STYLE: &str = include_str!("page.css");
-pub(crate) const SCRIPT: &str = include_str!("page.js");
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
 
 /// Formats the page.
 pub fn write(review: &Review, author: &Author) -> String {
@@ -38,18 +38,26 @@ pub fn write(review: &Review, author: &Author) -> String {
     if pictures.is_empty() {
         pictures.push_str("<p>None of these cases has a picture.</p>\n");
     }
+    let content = format!(
+        "{}<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Pictures</h2>\n{pictures}</section>\n\
+         <section aria-labelledby=\"snapshots\">\n<h2 id=\"snapshots\">Snapshots</h2>\n{}</section>\n",
+        overview(review),
+        snapshots::section(review)
+    );
+    let title = format!("Review: {}", summary(review));
+    whole("", &title, &header(review, author), &content)
+}
+
+/// A whole page: `title` is text, `header` and `content` are HTML. The rules of `own_style` come
+/// after those that all pages share.
+pub(crate) fn whole(own_style: &str, title: &str, header: &str, content: &str) -> String {
     // Inserts our own texts first, because the text of an answer may contain a placeholder.
     TEMPLATE
-        .replace("<!-- style -->", STYLE)
+        .replace("<!-- style -->", &format!("{STYLE}{own_style}"))
         .replace("<!-- script -->", SCRIPT)
-        .replace(
-            "<!-- title -->",
-            &escape(&format!("Review: {}", summary(review))),
-        )
-        .replace("<!-- header -->", &header(review, author))
-        .replace("<!-- overview -->", &overview(review))
-        .replace("<!-- snapshots -->", &snapshots::section(review))
-        .replace("<!-- pictures -->", &pictures)
+        .replace("<!-- title -->", &escape(title))
+        .replace("<!-- header -->", header)
+        .replace("<!-- content -->", content)
 }
 
 /// The result of the review in one sentence.

@@ -26,18 +26,10 @@ fn case(name: &str, tier: Tier, message: &str) -> CaseResult {
     let class = Some(Class::FalseMiss);
     tally.judge_class(Aspect::HitOrMiss, 3, class, 1.0, || message.to_owned());
     CaseResult {
-        name: name.into(),
         tier,
-        score: 0.0,
         max_score: 2.0,
-        status: Status::Failed,
         about: format!("Rays beside it. {} Pitfall: an epsilon.", nasty(30)),
-        findings: tally.into_findings(),
-        reductions: Vec::new(),
-        shares: Vec::new(),
-        with_neighbours: false,
-        calls: 0,
-        crash: None,
+        ..CaseResult::failed(name, tally.into_findings())
     }
 }
 

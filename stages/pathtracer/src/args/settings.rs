@@ -121,21 +121,9 @@ impl Args {
         }
     }
 
-    /// The given flags that have no effect with `--export`.
-    pub fn unused_by_export(&self) -> Vec<&'static str> {
-        given(&[
-            (self.file.is_some(), "-f"),
-            (self.cell.is_some(), "-p"),
-            (self.layers.is_some(), "--layers"),
-            (self.time.is_some(), "--time"),
-            (self.error.is_some(), "--error"),
-            (self.stats, "--stats"),
-            (self.explain, "--explain"),
-        ])
-    }
-
-    /// The given flags that have no effect with `--pixel`.
-    pub fn unused_by_pixel(&self) -> Vec<&'static str> {
+    /// The given flags that have no effect if no picture is written, as with `--export` and
+    /// `--pixel`.
+    pub fn unused_without_picture(&self) -> Vec<&'static str> {
         given(&[
             (self.file.is_some(), "-f"),
             (self.cell.is_some(), "-p"),

@@ -27,11 +27,11 @@ const INTERRUPTED: u8 = 130;
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
     if let Some([renderer, path]) = args.export.as_deref() {
-        note_unused(&args.unused_by_export(), "--export writes no picture");
+        note_unused(&args.unused_without_picture(), "--export writes no picture");
         return export::run(args, &light, renderer, Path::new(path));
     }
     if args.pixel.is_some() {
-        note_unused(&args.unused_by_pixel(), "--pixel writes no picture");
+        note_unused(&args.unused_without_picture(), "--pixel writes no picture");
         return pixel::run(args, &light);
     }
     let Some(path) = &args.file else {

@@ -1,7 +1,7 @@
 //! The worker program: `worker RECORDS FIRST MEMORY_MB` reads cases from its standard input, runs
-//! them from number FIRST on and sends their records back. With a fourth argument `calls` it also
-//! sends an entry for each call. RECORDS is the file of records where the standard input cannot be a
-//! socket, and `-` elsewhere.
+//! them from number FIRST on and sends their records back. RECORDS is the file of records where the
+//! standard input cannot be a socket, and `-` elsewhere. Two words may follow: with `calls` it also
+//! sends an entry for each call; with `sealed` the student's thread gives up all rights first.
 //!
 //! Before each case it prints [`wire::output_marker`], so that the grader knows which case printed
 //! what.
@@ -47,13 +47,10 @@ pub fn main(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> ExitCode {
 
 fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let (arguments, write_calls) = match arguments.as_slice() {
-        [arguments @ .., last] if last == "calls" => (arguments, true),
-        arguments => (arguments, false),
-    };
-    let [records, first, memory_mb] = arguments else {
+    let [records, first, memory_mb, options @ ..] = arguments.as_slice() else {
         return Err("the grader starts this program: run `cargo grader part1` instead".into());
     };
+    let has = |option: &str| options.iter().any(|given| given == option);
     let first: u32 = first
         .parse()
         .map_err(|e| format!("FIRST is {first}: {e}"))?;
@@ -64,7 +61,7 @@ fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), Strin
         channel::open(records).map_err(|e| format!("cannot read the cases: {e}"))?;
     // The student's thread writes to it, too, and may outlive this function.
     let records: &Mutex<FrameWriter> = Box::leak(Box::new(Mutex::new(records)));
-    if write_calls {
+    if has("calls") {
         isolate::write_calls(records);
     }
     isolate::watch_panics();
@@ -72,7 +69,7 @@ fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), Strin
     memory
         .set_limit(memory.allocated().saturating_add(memory_mb << 20))
         .map_err(|_| "no memory left".to_string())?;
-    watch(cases, first, records, run)
+    watch(cases, first, records, has("sealed"), run)
 }
 
 /// Runs the cases on another thread, one after the other, and ends the process when one takes too
@@ -81,6 +78,7 @@ fn watch(
     cases: Vec<Case>,
     first: u32,
     records: &Mutex<FrameWriter>,
+    sealed: bool,
     run: fn(u32, &Case) -> Record,
 ) -> Result<(), String> {
     let limits: Vec<Duration> = cases
@@ -91,6 +89,11 @@ fn watch(
     let (to_watch, finished) = mpsc::channel::<Record>();
     let run_all = move || {
         clock::start();
+        if sealed && let Err(why) = seal() {
+            // Nothing of the student's has run, so this is no result.
+            eprintln!("worker: cannot give up its rights: {why}");
+            std::process::exit(2);
+        }
         for index in indices {
             // On this thread: if the student's code keeps stdout locked, this one waits in vain,
             // and the time limit ends it.
@@ -142,6 +145,18 @@ fn watch(
         }
     }
     Ok(())
+}
+
+/// Gives up all rights of this thread.
+#[cfg(feature = "sandbox")]
+fn seal() -> Result<(), String> {
+    sandbox::confine::seal_thread()
+}
+
+/// A worker that was built for a student's own run has nothing to give up its rights with.
+#[cfg(not(feature = "sandbox"))]
+fn seal() -> Result<(), String> {
+    Err("it was built without the feature `sandbox`".into())
 }
 
 /// Prints `text` and everything that was printed before.

@@ -114,8 +114,8 @@ impl Review {
                     );
                 }
                 Some(sources) => {
-                    let build_root = clean.with_stages(&[(stage, sources)])?;
-                    let workers = grade::workers(&build_root, &of_stage, specs, false)?;
+                    let folder = clean.with_stages(&[(stage, sources)])?;
+                    let workers = grade::workers(&folder.build_root(), &of_stage, specs, false)?;
                     review.add(workspace, course, &of_stage, specs, &workers, author)?;
                 }
             }

@@ -48,6 +48,9 @@ fn become_program(
     mut command: std::process::Command,
     _: Option<u32>,
 ) -> std::io::Result<std::convert::Infallible> {
-    let code = command.status()?.code().unwrap_or(i32::from(probe::LAUNCHER_FAILED));
+    let code = command
+        .status()?
+        .code()
+        .unwrap_or(i32::from(probe::LAUNCHER_FAILED));
     std::process::exit(code)
 }

@@ -3,6 +3,7 @@
 
 use super::SubmissionReport;
 use super::clean_workspace::CleanWorkspace;
+use super::containment::Containment;
 use super::read::Submission;
 use grader::course::Course;
 use grader::error::GraderError;
@@ -29,13 +30,14 @@ pub fn grade(
     out: &Path,
     request: &GradeRequest,
     together: bool,
+    containment: Containment,
     format: impl Fn(&SubmissionReport) -> String,
 ) -> Result<ClassSummary, GraderError> {
     let course = Course::read(workspace)?;
     let tasks = course.select(&request.what)?;
     let folders = submissions(class)?;
     std::fs::create_dir_all(out).map_err(|e| GraderError::file("create", out, e))?;
-    let clean = CleanWorkspace::open(workspace)?;
+    let clean = CleanWorkspace::open(workspace, containment)?;
     let mut table = String::from("submission,score,max_score,extra,max_extra,together");
     for task in &tasks {
         let _ = write!(table, ",{}", task.key);

@@ -8,15 +8,20 @@
 //! The student's code is limited in time and memory, but it is not sandboxed: it runs with the
 //! rights of the person who grades it.
 
+pub mod build_folder;
 pub mod class;
 pub mod clean_workspace;
+pub mod containment;
 pub mod file_tree;
+mod jail;
 pub mod one;
 pub mod packages;
 pub mod read;
+mod toolchain;
 
 use crate::file_tree::Files;
 use clean_workspace::CleanWorkspace;
+use grader::compile::BuildLimit;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
@@ -47,6 +52,9 @@ pub struct SubmissionReport {
     pub seed: u64,
     /// How the code was contained while it was compiled and run: one line.
     pub containment: String,
+    /// The limit that the compiler exceeded, if it did.
+    #[serde(skip)]
+    pub limit: Option<BuildLimit>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
     /// What the student's code printed, case by case.
@@ -75,7 +83,8 @@ impl SubmissionReport {
                 .collect(),
             reaches_out: submission.reaches_out.clone(),
             seed: request.seed,
-            containment: "none: only time and memory are limited".to_string(),
+            containment: clean.containment().to_string(),
+            limit: None,
             compiler: String::new(),
             printed: String::new(),
         };
@@ -98,8 +107,10 @@ impl SubmissionReport {
                 continue;
             }
             let of_stage: Vec<&Task> = of_stage.collect();
-            let build_root = clean.with_stages(&[(stage, sources)])?;
+            let folder = clean.with_stages(&[(stage, sources)])?;
+            let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
+            report.limit = report.limit.or(graded.limit);
             report.compiler.push_str(&graded.compiler);
             report.printed.push_str(&printed::format(&graded.printed));
             results.extend(graded.report.tasks);
@@ -114,7 +125,8 @@ impl SubmissionReport {
             let all: Vec<(&str, &Files)> = all
                 .map(|(stage, sources)| (stage.as_str(), sources))
                 .collect();
-            let build_root = clean.with_stages(&all)?;
+            let folder = clean.with_stages(&all)?;
+            let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &graded_tasks, request.seed, &build_root)?;
             report.together = Some(combine(graded.report.tasks, &ungraded));
         }

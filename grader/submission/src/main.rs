@@ -12,6 +12,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use submission::clean_workspace::CleanWorkspace;
+use submission::containment::Containment;
 use submission::{SubmissionReport, class, read};
 
 fn main() -> ExitCode {
@@ -38,6 +39,11 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     }
 }
 
+/// The containment that the arguments ask for.
+fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
+    Containment::choose(workspace, matches.get_flag("unsandboxed"))
+}
+
 fn grade_one(
     matches: &ArgMatches,
     workspace: &Workspace,
@@ -47,7 +53,7 @@ fn grade_one(
     let course = Course::read(workspace)?;
     course.select(&request.what)?;
     let submission = read::Submission::read(folder, &course, workspace.root())?;
-    let clean = CleanWorkspace::open(workspace)?;
+    let clean = CleanWorkspace::open(workspace, containment(matches, workspace)?)?;
     let report = SubmissionReport::of(
         &submission,
         workspace,
@@ -82,6 +88,7 @@ fn grade_class(
         out,
         &request,
         matches.get_flag("together"),
+        containment(matches, workspace)?,
         text,
     )?;
     println!(

@@ -122,11 +122,7 @@ const FCHMODAT2: i64 = 452;
 /// The calls of the lists that only this architecture has, with `NEVER`'s, the next and the last.
 #[cfg(target_arch = "x86_64")]
 const OF_X86: [&[i64]; 3] = [
-    &[
-        libc::SYS_ioperm,
-        libc::SYS_iopl,
-        libc::SYS_modify_ldt,
-    ],
+    &[libc::SYS_ioperm, libc::SYS_iopl, libc::SYS_modify_ldt],
     &[
         libc::SYS_chmod,
         libc::SYS_chown,

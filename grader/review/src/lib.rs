@@ -28,7 +28,6 @@ use grader::worker_set::WorkerSet;
 use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::Spec;
-use std::path::Path;
 use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
@@ -107,7 +106,7 @@ impl Review {
             match submission.stages.get(stage) {
                 None => review
                     .add_without_answer(&grade::chosen(&of_stage, specs)?, &Status::NotAttempted),
-                Some(sources) if !sources.contains_key(Path::new("lib.rs")) => {
+                Some(_) if !submission.why_not_built(stage).is_empty() => {
                     review.add_without_answer(
                         &grade::chosen(&of_stage, specs)?,
                         &Status::DoesNotCompile,

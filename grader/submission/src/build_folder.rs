@@ -68,6 +68,12 @@ impl BuildFolder {
         })
     }
 
+    /// `text` without the path of this folder, which contains the name of the person who grades.
+    pub(crate) fn without_its_path(&self, text: &str) -> String {
+        let folder = self.root.parent().unwrap_or(&self.root);
+        text.replace(&*folder.to_string_lossy(), "")
+    }
+
     /// How to build the worker here.
     pub fn build_root(&self) -> BuildRoot<'_> {
         BuildRoot {

@@ -5,8 +5,11 @@
 //! reference's other stages, so that a mistake in one stage costs no points in another. On request
 //! it also grades all of the student's stages together. [`class`] grades many submissions.
 //!
-//! The student's code is limited in time and memory, but it is not sandboxed: it runs with the
-//! rights of the person who grades it.
+//! [`one::grade_one`] does all this for one folder.
+//!
+//! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage;
+//! [`containment`] chooses what keeps the rest from files, programs and networks while it is
+//! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 
 pub mod build_folder;
 pub mod class;
@@ -17,6 +20,7 @@ mod jail;
 pub mod one;
 pub mod packages;
 pub mod read;
+pub mod scan;
 mod toolchain;
 
 use crate::file_tree::Files;
@@ -31,8 +35,6 @@ use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
 use read::Submission;
 use serde::Serialize;
-use std::fmt::Write;
-use std::path::Path;
 
 /// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
@@ -98,11 +100,9 @@ impl SubmissionReport {
                 ungraded.extend(of_stage.map(|task| no_points(task, &Status::NotAttempted)));
                 continue;
             };
-            if !sources.contains_key(Path::new("lib.rs")) {
-                let _ = writeln!(
-                    report.compiler,
-                    "stages/{stage}/src has no lib.rs, so it cannot be built"
-                );
+            let why = submission.why_not_built(stage);
+            if !why.is_empty() {
+                report.compiler.push_str(&why);
                 ungraded.extend(of_stage.map(|task| no_points(task, &Status::DoesNotCompile)));
                 continue;
             }
@@ -111,8 +111,11 @@ impl SubmissionReport {
             let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
             report.limit = report.limit.or(graded.limit);
-            report.compiler.push_str(&graded.compiler);
-            report.printed.push_str(&printed::format(&graded.printed));
+            let printed = printed::format(&graded.printed);
+            report
+                .compiler
+                .push_str(&folder.without_its_path(&graded.compiler));
+            report.printed.push_str(&folder.without_its_path(&printed));
             results.extend(graded.report.tasks);
             graded_tasks.extend(of_stage);
         }
@@ -121,7 +124,7 @@ impl SubmissionReport {
             let all = submission
                 .stages
                 .iter()
-                .filter(|(_, sources)| sources.contains_key(Path::new("lib.rs")));
+                .filter(|(stage, _)| submission.why_not_built(stage).is_empty());
             let all: Vec<(&str, &Files)> = all
                 .map(|(stage, sources)| (stage.as_str(), sources))
                 .collect();

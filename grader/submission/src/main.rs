@@ -1,11 +1,13 @@
 //! The commands `grader part2 --submission DIR` and `grader part2 --class DIR --out DIR`: grade
 //! what students handed in.
 
+use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
 use grader::cli::grade::{arguments, hint, request, submission_arguments};
 use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
+use grader::grade::GradeRequest;
 use grader::report::{self, HintLevel, Reveal, table};
 use grader::workspace::Workspace;
 use std::fmt::Write;
@@ -13,6 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use submission::clean_workspace::CleanWorkspace;
 use submission::containment::Containment;
+use submission::one::random_seed;
 use submission::{SubmissionReport, class, read};
 
 fn main() -> ExitCode {
@@ -39,6 +42,15 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     }
 }
 
+/// What to grade. Without `--seed`, with a seed that nobody knows.
+fn seeded_request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
+    let mut request = request(matches)?;
+    if matches.value_source("seed") == Some(ValueSource::DefaultValue) {
+        request.seed = random_seed();
+    }
+    Ok(request)
+}
+
 /// The containment that the arguments ask for.
 fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
     Containment::choose(workspace, matches.get_flag("unsandboxed"))
@@ -49,7 +61,7 @@ fn grade_one(
     workspace: &Workspace,
     folder: &Path,
 ) -> Result<Verdict, GraderError> {
-    let request = request(matches)?;
+    let request = seeded_request(matches)?;
     let course = Course::read(workspace)?;
     course.select(&request.what)?;
     let submission = read::Submission::read(folder, &course, workspace.root())?;
@@ -81,7 +93,7 @@ fn grade_class(
     out: &Path,
 ) -> Result<Verdict, GraderError> {
     let text = |report: &SubmissionReport| show(report, hint(matches));
-    let request = request(matches)?;
+    let request = seeded_request(matches)?;
     let summary = class::grade(
         workspace,
         folder,
@@ -136,6 +148,12 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     if !report.printed.is_empty() {
         let _ = writeln!(text, "\n{}", report.printed.trim_end());
     }
+    let _ = writeln!(text, "\ncontainment: {}", report.containment);
+    let _ = writeln!(
+        text,
+        "seed: {0} (`--seed {0}` repeats this run)",
+        report.seed
+    );
     let _ = writeln!(
         text,
         "\nscores of each stage when the other stages are the reference's:\n{}",

@@ -10,6 +10,7 @@ use grader::error::GraderError;
 use grader::grade::GradeRequest;
 use grader::workspace::Workspace;
 use std::fmt;
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::Path;
 
 /// The course that submissions are graded against. Threads may share it: each submission has files
@@ -44,6 +45,13 @@ impl GradingCourse {
     pub fn containment(&self) -> &Containment {
         self.clean.containment()
     }
+}
+
+/// A seed that cannot be known before: answers that were learned by heart do not fit its cases.
+pub fn random_seed() -> u64 {
+    // Short enough to be typed. Not 0: students know the cases of seed 0.
+    let drawn = RandomState::new().build_hasher().finish();
+    drawn % u64::from(u32::MAX) + 1
 }
 
 /// What to grade, and how.

@@ -93,6 +93,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         "authoring",
         &["kit", "grader", "judge", "submission", "wire"],
     ),
+    ("class", &["grader", "judge", "pages", "submission"]),
     (
         "cost",
         &[

@@ -3,17 +3,17 @@
 //! [`read`] reads the source files of the stages and nothing else. [`clean_workspace`] puts them
 //! into a clean copy of the course. [`SubmissionReport::of`] grades each stage together with the
 //! reference's other stages, so that a mistake in one stage costs no points in another. On request
-//! it also grades all of the student's stages together. [`class`] grades many submissions.
+//! it also grades all of the student's stages together. The crate `class` grades many submissions.
 //!
 //! The student's code is limited in time and memory, but it is not sandboxed: it runs with the
 //! rights of the person who grades it.
 
-pub mod class;
 pub mod clean_workspace;
 pub mod file_tree;
 pub mod one;
 pub mod packages;
 pub mod read;
+mod source_file;
 
 use crate::file_tree::Files;
 use clean_workspace::CleanWorkspace;

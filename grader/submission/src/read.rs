@@ -1,6 +1,7 @@
 //! Reads what a student handed in: the source files of stages, and nothing else.
 
-use crate::file_tree::{self, Files};
+use crate::file_tree::Files;
+use crate::source_file;
 use grader::course::Course;
 use grader::error::GraderError;
 use std::collections::BTreeMap;
@@ -16,16 +17,18 @@ pub struct Submission {
     pub ignored: Vec<PathBuf>,
     /// Lines that may access files or start programs. A person should check them.
     pub reaches_out: Vec<String>,
+    /// What was unusual about files and was mended or will not compile, as sentences.
+    pub notes: Vec<String>,
 }
-
-/// The maximum size of a source file in bytes.
-const MAX_FILE_SIZE: u64 = 1 << 20;
 
 /// The maximum number of source files of a stage.
 const MAX_FILES: usize = 500;
 
 /// The maximum number of files and folders in a submission.
 const MAX_ENTRIES: usize = 50_000;
+
+/// Files that are larger differ from the course's own: they are not compared.
+const MAX_COMPARED_SIZE: u64 = 16 << 20;
 
 /// Files that differ from the course's own in every handout.
 const EXPECTED_TO_DIFFER: [&str; 4] = ["README.md", "Cargo.lock", "Cargo.toml", "report.json"];
@@ -55,7 +58,7 @@ impl Submission {
         for stage in &stages {
             let src = stages_folder.join(stage).join("src");
             if exists(&src)? {
-                let files = sources(&top, &src)?;
+                let files = sources(&top, &src, &mut submission.notes)?;
                 submission.reaches_out.extend(reaches_out(stage, &files));
                 if !files.is_empty() {
                     submission.stages.insert((*stage).to_string(), files);
@@ -92,6 +95,7 @@ impl Submission {
             }
         })?;
         submission.ignored.sort();
+        submission.notes.sort();
         Ok(submission)
     }
 }
@@ -106,8 +110,9 @@ fn exists(path: &Path) -> Result<bool, GraderError> {
     }
 }
 
-/// Reads the Rust files below `src`, which is inside `top`.
-fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
+/// Reads the Rust files below `src`, which is inside `top`. Appends what was unusual about them to
+/// `notes`.
+fn sources(top: &Path, src: &Path, notes: &mut Vec<String>) -> Result<Files, GraderError> {
     let mut files = Files::new();
     let mut folders = vec![src.to_path_buf()];
     while let Some(folder) = folders.pop() {
@@ -125,7 +130,10 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
-                files.insert(below, source(top, &path)?);
+                let file = source_file::read(top, &path)?;
+                let name = path.strip_prefix(top).unwrap_or(&path).display();
+                notes.extend(file.note.map(|note| format!("{name} {note}")));
+                files.insert(below, file.text);
                 if files.len() > MAX_FILES {
                     return Err(GraderError::new(format!(
                         "{} contains more than {MAX_FILES} source files: too many for a stage",
@@ -136,41 +144,6 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
         }
     }
     Ok(files)
-}
-
-/// Reads one source file, after checking it.
-fn source(top: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
-    let error = |why: String| GraderError::new(format!("{} {why}", path.display()));
-    let real = path
-        .canonicalize()
-        .map_err(|e| GraderError::file("read", path, e))?;
-    if !real.starts_with(top) {
-        return Err(error(
-            "is a link to a file outside the submission: replace it by the file itself".into(),
-        ));
-    }
-    let metadata = real
-        .metadata()
-        .map_err(|e| GraderError::file("read", path, e))?;
-    if !metadata.is_file() {
-        return Err(error(
-            "is not a regular file: replace it by a text file".into(),
-        ));
-    }
-    if metadata.len() > MAX_FILE_SIZE {
-        return Err(error(format!(
-            "has {} bytes: expected at most {MAX_FILE_SIZE}",
-            metadata.len()
-        )));
-    }
-    if path.to_str().is_none() {
-        return Err(error("has a name that is not UTF-8: rename it".into()));
-    }
-    let contents = file_tree::read(top, &real)?;
-    if std::str::from_utf8(&contents).is_err() {
-        return Err(error("is not UTF-8 text: save it as UTF-8".into()));
-    }
-    Ok(contents)
 }
 
 /// Calls `visit` for every file below `folder` and for every folder that cannot be read. Does not
@@ -216,6 +189,14 @@ fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
         .any(|expected| name == Path::new(expected))
     {
         return true;
+    }
+    // Only regular files: a pipe or a device may have no end.
+    let is_small_file = |path: &Path| {
+        let metadata = path.symlink_metadata();
+        metadata.is_ok_and(|metadata| metadata.is_file() && metadata.len() <= MAX_COMPARED_SIZE)
+    };
+    if !is_small_file(path) {
+        return false;
     }
     let (Ok(theirs), Ok(ours)) = (std::fs::read(path), std::fs::read(trusted.join(name))) else {
         return false;
@@ -276,6 +257,8 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::file_tree;
+    use crate::source_file::MAX_FILE_SIZE;
 
     const COURSE: &str = r#"
         conventions = []
@@ -383,16 +366,48 @@ mod tests {
                 &[("README.md", b"x".as_slice())],
                 "contains no stage: expected a folder stages/<stage>/src, where <stage> is intersect.",
             ),
-            (
-                &[(lib, b"\xff\xfe".as_slice())],
-                "lib.rs is not UTF-8 text: save it as UTF-8",
-            ),
             (&[(lib, large.as_slice())], "bytes: expected at most"),
         ] {
             let (_folder, submission) = read(files);
             let error = submission.unwrap_err();
             assert!(error.contains(why), "{error}");
         }
+    }
+
+    #[test]
+    fn unusual_text_is_read_and_said() {
+        let (_folder, submission) = read(&[
+            ("stages/intersect/src/lib.rs", b"mod a;\r\nmod b;\r\n"),
+            ("stages/intersect/src/a.rs", b"\xff\xfe"),
+        ]);
+        let submission = submission.unwrap();
+        let files = &submission.stages["intersect"];
+        assert_eq!(files[Path::new("lib.rs")], b"mod a;\nmod b;\n");
+        let [first, second] = &submission.notes[..] else {
+            panic!("{:?}", submission.notes);
+        };
+        assert!(
+            first.starts_with("stages/intersect/src/a.rs is UTF-16"),
+            "{first}"
+        );
+        assert!(
+            second.starts_with("stages/intersect/src/lib.rs has Windows line ends"),
+            "{second}"
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_not_opened() {
+        let (folder, _) = read(&[("stages/intersect/src/lib.rs", b"")]);
+        let made = std::process::Command::new("mkfifo")
+            .arg(folder.path().join("notes.txt"))
+            .status();
+        assert!(made.unwrap().success());
+        assert_eq!(
+            reread(&folder).unwrap().ignored,
+            [PathBuf::from("notes.txt")]
+        );
     }
 
     /// Uses a link that points to itself: not even the superuser can read it.

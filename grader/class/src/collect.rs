@@ -111,6 +111,15 @@ impl Class {
         counts
     }
 
+    /// How many submissions there are, and how they ended.
+    pub fn summary(&self) -> String {
+        let counts = self.counts().into_iter();
+        let counts: Vec<String> = counts
+            .map(|(label, count)| format!("{count} {label}"))
+            .collect();
+        format!("{} submissions: {}", self.rows.len(), counts.join(", "))
+    }
+
     /// Core and extra points possible.
     pub fn max_score(&self) -> [f64; 2] {
         self.plan

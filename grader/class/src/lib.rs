@@ -13,7 +13,7 @@
 //! - [`plan`]: which units a class needs; `OUT/class.json`
 //! - [`unit`]: the result of one unit, and how it is graded
 //! - [`pool`]: grades units on this machine, several at a time
-//! - [`collect`]: reads `OUT`; [`gradebook`], [`likeness`] and [`pages`] are made from what it returns
+//! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
 //! - [`regrade`]: old and new scores, before they are replaced
 
 pub mod cli;
@@ -29,4 +29,5 @@ pub mod plan;
 pub mod pool;
 pub mod progress;
 pub mod regrade;
+pub mod tables;
 pub mod unit;

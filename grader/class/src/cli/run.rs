@@ -6,7 +6,7 @@ use crate::course_hash;
 use crate::intake::Revision;
 use crate::plan::{Out, Plan, Settings};
 use crate::progress::Progress;
-use crate::{entries, gradebook, pages, pool, regrade, unit};
+use crate::{pool, regrade, tables, unit};
 use clap::ArgMatches;
 use grader::cli::Verdict;
 use grader::error::GraderError;
@@ -224,64 +224,25 @@ fn collect(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError> {
     write_tables(matches, out, plan)
 }
 
-/// Writes `gradebook.csv`, `class.html` and the students' pages, and prints a summary.
+/// Writes the tables and prints a summary.
 fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Verdict, GraderError> {
-    let class = Class::read(out, plan)?;
-    let hint = matches
-        .get_one::<String>("hint")
-        .and_then(|level| level.parse().ok());
-    let hint = HintLevel::ALL[hint.unwrap_or(2_usize).clamp(1, HintLevel::ALL.len()) - 1];
-    let names: Vec<&str> = class.rows.iter().map(|row| row.name.as_str()).collect();
-    let page_names = entries::page_names(&names);
-    let students = out.join("students");
-    std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
-    for (row, name) in class.rows.iter().zip(&page_names) {
-        let page = pages::student::page(&class, row, hint);
-        write_whole(&students.join(format!("{name}.html")), page.as_bytes())?;
-    }
-    remove_other_pages(&students, &page_names)?;
-    write_whole(
-        &out.join("class.html"),
-        pages::class::page(&class, &page_names).as_bytes(),
-    )?;
-    // Last: where it is, everything is.
-    write_whole(
-        &out.join("gradebook.csv"),
-        gradebook::write(&class).as_bytes(),
-    )?;
-    let counts = class.counts();
-    let counts: Vec<String> = counts
-        .iter()
-        .map(|(label, count)| format!("{count} {label}"))
-        .collect();
-    println!("{} submissions: {}", class.rows.len(), counts.join(", "));
+    let hint = matches.get_one::<String>("hint");
+    let hint = hint.and_then(|level| {
+        HintLevel::ALL
+            .into_iter()
+            .find(|hint| hint.number().to_string() == *level)
+    });
+    let class = tables::write(out, plan, hint.unwrap_or(HintLevel::Findings))?;
+    println!("{}", class.summary());
     for row in class.rows.iter().filter(|row| row.score.is_none()) {
         println!("no score: {}: {}", row.name, row.status);
     }
     println!(
-        "seed {}, {}",
+        "seed {}; tables: {}",
         class.plan.settings.seed,
-        out.join("gradebook.csv").display()
+        out.join("{gradebook.csv,class.html,students/}").display()
     );
     Ok(verdict(class.is_complete()))
-}
-
-/// Removes the pages of students who are no longer in the class.
-fn remove_other_pages(students: &Path, names: &[String]) -> Result<(), GraderError> {
-    let failed = |e| GraderError::file("read", students, e);
-    for entry in std::fs::read_dir(students).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        let is_page = path
-            .extension()
-            .is_some_and(|extension| extension == "html");
-        let is_known = path
-            .file_stem()
-            .is_some_and(|stem| names.iter().any(|name| stem == name.as_str()));
-        if is_page && !is_known {
-            std::fs::remove_file(&path).map_err(|e| GraderError::file("remove", &path, e))?;
-        }
-    }
-    Ok(())
 }
 
 /// Shows what the proposed plan changes; with `--yes` it replaces the old one.

@@ -9,17 +9,8 @@ use std::fmt::Write;
 /// The page. `page_names` are the file names of the students' pages, in the order of the rows.
 pub fn page(class: &Class, page_names: &[String]) -> String {
     let settings = &class.plan.settings;
-    let mut html = format!(
-        "<h1>{}: {} submissions</h1>\n",
-        escape(&settings.what),
-        class.rows.len()
-    );
-    let counts = class.counts();
-    let counts: Vec<String> = counts
-        .iter()
-        .map(|(label, count)| format!("{count} {label}"))
-        .collect();
-    let _ = writeln!(html, "<p>{}. {}</p>", counts.join(", "), middle(class));
+    let mut html = format!("<h1>{}: the class</h1>\n", escape(&settings.what));
+    let _ = writeln!(html, "<p>{}. {}</p>", class.summary(), middle(class));
     let _ = writeln!(
         html,
         "<p class=\"soft\">Random inputs: seed {}.",

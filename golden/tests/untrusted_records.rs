@@ -9,7 +9,7 @@ use judge::tally::Finding;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 use wire::answer::{HitsAnswer, VisitsAnswer};
-use wire::file::{FrameReader, MAX_FRAME_BYTES, write_frame};
+use wire::file::{FrameReader, Key, MAX_FRAME_BYTES, frame_bytes};
 use wire::picture::PictureAnswer;
 use wire::work::{Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
 use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};

@@ -2,20 +2,25 @@
 
 use crate::changed_signature;
 use crate::child_processes;
+use crate::child_processes::Watchdog;
 use crate::error::GraderError;
+use crate::launcher::Launcher;
+use crate::runner::{Worker, tail};
 use crate::target_folder;
 use crate::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
-use std::io::{BufRead, BufReader, IsTerminal};
+use std::io::{BufRead, BufReader, IsTerminal, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::time::Duration;
 
 /// The result of building a worker.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum BuildOutcome {
-    /// The path of the program.
-    Worker(PathBuf),
+    /// The program, and how it is started.
+    Worker(Worker),
     /// At least one crate does not compile.
     DoesNotCompile(CompileErrors),
 }
@@ -31,6 +36,8 @@ pub struct CompileErrors {
     pub messages: String,
     /// The compiler's messages about the worker itself: a stage's functions do not fit its calls.
     worker_messages: String,
+    /// The limit that the compiler exceeded, if this is why a crate does not compile.
+    pub limit: Option<BuildLimit>,
 }
 
 /// Where the code under test is built. Everything else (the course, the goldens) is the trusted
@@ -46,6 +53,18 @@ pub struct BuildRoot<'a> {
     pub sealed: bool,
     /// Prints nothing while building, neither cargo's progress nor the compiler's messages.
     pub quiet: bool,
+    /// Starts cargo, and the workers that it builds, with few rights; `None` for the rights of this
+    /// program.
+    pub launcher: Option<&'a Arc<dyn Launcher>>,
+}
+
+/// A limit that building the code exceeded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BuildLimit {
+    /// Processor time or elapsed time.
+    Time,
+    /// Memory, or the size of a file that the compiler wrote.
+    Memory,
 }
 
 /// The package and the crate of the worker.
@@ -59,6 +78,7 @@ impl BuildRoot<'_> {
             target: None,
             sealed: false,
             quiet: false,
+            launcher: None,
         }
     }
 
@@ -67,12 +87,47 @@ impl BuildRoot<'_> {
     /// stderr as they arrive, unless the build is sealed.
     pub fn build_worker(&self, features: &[&str]) -> Result<BuildOutcome, GraderError> {
         let show = !self.sealed && !self.quiet;
-        match run_cargo(self.command(features, show && has_colours()), WORKER, show)? {
-            Ok(program) => copy_under_own_name(program, features),
-            Err(errors) => Ok(BuildOutcome::DoesNotCompile(
-                self.with_explanation(errors, features, show),
-            )),
+        let command = self.command(features, show && has_colours());
+        match run_cargo(command, WORKER, show, self.launcher.is_some())? {
+            Ok(program) => {
+                let worker = copy_under_own_name(program, features)?;
+                Ok(BuildOutcome::Worker(Worker {
+                    launcher: self.launcher.cloned(),
+                    ..Worker::from(worker)
+                }))
+            }
+            Err(mut errors) => {
+                if self.launcher.is_some() {
+                    self.blame_the_code(&mut errors, features)?;
+                }
+                Ok(BuildOutcome::DoesNotCompile(
+                    self.with_explanation(errors, features, show),
+                ))
+            }
         }
+    }
+
+    /// Makes sure that the errors of a limited build are the fault of a stage. If it was ended before
+    /// the compiler named a crate, the first feature counts.
+    fn blame_the_code(
+        &self,
+        errors: &mut CompileErrors,
+        features: &[&str],
+    ) -> Result<(), GraderError> {
+        let stages = self.root.join("stages");
+        let is_given =
+            |name: &&String| *name != WORKER && (*name == "kit" || !stages.join(name).is_dir());
+        if let Some(given) = errors.failed_crates.iter().find(is_given) {
+            return Err(GraderError::new(format!(
+                "the course's own crate `{given}` cannot be built for submissions: {}",
+                errors.messages.trim()
+            )));
+        }
+        if errors.failed_crates.is_empty() {
+            let first = features.iter().map(ToString::to_string);
+            errors.failed_crates.extend(first.take(1));
+        }
+        Ok(())
     }
 
     /// Adds to the errors of a build what those about the worker mean.
@@ -99,12 +154,27 @@ impl BuildRoot<'_> {
     }
 
     fn command(&self, features: &[&str], colours: bool) -> Command {
-        let mut command = release_build(self.root, WORKER, colours);
+        let mut command = match self.launcher {
+            // In the folder of the launcher's choice: cargo reads settings in all folders above.
+            Some(launcher) => {
+                let mut command = launcher.cargo();
+                build_arguments(&mut command, WORKER, colours);
+                command
+                    .arg("--manifest-path")
+                    .arg(self.root.join("Cargo.toml"));
+                command
+            }
+            None => release_build(self.root, WORKER, colours),
+        };
+        let mut features = features.join(",");
+        if self.launcher.is_some() {
+            features.push_str(",sandbox");
+        }
         command.args([
             "--keep-going",
             "--no-default-features",
             "--features",
-            &features.join(","),
+            &features,
         ]);
         if self.sealed {
             command.args(["--offline", "--locked"]);
@@ -143,7 +213,7 @@ fn build_in(
     if let Some(target) = target {
         command.arg("--target-dir").arg(target);
     }
-    let built = run_cargo(command, package, true)?;
+    let built = run_cargo(command, package, true, false)?;
     Ok(built.map_err(|errors| errors.messages))
 }
 
@@ -154,8 +224,14 @@ fn has_colours() -> bool {
 /// The command `cargo build --release` for the program of `package`, which has the package's name.
 fn release_build(root: &Path, package: &str, colours: bool) -> Command {
     let mut command = Command::new(cargo());
+    command.current_dir(root);
+    build_arguments(&mut command, package, colours);
     command
-        .current_dir(root)
+}
+
+/// The arguments of that command.
+fn build_arguments(command: &mut Command, package: &str, colours: bool) {
+    command
         .args(["build", "--release", "--package", package, "--bin", package])
         .arg("--message-format")
         .arg(if colours {
@@ -165,59 +241,67 @@ fn release_build(root: &Path, package: &str, colours: bool) -> Command {
         })
         .stdin(Stdio::null())
         .stdout(Stdio::piped());
-    command
 }
 
 /// Runs cargo to its end. Returns the path of the program that it built, or the compiler's errors.
-/// `show` also prints the compiler's messages to stderr.
+/// `show` also prints the compiler's messages to stderr. If cargo is `limited`, a compiler that
+/// crashes or exceeds a limit is an error of the code.
 fn run_cargo(
     mut command: Command,
     package: &str,
     show: bool,
+    limited: bool,
 ) -> Result<Result<PathBuf, CompileErrors>, GraderError> {
-    let (mut child, _running) = child_processes::start(&mut command).map_err(|e| {
+    let (mut child, running) = child_processes::start(&mut command).map_err(|e| {
         GraderError::new(format!(
             "cannot run cargo ({}): {e}. Is a Rust toolchain installed?",
-            cargo().display()
+            command.get_program().display()
         ))
     })?;
+    let watchdog = limited.then(|| Watchdog::start(&running, MOST_TIME));
     let progress = child
         .stderr
         .take()
-        .map(|pipe| std::thread::spawn(move || std::io::read_to_string(pipe)));
+        .map(|pipe| std::thread::spawn(move || tail(pipe)));
     let stdout = child
         .stdout
         .take()
         .ok_or_else(|| GraderError::new("cannot read cargo's standard output"))?;
     let mut program = None;
     let mut errors = CompileErrors::default();
-    for line in BufReader::new(stdout).lines() {
-        let line =
-            line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
+    let mut stdout = BufReader::new(stdout);
+    while let Some(line) = read_line(&mut stdout)? {
         match Message::read(&line) {
             Some(Message::Program(path)) => program = Some(path),
             Some(Message::Warning(text)) if show => eprint!("{text}"),
             Some(Message::Warning(_)) | None => {}
             Some(Message::Error { text, of_crate }) => {
                 if of_crate == WORKER && package == WORKER {
-                    errors.worker_messages.push_str(&text);
+                    push_message(&mut errors.worker_messages, &text);
                 } else {
                     if show {
                         eprint!("{text}");
                     }
-                    errors.messages.push_str(&text);
+                    push_message(&mut errors.messages, &text);
                 }
                 errors.failed_crates.insert(of_crate);
             }
         }
     }
-    let status = child
-        .wait()
-        .map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
-    let stderr = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
+    let killed = watchdog.is_some_and(Watchdog::stop);
+    let status = match limited {
+        true => running.wait(&mut child, ENDING),
+        false => child.wait(),
+    };
+    let status = status.map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
+    let stderr = progress.map(|thread| thread.join().unwrap_or_default());
+    let says = stderr.as_deref().unwrap_or("Cargo's message is above.");
+    if limited && !status.success() {
+        errors.add_crashes(says, killed);
+    }
     match program {
         Some(program) if status.success() => Ok(Ok(program)),
-        _ if !errors.failed_crates.is_empty() => Ok(Err(errors)),
+        _ if killed || !errors.failed_crates.is_empty() => Ok(Err(errors)),
         // Not the fault of the code: a library is missing, for example, or a manifest is broken.
         _ => Err(GraderError::new(format!(
             "cargo could not build the package {package} in {} ({status}). {}",
@@ -225,11 +309,106 @@ fn run_cargo(
                 .get_current_dir()
                 .unwrap_or(Path::new("."))
                 .display(),
-            stderr
-                .as_deref()
-                .unwrap_or("Cargo's message is above.")
-                .trim()
+            says.trim()
         ))),
+    }
+}
+
+/// How long cargo may run if it is limited. Building one stage and the worker takes some seconds;
+/// on a busy machine, longer.
+const MOST_TIME: Duration = Duration::from_secs(600);
+
+/// How long cargo may take to end after its last message.
+const ENDING: Duration = Duration::from_secs(30);
+
+/// The longest message of cargo that is read, in bytes. Longer ones are skipped.
+const MOST_OF_LINE: u64 = 4 << 20;
+
+/// How much of the compiler's messages is kept.
+const MOST_OF_MESSAGES: usize = 64 << 10;
+
+/// Reads a line of cargo's output; `None` at the end. Of a line that is too long, nothing.
+fn read_line(input: &mut impl BufRead) -> Result<Option<String>, GraderError> {
+    let failed = |e| GraderError::new(format!("cannot read cargo's messages: {e}"));
+    let mut bytes = Vec::new();
+    let mut part = input.by_ref().take(MOST_OF_LINE);
+    let length = part.read_until(b'\n', &mut bytes).map_err(failed)?;
+    if length == 0 {
+        return Ok(None);
+    }
+    if length as u64 == MOST_OF_LINE && bytes.last() != Some(&b'\n') {
+        input.skip_until(b'\n').map_err(failed)?;
+        bytes.clear();
+    }
+    Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
+}
+
+/// Appends a message of the compiler, as long as there are not too many.
+fn push_message(messages: &mut String, text: &str) {
+    if messages.len() >= MOST_OF_MESSAGES {
+        return;
+    }
+    messages.push_str(text);
+    if messages.len() >= MOST_OF_MESSAGES {
+        messages.truncate(messages.floor_char_boundary(MOST_OF_MESSAGES));
+        messages.push_str("\n(The compiler's other messages are left out.)\n");
+    }
+}
+
+impl CompileErrors {
+    /// Adds the crates whose compiler ended without a message, which only cargo's last words
+    /// `says` tell. `killed` says whether cargo was, because it took too long.
+    fn add_crashes(&mut self, says: &str, killed: bool) {
+        let crashed = says.split("could not compile `").skip(1);
+        let crashed = crashed.filter_map(|rest| rest.split_once('`'));
+        for (name, why) in crashed {
+            let is_new = self.failed_crates.insert(name.to_string());
+            let limit = BuildLimit::of_compiler(why, says);
+            if let (true, Some(limit)) = (is_new, limit) {
+                self.limit = Some(limit);
+                let text = format!("error: the compiler ended in `{name}`: {limit}\n");
+                push_message(&mut self.messages, &text);
+            } else if is_new {
+                let text = format!("error: the compiler crashed in `{name}`\n");
+                push_message(&mut self.messages, &text);
+            }
+        }
+        if killed {
+            self.limit = Some(BuildLimit::Time);
+            let text = format!("error: building was ended: {}\n", BuildLimit::Time);
+            push_message(&mut self.messages, &text);
+        }
+    }
+}
+
+impl BuildLimit {
+    /// The limit that ended a compiler: `why` is cargo's sentence about it, `says` contains what
+    /// it printed itself.
+    fn of_compiler(why: &str, says: &str) -> Option<BuildLimit> {
+        let signal = why.split_once("(signal: ");
+        let signal = signal.and_then(|(_, rest)| rest.split([',', ')']).next());
+        let no_memory = [
+            "memory allocation of",
+            "out of memory",
+            "Cannot allocate memory",
+        ];
+        match signal {
+            // SIGXCPU; the system kills a process that goes on.
+            Some("24") => Some(BuildLimit::Time),
+            // SIGXFSZ; the system kills a process for which there is no memory.
+            Some("25" | "9") => Some(BuildLimit::Memory),
+            _ if no_memory.iter().any(|words| says.contains(words)) => Some(BuildLimit::Memory),
+            _ => None,
+        }
+    }
+}
+
+impl std::fmt::Display for BuildLimit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            BuildLimit::Time => "it needs more time than a stage may take",
+            BuildLimit::Memory => "it needs more memory than a stage may take",
+        })
     }
 }
 
@@ -267,7 +446,7 @@ pub fn cargo() -> OsString {
 
 /// Copies the worker to a name that contains its features, because the next build with other
 /// features overwrites the original.
-fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<BuildOutcome, GraderError> {
+fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<PathBuf, GraderError> {
     let mut name = format!("worker-{}", features.join("-"));
     name.push_str(std::env::consts::EXE_SUFFIX);
     let copy = program.with_file_name(name);
@@ -278,5 +457,5 @@ fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<BuildOutco
         let _ = std::fs::remove_file(&fresh); // it may be incomplete
         GraderError::file("write", &copy, e)
     })?;
-    Ok(BuildOutcome::Worker(copy))
+    Ok(copy)
 }

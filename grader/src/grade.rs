@@ -1,6 +1,6 @@
 //! Grades tasks: builds the workers, runs the cases, judges the answers and adds up the points.
 
-use crate::compile::BuildRoot;
+use crate::compile::{BuildLimit, BuildRoot};
 use crate::course::{Course, Task, stages_of};
 use crate::crash::{self, Crash};
 use crate::diagnosis;
@@ -39,6 +39,8 @@ pub struct Graded {
     pub printed: Vec<Printed>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
+    /// The limit that the compiler exceeded, if it did.
+    pub limit: Option<BuildLimit>,
 }
 
 /// Grades the code in `workspace` in place. With `times` it also measures the speedups by the BVH,
@@ -84,6 +86,7 @@ pub fn in_place(
         report: Report::new(tasks, speedups),
         printed: run.printed,
         compiler: workers.compiler,
+        limit: workers.limit,
     })
 }
 
@@ -102,6 +105,7 @@ pub fn at(
         report: Report::new(explain(workspace, run.results, &specs)?, None),
         printed: run.printed,
         compiler: workers.compiler,
+        limit: workers.limit,
     })
 }
 

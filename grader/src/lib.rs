@@ -19,6 +19,7 @@
 //! goldens), `cost` (time against accuracy).
 
 mod changed_signature;
+mod channel;
 pub mod child_processes;
 pub mod cli;
 pub mod compile;
@@ -32,6 +33,7 @@ pub mod error;
 pub mod explain;
 pub mod grade;
 pub mod interrupt;
+pub mod launcher;
 pub mod next_task;
 pub mod packed;
 pub mod picture;

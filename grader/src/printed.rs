@@ -15,6 +15,10 @@ const LAST_LINES: usize = 8;
 /// The largest part of a line that is kept.
 const LINE_BYTES: usize = 400;
 
+/// How much of the output of a worker is read. Afterwards the worker's pipe is closed: what it
+/// prints then is lost, and `println!` panics.
+const MOST_BYTES: u64 = 1 << 30;
+
 /// What the code printed to stdout and stderr in one case: whole lines.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Printed {
@@ -73,7 +77,7 @@ pub struct WorkerOutput {
 
 /// Reads the output of a worker that runs `cases`, to its end, so that the worker never waits.
 pub fn read(pipe: impl Read, cases: &[Case]) -> WorkerOutput {
-    let mut input = BufReader::with_capacity(1 << 16, pipe);
+    let mut input = BufReader::with_capacity(1 << 16, pipe.take(MOST_BYTES));
     let mut output = WorkerOutput::default();
     let mut current = Printed::default();
     // The lines before a case: nothing is printed there but messages of the runtime.

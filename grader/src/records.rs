@@ -7,7 +7,6 @@
 //! records before it count.
 
 use crate::runner::Ending;
-use wire::file::FrameReader;
 use wire::{Case, Outcome, Record, RecordFrame};
 
 /// The endings that the records of one worker contain.
@@ -22,17 +21,18 @@ pub struct Records {
 }
 
 impl Records {
-    /// The result for a file of records that cannot be opened: it fails the next case.
-    pub fn unreadable(why: &str) -> Records {
-        Records {
-            endings: vec![cannot_be_read(why)],
-            ..Records::default()
-        }
+    /// Whether everything that was read is what a worker writes.
+    pub fn is_in_order(&self) -> bool {
+        !matches!(self.endings.last(), Some(Ending::Malformed(_)))
     }
 }
 
-/// Reads the records of a worker that ran `cases` from number `first` on.
-pub fn read(frames: FrameReader, cases: &[Case], first: usize) -> Records {
+/// Reads the records of a worker that runs `cases` from number `first` on.
+pub fn read(
+    frames: impl Iterator<Item = Result<RecordFrame, String>>,
+    cases: &[Case],
+    first: usize,
+) -> Records {
     let mut records = Records::default();
     for frame in frames {
         let next = first + records.endings.len();
@@ -104,9 +104,8 @@ fn out_of_order(frame: &RecordFrame, next: usize, began: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::Cursor;
     use wire::work::{BoxWork, Probe, Ray};
-    use wire::{Answer, Work, file};
+    use wire::{Answer, Work};
 
     /// Three cases of two calls each.
     fn cases() -> Vec<Case> {
@@ -146,11 +145,7 @@ mod tests {
     }
 
     fn read_all(frames: &[RecordFrame]) -> Records {
-        let mut bytes = Vec::new();
-        for frame in frames {
-            file::write_frame(&mut bytes, frame).expect("writing to memory succeeds");
-        }
-        read(FrameReader::new(Box::new(Cursor::new(bytes))), &cases(), 0)
+        read(frames.iter().cloned().map(Ok), &cases(), 0)
     }
 
     /// The number of cases with a record, and why the next one fails.

@@ -1,18 +1,21 @@
 //! Runs workers over cases, and finds which case ended a worker.
 
+use crate::channel::Channel;
 use crate::child_processes;
 use crate::death::Death;
 use crate::error::GraderError;
 use crate::interrupt;
+use crate::launcher::{Launcher, WorkerLimits};
 use crate::printed::{self, Printed, WorkerOutput};
 use crate::records::{self, Records};
 use std::collections::HashMap;
-use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus, Stdio};
-use wire::file::{self, FrameReader};
-use wire::{Case, Outcome, Record, Work};
+use std::process::{Command, ExitStatus};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use wire::{Case, Outcome, Record, RecordFrame, Work};
 
 /// How a case ended, as seen from outside the worker.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,8 +73,23 @@ const TIMING_MEMORY_MB: u32 = 4096;
 /// For this many cases of a task that end the worker, a second run finds out in which call.
 const TRACED_DEATHS: u32 = 2;
 
-/// The file of records in a worker's folder.
-const RECORDS: &str = "records";
+/// A worker ends a case that waits for this many times its limit ([`harness`] says so), so its next
+/// frame is due then at the latest, and [`GRACE`].
+///
+/// [`harness`]: ../../harness/index.html
+const WAITING: u64 = 8;
+
+/// The time for what is not the case's own: starting, and printing up to the most that is read.
+const GRACE: Duration = Duration::from_secs(60);
+
+/// After this many workers that sent nothing in time, no other is started for the remaining cases.
+const MOST_STALLS: u32 = 2;
+
+/// How long a worker may take to end after its last record.
+const ENDING: Duration = Duration::from_secs(10);
+
+/// The processor time of a worker beyond the limits of its cases, in seconds.
+const SPARE_CPU_SECONDS: u64 = 120;
 
 /// How many bytes of a program's output [`tail`] keeps.
 const TAIL_BYTES: usize = 4096;
@@ -83,6 +101,8 @@ pub struct Worker {
     pub program: PathBuf,
     /// Environment variables to set.
     pub environment: Vec<(&'static str, String)>,
+    /// Starts it with few rights; `None` for the rights of this program.
+    pub launcher: Option<Arc<dyn Launcher>>,
 }
 
 impl From<PathBuf> for Worker {
@@ -90,6 +110,7 @@ impl From<PathBuf> for Worker {
         Worker {
             program,
             environment: Vec::new(),
+            launcher: None,
         }
     }
 }
@@ -102,6 +123,7 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
     let mut timeouts: HashMap<&str, u32> = HashMap::new();
     let mut deaths: HashMap<&str, u32> = HashMap::new();
     let mut printed = Vec::new();
+    let mut stalls = 0;
     let mut first = 0;
     while first < cases.len() {
         let process = Process {
@@ -109,10 +131,23 @@ pub fn run(worker: &Worker, cases: &[Case]) -> Result<Run, GraderError> {
             folder: folder.path(),
             cases: &cases_to_run,
         };
-        let (status, output) = process.run(first, false)?;
+        let Finished {
+            status,
+            output,
+            records: mut read,
+            has_stalled,
+        } = process.run(first, false)?;
         printed.extend(output.cases);
-        let mut read = process.records(first);
-        if read.next_began {
+        stalls += u32::from(has_stalled);
+        if has_stalled {
+            let after = first + read.endings.len();
+            read.endings.push(stalled(&cases[after], &read));
+            if stalls == MOST_STALLS {
+                let rest = cases[after + 1..].iter();
+                let rest = rest.map(|case| stalled(case, &Records::default()));
+                read.endings.extend(rest);
+            }
+        } else if read.next_began {
             let died = first + read.endings.len();
             let deaths = deaths.entry(&cases[died].task).or_default();
             *deaths += 1;
@@ -181,52 +216,103 @@ struct Process<'a> {
 impl Process<'_> {
     /// Runs the cases from number `first` on in a worker, until it ends. `write_calls` also records
     /// each call.
-    fn run(
-        self,
-        first: usize,
-        write_calls: bool,
-    ) -> Result<(ExitStatus, WorkerOutput), GraderError> {
-        let (cases_file, records) = (self.folder.join("cases"), self.folder.join(RECORDS));
-        file::write_cases(&cases_file, self.cases)
-            .map_err(|e| GraderError::file("write", &cases_file, e))?;
-        // Nothing that an earlier worker wrote is read again.
-        File::create(&records).map_err(|e| GraderError::file("write", &records, e))?;
+    fn run(self, first: usize, write_calls: bool) -> Result<Finished, GraderError> {
         let program = &self.worker.program;
         let failed = |e| GraderError::file("start", program, e);
         // One pipe, so that the lines of stdout and stderr stay in their order.
-        let (reader, stdout) = std::io::pipe().map_err(failed)?;
+        let (reader, stdout) = io::pipe().map_err(failed)?;
         let stderr = stdout.try_clone().map_err(failed)?;
+        let (channel, stdin) = Channel::new(self.folder).map_err(failed)?;
         let environment = self.worker.environment.iter();
-        let mut command = Command::new(program);
+        let mut command = self.command(first);
         command
             // A backtrace shows the worker's functions, and floods the report.
             .env("RUST_BACKTRACE", "0")
             .envs(environment.map(|(name, value)| (name, value)))
-            .arg(&cases_file)
-            .arg(&records)
+            .arg(channel.records())
             .arg(first.to_string())
             .arg(memory_mb(self.cases).to_string())
             .args(write_calls.then_some("calls"))
+            .args(self.worker.launcher.is_some().then_some("sealed"))
             .current_dir(self.folder)
-            .stdin(Stdio::null())
+            .stdin(stdin)
             .stdout(stdout)
             .stderr(stderr);
-        let (mut child, _running) = child_processes::start(&mut command).map_err(failed)?;
-        // It holds the other end of the pipe.
+        let (mut child, running) = child_processes::start(&mut command).map_err(failed)?;
+        // It holds the other ends of the pipe and of the channel.
         drop(command);
-        let output = printed::read(reader, self.cases);
-        let status = child
-            .wait()
-            .map_err(|e| GraderError::file("wait for", program, e))?;
-        Ok((status, output))
+        let has_ended = Arc::new(AtomicBool::new(false));
+        std::thread::scope(|scope| {
+            let output = scope.spawn(|| {
+                let output = printed::read(reader, self.cases);
+                has_ended.store(true, Ordering::Release);
+                output
+            });
+            let (records, has_stalled) = self.receive(channel, first, &has_ended);
+            if has_stalled || !records.is_in_order() {
+                running.kill();
+            }
+            let status = running.wait(&mut child, ENDING);
+            let status = status.map_err(|e| GraderError::file("wait for", program, e));
+            let output = output
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            Ok(Finished {
+                status: status?,
+                output,
+                records,
+                has_stalled,
+            })
+        })
     }
 
-    /// The records of a run from case `first` on.
-    fn records(self, first: usize) -> Records {
-        match FrameReader::open(&self.folder.join(RECORDS)) {
-            Ok(frames) => records::read(frames, self.cases, first),
-            Err(e) => Records::unreadable(&e.to_string()),
+    /// The command that runs the worker, without its arguments.
+    fn command(self, first: usize) -> Command {
+        let program = &self.worker.program;
+        let Some(launcher) = &self.worker.launcher else {
+            return Command::new(program);
+        };
+        let limits = self.cases[first..].iter().map(|case| case.limit_ms);
+        let limits = limits.fold(0, u64::saturating_add);
+        launcher.worker(
+            program,
+            WorkerLimits {
+                memory_mb: memory_mb(self.cases),
+                cpu_seconds: (limits / 500).saturating_add(SPARE_CPU_SECONDS),
+            },
+        )
+    }
+
+    /// Sends the cases and receives their records from number `first` on. Returns also whether the
+    /// worker sent nothing in time.
+    fn receive(
+        self,
+        channel: Channel,
+        first: usize,
+        has_ended: &Arc<AtomicBool>,
+    ) -> (Records, bool) {
+        if channel.send(self.cases).is_err() {
+            // It has ended before it read them: its status says more.
+            return (Records::default(), false);
         }
+        let (mut frames, deadline) = channel.frames(has_ended);
+        let mut wait = GRACE;
+        let in_time = std::iter::from_fn(|| {
+            deadline.set(wait);
+            let frame = frames.next();
+            if let Some(Ok(RecordFrame::Started { case })) = &frame {
+                let limit_ms = self
+                    .cases
+                    .get(*case as usize)
+                    .map_or(0, |case| case.limit_ms);
+                wait = GRACE + Duration::from_millis(limit_ms.saturating_mul(WAITING));
+            }
+            // Without an end that the case is to blame for.
+            frame.filter(|frame| frame.is_ok() || !deadline.has_passed())
+        });
+        let records = records::read(in_time, self.cases, first);
+        let is_complete = first + records.endings.len() == self.cases.len();
+        (records, !is_complete && deadline.has_passed())
     }
 
     /// Runs case number `case` again and returns the call in which it ends the worker; `None` if it
@@ -236,9 +322,25 @@ impl Process<'_> {
             cases: &self.cases[..=case],
             ..self
         };
-        alone.run(case, true)?;
-        let records = alone.records(case);
+        let records = alone.run(case, true)?.records;
         Ok(records.call.filter(|_| records.next_began))
+    }
+}
+
+/// A worker that has ended.
+struct Finished {
+    status: ExitStatus,
+    output: WorkerOutput,
+    records: Records,
+    /// It sent nothing in time and was ended.
+    has_stalled: bool,
+}
+
+/// The ending of a case whose worker did not even say that the time was over.
+fn stalled(case: &Case, records: &Records) -> Ending {
+    Ending::TimedOut {
+        call: records.call.unwrap_or(0),
+        limit_ms: case.limit_ms,
     }
 }
 

@@ -4,8 +4,7 @@
 //! out. If the errors are in another crate (a changed signature breaks the worker), each stage is
 //! built alone.
 
-use crate::compile::BuildRoot;
-use crate::compile::{BuildOutcome, CompileErrors};
+use crate::compile::{BuildLimit, BuildOutcome, BuildRoot, CompileErrors};
 use crate::error::GraderError;
 use crate::runner::Worker;
 use crate::stage_workers::StageWorkers;
@@ -30,6 +29,8 @@ pub struct WorkerSet {
     pub whole_scene: Result<Worker, String>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
+    /// The limit that the compiler exceeded, if it did.
+    pub limit: Option<BuildLimit>,
 }
 
 impl WorkerSet {
@@ -46,12 +47,13 @@ impl WorkerSet {
             let mut features = remaining.clone();
             features.extend(whole_scene.then_some(SCENES_FEATURE));
             let errors = match build_root.build_worker(&features)? {
-                BuildOutcome::Worker(program) => {
-                    workers.add(&remaining, whole_scene, &program.into());
+                BuildOutcome::Worker(worker) => {
+                    workers.add(&remaining, whole_scene, &worker);
                     break;
                 }
                 BuildOutcome::DoesNotCompile(errors) => errors,
             };
+            workers.limit = workers.limit.or(errors.limit);
             let is_stage = |name: &String| {
                 let mut known = stages.iter().chain(&INTERSECTION_STAGES);
                 known.any(|stage| stage == name)
@@ -86,8 +88,9 @@ impl WorkerSet {
             .filter(|stage| whole_scene && !stages.contains(stage));
         for &stage in stages.iter().chain(others) {
             match build_root.build_worker(&[stage])? {
-                BuildOutcome::Worker(program) => workers.add(&[stage], false, &program.into()),
+                BuildOutcome::Worker(worker) => workers.add(&[stage], false, &worker),
                 BuildOutcome::DoesNotCompile(errors) => {
+                    workers.limit = workers.limit.or(errors.limit);
                     workers.compiler.push_str(&errors.messages);
                     all_errors.failed_crates.insert(stage.to_string());
                 }
@@ -96,7 +99,7 @@ impl WorkerSet {
         if whole_scene {
             let failed = failed_intersection_stages(&all_errors);
             workers.whole_scene = match (failed, build_root.build_worker(&[SCENES_FEATURE])?) {
-                (None, BuildOutcome::Worker(program)) => Ok(program.into()),
+                (None, BuildOutcome::Worker(worker)) => Ok(worker),
                 (names, _) => Err(names.unwrap_or_else(|| SCENES_WORKER.into())),
             };
         }
@@ -109,6 +112,7 @@ impl WorkerSet {
             by_stage: BTreeMap::new(),
             whole_scene: Err(SCENES_WORKER.into()),
             compiler: String::new(),
+            limit: None,
         }
     }
 

@@ -51,7 +51,8 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         ],
     ),
     ("wire", &[]),
-    ("harness", &["kit", "wire"]),
+    ("sandbox", &[]),
+    ("harness", &["kit", "sandbox", "wire"]),
     (
         "worker",
         &[
@@ -75,7 +76,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("pictures", &["judge", "kit", "wire"]),
     ("grader", &["kit", "judge", "pictures", "wire"]),
     ("pages", &["grader", "judge", "pictures", "wire"]),
-    ("submission", &["grader", "judge"]),
+    ("submission", &["grader", "judge", "sandbox"]),
     (
         "review",
         &[

@@ -164,18 +164,13 @@ fn case(name: &str) -> Case {
 }
 
 fn main() -> ExitCode {
-    // A worker gets the files of its cases and records; the test program, options.
-    if std::env::args()
-        .nth(2)
-        .is_some_and(|path| path.contains("records"))
-    {
+    // A worker gets the place of its records; the test program, options.
+    let first = std::env::args().nth(1);
+    if first.is_some_and(|first| first == "-" || first.ends_with("records")) {
         return harness::main(&MEMORY, run_case);
     }
     let this_program = std::env::current_exe().expect("this program has a path");
-    let worker = Worker {
-        program: this_program,
-        environment: Vec::new(),
-    };
+    let worker = Worker::from(this_program);
     let right = ["before", "prints", "after"].map(case);
     let cases: Vec<Case> = right[..2]
         .iter()

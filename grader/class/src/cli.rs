@@ -91,6 +91,10 @@ pub fn command() -> Command {
         .arg(flag("collect", "Make the tables of what is graded, and grade none").conflicts_with_all(["shard", "list"]))
         .arg(flag("regrade", "Grade again what changed since, and show old and new scores; `--yes` replaces them"))
         .arg(flag("yes", "With --regrade: replace the old scores").requires("regrade"))
+        .arg(flag(
+            "unsandboxed",
+            "Grade submissions where they cannot be contained: their code has all your rights",
+        ))
         .arg(Arg::new("unit").long("unit").value_name("KEY").hide(true))
         .arg(flag("of-pool", "").hide(true))
         .arg(folder("course").long("course").hide(true))

@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
+use submission::containment::Containment;
 use submission::one::{self, GradingCourse, NotGraded, Options};
 
 /// The result of one unit: the file `OUT/units/KEY.json`. A plan says which students it belongs to.
@@ -83,6 +84,7 @@ pub fn grade(
     planned: &Planned,
     class: &Path,
     workspace: &Workspace,
+    containment: Containment,
     out: &Out,
 ) -> Result<(), GraderError> {
     let State::Unit {
@@ -95,7 +97,7 @@ pub fn grade(
         )));
     };
     let started = Instant::now();
-    let course = GradingCourse::open(workspace)?;
+    let course = GradingCourse::open(workspace, containment)?;
     let settings = &plan.settings;
     let read = plan::read(
         class,

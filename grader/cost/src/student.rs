@@ -63,10 +63,7 @@ impl Student {
             return Ok(Err("there is no workspace".into()));
         };
         Ok(match BuildRoot::of(workspace).build_worker(&[feature])? {
-            BuildOutcome::Worker(program) => Ok(Student {
-                worker: program.into(),
-                task,
-            }),
+            BuildOutcome::Worker(worker) => Ok(Student { worker, task }),
             BuildOutcome::DoesNotCompile(_) => Err("your code does not compile".into()),
         })
     }

@@ -1,12 +1,51 @@
 //! Measures the processor time of the student's thread. Neither waiting for a processor on a busy
 //! machine nor printing counts.
 
-use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::cell::RefCell;
+use std::fs::File;
+use std::io::{Read, Seek};
+use std::path::Path;
+use std::sync::{Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
-/// The folder in which Linux shows the times and the output of the student's thread.
-static THREAD: OnceLock<PathBuf> = OnceLock::new();
+/// The files in which Linux shows the time and the output of a thread. They are opened before the
+/// student's code runs, and in a sandbox nothing else can be opened there.
+struct ThreadFiles {
+    schedstat: Option<File>,
+    io: Option<File>,
+}
+
+impl ThreadFiles {
+    /// The files of the current thread.
+    fn open() -> ThreadFiles {
+        let open = |name| File::open(Path::new("/proc/thread-self").join(name)).ok();
+        ThreadFiles {
+            schedstat: open("schedstat"),
+            io: open("io"),
+        }
+    }
+
+    /// The processor time of the thread since its start, if the system reports it.
+    fn time(&mut self) -> Option<Duration> {
+        nanoseconds(&text(self.schedstat.as_mut()?)?)
+    }
+}
+
+/// The whole text of a file, as it is now.
+fn text(file: &mut File) -> Option<String> {
+    let mut text = String::new();
+    file.rewind().ok()?;
+    file.read_to_string(&mut text).ok()?;
+    Some(text)
+}
+
+/// The files of the student's thread.
+static STUDENT: OnceLock<Mutex<ThreadFiles>> = OnceLock::new();
+
+thread_local! {
+    /// The files of this thread.
+    static THIS_THREAD: RefCell<ThreadFiles> = RefCell::new(ThreadFiles::open());
+}
 
 /// A generous estimate of the time that formatting and writing takes: for each write to the system
 /// (`println!` makes one for each line, `eprintln!` one for each piece of it). Measured: 0.6 µs for
@@ -21,9 +60,8 @@ const WAITING: u32 = 8;
 
 /// Makes the current thread the one whose time is measured.
 pub(crate) fn start() {
-    if let Ok(thread) = std::fs::read_link("/proc/thread-self") {
-        let _ = THREAD.set(PathBuf::from("/proc").join(thread));
-    }
+    let _ = STUDENT.set(Mutex::new(ThreadFiles::open()));
+    THIS_THREAD.with_borrow(|_| ());
 }
 
 /// The processor time of the current thread since some moment; where the system does not report it,
@@ -32,10 +70,8 @@ pub fn thread_time() -> Duration {
     static START: OnceLock<Instant> = OnceLock::new();
     // The system updates the time of a thread when it gives up the processor.
     std::thread::yield_now();
-    let times = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    times
-        .and_then(|times| nanoseconds(&times))
-        .unwrap_or_else(|| START.get_or_init(Instant::now).elapsed())
+    let time = THIS_THREAD.with_borrow_mut(ThreadFiles::time);
+    time.unwrap_or_else(|| START.get_or_init(Instant::now).elapsed())
 }
 
 /// Measures the time of one case.
@@ -81,8 +117,8 @@ impl Output {
     /// The output of the student's thread since its start; none where the system does not report
     /// it.
     pub(crate) fn of_student() -> Output {
-        let io = THREAD.get().map(|thread| thread.join("io"));
-        let io = io.and_then(|path| std::fs::read_to_string(path).ok());
+        let io = STUDENT.get().and_then(|files| files.lock().ok());
+        let io = io.and_then(|mut files| text(files.io.as_mut()?));
         io.as_deref().map(Output::parse).unwrap_or_default()
     }
 
@@ -125,7 +161,7 @@ fn left(limit: Duration, passed: Duration, worked: Option<Duration>) -> Option<D
 
 /// The processor time of the student's thread since its start, if the system reports it.
 fn worked() -> Option<Duration> {
-    nanoseconds(&std::fs::read_to_string(THREAD.get()?.join("schedstat")).ok()?)
+    STUDENT.get()?.lock().ok()?.time()
 }
 
 /// The processor time in the text of a file `schedstat`: its first number.

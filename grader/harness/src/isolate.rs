@@ -4,12 +4,12 @@ use crate::call_limit::CalledTooOften;
 use kit::hole::Hole;
 use std::any::Any;
 use std::cell::RefCell;
-use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, OnceLock};
 use wire::answer::HoleCall;
-use wire::{Answer, Case, Outcome, Record, RecordFrame, Work, file};
+use wire::file::FrameWriter;
+use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
 
 /// The case that is running.
 static CASE: AtomicU32 = AtomicU32::new(0);
@@ -17,8 +17,8 @@ static CASE: AtomicU32 = AtomicU32::new(0);
 /// The call of the student's code that is running, counted from 0 in its case.
 static CALL: AtomicU32 = AtomicU32::new(0);
 
-/// The file of records, if each call is written to it.
-static CALLS: OnceLock<File> = OnceLock::new();
+/// The writer of records, if each call is written to it.
+static CALLS: OnceLock<&Mutex<FrameWriter>> = OnceLock::new();
 
 thread_local! {
     static PANIC_LOCATION: RefCell<String> = const { RefCell::new(String::new()) };
@@ -60,16 +60,16 @@ pub fn attempt<T>(called: &str, function: impl FnOnce() -> T) -> Option<T> {
 pub fn call(index: usize) {
     let call = u32::try_from(index).unwrap_or(u32::MAX);
     CALL.store(call, Ordering::Relaxed);
-    if let Some(mut records) = CALLS.get() {
+    if let Some(Ok(mut records)) = CALLS.get().map(|records| records.lock()) {
         let case = CASE.load(Ordering::Relaxed);
         // If the entry is lost, the report does not say which call ended the worker.
-        let _ = file::write_frame(&mut records, &RecordFrame::Calling { case, call });
+        let _ = records.write(&RecordFrame::Calling { case, call });
     }
 }
 
 /// Writes an entry to `records` for each call from now on, so that they show which call ended the
 /// worker.
-pub(crate) fn write_calls(records: File) {
+pub(crate) fn write_calls(records: &'static Mutex<FrameWriter>) {
     let _ = CALLS.set(records);
 }
 

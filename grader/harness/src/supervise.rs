@@ -1,5 +1,7 @@
-//! The worker program: `worker CASES RECORDS FIRST MEMORY_MB` runs the cases from number FIRST on
-//! and appends their records. With a fifth argument `calls` it also writes an entry for each call.
+//! The worker program: `worker RECORDS FIRST MEMORY_MB` reads cases from its standard input, runs
+//! them from number FIRST on and sends their records back. RECORDS is the file of records where the
+//! standard input cannot be a socket, and `-` elsewhere. Two words may follow: with `calls` it also
+//! sends an entry for each call; with `sealed` the student's thread gives up all rights first.
 //!
 //! Before each case it prints [`wire::output_marker`], so that the grader knows which case printed
 //! what.
@@ -8,17 +10,18 @@
 //! thread enforces the time limit. A case that exceeds its time or memory limit ends the worker:
 //! the grader reads which case it was and starts another worker with the next case.
 
+use crate::channel;
 use crate::clock::{self, Output, Stopwatch};
 use crate::isolate;
 use cap::Cap;
 use std::alloc::System;
-use std::fs::{File, OpenOptions};
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
+use std::sync::Mutex;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
-use wire::{Case, Record, RecordFrame, file};
+use wire::file::FrameWriter;
+use wire::{Case, Record, RecordFrame};
 
 /// Stack size of the student's thread: enough for recursion over a deep tree; endless recursion
 /// overflows it soon.
@@ -44,34 +47,29 @@ pub fn main(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> ExitCode {
 
 fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let (arguments, write_calls) = match arguments.as_slice() {
-        [arguments @ .., last] if last == "calls" => (arguments, true),
-        arguments => (arguments, false),
-    };
-    let [cases, records, first, memory_mb] = arguments else {
+    let [records, first, memory_mb, options @ ..] = arguments.as_slice() else {
         return Err("the grader starts this program: run `cargo grader part1` instead".into());
     };
+    let has = |option: &str| options.iter().any(|given| given == option);
     let first: u32 = first
         .parse()
         .map_err(|e| format!("FIRST is {first}: {e}"))?;
     let memory_mb: usize = memory_mb
         .parse()
         .map_err(|e| format!("MEMORY_MB is {memory_mb}: {e}"))?;
-    let cases =
-        file::read_cases(Path::new(cases)).map_err(|e| format!("cannot read {cases}: {e}"))?;
-    let out = OpenOptions::new().append(true).create(true).open(records);
-    let out = out.map_err(|e| format!("cannot write {records}: {e}"))?;
-
-    if write_calls {
-        let file = out.try_clone();
-        isolate::write_calls(file.map_err(|e| format!("cannot write {records}: {e}"))?);
+    let (cases, records) =
+        channel::open(records).map_err(|e| format!("cannot read the cases: {e}"))?;
+    // The student's thread writes to it, too, and may outlive this function.
+    let records: &Mutex<FrameWriter> = Box::leak(Box::new(Mutex::new(records)));
+    if has("calls") {
+        isolate::write_calls(records);
     }
     isolate::watch_panics();
     // The memory of the cases does not count.
     memory
         .set_limit(memory.allocated().saturating_add(memory_mb << 20))
         .map_err(|_| "no memory left".to_string())?;
-    watch(cases, first, out, run)
+    watch(cases, first, records, has("sealed"), run)
 }
 
 /// Runs the cases on another thread, one after the other, and ends the process when one takes too
@@ -79,7 +77,8 @@ fn work(memory: &Cap<System>, run: fn(u32, &Case) -> Record) -> Result<(), Strin
 fn watch(
     cases: Vec<Case>,
     first: u32,
-    mut out: File,
+    records: &Mutex<FrameWriter>,
+    sealed: bool,
     run: fn(u32, &Case) -> Record,
 ) -> Result<(), String> {
     let limits: Vec<Duration> = cases
@@ -90,6 +89,11 @@ fn watch(
     let (to_watch, finished) = mpsc::channel::<Record>();
     let run_all = move || {
         clock::start();
+        if sealed && let Err(why) = seal() {
+            // Nothing of the student's has run, so this is no result.
+            eprintln!("worker: cannot give up its rights: {why}");
+            std::process::exit(2);
+        }
         for index in indices {
             // On this thread: if the student's code keeps stdout locked, this one waits in vain,
             // and the time limit ends it.
@@ -108,8 +112,10 @@ fn watch(
         .spawn(run_all)
         .map_err(|e| format!("cannot start a thread: {e}"))?;
 
-    let mut write = |frame: &RecordFrame| {
-        file::write_frame(&mut out, frame).map_err(|e| format!("cannot write a record: {e}"))
+    let write = |frame: &RecordFrame| {
+        let mut records = records.lock().map_err(|e| e.to_string())?;
+        let written = records.write(frame);
+        written.map_err(|e| format!("cannot write a record: {e}"))
     };
     for (case, limit) in (first..).zip(&limits[(first as usize).min(limits.len())..]) {
         write(&RecordFrame::Started { case })?;
@@ -139,6 +145,18 @@ fn watch(
         }
     }
     Ok(())
+}
+
+/// Gives up all rights of this thread.
+#[cfg(feature = "sandbox")]
+fn seal() -> Result<(), String> {
+    sandbox::confine::seal_thread()
+}
+
+/// A worker that was built for a student's own run has nothing to give up its rights with.
+#[cfg(not(feature = "sandbox"))]
+fn seal() -> Result<(), String> {
+    Err("it was built without the feature `sandbox`".into())
 }
 
 /// Prints `text` and everything that was printed before.

@@ -28,7 +28,6 @@ use grader::worker_set::WorkerSet;
 use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::Spec;
-use std::path::Path;
 use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
@@ -107,15 +106,15 @@ impl Review {
             match submission.stages.get(stage) {
                 None => review
                     .add_without_answer(&grade::chosen(&of_stage, specs)?, &Status::NotAttempted),
-                Some(sources) if !sources.contains_key(Path::new("lib.rs")) => {
+                Some(_) if !submission.why_not_built(stage).is_empty() => {
                     review.add_without_answer(
                         &grade::chosen(&of_stage, specs)?,
                         &Status::DoesNotCompile,
                     );
                 }
                 Some(sources) => {
-                    let build_root = clean.with_stages(&[(stage, sources)])?;
-                    let workers = grade::workers(&build_root, &of_stage, specs, false)?;
+                    let folder = clean.with_stages(&[(stage, sources)])?;
+                    let workers = grade::workers(&folder.build_root(), &of_stage, specs, false)?;
                     review.add(workspace, course, &of_stage, specs, &workers, author)?;
                 }
             }

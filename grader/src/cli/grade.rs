@@ -79,7 +79,7 @@ pub(super) fn student_arguments() -> [Arg; 4] {
 }
 
 /// The arguments for grading submissions instead of the workspace's own code.
-pub fn submission_arguments() -> [Arg; 3] {
+pub fn submission_arguments() -> [Arg; 4] {
     let folder = |name: &'static str, help: &'static str| {
         Arg::new(name)
             .long(name)
@@ -98,13 +98,19 @@ pub fn submission_arguments() -> [Arg; 3] {
             .long("together")
             .action(ArgAction::SetTrue)
             .help("Also grade all stages of a submission linked together"),
+        Arg::new("unsandboxed")
+            .long("unsandboxed")
+            .action(ArgAction::SetTrue)
+            .help("Grade submissions where they cannot be contained: their code has all your rights"),
     ]
 }
 
 /// Whether any of the [`submission_arguments`] is present.
 pub(super) fn is_for_submissions(matches: &ArgMatches) -> bool {
     let folders = ["submission", "class"];
-    matches.get_flag("together") || folders.iter().any(|name| matches.contains_id(name))
+    let flags = ["together", "unsandboxed"];
+    flags.iter().any(|name| matches.get_flag(name))
+        || folders.iter().any(|name| matches.contains_id(name))
 }
 
 /// Reads what to grade. Naming none, or more than one part or task, is an error.

@@ -1,64 +1,255 @@
-//! The workspace that submissions are built in: trusted files and the submission's sources.
+//! The course as submissions are built with it: trusted files only, and what was compiled of them
+//! before any submission.
 
+use crate::build_folder::BuildFolder;
+use crate::containment::Containment;
 use crate::file_tree::{self, Files};
-use crate::packages::{lock, manifest, members};
-use grader::compile::BuildRoot;
+use crate::jail::Jail;
+use crate::packages::members::{self, Member};
+use crate::packages::{lock, manifest};
+use crate::toolchain::Toolchain;
+use grader::compile;
 use grader::error::GraderError;
-use grader::interrupt::{self, LockFile};
+use grader::interrupt;
+use grader::launcher::Launcher;
 use grader::workspace::Workspace;
+use std::fs::File;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
-/// A workspace for building one submission after the other. Cargo rebuilds only what differs.
+/// What all submissions share. It is made once for each version of the course and the compiler, and
+/// then never written again: each submission is built in a folder of its own. Threads may share it.
 #[derive(Debug)]
 pub struct CleanWorkspace {
-    folder: PathBuf,
-    target: PathBuf,
+    /// The folder of everything here.
+    top: PathBuf,
     /// The files of the worker and its dependencies, with the reference's stages. No tests, no
     /// goldens.
-    trusted: Files,
-    _lock: LockFile,
+    trusted: PathBuf,
+    /// The sources of the libraries from the registry.
+    libraries: PathBuf,
+    /// What cargo built of both.
+    target: PathBuf,
+    /// Cargo's settings.
+    home: PathBuf,
+    /// The manifests of the crates, relative to the workspace, and that of the workspace.
+    manifests: Vec<PathBuf>,
+    toolchain: Toolchain,
+    containment: Containment,
 }
 
+/// The folder of the worker's crate: all that is compiled for a submission besides its stages.
+const WORKER: &str = "grader/worker";
+
+/// The file that says that everything was made.
+const COMPLETE: &str = "complete";
+
 impl CleanWorkspace {
-    /// Opens the clean workspace in the folder `target/` of `workspace`. Fails if another grader
-    /// uses it.
-    pub fn open(workspace: &Workspace) -> Result<CleanWorkspace, GraderError> {
-        let top = workspace.root().join("target/submissions");
-        std::fs::create_dir_all(&top).map_err(|e| GraderError::file("create", &top, e))?;
-        let target = top.join("target");
-        if !target.is_dir() {
-            // A sealed build does not print cargo's progress.
-            eprintln!("Building the course for submissions. The first time takes a few minutes.");
+    /// Opens what submissions to the course `workspace` share, in its folder `target/submissions`.
+    /// Makes it first if it does not exist for this version of course and compiler.
+    pub fn open(
+        workspace: &Workspace,
+        containment: Containment,
+    ) -> Result<CleanWorkspace, GraderError> {
+        let root = workspace.root();
+        let toolchain = Toolchain::of(root)?;
+        if containment.is_sandbox()
+            && let Some(why) = toolchain.exposes(root)
+        {
+            return Err(GraderError::new(why));
         }
-        let lock = interrupt::lock(&top.join("in_use"))?;
-        Ok(CleanWorkspace {
-            folder: top.join("job"),
-            target,
-            trusted: trusted_files(workspace)?,
-            _lock: lock,
-        })
+        let files = trusted_files(workspace)?;
+        let all = root.join("target/submissions");
+        std::fs::create_dir_all(&all).map_err(|e| GraderError::file("create", &all, e))?;
+        let top = all.join(version(&files, &toolchain));
+        let manifests = files.keys();
+        let manifests = manifests.filter(|path| {
+            let name = path.file_name().unwrap_or_default();
+            name == "Cargo.toml" || name == "Cargo.lock"
+        });
+        let clean = CleanWorkspace {
+            trusted: top.join("course"),
+            libraries: top.join("libraries"),
+            target: top.join("target"),
+            home: top.join("home"),
+            manifests: manifests.cloned().collect(),
+            toolchain,
+            containment,
+            top,
+        };
+        // Another grader may be making it.
+        let _lock = file_lock(&all.join("lock"))?;
+        if !clean.top.join(COMPLETE).is_file() {
+            clean.make(&files)?;
+        }
+        Ok(clean)
     }
 
-    /// Writes the workspace with these stages in place of the reference's.
-    pub fn with_stages(&self, stages: &[(&str, &Files)]) -> Result<BuildRoot<'_>, GraderError> {
-        let mut files = self.trusted.clone();
-        for (stage, sources) in stages {
-            let src = Path::new("stages").join(stage).join("src");
-            files.retain(|path, _| !path.starts_with(&src));
-            files.extend(
-                sources
-                    .iter()
-                    .map(|(path, text)| (src.join(path), text.clone())),
-            );
-        }
-        file_tree::sync_folder(&self.folder, &files)?;
-        Ok(BuildRoot {
-            root: &self.folder,
-            target: Some(&self.target),
-            sealed: true,
-            quiet: true,
-        })
+    /// How the code of submissions is contained.
+    pub fn containment(&self) -> &Containment {
+        &self.containment
     }
+
+    /// Writes the workspace with these stages in place of the reference's, to a folder that is
+    /// removed with the returned value.
+    pub fn with_stages(&self, stages: &[(&str, &Files)]) -> Result<BuildFolder, GraderError> {
+        BuildFolder::new(self, stages)
+    }
+
+    /// Makes everything. What an interrupted run has left is removed.
+    fn make(&self, files: &Files) -> Result<(), GraderError> {
+        eprintln!("Building the course for submissions. This is done once and takes a minute.");
+        if self.top.exists() {
+            let removed = std::fs::remove_dir_all(&self.top);
+            removed.map_err(|e| GraderError::file("remove", &self.top, e))?;
+        }
+        file_tree::sync_folder(&self.trusted, files)?;
+        self.fetch_libraries()?;
+        for folder in [&self.home, &self.target] {
+            let created = std::fs::create_dir_all(folder);
+            created.map_err(|e| GraderError::file("create", folder, e))?;
+        }
+        file_tree::write(&self.home.join("config.toml"), self.settings().as_bytes())?;
+        self.build()?;
+        file_tree::write(&self.top.join(COMPLETE), b"")
+    }
+
+    /// Copies the sources of the libraries, with the settings of the person who grades.
+    fn fetch_libraries(&self) -> Result<(), GraderError> {
+        let vendor = |more: &[&str]| {
+            Command::new(compile::cargo())
+                .current_dir(&self.trusted)
+                .args(["vendor", "--locked", "--quiet", "--versioned-dirs"])
+                .args(more)
+                .arg(&self.libraries)
+                .stdin(Stdio::null())
+                .output()
+                .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))
+        };
+        let mut output = vendor(&["--offline"])?;
+        if !output.status.success() {
+            // Libraries for other systems are in the lock file, but not on every disk.
+            output = vendor(&[])?;
+        }
+        match output.status.success() {
+            true => Ok(()),
+            false => Err(GraderError::new(format!(
+                "cargo cannot copy the libraries for submissions. Run `cargo fetch --locked` with a network once. {}",
+                String::from_utf8_lossy(&output.stderr).trim()
+            ))),
+        }
+    }
+
+    /// The settings of the cargo that builds submissions.
+    fn settings(&self) -> String {
+        format!(
+            "[source.crates-io]\nreplace-with = \"copied\"\n\n[source.copied]\ndirectory = {}\n\n[net]\noffline = true\n",
+            toml_string(&self.libraries)
+        )
+    }
+
+    /// Builds the worker with the reference's stages, under the same limits as a submission, but
+    /// with all of the course's files.
+    fn build(&self) -> Result<(), GraderError> {
+        let temporary = interrupt::temp_folder()?;
+        let jail = Jail {
+            containment: self.containment.clone(),
+            toolchain: self.toolchain.clone(),
+            root: self.trusted.clone(),
+            sources: vec![self.trusted.clone()],
+            libraries: self.libraries.clone(),
+            home: self.home.clone(),
+            target: self.target.clone(),
+            temporary: temporary.path().to_path_buf(),
+        };
+        let output = jail
+            .cargo()
+            .args(["build", "--release", "--package", "worker", "--quiet"])
+            .args(["--features", "sandbox", "--offline", "--locked"])
+            .arg("--manifest-path")
+            .arg(self.trusted.join("Cargo.toml"))
+            .arg("--target-dir")
+            .arg(&self.target)
+            .stdin(Stdio::null())
+            .output()
+            .map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;
+        match output.status.success() {
+            true => Ok(()),
+            false => Err(GraderError::new(format!(
+                "cargo cannot build the course for submissions: {}",
+                String::from_utf8_lossy(&output.stderr).trim()
+            ))),
+        }
+    }
+
+    /// The folder in which submissions get their folders.
+    pub(crate) fn top(&self) -> &Path {
+        &self.top
+    }
+
+    /// The course with the reference's stages.
+    pub(crate) fn trusted(&self) -> &Path {
+        &self.trusted
+    }
+
+    /// What cargo built of it.
+    pub(crate) fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Cargo's folder, with its settings.
+    pub(crate) fn home(&self) -> &Path {
+        &self.home
+    }
+
+    /// What starts the programs of a submission that is built in `root`, with these stages. Of the
+    /// course's sources it can read only what cargo compiles again.
+    pub(crate) fn jail(
+        &self,
+        root: &Path,
+        target: &Path,
+        home: PathBuf,
+        temporary: PathBuf,
+        stages: &[&str],
+    ) -> Jail {
+        let manifests = self.manifests.iter().map(|path| root.join(path));
+        let mut sources: Vec<PathBuf> = manifests.collect();
+        sources.push(root.join(WORKER));
+        sources.extend(stages.iter().map(|stage| root.join("stages").join(stage)));
+        Jail {
+            containment: self.containment.clone(),
+            toolchain: self.toolchain.clone(),
+            root: root.to_path_buf(),
+            sources,
+            libraries: self.libraries.clone(),
+            home,
+            target: target.to_path_buf(),
+            temporary,
+        }
+    }
+}
+
+/// `path` as a string of TOML.
+fn toml_string(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+/// Locks the file `path`, until the returned value is dropped or the program ends in any way.
+fn file_lock(path: &Path) -> Result<File, GraderError> {
+    let failed = |e| GraderError::file("lock", path, e);
+    let file = File::create(path).map_err(failed)?;
+    file.lock().map_err(failed)?;
+    Ok(file)
+}
+
+/// The name of the folder for these files and this compiler.
+fn version(files: &Files, toolchain: &Toolchain) -> String {
+    let mut hasher = DefaultHasher::new();
+    files.hash(&mut hasher);
+    toolchain.version.hash(&mut hasher);
+    format!("course-{:016x}", hasher.finish())
 }
 
 /// The files of the worker and of all crates that it depends on.
@@ -76,19 +267,8 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
         let owner = members::containing_member(&members, &path);
         let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
         let wanted = match owner {
-            None => {
-                path.starts_with(".cargo")
-                    || path == Path::new("Cargo.lock")
-                    || path == Path::new("Cargo.toml")
-            }
-            Some(owner) => {
-                let inside = path.strip_prefix(&owner.folder).unwrap_or(&path);
-                let is_test = inside
-                    .iter()
-                    .next()
-                    .is_some_and(|name| members::TEST_FOLDERS.iter().any(|test| name == *test));
-                needed.contains(owner.name.as_str()) && !is_test
-            }
+            None => path == Path::new("Cargo.lock") || path == Path::new("Cargo.toml"),
+            Some(owner) => needed.contains(owner.name.as_str()) && !is_test(owner, &path),
         };
         if !wanted {
             continue;
@@ -97,8 +277,11 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
         if is_manifest {
             let text = String::from_utf8_lossy(&contents);
             contents = match owner {
-                None => manifest::without_members(&text, &left_out),
-                Some(_) => manifest::without_tests(&text),
+                None => without_unsafe(&manifest::without_members(&text, &left_out))?,
+                Some(_) => manifest::without_unused_dev_dependencies(
+                    &manifest::without_tests(&text),
+                    |_| false,
+                ),
             }
             .into_bytes();
         }
@@ -106,4 +289,40 @@ fn trusted_files(workspace: &Workspace) -> Result<Files, GraderError> {
     }
     lock::remove_unused(&mut files)?;
     Ok(files)
+}
+
+fn is_test(owner: &Member, path: &Path) -> bool {
+    let inside = path.strip_prefix(&owner.folder).unwrap_or(path);
+    let first = inside.iter().next();
+    first.is_some_and(|name| members::TEST_FOLDERS.iter().any(|test| name == *test))
+}
+
+/// The workspace's manifest with the lint against `unsafe` code such that no source file can allow
+/// it again.
+fn without_unsafe(manifest: &str) -> Result<String, GraderError> {
+    let (weak, strong) = (r#"unsafe_code = "deny""#, r#"unsafe_code = "forbid""#);
+    match manifest.contains(weak) {
+        true => Ok(manifest.replace(weak, strong)),
+        false => Err(GraderError::new(format!(
+            "Cargo.toml does not contain the line {weak}, which is made {strong} for submissions"
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_lint_against_unsafe_code_cannot_be_allowed_again() {
+        let manifest = "[workspace.lints.rust]\nunsafe_code = \"deny\"\n";
+        let strong = without_unsafe(manifest).unwrap();
+        assert_eq!(strong, "[workspace.lints.rust]\nunsafe_code = \"forbid\"\n");
+        assert!(without_unsafe("[workspace.lints.rust]\n").is_err());
+    }
+
+    #[test]
+    fn paths_are_quoted() {
+        assert_eq!(toml_string(Path::new("/a\\b\"c")), r#""/a\\b\"c""#);
+    }
 }

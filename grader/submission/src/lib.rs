@@ -5,18 +5,27 @@
 //! reference's other stages, so that a mistake in one stage costs no points in another. On request
 //! it also grades all of the student's stages together. The crate `class` grades many submissions.
 //!
-//! The student's code is limited in time and memory, but it is not sandboxed: it runs with the
-//! rights of the person who grades it.
+//! [`one::grade_one`] does all this for one folder.
+//!
+//! The code of a submission is not trusted. [`scan`] refuses what has no business in a stage;
+//! [`containment`] chooses what keeps the rest from files, programs and networks while it is
+//! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 
+pub mod build_folder;
 pub mod clean_workspace;
+pub mod containment;
 pub mod file_tree;
+mod jail;
 pub mod one;
 pub mod packages;
 pub mod read;
+pub mod scan;
 mod source_file;
+mod toolchain;
 
 use crate::file_tree::Files;
 use clean_workspace::CleanWorkspace;
+use grader::compile::BuildLimit;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
@@ -26,8 +35,6 @@ use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
 use read::Submission;
 use serde::Serialize;
-use std::fmt::Write;
-use std::path::Path;
 
 /// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
@@ -47,6 +54,9 @@ pub struct SubmissionReport {
     pub seed: u64,
     /// How the code was contained while it was compiled and run: one line.
     pub containment: String,
+    /// The limit that the compiler exceeded, if it did.
+    #[serde(skip)]
+    pub limit: Option<BuildLimit>,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
     /// What the student's code printed, case by case.
@@ -75,7 +85,8 @@ impl SubmissionReport {
                 .collect(),
             reaches_out: submission.reaches_out.clone(),
             seed: request.seed,
-            containment: "none: only time and memory are limited".to_string(),
+            containment: clean.containment().to_string(),
+            limit: None,
             compiler: String::new(),
             printed: String::new(),
         };
@@ -89,19 +100,22 @@ impl SubmissionReport {
                 ungraded.extend(of_stage.map(|task| no_points(task, &Status::NotAttempted)));
                 continue;
             };
-            if !sources.contains_key(Path::new("lib.rs")) {
-                let _ = writeln!(
-                    report.compiler,
-                    "stages/{stage}/src has no lib.rs, so it cannot be built"
-                );
+            let why = submission.why_not_built(stage);
+            if !why.is_empty() {
+                report.compiler.push_str(&why);
                 ungraded.extend(of_stage.map(|task| no_points(task, &Status::DoesNotCompile)));
                 continue;
             }
             let of_stage: Vec<&Task> = of_stage.collect();
-            let build_root = clean.with_stages(&[(stage, sources)])?;
+            let folder = clean.with_stages(&[(stage, sources)])?;
+            let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &of_stage, request.seed, &build_root)?;
-            report.compiler.push_str(&graded.compiler);
-            report.printed.push_str(&printed::format(&graded.printed));
+            report.limit = report.limit.or(graded.limit);
+            let printed = printed::format(&graded.printed);
+            report
+                .compiler
+                .push_str(&folder.without_its_path(&graded.compiler));
+            report.printed.push_str(&folder.without_its_path(&printed));
             results.extend(graded.report.tasks);
             graded_tasks.extend(of_stage);
         }
@@ -110,11 +124,12 @@ impl SubmissionReport {
             let all = submission
                 .stages
                 .iter()
-                .filter(|(_, sources)| sources.contains_key(Path::new("lib.rs")));
+                .filter(|(stage, _)| submission.why_not_built(stage).is_empty());
             let all: Vec<(&str, &Files)> = all
                 .map(|(stage, sources)| (stage.as_str(), sources))
                 .collect();
-            let build_root = clean.with_stages(&all)?;
+            let folder = clean.with_stages(&all)?;
+            let build_root = folder.build_root();
             let graded = grade::at(workspace, &course, &graded_tasks, request.seed, &build_root)?;
             report.together = Some(combine(graded.report.tasks, &ungraded));
         }

@@ -1,16 +1,20 @@
 //! The command `grader part2 --submission DIR`: grades what a student handed in.
 
+use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
 use grader::cli::grade::{arguments, hint, request, submission_arguments};
 use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
+use grader::grade::GradeRequest;
 use grader::report::{self, HintLevel, Reveal, table};
 use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use submission::clean_workspace::CleanWorkspace;
+use submission::containment::Containment;
+use submission::one::random_seed;
 use submission::{SubmissionReport, read};
 
 fn main() -> ExitCode {
@@ -37,16 +41,30 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     }
 }
 
+/// What to grade. Without `--seed`, with a seed that nobody knows.
+fn seeded_request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
+    let mut request = request(matches)?;
+    if matches.value_source("seed") == Some(ValueSource::DefaultValue) {
+        request.seed = random_seed();
+    }
+    Ok(request)
+}
+
+/// The containment that the arguments ask for.
+fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
+    Containment::choose(workspace, matches.get_flag("unsandboxed"))
+}
+
 fn grade_one(
     matches: &ArgMatches,
     workspace: &Workspace,
     folder: &Path,
 ) -> Result<Verdict, GraderError> {
-    let request = request(matches)?;
+    let request = seeded_request(matches)?;
     let course = Course::read(workspace)?;
     course.select(&request.what)?;
     let submission = read::Submission::read(folder, &course, workspace.root())?;
-    let clean = CleanWorkspace::open(workspace)?;
+    let clean = CleanWorkspace::open(workspace, containment(matches, workspace)?)?;
     let report = SubmissionReport::of(
         &submission,
         workspace,
@@ -109,6 +127,12 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     if !report.printed.is_empty() {
         let _ = writeln!(text, "\n{}", report.printed.trim_end());
     }
+    let _ = writeln!(text, "\ncontainment: {}", report.containment);
+    let _ = writeln!(
+        text,
+        "seed: {0} (`--seed {0}` repeats this run)",
+        report.seed
+    );
     let _ = writeln!(
         text,
         "\nscores of each stage when the other stages are the reference's:\n{}",

@@ -2,12 +2,15 @@
 
 use crate::SubmissionReport;
 use crate::clean_workspace::CleanWorkspace;
+use crate::containment::Containment;
 use crate::read::Submission;
+use grader::compile::BuildLimit;
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::grade::GradeRequest;
 use grader::workspace::Workspace;
 use std::fmt;
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::Path;
 
 /// The course that submissions are graded against. Threads may share it: each submission has files
@@ -22,10 +25,13 @@ pub struct GradingCourse {
 impl GradingCourse {
     /// Reads the course of `workspace` and builds what all submissions share, if it is not built
     /// yet.
-    pub fn open(workspace: &Workspace) -> Result<GradingCourse, GraderError> {
+    pub fn open(
+        workspace: &Workspace,
+        containment: Containment,
+    ) -> Result<GradingCourse, GraderError> {
         Ok(GradingCourse {
             course: Course::read(workspace)?,
-            clean: CleanWorkspace::open(workspace)?,
+            clean: CleanWorkspace::open(workspace, containment)?,
             workspace: workspace.clone(),
         })
     }
@@ -34,6 +40,18 @@ impl GradingCourse {
     pub fn course(&self) -> &Course {
         &self.course
     }
+
+    /// How the code of submissions is contained.
+    pub fn containment(&self) -> &Containment {
+        self.clean.containment()
+    }
+}
+
+/// A seed that cannot be known before: answers that were learned by heart do not fit its cases.
+pub fn random_seed() -> u64 {
+    // Short enough to be typed. Not 0: students know the cases of seed 0.
+    let drawn = RandomState::new().build_hasher().finish();
+    drawn % u64::from(u32::MAX) + 1
 }
 
 /// What to grade, and how.
@@ -53,25 +71,7 @@ pub enum Outcome {
     /// None of the stages that were handed in compiles.
     DoesNotCompile,
     /// Building it exceeded a limit.
-    OverLimit(Limit),
-}
-
-/// The limits on building a submission. The limits of a case are a result of the case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
-    /// Processor time or elapsed time of the compiler.
-    CompileTime,
-    /// Memory of the compiler, or the size of a file that it writes.
-    CompileMemory,
-}
-
-impl fmt::Display for Limit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Limit::CompileTime => "time of the compiler",
-            Limit::CompileMemory => "memory of the compiler",
-        })
-    }
+    OverLimit(BuildLimit),
 }
 
 /// A submission with its scores.
@@ -128,6 +128,9 @@ pub fn grade_one(
 fn outcome(report: &SubmissionReport) -> Outcome {
     use grader::score::Status;
     let handed_in = report.scores.tasks.iter().map(|task| &task.result.status);
+    if let Some(limit) = report.limit {
+        return Outcome::OverLimit(limit);
+    }
     let mut handed_in = handed_in.filter(|status| **status != Status::NotAttempted);
     let compiles = |status: &Status| *status != Status::DoesNotCompile;
     match report.compiler.is_empty() || handed_in.any(compiles) {

@@ -1,10 +1,11 @@
 //! Reads what a student handed in: the source files of stages, and nothing else.
 
 use crate::file_tree::Files;
-use crate::source_file;
+use crate::{scan, source_file};
 use grader::course::Course;
 use grader::error::GraderError;
 use std::collections::BTreeMap;
+use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 
 /// The files of a submission. Reading them runs none of its code.
@@ -19,6 +20,9 @@ pub struct Submission {
     pub reaches_out: Vec<String>,
     /// What was unusual about files and was mended or will not compile, as sentences.
     pub notes: Vec<String>,
+    /// Stages with code that has no business in a stage, which are not compiled: a sentence for
+    /// each place.
+    pub forbidden: BTreeMap<String, Vec<String>>,
 }
 
 /// The maximum number of source files of a stage.
@@ -26,9 +30,6 @@ const MAX_FILES: usize = 500;
 
 /// The maximum number of files and folders in a submission.
 const MAX_ENTRIES: usize = 50_000;
-
-/// Files that are larger differ from the course's own: they are not compared.
-const MAX_COMPARED_SIZE: u64 = 16 << 20;
 
 /// Files that differ from the course's own in every handout.
 const EXPECTED_TO_DIFFER: [&str; 4] = ["README.md", "Cargo.lock", "Cargo.toml", "report.json"];
@@ -54,12 +55,17 @@ impl Submission {
             top.clone()
         };
         let mut submission = Submission::default();
+        let mut notes = Notes::new();
         let stages = course.stages();
         for stage in &stages {
             let src = stages_folder.join(stage).join("src");
             if exists(&src)? {
-                let files = sources(&top, &src, &mut submission.notes)?;
+                let files = sources(&top, &src, &mut notes)?;
                 submission.reaches_out.extend(reaches_out(stage, &files));
+                let forbidden = scan::forbidden(stage, &files);
+                if !forbidden.is_empty() {
+                    submission.forbidden.insert((*stage).to_string(), forbidden);
+                }
                 if !files.is_empty() {
                     submission.stages.insert((*stage).to_string(), files);
                 }
@@ -95,8 +101,35 @@ impl Submission {
             }
         })?;
         submission.ignored.sort();
-        submission.notes.sort();
+        submission.notes = notes.into_iter().map(note).collect();
         Ok(submission)
+    }
+}
+
+impl Submission {
+    /// Why a stage that was handed in is not built, a sentence a line; empty if it is.
+    pub fn why_not_built(&self, stage: &str) -> String {
+        if let Some(forbidden) = self.forbidden.get(stage) {
+            return forbidden.iter().flat_map(|why| [why, "\n"]).collect();
+        }
+        let has_root = |files: &Files| files.contains_key(Path::new("lib.rs"));
+        match self.stages.get(stage).is_some_and(has_root) {
+            true => String::new(),
+            false => format!("stages/{stage}/src has no lib.rs, so it cannot be built\n"),
+        }
+    }
+}
+
+/// What was unusual about files, and their names.
+type Notes = BTreeMap<&'static str, Vec<String>>;
+
+/// A sentence about files with the same peculiarity.
+fn note((what, mut files): (&'static str, Vec<String>)) -> String {
+    files.sort();
+    match files.as_slice() {
+        [] => what.to_string(),
+        [file] => format!("{what}: {file}"),
+        [file, more @ ..] => format!("{what}: {file} and {} more", more.len()),
     }
 }
 
@@ -112,7 +145,7 @@ fn exists(path: &Path) -> Result<bool, GraderError> {
 
 /// Reads the Rust files below `src`, which is inside `top`. Appends what was unusual about them to
 /// `notes`.
-fn sources(top: &Path, src: &Path, notes: &mut Vec<String>) -> Result<Files, GraderError> {
+fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderError> {
     let mut files = Files::new();
     let mut folders = vec![src.to_path_buf()];
     while let Some(folder) = folders.pop() {
@@ -132,7 +165,9 @@ fn sources(top: &Path, src: &Path, notes: &mut Vec<String>) -> Result<Files, Gra
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
                 let file = source_file::read(top, &path)?;
                 let name = path.strip_prefix(top).unwrap_or(&path).display();
-                notes.extend(file.note.map(|note| format!("{name} {note}")));
+                if let Some(note) = file.note {
+                    notes.entry(note).or_default().push(name.to_string());
+                }
                 files.insert(below, file.text);
                 if files.len() > MAX_FILES {
                     return Err(GraderError::new(format!(
@@ -190,15 +225,18 @@ fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
     {
         return true;
     }
-    // Only regular files: a pipe or a device may have no end.
-    let is_small_file = |path: &Path| {
-        let metadata = path.symlink_metadata();
-        metadata.is_ok_and(|metadata| metadata.is_file() && metadata.len() <= MAX_COMPARED_SIZE)
+    let ours = trusted.join(name);
+    // A pipe or a device may never end, and carving makes no file larger.
+    let is_candidate = |ours: &Metadata, theirs: &Metadata| {
+        theirs.is_file() && ours.is_file() && theirs.len() <= ours.len()
     };
-    if !is_small_file(path) {
+    let (Ok(of_theirs), Ok(of_ours)) = (path.symlink_metadata(), ours.metadata()) else {
+        return false;
+    };
+    if !is_candidate(&of_ours, &of_theirs) {
         return false;
     }
-    let (Ok(theirs), Ok(ours)) = (std::fs::read(path), std::fs::read(trusted.join(name))) else {
+    let (Ok(theirs), Ok(ours)) = (std::fs::read(path), std::fs::read(ours)) else {
         return false;
     };
     let without_tests = || {
@@ -232,17 +270,9 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
     for (path, text) in files {
         for (number, line) in (1..).zip(String::from_utf8_lossy(text).lines()) {
             let code: String = line.chars().filter(|c| !c.is_whitespace()).collect();
-            let suspicious = [
-                "include!",
-                "include_str!",
-                "include_bytes!",
-                "[path=",
-                "env!(",
-                "std::fs",
-                "std::process",
-            ]
-            .into_iter()
-            .find(|word| code.contains(word));
+            let suspicious = ["std::env", "std::fs", "std::net", "std::os", "std::process"]
+                .into_iter()
+                .find(|word| code.contains(word));
             if let Some(word) = suspicious {
                 found.push(format!(
                     "stages/{stage}/src/{}:{number}: `{word}`",
@@ -351,9 +381,9 @@ mod tests {
 
     #[test]
     fn code_that_accesses_files_is_reported() {
-        let code = b"fn f() {}\nconst A: &str = include_str! (\"../../x\");\n";
+        let code = b"fn f() {}\nfn g() { std :: fs::read(\"x\"); }\n";
         let (_folder, submission) = read(&[("stages/intersect/src/lib.rs", code)]);
-        let expected = ["stages/intersect/src/lib.rs:2: `include_str!`"];
+        let expected = ["stages/intersect/src/lib.rs:2: `std::fs`"];
         assert_eq!(submission.unwrap().reaches_out, expected);
     }
 
@@ -379,6 +409,7 @@ mod tests {
         let (_folder, submission) = read(&[
             ("stages/intersect/src/lib.rs", b"mod a;\r\nmod b;\r\n"),
             ("stages/intersect/src/a.rs", b"\xff\xfe"),
+            ("stages/intersect/src/b.rs", b"\r\n"),
         ]);
         let submission = submission.unwrap();
         let files = &submission.stages["intersect"];
@@ -386,13 +417,11 @@ mod tests {
         let [first, second] = &submission.notes[..] else {
             panic!("{:?}", submission.notes);
         };
-        assert!(
-            first.starts_with("stages/intersect/src/a.rs is UTF-16"),
-            "{first}"
-        );
-        assert!(
-            second.starts_with("stages/intersect/src/lib.rs has Windows line ends"),
-            "{second}"
+        assert!(first.starts_with("UTF-16 text"), "{first}");
+        assert!(first.ends_with(": stages/intersect/src/a.rs"), "{first}");
+        assert_eq!(
+            second,
+            "Windows line ends (CRLF), read as LF: stages/intersect/src/b.rs and 1 more"
         );
     }
 

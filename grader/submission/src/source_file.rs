@@ -12,7 +12,7 @@ pub(crate) const MAX_FILE_SIZE: u64 = 1 << 20;
 pub(crate) struct SourceFile {
     /// The text as it is compiled: lines end with LF, and there is no byte order mark.
     pub(crate) text: Vec<u8>,
-    /// What was unusual about it: the end of a sentence that begins with the file's name.
+    /// What was unusual about it.
     pub(crate) note: Option<&'static str>,
 }
 
@@ -54,13 +54,13 @@ fn decode(bytes: &[u8]) -> SourceFile {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return SourceFile {
             text: bytes.to_vec(),
-            note: Some("is UTF-16 text, which the compiler does not read: save it as UTF-8"),
+            note: Some("UTF-16 text, which the compiler does not read (save it as UTF-8)"),
         };
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
         return SourceFile {
             text: bytes.to_vec(),
-            note: Some("is not UTF-8 text, so the compiler does not read it: save it as UTF-8"),
+            note: Some("no UTF-8 text, so the compiler does not read it (save it as UTF-8)"),
         };
     };
     let has_mark = bytes.starts_with(BYTE_ORDER_MARK);
@@ -72,11 +72,9 @@ fn decode(bytes: &[u8]) -> SourceFile {
     let text = with_line_feeds(text);
     SourceFile {
         note: match (has_mark, &text) {
-            (true, Cow::Borrowed(_)) => Some("begins with a byte order mark, which was removed"),
-            (true, Cow::Owned(_)) => {
-                Some("has Windows line ends and a byte order mark, which were removed")
-            }
-            (false, Cow::Owned(_)) => Some("has Windows line ends (CRLF), which were read as LF"),
+            (true, Cow::Borrowed(_)) => Some("byte order mark, left out"),
+            (true, Cow::Owned(_)) => Some("Windows line ends (CRLF) and byte order mark, left out"),
+            (false, Cow::Owned(_)) => Some("Windows line ends (CRLF), read as LF"),
             (false, Cow::Borrowed(_)) => None,
         },
         text: text.into_owned().into_bytes(),
@@ -113,14 +111,14 @@ mod tests {
         assert!(note.contains("CRLF"), "{note}");
         let (text, note) = of(b"\xef\xbb\xbfmod a;\r\n");
         assert_eq!(text, "mod a;\n");
-        assert!(note.contains("line ends and a byte order mark"), "{note}");
+        assert!(note.contains("(CRLF) and byte order mark"), "{note}");
     }
 
     #[test]
     fn bytes_that_are_no_text_are_left_to_the_compiler() {
         for (bytes, why) in [
             (b"\xff\xfem\0o\0d\0".as_slice(), "UTF-16"),
-            (b"// caf\xe9\n".as_slice(), "not UTF-8"),
+            (b"// caf\xe9\n".as_slice(), "no UTF-8"),
         ] {
             let file = decode(bytes);
             assert_eq!(file.text, bytes);

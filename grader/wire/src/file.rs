@@ -1,14 +1,17 @@
-//! Reads and writes files of cases and records.
+//! What grader and worker send each other.
 //!
-//! A file of cases is one postcard value. A file of records is a sequence of frames, each after its
-//! length as four little-endian bytes: if a worker is killed, the frames before can still be read.
-//! The student's code runs in the worker and can write to that file, so [`FrameReader`] expects
-//! anything in it.
+//! The grader sends a [`Key`] and the cases, as one postcard value. The worker answers with a
+//! sequence of frames, each after a header: its length as four little-endian bytes, the key, and the
+//! number of the frame as eight little-endian bytes. If a worker is killed, the frames before can
+//! still be read.
+//!
+//! The student's code runs in the worker. Without `unsafe` it cannot read the worker's memory, so
+//! it does not know the key: what it writes into the channel is no frame. Nevertheless
+//! [`FrameReader`] expects anything.
 
 use crate::{Case, RecordFrame};
-use std::fs::File;
-use std::io::{self, BufReader, Read, Write};
-use std::path::Path;
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::io::{self, Read, Write};
 
 /// The largest frame that is read. The largest record of the course's cases has 3.4 MB, those of
 /// `grader-cost`, which sends 60,000 rays at once, 13 MB. A decoded frame takes up to 150 times the
@@ -16,48 +19,110 @@ use std::path::Path;
 /// allocate.
 pub const MAX_FRAME_BYTES: u32 = 24 << 20;
 
-/// Writes the cases for a worker.
-pub fn write_cases(path: &Path, cases: &[Case]) -> io::Result<()> {
-    std::fs::write(path, postcard::to_stdvec(cases).map_err(io::Error::other)?)
+/// The length of a header: length, key and number of the frame.
+const HEADER_BYTES: usize = 4 + KEY_BYTES + 8;
+
+const KEY_BYTES: usize = 16;
+
+/// Random bytes that only the grader and the worker's own code know.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Key([u8; KEY_BYTES]);
+
+impl Key {
+    /// A new key, from the randomness of the operating system.
+    pub fn random() -> Key {
+        // The keys of a `RandomState` are the system's, and its hash cannot be guessed without them.
+        let half = || RandomState::new().build_hasher().finish().to_le_bytes();
+        let mut key = [0; KEY_BYTES];
+        key[..8].copy_from_slice(&half());
+        key[8..].copy_from_slice(&half());
+        Key(key)
+    }
 }
 
-/// Reads the cases that a grader wrote.
-pub fn read_cases(path: &Path) -> io::Result<Vec<Case>> {
-    postcard::from_bytes(&std::fs::read(path)?).map_err(io::Error::other)
+/// Without the bytes, which belong in no output.
+impl std::fmt::Debug for Key {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Key")
+    }
 }
 
-/// Appends one frame and flushes it to the operating system.
-pub fn write_frame(out: &mut dyn Write, frame: &RecordFrame) -> io::Result<()> {
-    let body = postcard::to_stdvec(frame).map_err(io::Error::other)?;
-    let length = u32::try_from(body.len()).map_err(io::Error::other)?;
-    let mut bytes = length.to_le_bytes().to_vec();
-    bytes.extend(body);
-    out.write_all(&bytes)?;
+/// Writes the key and the cases for a worker.
+pub fn write_cases(out: &mut dyn Write, key: Key, cases: &[Case]) -> io::Result<()> {
+    out.write_all(&key.0)?;
+    out.write_all(&postcard::to_stdvec(cases).map_err(io::Error::other)?)?;
     out.flush()
 }
 
-/// An iterator over the frames of a file. It ends after the first invalid frame, with an error that
-/// describes it. An incomplete frame at the end of the file, left by a killed worker, is skipped.
+/// Reads what [`write_cases`] wrote, to the end of `input`.
+pub fn read_cases(input: &mut dyn Read) -> io::Result<(Key, Vec<Case>)> {
+    let mut key = [0; KEY_BYTES];
+    input.read_exact(&mut key)?;
+    let mut cases = Vec::new();
+    input.read_to_end(&mut cases)?;
+    let cases = postcard::from_bytes(&cases).map_err(io::Error::other)?;
+    Ok((Key(key), cases))
+}
+
+/// Writes the frames of one worker.
+pub struct FrameWriter {
+    out: Box<dyn Write + Send>,
+    key: Key,
+    number: u64,
+}
+
+impl FrameWriter {
+    /// A writer whose first frame has number 0.
+    pub fn new(out: Box<dyn Write + Send>, key: Key) -> FrameWriter {
+        FrameWriter {
+            out,
+            key,
+            number: 0,
+        }
+    }
+
+    /// Appends one frame and flushes it to the operating system.
+    pub fn write(&mut self, frame: &RecordFrame) -> io::Result<()> {
+        let bytes = frame_bytes(frame, self.key, self.number)?;
+        self.number += 1;
+        self.out.write_all(&bytes)?;
+        self.out.flush()
+    }
+}
+
+/// The bytes of frame number `number`.
+pub fn frame_bytes(frame: &RecordFrame, key: Key, number: u64) -> io::Result<Vec<u8>> {
+    let body = postcard::to_stdvec(frame).map_err(io::Error::other)?;
+    let length = u32::try_from(body.len()).map_err(io::Error::other)?;
+    let mut bytes = header(length, key, number).to_vec();
+    bytes.extend(body);
+    Ok(bytes)
+}
+
+fn header(length: u32, key: Key, number: u64) -> [u8; HEADER_BYTES] {
+    let mut header = [0; HEADER_BYTES];
+    header[..4].copy_from_slice(&length.to_le_bytes());
+    header[4..4 + KEY_BYTES].copy_from_slice(&key.0);
+    header[4 + KEY_BYTES..].copy_from_slice(&number.to_le_bytes());
+    header
+}
+
+/// An iterator over the frames of a worker. It ends after the first invalid frame, with an error
+/// that describes it. An incomplete frame at the end, left by a killed worker, is skipped.
 pub struct FrameReader {
     input: Box<dyn Read>,
+    key: Key,
+    number: u64,
     ended: bool,
 }
 
 impl FrameReader {
-    /// Opens a file of frames. Anything but a regular file, such as a pipe, is an error.
-    pub fn open(path: &Path) -> io::Result<FrameReader> {
-        if !std::fs::symlink_metadata(path)?.is_file() {
-            return Err(io::Error::other("it is not a regular file"));
-        }
-        Ok(FrameReader::new(Box::new(BufReader::new(File::open(
-            path,
-        )?))))
-    }
-
-    /// Reads frames from `input`.
-    pub fn new(input: Box<dyn Read>) -> FrameReader {
+    /// Reads the frames with this key from `input`.
+    pub fn new(input: Box<dyn Read>, key: Key) -> FrameReader {
         FrameReader {
             input,
+            key,
+            number: 0,
             ended: false,
         }
     }
@@ -65,10 +130,15 @@ impl FrameReader {
     /// Reads the next frame; `None` where the input ends. It reads at most [`MAX_FRAME_BYTES`] and
     /// allocates no memory for bytes that are not there.
     fn read(&mut self) -> Result<Option<RecordFrame>, String> {
-        let Some(length) = self.bytes(4)? else {
+        let Some(found) = self.bytes(HEADER_BYTES as u32)? else {
             return Ok(None);
         };
-        let length = length.iter().rev().fold(0, |n, &b| n << 8 | u32::from(b));
+        let length = found[..4].iter().rev();
+        let length = length.fold(0, |n, &b| n << 8 | u32::from(b));
+        if found != header(length, self.key, self.number) {
+            return Err("something else than the worker wrote into its channel".to_string());
+        }
+        self.number += 1;
         if length > MAX_FRAME_BYTES {
             return Err(format!(
                 "a record has {length} bytes, expected at most {MAX_FRAME_BYTES}"
@@ -110,23 +180,36 @@ impl Iterator for FrameReader {
 mod tests {
     use super::*;
 
+    const KEY: Key = Key([7; KEY_BYTES]);
+
     fn frames(bytes: &[u8]) -> Vec<Result<RecordFrame, String>> {
-        FrameReader::new(Box::new(io::Cursor::new(bytes.to_vec()))).collect()
+        FrameReader::new(Box::new(io::Cursor::new(bytes.to_vec())), KEY).collect()
+    }
+
+    /// Frame number `number`, about the case of this number.
+    fn started(number: u32) -> Vec<u8> {
+        let frame = RecordFrame::Started { case: number };
+        frame_bytes(&frame, KEY, number.into()).expect("writing to memory succeeds")
     }
 
     fn written() -> Vec<u8> {
-        let mut bytes = Vec::new();
-        for case in [0, 1] {
-            write_frame(&mut bytes, &RecordFrame::Started { case })
-                .expect("writing to memory succeeds");
-        }
-        bytes
+        [started(0), started(1)].concat()
     }
 
     #[test]
     fn written_frames_are_read_back() {
         let started = |case| Ok(RecordFrame::Started { case });
         assert_eq!(frames(&written()), [started(0), started(1)]);
+    }
+
+    #[test]
+    fn cases_are_read_back_with_their_key() {
+        let key = Key::random();
+        let mut bytes = Vec::new();
+        write_cases(&mut bytes, key, &[]).expect("writing to memory succeeds");
+        let (read, cases) = read_cases(&mut bytes.as_slice()).expect("they are valid");
+        assert!(read == key && cases.is_empty());
+        assert!(Key::random() != key);
     }
 
     #[test]
@@ -142,17 +225,34 @@ mod tests {
 
     #[test]
     fn reading_ends_at_an_invalid_frame() {
+        let with_body = |length: u32, body: &[u8]| {
+            let mut bytes = header(length, KEY, 2).to_vec();
+            bytes.extend(body);
+            bytes
+        };
         for invalid in [
-            &[2, 0, 0, 0, 77, 0][..],
+            with_body(2, &[77, 0]),
             // A byte too many.
-            &[3, 0, 0, 0, 0, 1, 0],
-            // 4 GB.
-            &[255, 255, 255, 255, 0],
+            with_body(3, &[0, 1, 0]),
+            with_body(u32::MAX, &[0]),
         ] {
-            let bytes = [&written()[..], invalid, &written()].concat();
+            let bytes = [written(), invalid, started(3)].concat();
             let frames = frames(&bytes);
             assert_eq!(frames.len(), 3, "{frames:?}");
             assert!(frames[2].is_err(), "{frames:?}");
         }
+    }
+
+    #[test]
+    fn a_frame_without_the_key_or_its_number_is_forged() {
+        let of = |key, number| {
+            let frame = RecordFrame::Started { case: 2 };
+            frame_bytes(&frame, key, number).expect("writing to memory succeeds")
+        };
+        let [valid, guessed, replayed] = [of(KEY, 2), of(Key::random(), 2), of(KEY, 1)];
+        let is_read = |frame: Vec<u8>| frames(&[written(), frame].concat())[2].is_ok();
+        assert!(is_read(valid));
+        assert!(!is_read(guessed));
+        assert!(!is_read(replayed));
     }
 }

@@ -181,8 +181,8 @@ impl<'a> VersionsWorker<'a> {
     /// The workers that run one version.
     pub(super) fn workers(&self, version: usize) -> StageWorkers {
         let worker = Worker {
-            program: self.program.to_path_buf(),
             environment: vec![(VERSION_VARIABLE, version.to_string())],
+            ..Worker::from(self.program.to_path_buf())
         };
         // The worker links every stage.
         StageWorkers {

@@ -429,9 +429,10 @@ fn build(
         target: Some(&target),
         sealed: false,
         quiet: false,
+        launcher: None,
     };
     match build_root.build_worker(features)? {
-        BuildOutcome::Worker(program) => Ok(Ok(own_copy(&program, &folder)?)),
+        BuildOutcome::Worker(worker) => Ok(Ok(own_copy(&worker.program, &folder)?)),
         BuildOutcome::DoesNotCompile(errors) => Ok(Err(errors)),
     }
 }

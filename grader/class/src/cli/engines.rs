@@ -53,10 +53,16 @@ pub(super) struct UnitCommand {
     course: PathBuf,
     class: PathBuf,
     out: PathBuf,
+    unsandboxed: bool,
 }
 
 impl UnitCommand {
-    pub(super) fn new(course: &Path, class: &Path, out: &Out) -> Result<UnitCommand, GraderError> {
+    pub(super) fn new(
+        course: &Path,
+        class: &Path,
+        out: &Out,
+        unsandboxed: bool,
+    ) -> Result<UnitCommand, GraderError> {
         let program = std::env::current_exe();
         let program = program
             .map_err(|e| GraderError::new(format!("cannot find out which program this is: {e}")))?;
@@ -68,6 +74,7 @@ impl UnitCommand {
             course: course.to_path_buf(),
             class,
             out: out.path().to_path_buf(),
+            unsandboxed,
         })
     }
 
@@ -78,6 +85,7 @@ impl UnitCommand {
         command.arg("--out").arg(&self.out);
         command.arg("--course").arg(&self.course);
         command.args(["--unit", key]);
+        command.args(self.unsandboxed.then_some("--unsandboxed"));
         command
     }
 

@@ -12,9 +12,9 @@ use grader::cli::Verdict;
 use grader::error::GraderError;
 use grader::report::{HintLevel, write_whole};
 use grader::workspace::Workspace;
-use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::{Path, PathBuf};
-use submission::one::GradingCourse;
+use submission::containment::Containment;
+use submission::one::{GradingCourse, random_seed};
 
 /// Runs the command.
 pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
@@ -34,13 +34,7 @@ pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let workspace = Workspace::above(path("course").unwrap_or(Path::new(".")))?;
     workspace.ensure_full("it does not contain the reference that a class is graded with")?;
     if let Some(key) = matches.get_one::<String>("unit") {
-        return grade_unit(
-            &existing(out)?,
-            class,
-            &workspace,
-            key,
-            matches.get_flag("of-pool"),
-        );
+        return grade_unit(matches, &existing(out)?, class, &workspace, key);
     }
     let out = &Out::create(out)?;
     if contains(class, out.path()) {
@@ -51,7 +45,8 @@ pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     }
     let regrades = matches.get_flag("regrade");
     let plan = plan(matches, &workspace, class, out)?;
-    let command = UnitCommand::new(workspace.root(), class, out)?;
+    let unsandboxed = matches.get_flag("unsandboxed");
+    let command = UnitCommand::new(workspace.root(), class, out, unsandboxed)?;
     let shard = matches.get_one::<Shard>("shard").copied();
     let jobs = missing(&plan, shard, out);
     if matches.get_flag("list") {
@@ -62,7 +57,10 @@ pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     }
     if !jobs.is_empty() {
         // What all submissions share is built once, not by the first of each processor.
-        drop(GradingCourse::open(&workspace)?);
+        drop(GradingCourse::open(
+            &workspace,
+            containment(matches, &workspace)?,
+        )?);
         let progress = Progress::start(jobs.len());
         pool::run(&jobs, at_once(matches), out, &progress, |key| {
             let mut command = command.of(key);
@@ -121,8 +119,8 @@ fn plan(
         let seed = matches.get_one("seed").copied().or(known_seed);
         let settings = Settings {
             what: part.map_or_else(|| "all".to_string(), |part| format!("part{part}")),
-            seed: seed.unwrap_or_else(draw_seed),
-            limits: LIMITS.to_string(),
+            seed: seed.unwrap_or_else(random_seed),
+            limits: limits(matches).to_string(),
             revision: revision.clone(),
             course: course.clone(),
         };
@@ -162,13 +160,17 @@ fn plan(
     }
 }
 
-/// The limits cannot be chosen yet: those in the grader's code count, which is part of the course.
-const LIMITS: &str = "default";
+/// The limits on submissions that can be chosen. Those of time and memory are part of the course.
+fn limits(matches: &ArgMatches) -> &'static str {
+    match matches.get_flag("unsandboxed") {
+        true => "without a sandbox",
+        false => "in a sandbox",
+    }
+}
 
-/// A seed that no student knows, short enough to type.
-fn draw_seed() -> u64 {
-    // The standard library draws the keys of its hashers at random.
-    RandomState::new().build_hasher().finish() >> 32
+/// How the code of submissions is contained.
+fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
+    Containment::choose(workspace, matches.get_flag("unsandboxed"))
 }
 
 /// Prints which submission is read, now and then.
@@ -185,13 +187,13 @@ fn at_once(matches: &ArgMatches) -> usize {
 
 /// Grades one unit, as a process of a pool or of another engine.
 fn grade_unit(
+    matches: &ArgMatches,
     out: &Out,
     class: &Path,
     workspace: &Workspace,
     key: &str,
-    of_pool: bool,
 ) -> Result<Verdict, GraderError> {
-    if of_pool {
+    if matches.get_flag("of-pool") {
         pool::end_with_the_pool();
     }
     if out.has(key) {
@@ -208,7 +210,8 @@ fn grade_unit(
             out.path().display()
         ))
     })?;
-    let graded = unit::grade(plan, planned, class, workspace, out);
+    let graded = containment(matches, workspace)
+        .and_then(|containment| unit::grade(plan, planned, class, workspace, containment, out));
     if let Err(why) = &graded {
         pool::store_failure(out, key, &why.to_string())?;
     }

@@ -13,6 +13,7 @@ use judge::cases;
 use review::{self, Author, page};
 use std::path::{Path, PathBuf};
 use submission::clean_workspace::CleanWorkspace;
+use submission::containment::Containment;
 use submission::read::Submission;
 
 pub(crate) fn command() -> Command {
@@ -59,7 +60,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         }
         Some(folder) => {
             let submission = Submission::read(folder, &course, workspace.root())?;
-            let clean = CleanWorkspace::open(&workspace)?;
+            let containment = Containment::choose(&workspace, false)?;
+            let clean = CleanWorkspace::open(&workspace, containment)?;
             let author = Author::Student(folder.display().to_string());
             let of = review::Review::of_submission;
             let review = of(

@@ -1,0 +1,91 @@
+//! Tries which limits hold on this machine.
+
+/// The exit code of the launcher if it did not start the program.
+pub const LAUNCHER_FAILED: u8 = 125;
+
+/// The limits that hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Support {
+    /// Files that a policy does not list cannot be read.
+    pub files: bool,
+    /// Denied system calls fail: no sockets, no processes.
+    pub system_calls: bool,
+    /// The launcher runs as the superuser, so that it can run a program as another user.
+    pub other_user: bool,
+}
+
+impl Support {
+    /// One line that [`Support::from_line`] reads.
+    pub fn to_line(self) -> String {
+        let named = [
+            (self.files, "files"),
+            (self.system_calls, "system-calls"),
+            (self.other_user, "other-user"),
+        ];
+        let held = named.iter().filter(|(holds, _)| *holds);
+        let names: Vec<&str> = held.map(|(_, name)| *name).collect();
+        format!("holds: {}", names.join(" "))
+    }
+
+    /// Reads the output of `sandbox probe`; `None` if it is something else.
+    pub fn from_line(line: &str) -> Option<Support> {
+        let names = line.trim().strip_prefix("holds:")?;
+        let has = |name: &str| names.split_whitespace().any(|held| held == name);
+        Some(Support {
+            files: has("files"),
+            system_calls: has("system-calls"),
+            other_user: has("other-user"),
+        })
+    }
+
+    /// Whether code that is not trusted may run: it can neither read other files nor start
+    /// processes or use the network.
+    pub fn contains(self) -> bool {
+        self.files && self.system_calls
+    }
+}
+
+/// Gives up all rights of this process and tries what it can still do. Nothing useful can follow.
+#[cfg(target_os = "linux")]
+pub fn of_this_machine() -> Support {
+    use std::os::unix::fs::MetadataExt;
+    let superuser = 0;
+    let is_superuser =
+        std::fs::metadata("/proc/self").is_ok_and(|process| process.uid() == superuser);
+    let policy = crate::Policy::default();
+    if let Err(why) = crate::confine::enter(&policy) {
+        eprintln!("sandbox: {why}");
+        return Support::default();
+    }
+    let socket = std::net::UdpSocket::bind("127.0.0.1:0");
+    let is_denied = |e: std::io::Error| e.kind() == std::io::ErrorKind::PermissionDenied;
+    Support {
+        files: std::fs::read_dir("/").is_err_and(is_denied),
+        system_calls: socket.is_err_and(is_denied),
+        other_user: is_superuser,
+    }
+}
+
+/// Nothing holds: this system has none of the means.
+#[cfg(not(target_os = "linux"))]
+pub fn of_this_machine() -> Support {
+    Support::default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_read_back() {
+        for bits in 0..8 {
+            let support = Support {
+                files: bits & 1 > 0,
+                system_calls: bits & 2 > 0,
+                other_user: bits & 4 > 0,
+            };
+            assert_eq!(Support::from_line(&support.to_line()), Some(support));
+        }
+        assert_eq!(Support::from_line("bash: sandbox: not found"), None);
+    }
+}

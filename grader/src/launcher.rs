@@ -1,0 +1,24 @@
+//! How programs are started of which not all code is trusted.
+
+use std::fmt;
+use std::path::Path;
+use std::process::Command;
+
+/// Starts cargo and workers with few rights. Both get nothing of the caller's environment.
+pub trait Launcher: fmt::Debug + Send + Sync {
+    /// The command that runs cargo. Its arguments are to be added.
+    fn cargo(&self) -> Command;
+
+    /// The command that runs a worker. Its arguments are to be added.
+    fn worker(&self, program: &Path, limits: WorkerLimits) -> Command;
+}
+
+/// Limits on a worker beyond those on its cases: they hold even if the worker does not enforce the
+/// latter any more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WorkerLimits {
+    /// Memory that its cases may allocate, in megabytes.
+    pub memory_mb: u32,
+    /// Processor time of all its cases, in seconds.
+    pub cpu_seconds: u64,
+}

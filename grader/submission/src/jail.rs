@@ -1,0 +1,119 @@
+//! Which files cargo and the worker of one submission may use.
+
+use crate::containment::Containment;
+use crate::toolchain::{LIBRARY_CACHE, Toolchain};
+use grader::launcher::{Launcher, WorkerLimits};
+use sandbox::{Limits, Policy};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Processor time of one process that compiles, in seconds. The largest crate of the course takes
+/// 6 seconds.
+const COMPILER_SECONDS: u64 = 90;
+
+/// Address space of one process that compiles, in megabytes.
+const COMPILER_MB: u64 = 4096;
+
+/// The largest file that a process may write, in megabytes.
+const FILE_MB: u64 = 512;
+
+/// Address space of a worker beyond what its cases may allocate, in megabytes: program, libraries,
+/// stacks, and what allocators reserve.
+const WORKER_SPARE_MB: u64 = 2048;
+
+/// Where the system's loader of programs may be: a worker needs to run it, and nothing else there.
+const LOADERS: [&str; 5] = [
+    "/lib64/ld-linux-x86-64.so.2",
+    "/lib/ld-linux-aarch64.so.1",
+    "/lib/ld-linux-riscv64-lp64d.so.1",
+    "/lib/ld-musl-x86_64.so.1",
+    "/lib/ld-musl-aarch64.so.1",
+];
+
+/// The folders of the C library.
+const LIBRARIES: [&str; 4] = ["/lib", "/lib64", "/usr/lib", "/usr/lib64"];
+
+/// Starts the programs of one submission.
+#[derive(Clone, Debug)]
+pub(crate) struct Jail {
+    pub(crate) containment: Containment,
+    pub(crate) toolchain: Toolchain,
+    /// The workspace that is built.
+    pub(crate) root: PathBuf,
+    /// What of it the compiler reads: files, and folders with everything in them.
+    pub(crate) sources: Vec<PathBuf>,
+    /// The sources of the libraries.
+    pub(crate) libraries: PathBuf,
+    /// Cargo's own folder, with its settings.
+    pub(crate) home: PathBuf,
+    /// Where the compiler writes.
+    pub(crate) target: PathBuf,
+    /// Where programs put temporary files.
+    pub(crate) temporary: PathBuf,
+}
+
+impl Launcher for Jail {
+    fn cargo(&self) -> Command {
+        let mut run = self.toolchain.folders.clone();
+        run.extend(self.toolchain.cargo.parent().map(Path::to_path_buf));
+        let mut read = self.sources.clone();
+        read.extend([self.libraries.clone(), LIBRARY_CACHE.into()]);
+        read.push("/dev/urandom".into());
+        let write = [&self.home, &self.target, &self.temporary];
+        let mut write: Vec<PathBuf> = write.into_iter().cloned().collect();
+        write.push("/dev/null".into());
+        let policy = Policy {
+            read,
+            list: vec![self.root.clone()],
+            run,
+            write,
+            processes: true,
+            user: None,
+            limits: Limits {
+                cpu_seconds: Some(COMPILER_SECONDS),
+                memory_mb: Some(COMPILER_MB),
+                file_mb: Some(FILE_MB),
+            },
+        };
+        let mut command = self.containment.command(&self.toolchain.cargo, &policy);
+        command
+            .env_clear()
+            .env("PATH", &self.toolchain.path)
+            .env("RUSTC", &self.toolchain.rustc)
+            .env("HOME", &self.home)
+            .env("CARGO_HOME", &self.home)
+            .env("TMPDIR", &self.temporary)
+            .env("LC_ALL", "C")
+            .env("CARGO_INCREMENTAL", "0")
+            // Cargo reads settings in the current folder and all above it.
+            .current_dir("/");
+        command
+    }
+
+    fn worker(&self, program: &Path, limits: WorkerLimits) -> Command {
+        let mut run = LOADERS.map(PathBuf::from).to_vec();
+        run.push(program.to_path_buf());
+        let mut read = LIBRARIES.map(PathBuf::from).to_vec();
+        read.push(LIBRARY_CACHE.into());
+        // The worker measures the time of the student's thread. It opens these files and gives up
+        // the right before that thread runs the student's code.
+        read.push("/proc/self/task".into());
+        let policy = Policy {
+            read,
+            run,
+            limits: Limits {
+                cpu_seconds: Some(limits.cpu_seconds),
+                memory_mb: Some(u64::from(limits.memory_mb) + WORKER_SPARE_MB),
+                file_mb: Some(FILE_MB),
+            },
+            user: self.containment.user(),
+            ..Policy::default()
+        };
+        let mut command = self.containment.command(program, &policy);
+        command
+            .env_clear()
+            // Otherwise every thread reserves 64 MB of address space.
+            .env("MALLOC_ARENA_MAX", "2");
+        command
+    }
+}

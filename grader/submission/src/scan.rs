@@ -1,0 +1,322 @@
+//! Finds code in a stage that could reach what is not the stage's, before it is compiled.
+//!
+//! It reads tokens, not text, so comments and strings do not matter. It need not find everything:
+//! what a macro hides, the compiler's lint against `unsafe` or the sandbox still stops. But whoever
+//! writes such code without bad intent gets a sentence with the place.
+
+use crate::file_tree::Files;
+
+/// Returns a sentence for each place in the files of `stage` that has no business there.
+pub fn forbidden(stage: &str, files: &Files) -> Vec<String> {
+    let mut found = Vec::new();
+    for (path, text) in files {
+        let tokens = tokens(&String::from_utf8_lossy(text));
+        for (line, what, why) in places(&tokens) {
+            found.push(format!(
+                "stages/{stage}/src/{}:{line}: `{what}` {why}",
+                path.display()
+            ));
+        }
+    }
+    found
+}
+
+const READS_FILES: &str =
+    "reads another file while the stage is compiled: write its contents into the source file";
+const READS_ENVIRONMENT: &str =
+    "reads the environment of the person who grades: a stage depends on its arguments only";
+const NO_UNSAFE: &str =
+    "is not allowed in a stage: nothing in the tasks needs code that the compiler cannot check";
+const LINKS: &str =
+    "changes how the program is linked or started: a stage is a library that is only called";
+const OTHER_FILE: &str =
+    "names another file as the source of a module: put it where `mod` expects it";
+const UNSTABLE: &str = "needs another compiler: stages are compiled by a stable one";
+
+/// Macros, by their names in front of a `!`.
+const MACROS: [(&str, &str); 8] = [
+    ("include", READS_FILES),
+    ("include_bytes", READS_FILES),
+    ("include_str", READS_FILES),
+    ("env", READS_ENVIRONMENT),
+    ("option_env", READS_ENVIRONMENT),
+    ("asm", NO_UNSAFE),
+    ("global_asm", NO_UNSAFE),
+    ("naked_asm", NO_UNSAFE),
+];
+
+/// Words that are forbidden anywhere.
+const WORDS: [(&str, &str); 5] = [
+    ("unsafe", NO_UNSAFE),
+    ("extern", LINKS),
+    ("include_bytes", READS_FILES),
+    ("include_str", READS_FILES),
+    ("option_env", READS_ENVIRONMENT),
+];
+
+/// Words that are forbidden in attributes.
+const ATTRIBUTES: [(&str, &str); 14] = [
+    ("path", OTHER_FILE),
+    ("crate_type", LINKS),
+    ("export_name", LINKS),
+    ("global_allocator", LINKS),
+    ("link", LINKS),
+    ("link_name", LINKS),
+    ("link_section", LINKS),
+    ("naked", NO_UNSAFE),
+    ("no_main", LINKS),
+    ("no_mangle", LINKS),
+    ("panic_handler", LINKS),
+    ("proc_macro", LINKS),
+    ("start", LINKS),
+    ("used", LINKS),
+];
+
+/// A word or a character of Rust code, and its line, counted from 1.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Token {
+    line: usize,
+    text: String,
+}
+
+/// The forbidden tokens: line, text, reason.
+fn places(tokens: &[Token]) -> Vec<(usize, &str, &'static str)> {
+    let text = |i: usize| tokens.get(i).map_or("", |token| token.text.as_str());
+    let reason = |list: &[(&str, &'static str)], word: &str| {
+        let found = list.iter().find(|(name, _)| *name == word);
+        found.map(|(_, why)| *why)
+    };
+    let mut found = Vec::new();
+    // The depth of brackets inside an attribute.
+    let mut depth = 0_usize;
+    for (i, token) in tokens.iter().enumerate() {
+        let word = token.text.as_str();
+        let opens = word == "[" && (i > 0 && text(i - 1) == "#" || is_inner(tokens, i));
+        match word {
+            "[" if opens || depth > 0 => depth += 1,
+            "]" => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        let of_macro = reason(&MACROS, word).filter(|_| text(i + 1) == "!");
+        let of_attribute = reason(&ATTRIBUTES, word).filter(|_| depth > 0);
+        let unstable = word == "feature" && i > 0 && is_inner(tokens, i - 1);
+        let unstable = unstable.then_some(UNSTABLE);
+        let why = of_macro.or(reason(&WORDS, word));
+        if let Some(why) = why.or(of_attribute).or(unstable) {
+            found.push((token.line, word, why));
+        }
+    }
+    found
+}
+
+/// Whether token `i` is the bracket of an attribute `#![...]`.
+fn is_inner(tokens: &[Token], i: usize) -> bool {
+    let start = i.checked_sub(2).and_then(|start| tokens.get(start..=i));
+    start.is_some_and(|start| {
+        let mut texts = start.iter().map(|token| token.text.as_str());
+        texts.by_ref().eq(["#", "!", "["])
+    })
+}
+
+/// The tokens of Rust code without comments, strings, characters and lifetimes. Code that is no
+/// Rust gives some tokens, too.
+fn tokens(code: &str) -> Vec<Token> {
+    let mut scanner = Scanner {
+        rest: code,
+        line: 1,
+    };
+    let mut tokens = Vec::new();
+    while let Some(token) = scanner.next() {
+        tokens.push(token);
+    }
+    tokens
+}
+
+struct Scanner<'a> {
+    rest: &'a str,
+    line: usize,
+}
+
+impl Scanner<'_> {
+    /// Skips `bytes` bytes, which end between two characters.
+    fn skip(&mut self, bytes: usize) {
+        let (skipped, rest) = self.rest.split_at(bytes.min(self.rest.len()));
+        self.line += skipped.matches('\n').count();
+        self.rest = rest;
+    }
+
+    /// Skips to the end of the first `end`, or of the code.
+    fn skip_past(&mut self, end: &str) {
+        let bytes = self.rest.find(end).map(|start| start + end.len());
+        self.skip(bytes.unwrap_or(self.rest.len()));
+    }
+
+    fn next(&mut self) -> Option<Token> {
+        loop {
+            let first = self.rest.chars().next()?;
+            if first.is_whitespace() {
+                self.skip(first.len_utf8());
+            } else if self.rest.starts_with("//") {
+                self.skip_past("\n");
+            } else if self.rest.starts_with("/*") {
+                self.skip_comment();
+            } else if first == '"' {
+                self.skip_string();
+            } else if first == '\'' {
+                self.skip_character();
+            } else if is_part_of_word(first) {
+                let length = self.rest.find(|c| !is_part_of_word(c));
+                let (word, after) = self.rest.split_at(length.unwrap_or(self.rest.len()));
+                let line = self.line;
+                if let ("r" | "br" | "cr", Some(hashes)) = (word, raw_string(after)) {
+                    self.skip(word.len() + hashes + 1);
+                    self.skip_past(&format!("\"{}", "#".repeat(hashes)));
+                } else if word == "r" && after.starts_with('#') {
+                    // A raw identifier: the word that follows.
+                    self.skip(2);
+                } else {
+                    let text = word.to_string();
+                    self.skip(text.len());
+                    return Some(Token { line, text });
+                }
+            } else {
+                let line = self.line;
+                self.skip(first.len_utf8());
+                return Some(Token {
+                    line,
+                    text: first.into(),
+                });
+            }
+        }
+    }
+
+    /// Skips a comment, with those inside it.
+    fn skip_comment(&mut self) {
+        let mut depth = 0;
+        while !self.rest.is_empty() {
+            if self.rest.starts_with("/*") {
+                depth += 1;
+                self.skip(2);
+            } else if self.rest.starts_with("*/") {
+                depth -= 1;
+                self.skip(2);
+            } else {
+                self.skip(self.rest.chars().next().map_or(1, char::len_utf8));
+            }
+            if depth == 0 {
+                return;
+            }
+        }
+    }
+
+    /// Skips a string, which is not raw.
+    fn skip_string(&mut self) {
+        let mut escaped = false;
+        let end = self.rest.char_indices().skip(1).find(|&(_, c)| {
+            let ends = c == '"' && !escaped;
+            escaped = c == '\\' && !escaped;
+            ends
+        });
+        self.skip(end.map_or(self.rest.len(), |(i, _)| i + 1));
+    }
+
+    /// Skips a character, or only the quotation mark of a lifetime.
+    fn skip_character(&mut self) {
+        let mut chars = self.rest.char_indices().skip(1);
+        let length = match (chars.next(), chars.next()) {
+            // `'\''` and `'\\'`: the second character is escaped.
+            (Some((_, '\\')), Some((i, c))) => {
+                let after = i + c.len_utf8();
+                let end = self.rest[after..].find('\'');
+                end.map_or(self.rest.len(), |end| after + end + 1)
+            }
+            (Some(_), Some((i, '\''))) => i + 1,
+            _ => 1,
+        };
+        self.skip(length);
+    }
+}
+
+/// The number of `#` before the quotation mark, if `text` goes on as a raw string does after its
+/// `r`.
+fn raw_string(text: &str) -> Option<usize> {
+    let hashes = text.len() - text.trim_start_matches('#').len();
+    text[hashes..].starts_with('"').then_some(hashes)
+}
+
+fn is_part_of_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::PathBuf;
+
+    fn found(code: &str) -> Vec<String> {
+        let files = Files::from([(PathBuf::from("a.rs"), code.as_bytes().to_vec())]);
+        let found = forbidden("bvh", &files).into_iter();
+        let short = found.map(|sentence| {
+            let place = sentence.split("` ").next().unwrap_or_default();
+            place.replace("stages/bvh/src/", "")
+        });
+        short.collect()
+    }
+
+    #[test]
+    fn forbidden_code_is_found_with_its_line() {
+        for (code, place) in [
+            ("\nfn f() { unsafe { g() } }", "a.rs:2: `unsafe"),
+            (
+                "const A: &str = include_str ! (\"x\");",
+                "a.rs:1: `include_str",
+            ),
+            ("m!(include_bytes)", "a.rs:1: `include_bytes"),
+            ("/* \n */ include!(\"x\");", "a.rs:2: `include"),
+            ("#[path = \"/etc/x\"]\nmod a;", "a.rs:1: `path"),
+            ("#[cfg_attr(all(), path = \"x\")] mod a;", "a.rs:1: `path"),
+            ("#[r#path = \"x\"] mod a;", "a.rs:1: `path"),
+            ("static S: &str = env!(\"HOME\");", "a.rs:1: `env"),
+            ("#[no_mangle] fn f() {}", "a.rs:1: `no_mangle"),
+            ("extern \"C\" {}", "a.rs:1: `extern"),
+            ("#![feature(asm)]", "a.rs:1: `feature"),
+            ("let c = '\"'; global_asm!(\"\");", "a.rs:1: `global_asm"),
+            ("r##\"a\"#\"##; '\\''; asm!()", "a.rs:1: `asm"),
+            ("fn f<'a>(x: &'a u8) { env!(\"A\") }", "a.rs:1: `env"),
+        ] {
+            assert_eq!(found(code), [place], "{code}");
+        }
+    }
+
+    #[test]
+    fn honest_code_is_not_found() {
+        for code in [
+            "// unsafe include_str!(\"x\")",
+            "/* env!(\"A\") /* unsafe */ extern */",
+            "let s = \"unsafe \\\" extern\"; let r = r#\"unsafe \" env!()\"#;",
+            "let path = paths[path].start; let include = env.used; include != 3",
+            "#[cfg(feature = \"x\")] #[derive(Clone)] #[inline(always)] fn f() {}",
+            "let c = ['\\u{1F600}', '\\n', 'x', '\\\\']; let l: &'static str;",
+            "#[doc = \"[path]\"] struct A { path: [u8; 3] }",
+        ] {
+            assert_eq!(found(code), [""; 0], "{code}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_rust_ends() {
+        for code in [
+            "\"",
+            "'",
+            "/*",
+            "r#\"",
+            "'\\",
+            "r#",
+            "#![",
+            "\u{feff}é'é",
+            "b'",
+        ] {
+            found(code);
+        }
+    }
+}

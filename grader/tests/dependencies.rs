@@ -94,6 +94,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
         "authoring",
         &["kit", "grader", "judge", "submission", "wire"],
     ),
+    ("class", &["grader", "judge", "pages", "submission"]),
     (
         "cost",
         &[

@@ -79,7 +79,7 @@ pub(super) fn student_arguments() -> [Arg; 4] {
 }
 
 /// The arguments for grading submissions instead of the workspace's own code.
-pub fn submission_arguments() -> [Arg; 5] {
+pub fn submission_arguments() -> [Arg; 4] {
     let folder = |name: &'static str, help: &'static str| {
         Arg::new(name)
             .long(name)
@@ -93,13 +93,7 @@ pub fn submission_arguments() -> [Arg; 5] {
             "For instructors: grade the stages in DIR, each together with the reference's other stages",
         )
         .conflicts_with("class"),
-        folder(
-            "class",
-            "For instructors: grade every folder in DIR as a submission",
-        )
-        .requires("out"),
-        folder("out", "The folder for the reports of a class and its summary.csv")
-            .requires("class"),
+        folder("class", "Moved to `grader class DIR --out OUT`").hide(true),
         Arg::new("together")
             .long("together")
             .action(ArgAction::SetTrue)
@@ -113,7 +107,7 @@ pub fn submission_arguments() -> [Arg; 5] {
 
 /// Whether any of the [`submission_arguments`] is present.
 pub(super) fn is_for_submissions(matches: &ArgMatches) -> bool {
-    let folders = ["submission", "class", "out"];
+    let folders = ["submission", "class"];
     let flags = ["together", "unsandboxed"];
     flags.iter().any(|name| matches.get_flag(name))
         || folders.iter().any(|name| matches.contains_id(name))

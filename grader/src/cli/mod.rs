@@ -27,7 +27,7 @@ use std::str::FromStr;
 pub const EXIT_CODES: &str = "Exit code: 0 if every core point is earned, 1 if points are lost, 2 after an error in the grader or its input.";
 
 /// The commands that are separate programs: name, package, description.
-const SUBPROGRAMS: [(&str, &str, &str); 7] = [
+const SUBPROGRAMS: [(&str, &str, &str); 8] = [
     (
         "look",
         "review",
@@ -47,6 +47,11 @@ const SUBPROGRAMS: [(&str, &str, &str); 7] = [
         "review",
         "review",
         "For reviewers: writes an HTML page with every difference between the goldens and the code's results",
+    ),
+    (
+        "class",
+        "class",
+        "For instructors: grades a folder of submissions; what is graded already is not graded again",
     ),
     (
         "handout",

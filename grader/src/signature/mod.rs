@@ -100,6 +100,19 @@ impl Signature {
         self.cases().values().map(Codes::wrong).sum()
     }
 
+    /// A text that two signatures share only if they have the same faults in all cases.
+    pub fn to_text(&self) -> String {
+        let tiers = [("core", &self.core), ("robust", &self.robust)];
+        let mut text = String::new();
+        for (tier, cases) in tiers {
+            for (key, codes) in cases {
+                let codes: Vec<String> = codes.0.iter().map(u16::to_string).collect();
+                text.push_str(&format!("{tier} {key}: {}\n", codes.join(" ")));
+            }
+        }
+        text
+    }
+
     /// Counts the calls on which both are wrong, and those on which both are wrong in the same way.
     pub fn agreement(&self, other: &Signature) -> Agreement {
         let mut agreement = Agreement {

@@ -3,7 +3,7 @@
 //! [`read`] reads the source files of the stages and nothing else. [`clean_workspace`] puts them
 //! into a clean copy of the course. [`SubmissionReport::of`] grades each stage together with the
 //! reference's other stages, so that a mistake in one stage costs no points in another. On request
-//! it also grades all of the student's stages together. [`class`] grades many submissions.
+//! it also grades all of the student's stages together. The crate `class` grades many submissions.
 //!
 //! [`one::grade_one`] does all this for one folder.
 //!
@@ -13,7 +13,6 @@
 
 pub mod build_folder;
 mod by_heart;
-pub mod class;
 pub mod clean_workspace;
 pub mod containment;
 pub mod file_tree;
@@ -22,6 +21,7 @@ pub mod one;
 pub mod packages;
 pub mod read;
 pub mod scan;
+mod source_file;
 mod toolchain;
 
 use crate::file_tree::Files;

@@ -1,5 +1,4 @@
-//! The commands `grader part2 --submission DIR` and `grader part2 --class DIR --out DIR`: grade
-//! what students handed in.
+//! The command `grader part2 --submission DIR`: grades what a student handed in.
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
@@ -16,7 +15,7 @@ use std::process::ExitCode;
 use submission::clean_workspace::CleanWorkspace;
 use submission::containment::Containment;
 use submission::one::random_seed;
-use submission::{SubmissionReport, class, read};
+use submission::{SubmissionReport, read};
 
 fn main() -> ExitCode {
     let command = arguments(Command::new("grader"), HintLevel::Remedy)
@@ -33,11 +32,11 @@ const IGNORED_NAMED: usize = 20;
 fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let folder = |name| matches.get_one::<PathBuf>(name);
-    match (folder("submission"), folder("class"), folder("out")) {
-        (Some(folder), ..) => grade_one(matches, &workspace, folder),
-        (None, Some(folder), Some(out)) => grade_class(matches, &workspace, folder, out),
-        _ => Err(GraderError::new(
-            "`--together` needs a submission: add `--submission DIR` or `--class DIR`",
+    match (folder("submission"), folder("class")) {
+        (Some(folder), _) => grade_one(matches, &workspace, folder),
+        (None, Some(folder)) => Err(moved(matches, folder)),
+        (None, None) => Err(GraderError::new(
+            "`--together` needs a submission: add `--submission DIR`",
         )),
     }
 }
@@ -86,36 +85,16 @@ fn grade_one(
     })
 }
 
-fn grade_class(
-    matches: &ArgMatches,
-    workspace: &Workspace,
-    folder: &Path,
-    out: &Path,
-) -> Result<Verdict, GraderError> {
-    let text = |report: &SubmissionReport| show(report, hint(matches));
-    let request = seeded_request(matches)?;
-    let summary = class::grade(
-        workspace,
-        folder,
-        out,
-        &request,
-        matches.get_flag("together"),
-        containment(matches, workspace)?,
-        text,
-    )?;
-    println!(
-        "{} submissions graded: {}",
-        summary.graded,
-        out.join("summary.csv").display()
-    );
-    for reason in &summary.not_graded {
-        println!("not graded: {reason}");
-    }
-    Ok(if summary.not_graded.is_empty() {
-        Verdict::Passed
-    } else {
-        Verdict::Failed
-    })
+/// What to run instead of `grader part2 --class DIR`.
+fn moved(matches: &ArgMatches, folder: &Path) -> GraderError {
+    let what = matches.get_one::<String>("what").map(String::as_str);
+    let part = what.and_then(|what| what.strip_prefix("part"));
+    let part: Option<u32> = part.and_then(|number| number.parse().ok());
+    let part = part.map_or_else(String::new, |number| format!(" --part {number}"));
+    GraderError::new(format!(
+        "a class is graded by a command of its own: run `grader class {} --out OUT{part}`",
+        folder.display()
+    ))
 }
 
 /// Formats the report for people.

@@ -1,7 +1,7 @@
 //! Reads what a student handed in: the source files of stages, and nothing else.
 
-use crate::file_tree::{self, Files};
-use crate::scan;
+use crate::file_tree::Files;
+use crate::{scan, source_file};
 use grader::course::Course;
 use grader::error::GraderError;
 use std::collections::BTreeMap;
@@ -18,13 +18,12 @@ pub struct Submission {
     pub ignored: Vec<PathBuf>,
     /// Lines that may access files or start programs. A person should check them.
     pub reaches_out: Vec<String>,
+    /// What was unusual about files and was mended or will not compile, as sentences.
+    pub notes: Vec<String>,
     /// Stages with code that has no business in a stage, which are not compiled: a sentence for
     /// each place.
     pub forbidden: BTreeMap<String, Vec<String>>,
 }
-
-/// The maximum size of a source file in bytes.
-const MAX_FILE_SIZE: u64 = 1 << 20;
 
 /// The maximum number of source files of a stage.
 const MAX_FILES: usize = 500;
@@ -56,11 +55,12 @@ impl Submission {
             top.clone()
         };
         let mut submission = Submission::default();
+        let mut notes = Notes::new();
         let stages = course.stages();
         for stage in &stages {
             let src = stages_folder.join(stage).join("src");
             if exists(&src)? {
-                let files = sources(&top, &src)?;
+                let files = sources(&top, &src, &mut notes)?;
                 submission.reaches_out.extend(reaches_out(stage, &files));
                 let forbidden = scan::forbidden(stage, &files);
                 if !forbidden.is_empty() {
@@ -101,6 +101,7 @@ impl Submission {
             }
         })?;
         submission.ignored.sort();
+        submission.notes = notes.into_iter().map(note).collect();
         Ok(submission)
     }
 }
@@ -119,6 +120,19 @@ impl Submission {
     }
 }
 
+/// What was unusual about files, and their names.
+type Notes = BTreeMap<&'static str, Vec<String>>;
+
+/// A sentence about files with the same peculiarity.
+fn note((what, mut files): (&'static str, Vec<String>)) -> String {
+    files.sort();
+    match files.as_slice() {
+        [] => what.to_string(),
+        [file] => format!("{what}: {file}"),
+        [file, more @ ..] => format!("{what}: {file} and {} more", more.len()),
+    }
+}
+
 /// Whether `path` exists. A path that cannot be accessed is an error: it must not count as missing.
 fn exists(path: &Path) -> Result<bool, GraderError> {
     match path.metadata() {
@@ -129,8 +143,9 @@ fn exists(path: &Path) -> Result<bool, GraderError> {
     }
 }
 
-/// Reads the Rust files below `src`, which is inside `top`.
-fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
+/// Reads the Rust files below `src`, which is inside `top`. Appends what was unusual about them to
+/// `notes`.
+fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderError> {
     let mut files = Files::new();
     let mut folders = vec![src.to_path_buf()];
     while let Some(folder) = folders.pop() {
@@ -148,7 +163,12 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let below = path.strip_prefix(src).unwrap_or(&path).to_path_buf();
-                files.insert(below, source(top, &path)?);
+                let file = source_file::read(top, &path)?;
+                let name = path.strip_prefix(top).unwrap_or(&path).display();
+                if let Some(note) = file.note {
+                    notes.entry(note).or_default().push(name.to_string());
+                }
+                files.insert(below, file.text);
                 if files.len() > MAX_FILES {
                     return Err(GraderError::new(format!(
                         "{} contains more than {MAX_FILES} source files: too many for a stage",
@@ -159,41 +179,6 @@ fn sources(top: &Path, src: &Path) -> Result<Files, GraderError> {
         }
     }
     Ok(files)
-}
-
-/// Reads one source file, after checking it.
-fn source(top: &Path, path: &Path) -> Result<Vec<u8>, GraderError> {
-    let error = |why: String| GraderError::new(format!("{} {why}", path.display()));
-    let real = path
-        .canonicalize()
-        .map_err(|e| GraderError::file("read", path, e))?;
-    if !real.starts_with(top) {
-        return Err(error(
-            "is a link to a file outside the submission: replace it by the file itself".into(),
-        ));
-    }
-    let metadata = real
-        .metadata()
-        .map_err(|e| GraderError::file("read", path, e))?;
-    if !metadata.is_file() {
-        return Err(error(
-            "is not a regular file: replace it by a text file".into(),
-        ));
-    }
-    if metadata.len() > MAX_FILE_SIZE {
-        return Err(error(format!(
-            "has {} bytes: expected at most {MAX_FILE_SIZE}",
-            metadata.len()
-        )));
-    }
-    if path.to_str().is_none() {
-        return Err(error("has a name that is not UTF-8: rename it".into()));
-    }
-    let contents = file_tree::read(top, &real)?;
-    if std::str::from_utf8(&contents).is_err() {
-        return Err(error("is not UTF-8 text: save it as UTF-8".into()));
-    }
-    Ok(contents)
 }
 
 /// Calls `visit` for every file below `folder` and for every folder that cannot be read. Does not
@@ -302,6 +287,8 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::file_tree;
+    use crate::source_file::MAX_FILE_SIZE;
 
     const COURSE: &str = r#"
         conventions = []
@@ -409,16 +396,47 @@ mod tests {
                 &[("README.md", b"x".as_slice())],
                 "contains no stage: expected a folder stages/<stage>/src, where <stage> is intersect.",
             ),
-            (
-                &[(lib, b"\xff\xfe".as_slice())],
-                "lib.rs is not UTF-8 text: save it as UTF-8",
-            ),
             (&[(lib, large.as_slice())], "bytes: expected at most"),
         ] {
             let (_folder, submission) = read(files);
             let error = submission.unwrap_err();
             assert!(error.contains(why), "{error}");
         }
+    }
+
+    #[test]
+    fn unusual_text_is_read_and_said() {
+        let (_folder, submission) = read(&[
+            ("stages/intersect/src/lib.rs", b"mod a;\r\nmod b;\r\n"),
+            ("stages/intersect/src/a.rs", b"\xff\xfe"),
+            ("stages/intersect/src/b.rs", b"\r\n"),
+        ]);
+        let submission = submission.unwrap();
+        let files = &submission.stages["intersect"];
+        assert_eq!(files[Path::new("lib.rs")], b"mod a;\nmod b;\n");
+        let [first, second] = &submission.notes[..] else {
+            panic!("{:?}", submission.notes);
+        };
+        assert!(first.starts_with("UTF-16 text"), "{first}");
+        assert!(first.ends_with(": stages/intersect/src/a.rs"), "{first}");
+        assert_eq!(
+            second,
+            "Windows line ends (CRLF), read as LF: stages/intersect/src/b.rs and 1 more"
+        );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_not_opened() {
+        let (folder, _) = read(&[("stages/intersect/src/lib.rs", b"")]);
+        let made = std::process::Command::new("mkfifo")
+            .arg(folder.path().join("notes.txt"))
+            .status();
+        assert!(made.unwrap().success());
+        assert_eq!(
+            reread(&folder).unwrap().ignored,
+            [PathBuf::from("notes.txt")]
+        );
     }
 
     /// Uses a link that points to itself: not even the superuser can read it.

@@ -1,0 +1,101 @@
+//! The command `grader class`.
+
+mod engines;
+mod run;
+
+pub use run::run;
+
+use crate::intake::Revision;
+use clap::{Arg, ArgAction, Command, value_parser};
+use grader::cli::whole_number;
+use std::path::PathBuf;
+
+/// The command line.
+pub fn command() -> Command {
+    let flag = |name: &'static str, help: &'static str| {
+        Arg::new(name)
+            .long(name)
+            .action(ArgAction::SetTrue)
+            .help(help)
+    };
+    let folder = |name: &'static str| {
+        Arg::new(name)
+            .value_name("DIR")
+            .value_parser(value_parser!(PathBuf))
+    };
+    Command::new("class")
+        .about("For instructors: grades a folder of submissions; what is graded already is not graded again")
+        .arg(folder("class").required_unless_present("collect").help(
+            "The folder of the class: one folder, zip or tar file, or git clone per submission",
+        ))
+        .arg(
+            folder("out")
+                .long("out")
+                .value_name("OUT")
+                .required(true)
+                .help("The folder for gradebook.csv, class.html, students/ and the results of all units"),
+        )
+        .arg(
+            Arg::new("part")
+                .long("part")
+                .value_name("N")
+                .value_parser(|value: &str| whole_number(value, 1_u32, 99))
+                .help("The part to grade; all parts without it"),
+        )
+        .arg(
+            Arg::new("jobs")
+                .long("jobs")
+                .short('j')
+                .value_name("J")
+                .value_parser(|value: &str| whole_number(value, 1_usize, 1024))
+                .help("How many submissions to grade at a time; as many as there are processors without it"),
+        )
+        .arg(
+            Arg::new("seed")
+                .long("seed")
+                .value_name("SEED")
+                .value_parser(|value: &str| whole_number(value, 0, u64::MAX))
+                .allow_negative_numbers(true)
+                .help("Seed of the random inputs; without it one is drawn for the class and kept in OUT"),
+        )
+        .arg(
+            Arg::new("hint")
+                .long("hint")
+                .value_name("LEVEL")
+                .value_parser(["1", "2", "3", "4"])
+                .default_value("2")
+                .help("How much the students' pages reveal, as `grader part1 --hint`"),
+        )
+        .arg(
+            Arg::new("commit")
+                .long("commit")
+                .value_name("NAME")
+                .conflicts_with("before")
+                .help("Grade this commit, tag or branch of each git clone"),
+        )
+        .arg(
+            Arg::new("before")
+                .long("before")
+                .value_name("TIME")
+                .value_parser(Revision::before)
+                .help("Grade the last commit of each git clone before this time, such as \"2026-11-20 18:00\""),
+        )
+        .arg(
+            Arg::new("shard")
+                .long("shard")
+                .value_name("I/N")
+                .value_parser(engines::Shard::parse)
+                .help("Grade only part I of N, counted from 1; `--collect` makes the tables when all are done"),
+        )
+        .arg(flag("list", "Print a command for each submission that is not graded yet, and grade none").conflicts_with("shard"))
+        .arg(flag("collect", "Make the tables of what is graded, and grade none").conflicts_with_all(["shard", "list"]))
+        .arg(flag("regrade", "Grade again what changed since, and show old and new scores; `--yes` replaces them"))
+        .arg(flag("yes", "With --regrade: replace the old scores").requires("regrade"))
+        .arg(flag(
+            "unsandboxed",
+            "Grade submissions where they cannot be contained: their code has all your rights",
+        ))
+        .arg(Arg::new("unit").long("unit").value_name("KEY").hide(true))
+        .arg(flag("of-pool", "").hide(true))
+        .arg(folder("course").long("course").hide(true))
+}

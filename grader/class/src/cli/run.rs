@@ -1,0 +1,298 @@
+//! Runs `grader class`.
+
+use super::engines::{Shard, UnitCommand, missing};
+use crate::collect::Class;
+use crate::course_hash;
+use crate::intake::Revision;
+use crate::plan::{Out, Plan, Settings};
+use crate::progress::Progress;
+use crate::{pool, regrade, tables, unit};
+use clap::ArgMatches;
+use grader::cli::Verdict;
+use grader::error::GraderError;
+use grader::report::{HintLevel, write_whole};
+use grader::workspace::Workspace;
+use std::path::{Path, PathBuf};
+use submission::containment::Containment;
+use submission::one::{GradingCourse, random_seed};
+
+/// Runs the command.
+pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let path = |name| matches.get_one::<PathBuf>(name).map(PathBuf::as_path);
+    let out = path("out").ok_or_else(|| GraderError::new("expected --out OUT"))?;
+    if matches.get_flag("collect") {
+        return collect(matches, &existing(out)?);
+    }
+    let class =
+        path("class").ok_or_else(|| GraderError::new("expected the folder of the class"))?;
+    if !class.is_dir() {
+        return Err(GraderError::new(format!(
+            "{} is not a folder. Expected the folder of the class, with one submission in each entry",
+            class.display()
+        )));
+    }
+    let workspace = Workspace::above(path("course").unwrap_or(Path::new(".")))?;
+    workspace.ensure_full("it does not contain the reference that a class is graded with")?;
+    if let Some(key) = matches.get_one::<String>("unit") {
+        return grade_unit(matches, &existing(out)?, class, &workspace, key);
+    }
+    let out = &Out::create(out)?;
+    if contains(class, out.path()) {
+        return Err(GraderError::new(format!(
+            "{} is inside the folder of the class, where it would be graded, too. Choose another folder for --out",
+            out.path().display()
+        )));
+    }
+    let regrades = matches.get_flag("regrade");
+    let plan = plan(matches, &workspace, class, out)?;
+    let unsandboxed = matches.get_flag("unsandboxed");
+    let command = UnitCommand::new(workspace.root(), class, out, unsandboxed)?;
+    let shard = matches.get_one::<Shard>("shard").copied();
+    let jobs = missing(&plan, shard, out);
+    if matches.get_flag("list") {
+        for (key, _) in jobs {
+            println!("{}", command.line(key)?);
+        }
+        return Ok(Verdict::Passed);
+    }
+    if !jobs.is_empty() {
+        // What all submissions share is built once, not by the first of each processor.
+        drop(GradingCourse::open(
+            &workspace,
+            containment(matches, &workspace)?,
+        )?);
+        let progress = Progress::start(jobs.len());
+        pool::run(&jobs, at_once(matches), out, &progress, |key| {
+            let mut command = command.of(key);
+            command.arg("--of-pool");
+            command
+        })?;
+    }
+    match shard {
+        Some(_) => {
+            let left = missing(&plan, shard, out).len();
+            println!(
+                "{} units of this shard graded, {left} failed. When all shards are done, run `grader class --collect --out {}`",
+                jobs.len() - left,
+                out.path().display()
+            );
+            Ok(verdict(left == 0))
+        }
+        None if regrades => show_regrade(matches, out),
+        None => write_tables(matches, out, plan),
+    }
+}
+
+/// The folder `OUT` of an earlier run.
+fn existing(out: &Path) -> Result<Out, GraderError> {
+    match out.join("class.json").is_file() {
+        true => Out::create(out),
+        false => Err(GraderError::new(format!(
+            "{} has no class.json: expected the folder that an earlier `grader class DIR --out` wrote",
+            out.display()
+        ))),
+    }
+}
+
+fn contains(class: &Path, out: &Path) -> bool {
+    class
+        .canonicalize()
+        .is_ok_and(|class| out.starts_with(class))
+}
+
+/// Makes the plan and stores it. With `--regrade` it is only proposed.
+fn plan(
+    matches: &ArgMatches,
+    workspace: &Workspace,
+    class: &Path,
+    out: &Out,
+) -> Result<Plan, GraderError> {
+    let course = course_hash::of(workspace)?;
+    let part = matches.get_one::<u32>("part");
+    let revision = matches
+        .get_one::<Revision>("before")
+        .cloned()
+        .or_else(|| matches.get_one("commit").cloned().map(Revision::Commit));
+    loop {
+        let old = Plan::load(&out.plan())?;
+        let known_seed = old.as_ref().map(|old| old.settings.seed);
+        let seed = matches.get_one("seed").copied().or(known_seed);
+        let settings = Settings {
+            what: part.map_or_else(|| "all".to_string(), |part| format!("part{part}")),
+            seed: seed.unwrap_or_else(random_seed),
+            limits: limits(matches).to_string(),
+            revision: revision.clone(),
+            course: course.clone(),
+        };
+        let wanted = Plan::make(class, workspace, settings, reading)?;
+        let Some(old) = old else {
+            if matches.get_flag("regrade") {
+                return Err(GraderError::new(format!(
+                    "nothing was graded in {} yet: run without `--regrade` first",
+                    out.path().display()
+                )));
+            }
+            match wanted.store_first(&out.plan())? {
+                true => return Ok(wanted),
+                false => continue, // another machine was first: its seed counts
+            }
+        };
+        if matches.get_flag("regrade") {
+            wanted.store(&out.proposed_plan())?;
+            return Ok(wanted);
+        }
+        let differences = old.settings.differences(&wanted.settings);
+        if !differences.is_empty() {
+            return Err(GraderError::new(format!(
+                "{} was graded with {}. `--regrade` grades again and shows what changes before it replaces anything; or choose another folder for --out",
+                out.path().display(),
+                differences.join(", and with ")
+            )));
+        }
+        let (plan, kept) = old.extended(&wanted, |key| out.has(key));
+        for kept in kept {
+            eprintln!("{kept}: the old score stays until `--regrade`");
+        }
+        if plan != old {
+            plan.store(&out.plan())?;
+        }
+        return Ok(plan);
+    }
+}
+
+/// The limits on submissions that can be chosen. Those of time and memory are part of the course.
+fn limits(matches: &ArgMatches) -> &'static str {
+    match matches.get_flag("unsandboxed") {
+        true => "without a sandbox",
+        false => "in a sandbox",
+    }
+}
+
+/// How the code of submissions is contained.
+fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
+    Containment::choose(workspace, matches.get_flag("unsandboxed"))
+}
+
+/// Prints which submission is read, now and then.
+fn reading(i: usize, of: usize) {
+    if i > 0 && i.is_multiple_of(50) {
+        eprintln!("{i} of {of} submissions read");
+    }
+}
+
+fn at_once(matches: &ArgMatches) -> usize {
+    let processors = || std::thread::available_parallelism().map_or(1, usize::from);
+    matches.get_one("jobs").copied().unwrap_or_else(processors)
+}
+
+/// Grades one unit, as a process of a pool or of another engine.
+fn grade_unit(
+    matches: &ArgMatches,
+    out: &Out,
+    class: &Path,
+    workspace: &Workspace,
+    key: &str,
+) -> Result<Verdict, GraderError> {
+    if matches.get_flag("of-pool") {
+        pool::end_with_the_pool();
+    }
+    if out.has(key) {
+        return Ok(Verdict::Passed);
+    }
+    let plans = [Plan::load(&out.plan())?, Plan::load(&out.proposed_plan())?];
+    let mut planned = plans.iter().flatten().filter_map(|plan| {
+        let planned = plan.units().get(key).copied()?;
+        Some((plan, planned))
+    });
+    let (plan, planned) = planned.next().ok_or_else(|| {
+        GraderError::new(format!(
+            "{} has no unit {key}: run `--list` again",
+            out.path().display()
+        ))
+    })?;
+    let graded = containment(matches, workspace)
+        .and_then(|containment| unit::grade(plan, planned, class, workspace, containment, out));
+    if let Err(why) = &graded {
+        pool::store_failure(out, key, &why.to_string())?;
+    }
+    graded.map(|()| Verdict::Passed)
+}
+
+fn collect(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError> {
+    if matches.get_flag("regrade") {
+        return show_regrade(matches, out);
+    }
+    let plan = Plan::load(&out.plan())?;
+    let plan = plan.ok_or_else(|| GraderError::new("class.json is gone"))?;
+    write_tables(matches, out, plan)
+}
+
+/// Writes the tables and prints a summary.
+fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Verdict, GraderError> {
+    let hint = matches.get_one::<String>("hint");
+    let hint = hint.and_then(|level| {
+        HintLevel::ALL
+            .into_iter()
+            .find(|hint| hint.number().to_string() == *level)
+    });
+    let class = tables::write(out, plan, hint.unwrap_or(HintLevel::Findings))?;
+    println!("{}", class.summary());
+    for row in class.rows.iter().filter(|row| row.score.is_none()) {
+        println!("no score: {}: {}", row.name, row.status);
+    }
+    println!(
+        "seed {}; tables: {}",
+        class.plan.settings.seed,
+        out.join("{gradebook.csv,class.html,students/}").display()
+    );
+    Ok(verdict(class.is_complete()))
+}
+
+/// Shows what the proposed plan changes; with `--yes` it replaces the old one.
+fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError> {
+    let load = |path: PathBuf| {
+        Plan::load(&path)?.ok_or_else(|| {
+            GraderError::new(format!(
+                "{} is missing: run `grader class DIR --out OUT --regrade` first",
+                path.display()
+            ))
+        })
+    };
+    let old = Class::read(out, load(out.plan())?)?;
+    let new = Class::read(out, load(out.proposed_plan())?)?;
+    let changes = regrade::changes(&old, &new);
+    write_whole(
+        &out.join("regrade.csv"),
+        regrade::to_csv(&changes).as_bytes(),
+    )?;
+    print!("{}", regrade::to_text(&changes, new.rows.len()));
+    let failed = new.rows.iter().filter(|row| {
+        let before = old.rows.iter().find(|old| old.name == row.name);
+        row.score.is_none() && before.is_some_and(|before| before.score.is_some())
+    });
+    let failed: Vec<&str> = failed.map(|row| row.name.as_str()).collect();
+    if !failed.is_empty() {
+        println!(
+            "nothing is replaced: {} had a score and would have none. Run again",
+            failed.join(", ")
+        );
+        return Ok(Verdict::Failed);
+    }
+    if !changes.is_empty() && !matches.get_flag("yes") {
+        println!(
+            "nothing is replaced yet. To replace the scores, add `--yes`. The list is {}",
+            out.join("regrade.csv").display()
+        );
+        return Ok(Verdict::Failed);
+    }
+    let (from, to) = (out.proposed_plan(), out.plan());
+    std::fs::rename(&from, &to).map_err(|e| GraderError::file("rename", &from, e))?;
+    write_tables(matches, out, new.plan)
+}
+
+fn verdict(is_fine: bool) -> Verdict {
+    match is_fine {
+        true => Verdict::Passed,
+        false => Verdict::Failed,
+    }
+}

@@ -1,0 +1,165 @@
+//! What the tables and pages read of the report about a submission.
+
+use crate::unit::Unit;
+use grader::error::GraderError;
+use serde::Deserialize;
+
+/// The report about one submission.
+#[derive(Clone, Debug, Deserialize)]
+pub struct StudentReport {
+    /// Core points earned.
+    pub score: f64,
+    /// Core points possible.
+    pub max_score: f64,
+    /// Extra points earned.
+    pub robust_score: f64,
+    /// Extra points possible.
+    pub robust_max_score: f64,
+    /// The tasks, in the order of their keys.
+    pub tasks: Vec<Task>,
+    /// Stages that were not handed in.
+    #[serde(default)]
+    pub missing: Vec<String>,
+    /// Files that are not graded.
+    #[serde(default)]
+    pub ignored: Vec<String>,
+    /// Lines that a person should check.
+    #[serde(default)]
+    pub reaches_out: Vec<String>,
+    /// The compiler's messages.
+    #[serde(default)]
+    pub compiler: String,
+    /// What the code printed.
+    #[serde(default)]
+    pub printed: String,
+    /// How the code was contained.
+    #[serde(default)]
+    pub containment: String,
+}
+
+/// The result of one task.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Task {
+    /// Its key.
+    pub key: String,
+    /// Its title.
+    pub title: String,
+    /// Core points earned.
+    pub score: f64,
+    /// Core points possible.
+    pub max_score: f64,
+    /// Extra points earned.
+    pub robust_score: f64,
+    /// Extra points possible.
+    pub robust_max_score: f64,
+    /// Its status, such as `failed`.
+    pub status: String,
+    /// The crate with its functions.
+    pub stage: String,
+    /// Its cases.
+    pub cases: Vec<Case>,
+    /// The likely mistake.
+    pub diagnosis: Option<Diagnosis>,
+    /// What the wrong answers have in common.
+    #[serde(default)]
+    pub regularities: Vec<String>,
+    /// A Rust test of the worst answer.
+    pub worst_as_test: Option<String>,
+}
+
+/// The result of one case.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Case {
+    /// Its name.
+    pub name: String,
+    /// `core` or `robust`.
+    pub tier: String,
+    /// Points earned.
+    pub score: f64,
+    /// Points possible.
+    pub max_score: f64,
+    /// Its status, such as `crashed`.
+    pub status: String,
+    /// What the status is about.
+    pub detail: Option<String>,
+    /// What it tests.
+    pub about: String,
+    /// What was found about its answers.
+    pub findings: Vec<Finding>,
+    /// What else costs points.
+    pub reductions: Vec<String>,
+}
+
+/// What was found about an aspect of the answers.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Finding {
+    /// The aspect, such as `decision`.
+    pub aspect: judge::tally::Aspect,
+    /// How many answers were judged.
+    pub judged: u64,
+    /// How many of them are wrong.
+    pub wrong: u64,
+    /// The worst one.
+    pub worst: Option<Worst>,
+}
+
+/// The worst wrong answer.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Worst {
+    /// The student's result, the expected one and the input.
+    pub message: String,
+}
+
+/// A known mistake that explains wrong answers.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Diagnosis {
+    /// The names of the mistakes.
+    pub mistakes: Vec<String>,
+    /// The sentence about it.
+    pub says: String,
+    /// Where to look.
+    pub hint: String,
+    /// `likely` or `perhaps`.
+    pub certainty: String,
+}
+
+impl StudentReport {
+    /// Reads the report in a unit.
+    pub fn of(unit: &Unit) -> Result<StudentReport, GraderError> {
+        StudentReport::deserialize(&unit.report).map_err(|e| {
+            GraderError::new(format!(
+                "units/{}.json has a report of another version of the grader ({e}). Remove it and run again",
+                unit.key
+            ))
+        })
+    }
+
+    /// What an instructor should know besides the points, as sentences.
+    pub(super) fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if !self.missing.is_empty() {
+            notes.push(format!("not handed in: {}", self.missing.join(" ")));
+        }
+        let mut broken: Vec<&str> = self
+            .tasks
+            .iter()
+            .filter(|task| task.status == "does_not_compile")
+            .map(|task| task.stage.as_str())
+            .collect();
+        broken.dedup();
+        if !broken.is_empty() {
+            notes.push(format!("does not compile: {}", broken.join(" ")));
+        }
+        match self.ignored.as_slice() {
+            [] => {}
+            [file] => notes.push(format!("ignored: {file}")),
+            [file, more @ ..] => {
+                notes.push(format!("ignored: {file} and {} more files", more.len()))
+            }
+        }
+        if !self.reaches_out.is_empty() {
+            notes.push(format!("please check {}", self.reaches_out.join(" ")));
+        }
+        notes
+    }
+}

@@ -1,0 +1,85 @@
+//! What the scores of a class depend on besides the submissions: the course.
+
+use crate::hash::{self, Hasher};
+use grader::error::GraderError;
+use grader::workspace::Workspace;
+use std::collections::BTreeMap;
+use std::path::Path;
+use submission::file_tree;
+use submission::packages::members;
+
+/// The hashes of the parts of a course that scores depend on, by their names for people.
+pub type CourseHash = BTreeMap<String, String>;
+
+/// The parts: their names, and where their files begin. The first that fits counts.
+const PARTS: [(&str, &[&str]); 4] = [
+    (
+        "the points and conventions in stages/course.toml",
+        &["stages/course.toml"],
+    ),
+    ("the goldens and known mistakes", &["golden"]),
+    ("the reference's stages", &["stages", "scenes"]),
+    ("the grader", &["grader"]),
+];
+
+/// The name of what is in none of the [`PARTS`].
+const LIBRARIES: &str = "the versions of the libraries";
+
+/// Crates whose code decides scores, beside those that they depend on.
+const DECIDING: [&str; 2] = ["worker", "submission"];
+
+/// Computes the hashes. Text for people, such as the book, and tests do not count: a class is not
+/// graded again because of them.
+pub fn of(workspace: &Workspace) -> Result<CourseHash, GraderError> {
+    let root = workspace.root();
+    let members = members::read(root)?;
+    let deciding = members::with_dependencies(&members, &DECIDING);
+    let mut parts: BTreeMap<&str, Hasher> = BTreeMap::new();
+    for path in file_tree::workspace_paths(root)? {
+        let counts = match members::containing_member(&members, &path) {
+            Some(owner) => {
+                let inside = path.strip_prefix(&owner.folder).unwrap_or(&path);
+                let is_test = members::TEST_FOLDERS
+                    .iter()
+                    .any(|test| inside.starts_with(test));
+                !is_test && (owner.name == GOLDENS || deciding.contains(owner.name.as_str()))
+            }
+            None => ["stages/course.toml", "Cargo.toml", "Cargo.lock"]
+                .iter()
+                .any(|file| path == Path::new(file)),
+        };
+        if counts {
+            let hasher = parts.entry(part_of(&path)).or_default();
+            hasher.part(path.to_string_lossy().as_bytes());
+            hasher.part(file_tree::read(root, &path)?);
+        }
+    }
+    let parts = parts.into_iter();
+    Ok(parts
+        .map(|(name, hasher)| (name.to_string(), hasher.finish()))
+        .collect())
+}
+
+/// The crate of the goldens.
+const GOLDENS: &str = "golden";
+
+fn part_of(path: &Path) -> &'static str {
+    let part = PARTS
+        .iter()
+        .find(|(_, starts)| starts.iter().any(|start| path.starts_with(start)));
+    part.map_or(LIBRARIES, |(name, _)| name)
+}
+
+/// One hash of the whole course.
+pub fn whole(course: &CourseHash) -> String {
+    hash::of(course.iter().flat_map(|(name, hash)| [name, hash]))
+}
+
+/// The parts in which two courses differ.
+pub fn differences<'a>(a: &'a CourseHash, b: &'a CourseHash) -> Vec<&'a str> {
+    let names: std::collections::BTreeSet<&String> = a.keys().chain(b.keys()).collect();
+    let differ = names
+        .into_iter()
+        .filter(|name| a.get(*name) != b.get(*name));
+    differ.map(String::as_str).collect()
+}

@@ -1,0 +1,134 @@
+//! The entries of a class's folder: each is one submission.
+
+use crate::hash;
+use grader::error::GraderError;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// One submission, as it lies in the folder of the class.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The student's name in all tables: the entry's name, without the ending of an archive.
+    pub name: String,
+    /// The name of the folder or file in the folder of the class.
+    pub file: String,
+}
+
+/// The endings of archives, which are not part of a student's name.
+const ENDINGS: [&str; 4] = [".tar.gz", ".tgz", ".tar", ".zip"];
+
+/// The longest name of a student's page, in characters, without its ending.
+const PAGE_NAME: usize = 80;
+
+/// Lists the submissions in `class`, sorted by name. Hidden entries are left out. A file that is no
+/// archive is listed, too: somebody handed it in, and reading it says what is wrong.
+pub fn list(class: &Path) -> Result<Vec<Entry>, GraderError> {
+    let failed = |e: std::io::Error| GraderError::file("read", class, e);
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(class).map_err(failed)? {
+        let name = entry.map_err(failed)?.file_name();
+        let Some(name) = name.to_str() else {
+            return Err(GraderError::new(format!(
+                "{} contains an entry whose name is not UTF-8: {}. Rename it",
+                class.display(),
+                name.display()
+            )));
+        };
+        if !name.starts_with('.') {
+            files.push(name.to_string());
+        }
+    }
+    if files.is_empty() {
+        return Err(GraderError::new(format!(
+            "{} is empty. Expected one folder, zip or tar file per submission",
+            class.display()
+        )));
+    }
+    Ok(named(files))
+}
+
+/// Names the entries. Two that differ only by their ending keep it: `anna` and `anna.zip`.
+fn named(files: Vec<String>) -> Vec<Entry> {
+    let mut times: BTreeMap<String, usize> = BTreeMap::new();
+    for file in &files {
+        *times.entry(stem(file).to_string()).or_default() += 1;
+    }
+    let mut entries: Vec<Entry> = files
+        .into_iter()
+        .map(|file| Entry {
+            name: match times[stem(&file)] {
+                1 => stem(&file).to_string(),
+                _ => file.clone(),
+            },
+            file,
+        })
+        .collect();
+    entries.sort_by(|a, b| a.name.cmp(&b.name));
+    entries
+}
+
+fn stem(file: &str) -> &str {
+    let lower = file.to_ascii_lowercase();
+    let ending = ENDINGS.iter().find(|ending| lower.ends_with(**ending));
+    let length = ending.map_or(file.len(), |ending| file.len() - ending.len());
+    if length == 0 { file } else { &file[..length] }
+}
+
+/// The file names of the students' pages, without `.html`, in the order of `names`. A name that is
+/// no plain file name on every system is written with `_` and a part of its hash.
+pub fn page_names(names: &[&str]) -> Vec<String> {
+    let plain = |name: &str| -> String {
+        let kept = name.chars().take(PAGE_NAME);
+        kept.map(|c| match c.is_alphanumeric() || "-_.".contains(c) {
+            true => c,
+            false => '_',
+        })
+        .collect()
+    };
+    let mut times: BTreeMap<String, usize> = BTreeMap::new();
+    for name in names {
+        // Some file systems ignore case.
+        *times.entry(plain(name).to_lowercase()).or_default() += 1;
+    }
+    names
+        .iter()
+        .map(|name| {
+            let plain = plain(name);
+            match plain == *name && !plain.starts_with('.') && times[&plain.to_lowercase()] == 1 {
+                true => plain,
+                false => format!("_{plain}-{}", &hash::of([name])[..8]),
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_archive_has_the_name_of_its_student() {
+        let files = ["bo.tar.gz", "anna", "anna.zip", "Ceh.ZIP", ".zip", "v1.2"];
+        let entries = named(files.map(str::to_string).to_vec());
+        let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+        assert_eq!(names, [".zip", "Ceh", "anna", "anna.zip", "bo", "v1.2"]);
+    }
+
+    #[test]
+    fn the_names_of_pages_are_plain_and_distinct() {
+        let names = ["anna", "Anna", "../x", "Zoë", "<b>", ".", "a b", "a_b"];
+        let pages = page_names(&names);
+        assert_eq!(pages[3], "Zoë");
+        assert_eq!(pages[7].len(), "_a_b-".len() + 8, "it collides with `a b`");
+        let mut distinct: Vec<String> = pages.iter().map(|page| page.to_lowercase()).collect();
+        distinct.sort();
+        distinct.dedup();
+        assert_eq!(distinct.len(), names.len());
+        for page in &pages {
+            assert!(
+                !page.contains(['/', '<', ' ']) && !page.starts_with('.'),
+                "{page}"
+            );
+        }
+    }
+}

@@ -1,0 +1,388 @@
+//! Reads the files of a commit of a git clone.
+//!
+//! The settings of a clone that somebody else made may start programs. So git never sees them: it
+//! runs in an empty repository of our own that has only the names of the clone's commits and reads
+//! the clone's objects.
+
+use super::Unreadable;
+use super::unpack::Unpacker;
+use grader::error::GraderError;
+use grader::interrupt::{self, TempFolder};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{ChildStdout, Command, Stdio};
+
+/// Which commit of a clone counts.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Revision {
+    /// This one: a hash, a tag or a branch.
+    Commit(String),
+    /// The last one on the current branch that was made before this time, as
+    /// `2026-11-20T23:59:59` with or without a time zone.
+    Before(String),
+}
+
+impl Revision {
+    /// Reads the date of `--before`: `2026-11-20`, which means the end of that day, or with a time
+    /// and a time zone, `2026-11-20 18:00` and `2026-11-20T18:00:00Z`. Git itself takes any text
+    /// for a date.
+    pub fn before(text: &str) -> Result<Revision, String> {
+        let expected = || {
+            format!(
+                "`{text}` is no date: expected such as 2026-11-20, \"2026-11-20 18:00\" or 2026-11-20T18:00:00+01:00"
+            )
+        };
+        let text = text.trim().replacen(' ', "T", 1);
+        let (date, time) = text.split_once('T').unwrap_or((&text, "23:59:59"));
+        let (time, zone) = match time.find(['Z', '+', '-']) {
+            Some(at) => time.split_at(at),
+            None => (time, ""),
+        };
+        let fits = |text: &str, form: &str| {
+            text.len() == form.len()
+                && text.bytes().zip(form.bytes()).all(|(c, form)| match form {
+                    b'0' => c.is_ascii_digit(),
+                    form => c == form,
+                })
+        };
+        let in_range = |text: &str, range: std::ops::RangeInclusive<u32>| {
+            text.parse().is_ok_and(|number| range.contains(&number))
+        };
+        let is_date = fits(date, "0000-00-00")
+            && in_range(&date[5..7], 1..=12)
+            && in_range(&date[8..], 1..=31);
+        let time = match time.len() {
+            5 => format!("{time}:00"),
+            _ => time.to_string(),
+        };
+        let is_time = fits(&time, "00:00:00")
+            && in_range(&time[..2], 0..=23)
+            && in_range(&time[3..5], 0..=59)
+            && in_range(&time[6..], 0..=59);
+        let is_zone = matches!(zone, "" | "Z")
+            || ["+00:00", "-00:00", "+0000", "-0000"]
+                .iter()
+                .any(|form| fits(zone, form));
+        match is_date && is_time && is_zone {
+            true => Ok(Revision::Before(format!("{date}T{time}{zone}"))),
+            false => Err(expected()),
+        }
+    }
+}
+
+impl fmt::Display for Revision {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Revision::Commit(name) => write!(f, "the commit {name}"),
+            Revision::Before(time) => write!(f, "the last commit before {time}"),
+        }
+    }
+}
+
+/// The largest file with names of commits that is copied.
+const MAX_REFS: u64 = 4 << 20;
+
+/// The most files below `.git/refs` and `.git/objects`.
+const MAX_GIT_FILES: usize = 200_000;
+
+/// Unpacks the files of a commit of the clone in `folder`.
+pub(super) fn unpack(
+    folder: &Path,
+    revision: &Revision,
+    unpacker: &mut Unpacker,
+) -> Result<(), Unreadable> {
+    let clone = clone_in(folder)?;
+    let git = Git::of(&clone)?;
+    let commit = match revision {
+        Revision::Commit(name) => {
+            let commit = format!("{name}^{{commit}}");
+            let found = git.text(&["rev-parse", "--verify", "--end-of-options", &commit]);
+            found.map_err(|_| {
+                Unreadable::Damaged(format!(
+                    "has no commit, tag or branch {name} in its history"
+                ))
+            })?
+        }
+        Revision::Before(time) => {
+            git.text(&["rev-list", "-1", &format!("--before={time}"), "HEAD", "--"])?
+        }
+    };
+    let commit = commit.trim();
+    if commit.is_empty() {
+        return Err(Unreadable::Damaged(format!(
+            "{revision} does not exist: its first commit is later"
+        )));
+    }
+    let listed = git.text(&["ls-tree", "-r", "-l", "-z", "--full-tree", commit])?;
+    let mut blobs = Vec::new();
+    for line in listed.split_terminator('\0') {
+        let unusual = || Unreadable::Damaged("has a list of files that git did not write".into());
+        let (about, name) = line.split_once('\t').ok_or_else(unusual)?;
+        let [mode, _, hash, size] = about.split_whitespace().collect::<Vec<_>>()[..] else {
+            return Err(unusual());
+        };
+        let Some(path) = unpacker.path(name)? else {
+            continue;
+        };
+        match (mode, size.parse()) {
+            ("100644" | "100755", Ok(size)) => {
+                if unpacker.wants(&path, size) {
+                    blobs.push((path, hash.to_string()));
+                }
+            }
+            // Symbolic links and submodules.
+            _ => unpacker.link(&path),
+        }
+    }
+    git.write_blobs(&blobs, unpacker)
+}
+
+/// The folder with the `objects` of the clone in `folder`: its `.git`, that of its only subfolder
+/// with one, or `folder` itself.
+fn clone_in(folder: &Path) -> Result<PathBuf, Unreadable> {
+    let is_git = |path: &Path| path.join("objects").is_dir() && path.join("HEAD").is_file();
+    let candidates = [folder.join(".git"), folder.to_path_buf()];
+    if let Some(found) = candidates.into_iter().find(|path| is_git(path)) {
+        return Ok(found);
+    }
+    let below = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut below: Vec<PathBuf> = below
+        .map(|entry| entry.path().join(".git"))
+        .filter(|path| is_git(path))
+        .collect();
+    match below.len() {
+        1 => Ok(below.remove(0)),
+        _ => Err(Unreadable::Damaged(
+            "is no git clone: expected a folder .git in it, because a commit or a time was asked for".into(),
+        )),
+    }
+}
+
+/// Runs git on the objects of somebody else's clone.
+struct Git {
+    own: TempFolder,
+    objects: PathBuf,
+}
+
+impl Git {
+    /// Makes an empty repository with the names of the clone's commits.
+    fn of(clone: &Path) -> Result<Git, Unreadable> {
+        let own = interrupt::temp_folder()?;
+        let objects = clone.join("objects");
+        let mut files = 0;
+        check_plain(&objects, &mut files)?;
+        if objects.join("info/alternates").exists() {
+            return Err(Unreadable::Damaged(
+                "is a clone that borrows objects from another one: refused. Ask for a full clone"
+                    .into(),
+            ));
+        }
+        let write = |name: &str, text: &[u8]| {
+            let path = own.path().join(name);
+            let folder = path.parent().unwrap_or(&path).to_path_buf();
+            std::fs::create_dir_all(&folder)
+                .and_then(|()| std::fs::write(&path, text))
+                .map_err(|e| Unreadable::Machine(GraderError::file("write", &path, e)))
+        };
+        write(
+            "config",
+            b"[core]\n\trepositoryformatversion = 0\n\tbare = true\n",
+        )?;
+        for name in ["objects", "refs"] {
+            let folder = own.path().join(name);
+            std::fs::create_dir_all(&folder)
+                .map_err(|e| Unreadable::Machine(GraderError::file("create", &folder, e)))?;
+        }
+        for name in ["HEAD", "packed-refs", "shallow"] {
+            if let Some(text) = small_file(&clone.join(name)) {
+                write(name, &text)?;
+            }
+        }
+        let mut folders = vec![PathBuf::from("refs")];
+        while let Some(folder) = folders.pop() {
+            let Ok(entries) = std::fs::read_dir(clone.join(&folder)) else {
+                continue;
+            };
+            for entry in entries.flatten() {
+                let name = folder.join(entry.file_name());
+                files += 1;
+                if files > MAX_GIT_FILES {
+                    return Err(too_many_files());
+                }
+                if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                    folders.push(name);
+                } else if let (Some(text), Some(name)) = (small_file(&entry.path()), name.to_str())
+                {
+                    write(name, &text)?;
+                }
+            }
+        }
+        Ok(Git { own, objects })
+    }
+
+    fn command(&self) -> Command {
+        let mut command = Command::new("git");
+        command
+            .env_clear()
+            .envs(std::env::var_os("PATH").map(|path| ("PATH", path)))
+            .envs(std::env::var_os("TZ").map(|zone| ("TZ", zone)))
+            .env("HOME", self.own.path())
+            .env("GIT_DIR", self.own.path())
+            .env("GIT_OBJECT_DIRECTORY", &self.objects)
+            .env("GIT_CONFIG_NOSYSTEM", "1")
+            .env("GIT_NO_REPLACE_OBJECTS", "1")
+            .env("GIT_NO_LAZY_FETCH", "1")
+            .env("GIT_ALLOW_PROTOCOL", "none")
+            .env("GIT_TERMINAL_PROMPT", "0")
+            .current_dir(self.own.path())
+            .stdin(Stdio::null());
+        command
+    }
+
+    /// Runs git and returns what it prints.
+    fn text(&self, arguments: &[&str]) -> Result<String, Unreadable> {
+        let output = self
+            .command()
+            .args(arguments)
+            .output()
+            .map_err(cannot_run)?;
+        if !output.status.success() {
+            return Err(Unreadable::Damaged(format!(
+                "is a clone that git cannot read: {}",
+                String::from_utf8_lossy(&output.stderr).trim()
+            )));
+        }
+        String::from_utf8(output.stdout).map_err(|_| {
+            Unreadable::Damaged("has a file whose name is not UTF-8: rename it".into())
+        })
+    }
+
+    /// Writes the contents of `blobs`, each a path and the hash of its contents.
+    fn write_blobs(
+        &self,
+        blobs: &[(PathBuf, String)],
+        unpacker: &mut Unpacker,
+    ) -> Result<(), Unreadable> {
+        let mut command = self.command();
+        command
+            .args(["cat-file", "--batch"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null());
+        let mut child = command.spawn().map_err(cannot_run)?;
+        let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
+        let (Some(mut stdin), Some(stdout)) = (stdin, stdout) else {
+            return Err(cannot_run(std::io::Error::other("it has no pipes")));
+        };
+        let mut stdout = BufReader::new(stdout);
+        let written = blobs.iter().try_for_each(|(path, hash)| {
+            // One question at a time: neither pipe can be full while the other one is waited for.
+            writeln!(stdin, "{hash}").map_err(cannot_run)?;
+            write_blob(&mut stdout, path, unpacker)
+        });
+        drop(stdin);
+        drop(stdout);
+        let _ = child.wait(); // what it wrote was checked
+        written
+    }
+}
+
+/// Reads an answer of `git cat-file --batch`, `HASH blob SIZE` and the contents, and writes them.
+fn write_blob(
+    stdout: &mut BufReader<ChildStdout>,
+    path: &Path,
+    unpacker: &mut Unpacker,
+) -> Result<(), Unreadable> {
+    let mut header = String::new();
+    stdout.read_line(&mut header).map_err(cannot_run)?;
+    let size = header
+        .split_whitespace()
+        .nth(2)
+        .and_then(|size| size.parse().ok());
+    let Some(size) = size else {
+        return Err(Unreadable::Damaged(format!(
+            "is an incomplete clone: the contents of {} are missing",
+            path.display()
+        )));
+    };
+    unpacker.write(path, stdout.by_ref().take(size))?;
+    let mut newline = [0];
+    stdout.read_exact(&mut newline).map_err(cannot_run)
+}
+
+fn cannot_run(e: std::io::Error) -> Unreadable {
+    Unreadable::Machine(GraderError::new(format!(
+        "cannot run git: {e}. Is it installed?"
+    )))
+}
+
+fn too_many_files() -> Unreadable {
+    Unreadable::TooLarge(format!("has a history of more than {MAX_GIT_FILES} files"))
+}
+
+/// The contents of a regular file that is not too large for a list of commits.
+fn small_file(path: &Path) -> Option<Vec<u8>> {
+    let kind = path.symlink_metadata().ok()?;
+    (kind.is_file() && kind.len() <= MAX_REFS).then(|| std::fs::read(path).ok())?
+}
+
+/// Checks that there are only folders and regular files below `folder`: a link may lead to the
+/// objects of somebody else.
+fn check_plain(folder: &Path, files: &mut usize) -> Result<(), Unreadable> {
+    let failed =
+        |e: std::io::Error| Unreadable::Damaged(format!("has an unreadable folder .git: {e}"));
+    let is_folder = |path: &Path| path.symlink_metadata().map(|kind| kind.is_dir());
+    if !is_folder(folder).map_err(failed)? {
+        return Err(Unreadable::Damaged(
+            "has a link in its folder .git: refused".into(),
+        ));
+    }
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        *files += 1;
+        if *files > MAX_GIT_FILES {
+            return Err(too_many_files());
+        }
+        let kind = entry.file_type().map_err(failed)?;
+        if kind.is_dir() {
+            check_plain(&entry.path(), files)?;
+        } else if !kind.is_file() {
+            return Err(Unreadable::Damaged(format!(
+                "has a link in its folder .git, {}: refused",
+                entry.file_name().display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_are_read_strictly() {
+        let before = |text| Revision::before(text).map(|revision| revision.to_string());
+        let at = |time: &str| Ok(format!("the last commit before {time}"));
+        assert_eq!(before("2026-11-20"), at("2026-11-20T23:59:59"));
+        assert_eq!(before("2026-11-20 18:00"), at("2026-11-20T18:00:00"));
+        assert_eq!(before("2026-11-20T18:00:01Z"), at("2026-11-20T18:00:01Z"));
+        assert_eq!(
+            before("2026-11-20 18:00-0130"),
+            at("2026-11-20T18:00:00-0130")
+        );
+        for wrong in [
+            "tomorrow",
+            "20.11.2026",
+            "2026-13-01",
+            "2026-11-20 25:00",
+            "2026-11-20T",
+            "ä026-11-2",
+        ] {
+            assert!(before(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Opens a submission as it was handed in: a folder, an archive, or a git clone, perhaps a folder
+//! too deep. Nothing of it is run, and nothing is written outside a temporary folder.
+
+mod archive;
+mod git;
+mod layout;
+mod unpack;
+
+pub use git::Revision;
+
+use grader::error::GraderError;
+use grader::interrupt::{self, TempFolder};
+use std::path::{Path, PathBuf};
+use unpack::Unpacker;
+
+/// A submission whose files can be read.
+#[derive(Debug)]
+pub struct Opened {
+    /// The folder that contains `stages`, or the folders of the stages.
+    pub root: PathBuf,
+    /// What was unusual about the form that it came in, as sentences.
+    pub notes: Vec<String>,
+    /// What was unpacked; removed when this is dropped.
+    _unpacked: Vec<TempFolder>,
+}
+
+/// Why a submission cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// It is larger than a submission may be. The sentence names the limit.
+    TooLarge(String),
+    /// It is damaged, in another form, or not a submission. The sentence says what was found.
+    Damaged(String),
+    /// The machine failed: its disk is full, for example.
+    Machine(GraderError),
+}
+
+impl From<GraderError> for Unreadable {
+    fn from(error: GraderError) -> Unreadable {
+        Unreadable::Machine(error)
+    }
+}
+
+/// How many archives inside each other are opened: systems wrap what a student zipped.
+const MAX_NESTED: usize = 3;
+
+/// Opens the folder or file `path`. `stages` are the names of the course's stages. With a
+/// `revision`, the files come from the history of a git clone.
+pub fn open(
+    path: &Path,
+    stages: &[&str],
+    revision: Option<&Revision>,
+) -> Result<Opened, Unreadable> {
+    let mut notes = Vec::new();
+    let mut unpacked = Vec::new();
+    let mut path = path.to_path_buf();
+    if let Some(revision) = revision {
+        let mut unpacker = Unpacker::new(temp_folder()?);
+        git::unpack(&path, revision, &mut unpacker)?;
+        path = finish(unpacker, &mut notes, &mut unpacked);
+    }
+    for _ in 0..=MAX_NESTED {
+        if !path.is_dir() {
+            let mut unpacker = Unpacker::new(temp_folder()?);
+            archive::unpack(&path, &mut unpacker)?;
+            path = finish(unpacker, &mut notes, &mut unpacked);
+        }
+        match layout::find(&path, stages)? {
+            layout::Found::Root(root) => {
+                if let Ok(below) = root.strip_prefix(&path)
+                    && !below.as_os_str().is_empty()
+                {
+                    notes.push(format!("its files are in the folder {}", below.display()));
+                }
+                return Ok(Opened {
+                    root,
+                    notes,
+                    _unpacked: unpacked,
+                });
+            }
+            layout::Found::Archive(inner) => {
+                if let Some(name) = inner.file_name() {
+                    notes.push(format!("its files are in the archive {}", name.display()));
+                }
+                path = inner;
+            }
+        }
+    }
+    Err(Unreadable::Damaged(format!(
+        "contains archives inside archives, more than {MAX_NESTED} deep: expected the folder stages"
+    )))
+}
+
+/// Keeps what was unpacked, and returns its folder.
+fn finish(unpacker: Unpacker, notes: &mut Vec<String>, unpacked: &mut Vec<TempFolder>) -> PathBuf {
+    let (folder, new) = unpacker.finish();
+    notes.extend(new);
+    let path = folder.path().to_path_buf();
+    unpacked.push(folder);
+    path
+}
+
+fn temp_folder() -> Result<TempFolder, GraderError> {
+    interrupt::temp_folder()
+}

@@ -1,0 +1,33 @@
+//! Grades a class: hundreds of submissions, on one machine or on a cluster, and nothing twice.
+//!
+//! The program is `grader class`. The work is divided into *units*: a unit is the hash of a
+//! submission, the hash of the course, what is graded, and the seed. Its result is one file,
+//! `OUT/units/KEY.json`, which is written to a temporary file and renamed. So a run that is killed
+//! loses only the units that were in progress, machines that share a folder need no server, and the
+//! tables are a function of the folder `OUT` alone.
+//!
+//! Read the modules in this order:
+//!
+//! - [`entries`] and [`intake`]: the folder of the class; archives, clones and odd layouts
+//! - [`course_hash`]: what scores depend on
+//! - [`plan`]: which units a class needs; `OUT/class.json`
+//! - [`unit`]: the result of one unit, and how it is graded
+//! - [`pool`]: grades units on this machine, several at a time
+//! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
+//! - [`regrade`]: old and new scores, before they are replaced
+
+pub mod cli;
+pub mod collect;
+pub mod course_hash;
+pub mod entries;
+pub mod gradebook;
+pub mod hash;
+pub mod intake;
+pub mod likeness;
+pub mod pages;
+pub mod plan;
+pub mod pool;
+pub mod progress;
+pub mod regrade;
+pub mod tables;
+pub mod unit;

@@ -1,0 +1,12 @@
+//! The program behind `grader class`.
+
+use grader::cli::{run_to_exit_code, subprogram_command};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let matches = subprogram_command([class::cli::command()]).get_matches();
+    run_to_exit_code(|| match matches.subcommand() {
+        Some((_, matches)) => class::cli::run(matches),
+        None => unreachable!("clap requires a command"),
+    })
+}

@@ -1,0 +1,148 @@
+//! Old and new scores of a class whose course, seed or submissions have changed, and why they
+//! differ.
+
+use crate::collect::{Class, Row, points};
+use crate::gradebook::field;
+use crate::plan::{Plan, State};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// What changes for one student.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// The student's name.
+    pub name: String,
+    /// The old and the new result: status and points.
+    pub results: [String; 2],
+    /// The tasks whose points change: key, old and new points, core and extra.
+    pub tasks: Vec<(String, [f64; 2], [f64; 2])>,
+    /// Why.
+    pub why: Vec<String>,
+}
+
+/// What changes between two gradings of a class.
+pub fn changes(old: &Class, new: &Class) -> Vec<Change> {
+    let settings = old.plan.settings.differences(&new.plan.settings);
+    let rows = |class: &Class| -> BTreeMap<String, Row> {
+        class
+            .rows
+            .iter()
+            .map(|row| (row.name.clone(), row.clone()))
+            .collect()
+    };
+    let (before, after) = (rows(old), rows(new));
+    let names: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
+    let mut changes = Vec::new();
+    for name in names {
+        let (before, after) = (before.get(name), after.get(name));
+        let tasks = changed_tasks(before, after);
+        let results = [(before, old), (after, new)].map(|(row, class)| result(row, class));
+        if results[0] == results[1] && tasks.is_empty() {
+            continue;
+        }
+        let mut why: Vec<String> = Vec::new();
+        match (submission(&old.plan, name), submission(&new.plan, name)) {
+            (None, _) => why.push("handed in since".to_string()),
+            (_, None) => why.push("no longer in the folder".to_string()),
+            (a, b) if a != b => why.push("other files were handed in".to_string()),
+            _ => {}
+        }
+        why.extend(settings.iter().cloned());
+        if why.is_empty() {
+            why.push("it was tried again".to_string());
+        }
+        changes.push(Change {
+            name: name.clone(),
+            results,
+            tasks,
+            why,
+        });
+    }
+    changes
+}
+
+/// What a student handed in: the hash, or why it cannot be read.
+fn submission<'a>(plan: &'a Plan, name: &str) -> Option<&'a str> {
+    let planned = plan
+        .submissions
+        .iter()
+        .find(|planned| planned.name == name)?;
+    Some(match &planned.state {
+        State::Unit { submission, .. } => submission,
+        State::TooLarge(why) | State::Unreadable(why) => why,
+    })
+}
+
+fn result(row: Option<&Row>, class: &Class) -> String {
+    let Some(row) = row else {
+        return "none".to_string();
+    };
+    match &row.score {
+        Some(score) => {
+            let [max_core, max_extra] = class.max_score().map(points);
+            let (core, extra) = (points(score.core), points(score.extra));
+            format!(
+                "{core} of {max_core} + {extra} of {max_extra}, {}",
+                row.status.label()
+            )
+        }
+        None => row.status.to_string(),
+    }
+}
+
+fn changed_tasks(before: Option<&Row>, after: Option<&Row>) -> Vec<(String, [f64; 2], [f64; 2])> {
+    let tasks = |row: Option<&Row>| {
+        let score = row.and_then(|row| row.score.as_ref());
+        score.map(|score| score.tasks.clone()).unwrap_or_default()
+    };
+    let (before, after) = (tasks(before), tasks(after));
+    let keys: BTreeSet<&String> = before.keys().chain(after.keys()).collect();
+    let points = keys.into_iter().map(|key| {
+        let [a, b] = [&before, &after].map(|tasks| tasks.get(key).copied().unwrap_or_default());
+        (key.clone(), a, b)
+    });
+    points.filter(|(_, a, b)| a != b).collect()
+}
+
+/// Formats the changes for people.
+pub fn to_text(changes: &[Change], submissions: usize) -> String {
+    let mut text = String::new();
+    for change in changes {
+        let [old, new] = &change.results;
+        let _ = writeln!(text, "{}: {old} -> {new}", change.name);
+        for (task, a, b) in &change.tasks {
+            let of = |[core, extra]: &[f64; 2]| format!("{} + {}", points(*core), points(*extra));
+            let _ = writeln!(text, "    {task}: {} -> {}", of(a), of(b));
+        }
+    }
+    let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+    for why in changes.iter().flat_map(|change| &change.why) {
+        *reasons.entry(why).or_default() += 1;
+    }
+    let _ = writeln!(
+        text,
+        "{} of {submissions} submissions change",
+        changes.len()
+    );
+    for (why, times) in reasons {
+        let _ = writeln!(text, "  {times} of them: {why}");
+    }
+    text
+}
+
+/// Formats the changes as a table.
+pub fn to_csv(changes: &[Change]) -> String {
+    let mut table =
+        String::from("submission,task,old score,old extra,new score,new extra,old,new,why\r\n");
+    for change in changes {
+        let name = field(&change.name);
+        let [old, new] = change.results.each_ref().map(|result| field(result));
+        let why = field(&change.why.join("; "));
+        let _ = write!(table, "{name},,,,,,{old},{new},{why}\r\n");
+        for (task, a, b) in &change.tasks {
+            let cells = [a[0], a[1], b[0], b[1]].map(points).join(",");
+            let _ = write!(table, "{name},{},{cells},,,\r\n", field(task));
+        }
+    }
+    table
+}

@@ -1,0 +1,47 @@
+//! Writes all that a class gets to see: `gradebook.csv`, `class.html` and the students' pages. They
+//! are a function of the plan and of the units in `OUT`: the same bytes, whichever machines graded.
+
+use crate::collect::Class;
+use crate::plan::{Out, Plan};
+use crate::{entries, gradebook, pages};
+use grader::error::GraderError;
+use grader::report::{HintLevel, write_whole};
+use std::path::Path;
+
+/// Writes the tables of `plan`. The students' pages reveal as much as `hint` says.
+pub fn write(out: &Out, plan: Plan, hint: HintLevel) -> Result<Class, GraderError> {
+    let class = Class::read(out, plan)?;
+    let names: Vec<&str> = class.rows.iter().map(|row| row.name.as_str()).collect();
+    let page_names = entries::page_names(&names);
+    let students = out.join("students");
+    std::fs::create_dir_all(&students).map_err(|e| GraderError::file("create", &students, e))?;
+    for (row, name) in class.rows.iter().zip(&page_names) {
+        let page = pages::student::page(&class, row, hint);
+        write_whole(&students.join(format!("{name}.html")), page.as_bytes())?;
+    }
+    remove_other_pages(&students, &page_names)?;
+    let page = pages::class::page(&class, &page_names);
+    write_whole(&out.join("class.html"), page.as_bytes())?;
+    // Last: where it is, everything is.
+    write_whole(
+        &out.join("gradebook.csv"),
+        gradebook::write(&class).as_bytes(),
+    )?;
+    Ok(class)
+}
+
+/// Removes the pages of students who are no longer in the class.
+fn remove_other_pages(students: &Path, names: &[String]) -> Result<(), GraderError> {
+    let failed = |e| GraderError::file("read", students, e);
+    for entry in std::fs::read_dir(students).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        let is_page = path
+            .extension()
+            .is_some_and(|extension| extension == "html");
+        let is_known = |stem: &std::ffi::OsStr| names.iter().any(|name| stem == name.as_str());
+        if is_page && !path.file_stem().is_some_and(is_known) {
+            std::fs::remove_file(&path).map_err(|e| GraderError::file("remove", &path, e))?;
+        }
+    }
+    Ok(())
+}

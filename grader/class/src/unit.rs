@@ -1,0 +1,205 @@
+//! The result of one unit, and how it is graded.
+
+use crate::course_hash;
+use crate::hash;
+use crate::intake::Unreadable;
+use crate::plan::{self, Out, Plan, Planned, State};
+use grader::crash::CrashKind;
+use grader::error::GraderError;
+use grader::grade::GradeRequest;
+use grader::report::{self, write_whole};
+use grader::score::CaseResult;
+use grader::signature::Signature;
+use grader::workspace::Workspace;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::time::Instant;
+use submission::containment::Containment;
+use submission::one::{self, GradingCourse, NotGraded, Options};
+
+/// The result of one unit: the file `OUT/units/KEY.json`. A plan says which students it belongs to.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Unit {
+    /// Its key: the hash of all that follows.
+    pub key: String,
+    /// The hash of the submission.
+    pub submission: String,
+    /// The hash of the course.
+    pub course: String,
+    /// What was graded.
+    pub what: String,
+    /// The seed of the cases' random inputs.
+    pub seed: u64,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// The wrong answers of each task that has some, for comparison with other submissions.
+    pub wrong_answers: BTreeMap<String, WrongAnswers>,
+    /// The cases of each task that did not end within their limits of time, memory and output.
+    pub endless_cases: BTreeMap<String, Vec<String>>,
+    /// The hashes of the source files of each stage that was handed in.
+    pub sources: BTreeMap<String, String>,
+    /// How long it took.
+    pub took: Took,
+    /// The whole report about the submission, as `grader partN --submission DIR --format json`
+    /// prints it.
+    pub report: serde_json::Value,
+}
+
+/// How grading a submission ended. It has a score in every case.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// At least one of its stages was built, and its cases were judged.
+    Graded,
+    /// None of the stages that were handed in compiles.
+    DoesNotCompile,
+    /// Building it exceeded this limit.
+    OverLimit(String),
+}
+
+/// The wrong answers of a task.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct WrongAnswers {
+    /// A hash of which answers are wrong, and how.
+    pub hash: String,
+    /// How many of the answers that are compared are wrong.
+    pub count: usize,
+}
+
+/// The time that a unit took. No table shows it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Took {
+    /// Elapsed seconds.
+    pub seconds: f64,
+    /// Seconds of processor time, those of the compiler and of the student's code included; 0 where
+    /// the system does not report it.
+    pub cpu_seconds: f64,
+}
+
+/// Grades the submission `planned` of the class in the folder `class` and stores the result. An
+/// error is the machine's, never the submission's.
+pub fn grade(
+    plan: &Plan,
+    planned: &Planned,
+    class: &Path,
+    workspace: &Workspace,
+    containment: Containment,
+    out: &Out,
+) -> Result<(), GraderError> {
+    let State::Unit {
+        submission, key, ..
+    } = &planned.state
+    else {
+        return Err(GraderError::new(format!(
+            "{} has nothing to grade",
+            planned.name
+        )));
+    };
+    let started = Instant::now();
+    let course = GradingCourse::open(workspace, containment)?;
+    let settings = &plan.settings;
+    let read = plan::read(
+        class,
+        &planned.file,
+        course.course(),
+        workspace,
+        settings.revision.as_ref(),
+    );
+    let read = read.map_err(|unreadable| match unreadable {
+        Unreadable::Machine(error) => error,
+        Unreadable::TooLarge(why) | Unreadable::Damaged(why) => GraderError::new(why),
+    })?;
+    if read.hash != *submission {
+        return Err(GraderError::new(format!(
+            "{} was changed while the class was graded: run again",
+            planned.file
+        )));
+    }
+    let options = Options {
+        request: GradeRequest {
+            what: settings.what.clone(),
+            seed: settings.seed,
+        },
+        together: false,
+    };
+    let graded = one::grade_one(&course, &read.opened.root, &options);
+    let graded = graded.map_err(|not_graded| match not_graded {
+        NotGraded::Refused(why) | NotGraded::Infrastructure(why) => GraderError::new(why),
+    })?;
+    let wrong_answers = graded.report.scores.tasks.iter().filter_map(|task| {
+        let signature = Signature::of(&task.result.cases);
+        let wrong = WrongAnswers {
+            hash: hash::of([signature.to_text()]),
+            count: signature.wrong(),
+        };
+        (!signature.is_empty()).then(|| (task.result.key.clone(), wrong))
+    });
+    let wrong_answers = wrong_answers.collect();
+    let endless_cases = graded.report.scores.tasks.iter().filter_map(|task| {
+        let is_endless = |case: &&CaseResult| {
+            case.crash
+                .is_some_and(|crash| crash.kind == CrashKind::Endless)
+        };
+        let cases = task.result.cases.iter().filter(is_endless);
+        let cases: Vec<String> = cases.map(|case| case.name.clone()).collect();
+        (!cases.is_empty()).then(|| (task.result.key.clone(), cases))
+    });
+    let endless_cases = endless_cases.collect();
+    let report = serde_json::to_value(&graded.report)
+        .map_err(|e| GraderError::new(format!("cannot write the report as JSON: {e}")))?;
+    let unit = Unit {
+        key: key.clone(),
+        submission: submission.clone(),
+        course: course_hash::whole(&settings.course),
+        what: settings.what.clone(),
+        seed: settings.seed,
+        outcome: match graded.outcome {
+            one::Outcome::Graded => Outcome::Graded,
+            one::Outcome::DoesNotCompile => Outcome::DoesNotCompile,
+            one::Outcome::OverLimit(limit) => Outcome::OverLimit(limit.to_string()),
+        },
+        wrong_answers,
+        endless_cases,
+        sources: read.sources,
+        took: Took {
+            seconds: started.elapsed().as_secs_f64(),
+            cpu_seconds: cpu_seconds().unwrap_or_default(),
+        },
+        report,
+    };
+    write_whole(&out.unit(key), report::json(&unit)?.as_bytes())
+}
+
+/// Reads the result of a unit; `None` if it is not stored.
+pub fn load(out: &Out, key: &str) -> Result<Option<Unit>, GraderError> {
+    let path = out.unit(key);
+    let text = match std::fs::read(&path) {
+        Ok(text) => text,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(e) => return Err(GraderError::file("read", &path, e)),
+    };
+    let unit: Unit = serde_json::from_slice(&text).map_err(|e| {
+        GraderError::new(format!(
+            "{} is damaged ({e}). Remove it and run again",
+            path.display()
+        ))
+    })?;
+    match unit.key == key {
+        true => Ok(Some(unit)),
+        false => Err(GraderError::new(format!(
+            "{} has the result of another unit. Remove it and run again",
+            path.display()
+        ))),
+    }
+}
+
+/// The processor time of this process and of the processes that it has waited for, as Linux shows
+/// it: fields 14 to 17 of `/proc/self/stat`, in hundredths of a second.
+fn cpu_seconds() -> Option<f64> {
+    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
+    let (_, after_name) = stat.rsplit_once(") ")?;
+    let ticks = after_name.split(' ').skip(11).take(4);
+    let ticks = ticks.map(|ticks| ticks.parse::<u64>().ok());
+    Some(ticks.sum::<Option<u64>>()? as f64 / 100.0)
+}

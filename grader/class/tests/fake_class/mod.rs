@@ -1,0 +1,131 @@
+//! A class whose units are graded by a shell script instead of a compiler: it copies results that
+//! were made before, by a temporary file and a rename as the program does.
+
+use class::collect::points;
+use class::hash;
+use class::plan::{Out, Plan};
+use class::tables;
+use grader::report::HintLevel;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A class in a temporary folder.
+pub(crate) struct FakeClass {
+    pub(crate) folder: PathBuf,
+    pub(crate) plan: Plan,
+}
+
+/// What the fake grader does besides copying.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Behaviour {
+    /// Nothing.
+    Fine,
+    /// It takes so many seconds.
+    Slow(f64),
+    /// The first attempts of each unit fail, so many of them.
+    FailsFirst(u32),
+}
+
+impl FakeClass {
+    /// Makes a class of so many submissions in `folder`, each with another result. Two of them are
+    /// the same submission.
+    pub(crate) fn new(folder: &Path, submissions: usize) -> FakeClass {
+        let key = |i: usize| hash::of([format!("unit {}", i.min(submissions - 2))]);
+        let planned = (0..submissions).map(|i| {
+            json!({
+                "name": format!("student{i:02}"), "file": format!("student{i:02}.zip"),
+                "unit": { "submission": key(i), "key": key(i), "notes": [] },
+            })
+        });
+        let mut planned: Vec<Value> = planned.collect();
+        planned.push(json!({ "name": "zz", "file": "zz", "unreadable": "is empty" }));
+        let plan = json!({
+            "version": 1,
+            "settings": { "what": "part1", "seed": 7, "limits": "contained", "revision": null, "course": { "the grader": "0" } },
+            "tasks": [{ "key": "part1.task1", "title": "A <task>", "stage": "raygen", "max_score": 10.0, "max_extra": 2.0 }],
+            "submissions": planned,
+        });
+        let made = folder.join("made");
+        std::fs::create_dir_all(&made).expect("a folder");
+        for i in 0..submissions - 1 {
+            let text = serde_json::to_string(&result(&key(i), i)).expect("JSON");
+            std::fs::write(made.join(key(i)), text).expect("a file");
+        }
+        FakeClass {
+            folder: folder.to_path_buf(),
+            plan: serde_json::from_value(plan).expect("a plan"),
+        }
+    }
+
+    /// A new folder of results with the plan in it.
+    pub(crate) fn out(&self, name: &str) -> Out {
+        let out = Out::create(&self.folder.join(name)).expect("a folder");
+        self.plan.store(&out.plan()).expect("a plan");
+        out
+    }
+
+    /// The process that grades a unit.
+    pub(crate) fn command(&self, out: &Out, key: &str, behaviour: Behaviour) -> Command {
+        let (seconds, failures) = match behaviour {
+            Behaviour::Fine => (0.0, 0),
+            Behaviour::Slow(seconds) => (seconds, 0),
+            Behaviour::FailsFirst(failures) => (0.0, failures),
+        };
+        let script = "set -e
+            echo >> \"$3.tries\"
+            if [ $(wc -l < \"$3.tries\") -le $5 ]; then echo 'error: the disk is full' >&2; exit 2; fi
+            sleep $4
+            cp \"$1\" \"$2.new\"; mv \"$2.new\" \"$2\"";
+        let mut command = Command::new("sh");
+        command
+            .args(["-c", script, "sh"])
+            .arg(self.folder.join("made").join(key))
+            .arg(out.unit(key))
+            .arg(out.join(key))
+            .arg(seconds.to_string())
+            .arg(failures.to_string());
+        command
+    }
+
+    /// Writes the tables and returns all their bytes.
+    pub(crate) fn tables(&self, out: &Out) -> BTreeMap<PathBuf, Vec<u8>> {
+        tables::write(out, self.plan.clone(), HintLevel::Remedy).expect("tables");
+        let mut files = vec![out.join("gradebook.csv"), out.join("class.html")];
+        let pages = std::fs::read_dir(out.join("students")).expect("pages");
+        files.extend(pages.map(|page| page.expect("a page").path()));
+        let read = files.into_iter().map(|path| {
+            let bytes = std::fs::read(&path).expect("a table");
+            (
+                path.strip_prefix(out.path())
+                    .expect("it is in OUT")
+                    .to_path_buf(),
+                bytes,
+            )
+        });
+        read.collect()
+    }
+}
+
+/// The result of unit number `i`.
+fn result(key: &str, i: usize) -> Value {
+    let score = (i % 11) as f64;
+    json!({
+        "key": key, "submission": key, "course": "0", "what": "part1", "seed": 7,
+        "outcome": "graded", "wrong_answers": {}, "endless_cases": {}, "sources": {},
+        "took": { "seconds": 1.0, "cpu_seconds": 1.0 },
+        "report": {
+            "score": score, "max_score": 10.0, "robust_score": 0.0, "robust_max_score": 2.0,
+            "tasks": [{
+                "key": "part1.task1", "title": "A <task>", "score": score, "max_score": 10.0,
+                "robust_score": 0.0, "robust_max_score": 2.0, "status": "failed", "stage": "raygen",
+                "cases": [{
+                    "name": "a_case", "tier": "core", "score": score, "max_score": 10.0, "status": "failed",
+                    "about": format!("earns {} points", points(score)), "findings": [], "reductions": ["</p><script>"],
+                }],
+                "diagnosis": null, "worst_as_test": null,
+            }],
+        },
+    })
+}

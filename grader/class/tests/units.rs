@@ -1,0 +1,161 @@
+//! Units are graded once, wherever and however often a run is stopped, and the tables are the same
+//! bytes.
+
+mod fake_class;
+
+use class::pool;
+use class::progress::Progress;
+use fake_class::{Behaviour, FakeClass};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Longer than any machine needs for these classes.
+const TIMEOUT: Duration = Duration::from_secs(120);
+
+fn grade(class: &FakeClass, out: &class::plan::Out, shard: usize, of: usize, behaviour: Behaviour) {
+    let units = class.plan.units();
+    let jobs = units.into_iter().skip(shard).step_by(of);
+    let jobs: Vec<_> = jobs.filter(|(key, _)| !out.has(key)).collect();
+    let progress = Progress::start(jobs.len());
+    pool::run(&jobs, 3, out, &progress, |key| {
+        class.command(out, key, behaviour)
+    })
+    .expect("graded");
+}
+
+#[test]
+fn shards_of_1_3_and_17_collect_to_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 40);
+    let tables = [1, 3, 17].map(|of| {
+        let out = class.out(&format!("out{of}"));
+        for shard in (0..of).rev() {
+            grade(&class, &out, shard, of, Behaviour::Fine);
+        }
+        class.tables(&out)
+    });
+    assert_eq!(tables[0].len(), 2 + 41);
+    assert!(tables[0] == tables[1] && tables[1] == tables[2]);
+    let gradebook = String::from_utf8(tables[0][&PathBuf::from("gradebook.csv")].clone());
+    let gradebook = gradebook.expect("it is UTF-8");
+    assert!(
+        gradebook.contains("\r\nstudent05,graded,5,10,0,2,5,0,\r\n"),
+        "{gradebook}"
+    );
+    // Who cannot be graded has no points, not 0 points.
+    assert!(
+        gradebook.ends_with("zz,infrastructure,,10,,2,,,it is empty\r\n"),
+        "{gradebook}"
+    );
+}
+
+#[test]
+fn names_and_texts_in_pages_are_escaped() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 3);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    for (path, bytes) in class.tables(&out) {
+        let text = String::from_utf8(bytes).expect("it is UTF-8");
+        assert!(
+            !text.contains("<script>") && !text.contains("A <task>"),
+            "{}",
+            path.display()
+        );
+        assert!(
+            !text.contains("http:") && !text.contains("https:"),
+            "{}",
+            path.display()
+        );
+    }
+}
+
+#[test]
+fn only_failures_of_the_machine_are_tried_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 4);
+    let tries = |out: &class::plan::Out| -> Vec<usize> {
+        let tries = class.plan.units().into_keys();
+        let tries = tries.map(|key| {
+            std::fs::read(out.join(format!("{key}.tries")))
+                .expect("it was tried")
+                .len()
+        });
+        tries.collect()
+    };
+    let out = class.out("fine");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    assert_eq!(tries(&out), [1, 1, 1]);
+    let complete = class.tables(&out);
+
+    let out = class.out("twice");
+    grade(&class, &out, 0, 1, Behaviour::FailsFirst(2));
+    assert_eq!(tries(&out), [3, 3, 3]);
+    assert!(class.tables(&out) == complete);
+
+    let out = class.out("always");
+    grade(&class, &out, 0, 1, Behaviour::FailsFirst(3));
+    assert_eq!(tries(&out), [3, 3, 3]);
+    let tables = class.tables(&out);
+    let gradebook = String::from_utf8_lossy(&tables[&PathBuf::from("gradebook.csv")]).into_owned();
+    let expected = "student00,infrastructure,,10,,2,,,the disk is full\r\n";
+    assert!(gradebook.contains(expected), "{gradebook}");
+    // The next run grades them, and nothing of the failure is left.
+    grade(&class, &out, 0, 1, Behaviour::FailsFirst(3));
+    assert!(class.tables(&out) == complete);
+}
+
+/// The class that the test below kills. It is the same test program, started with this variable.
+const KILLED: &str = "FAKE_CLASS_TO_KILL";
+
+/// How many submissions it has.
+const SUBMISSIONS: usize = 24;
+
+#[test]
+fn a_killed_run_goes_on_where_it_was() {
+    if let Some(folder) = std::env::var_os(KILLED) {
+        let class = FakeClass::new(&PathBuf::from(folder), SUBMISSIONS);
+        let out = class.out("killed");
+        grade(&class, &out, 0, 1, Behaviour::Slow(0.05));
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), SUBMISSIONS);
+    let out = class.out("whole");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let whole = class.tables(&out);
+
+    let out = class.out("killed");
+    let stored = || std::fs::read_dir(out.join("units")).expect("units").count();
+    let units = class.plan.units().len();
+    let started = Instant::now();
+    let mut kills = 0;
+    while stored() < units - 3 {
+        assert!(
+            started.elapsed() < TIMEOUT,
+            "{} of {units} units after {kills} kills",
+            stored()
+        );
+        let mut run = Command::new(std::env::current_exe().expect("this program"))
+            .args(["--exact", "a_killed_run_goes_on_where_it_was"])
+            .env(KILLED, folder.path())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("it starts");
+        // After some units, at some moment of the next ones.
+        let before = stored();
+        while stored() < before + 3 && started.elapsed() < TIMEOUT {
+            std::thread::sleep(Duration::from_millis(3));
+        }
+        run.kill().expect("it is killed"); // SIGKILL
+        run.wait().expect("it ends");
+        kills += 1;
+    }
+    assert!(kills >= 3, "{kills}");
+    // What it had started may still end: wait, so that it does not write while this test reads.
+    std::thread::sleep(Duration::from_millis(300));
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    assert!(class.tables(&out) == whole);
+}

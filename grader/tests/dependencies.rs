@@ -76,6 +76,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("grader", &["kit", "judge", "pictures", "wire"]),
     ("pages", &["grader", "judge", "pictures", "wire"]),
     ("submission", &["grader", "judge"]),
+    ("formats", &["grader", "judge", "submission"]),
     (
         "review",
         &[

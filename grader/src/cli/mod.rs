@@ -7,6 +7,7 @@
 //! ([`run_to_exit_code`]) and common options.
 
 mod case;
+pub mod course_systems;
 mod explain;
 pub mod grade;
 pub mod picture;
@@ -82,6 +83,7 @@ fn command() -> Command {
     grade::arguments(Command::new("grader"), HintLevel::Findings)
         .args(grade::student_arguments())
         .args(grade::submission_arguments())
+        .args(course_systems::arguments())
         .about("Scores your ray tracer, stage by stage")
         .version(env!("CARGO_PKG_VERSION"))
         .args_conflicts_with_subcommands(true)
@@ -110,7 +112,12 @@ impl Format {
         Arg::new("format")
             .long("format")
             .help("How to print the report")
-            .value_parser(["table", "json"])
+            .value_parser(
+                ["table", "json"]
+                    .into_iter()
+                    .chain(course_systems::FORMATS)
+                    .collect::<Vec<_>>(),
+            )
             .default_value("table")
     }
 
@@ -208,6 +215,9 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             .into_iter()
             .chain(forwarded_arguments(rest));
         return subprogram::run(package, arguments.collect());
+    }
+    if course_systems::is_requested(matches) {
+        return subprogram::run("formats", std::env::args_os().skip(1).collect());
     }
     if grade::is_for_submissions(matches) {
         return subprogram::run("submission", std::env::args_os().skip(1).collect());

@@ -11,6 +11,7 @@
 pub mod class;
 pub mod clean_workspace;
 pub mod file_tree;
+pub mod one;
 pub mod packages;
 pub mod read;
 
@@ -42,6 +43,10 @@ pub struct SubmissionReport {
     pub ignored: Vec<String>,
     /// Lines of the student's code that may access files or start programs.
     pub reaches_out: Vec<String>,
+    /// The seed of the random inputs: `--seed` with it repeats the run.
+    pub seed: u64,
+    /// How the code was contained while it was compiled and run: one line.
+    pub containment: String,
     /// The compiler's messages about stages that do not compile.
     pub compiler: String,
     /// What the student's code printed, case by case.
@@ -69,6 +74,8 @@ impl SubmissionReport {
                 .map(|path| path.display().to_string())
                 .collect(),
             reaches_out: submission.reaches_out.clone(),
+            seed: request.seed,
+            containment: "none: only time and memory are limited".to_string(),
             compiler: String::new(),
             printed: String::new(),
         };

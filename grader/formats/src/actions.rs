@@ -5,17 +5,15 @@
 
 use crate::Outcome;
 use crate::annotation::{Annotation, Level};
-use crate::outcome::NOT_GRADED;
+use crate::outcome::{NOT_GRADED, REFUSED};
 use crate::points::rounded;
 use crate::text::printable;
 
 /// The commands about `outcome`, one a line.
 pub fn write(outcome: &Outcome) -> String {
     match outcome {
-        Outcome::Infrastructure(why) => format!(
-            "::error title=Not graded::{}\n",
-            data(&format!("{NOT_GRADED}\n{why}"))
-        ),
+        Outcome::Infrastructure(why) => not_graded(NOT_GRADED, why),
+        Outcome::Refused { why, .. } => not_graded(REFUSED, why),
         Outcome::Graded(graded) => {
             let report = &graded.report;
             let lines = graded.annotations.iter().map(command);
@@ -30,6 +28,11 @@ pub fn write(outcome: &Outcome) -> String {
             lines.chain([total]).collect()
         }
     }
+}
+
+fn not_graded(sentence: &str, why: &str) -> String {
+    let text = data(&format!("{sentence}\n{why}"));
+    format!("::error title=Not graded::{text}\n")
 }
 
 fn command(annotation: &Annotation) -> String {

@@ -109,6 +109,7 @@ pub fn write(outcome: &Outcome, settings: &Settings) -> Result<String, GraderErr
     let assignment = settings.assignment.as_ref().map_err(Clone::clone)?;
     let (score, max_score, tests) = match outcome {
         Outcome::Infrastructure(_) => (0, 0, Vec::new()),
+        Outcome::Refused { max_score, .. } => (0, hundredths(*max_score, *max_score), Vec::new()),
         Outcome::Graded(graded) => {
             let max = graded.report.max_score;
             // A score above the maximum is refused.

@@ -9,13 +9,13 @@ use grader::score::Status;
 /// The columns before those of the tasks.
 const COLUMNS: [&str; 6] = ["id", "name", "score", "max_score", "extra", "max_extra"];
 
-/// The file about `outcome`: a header and a row. After a failure of the grader all points are
-/// empty, not 0, and the note says why.
+/// The file about `outcome`: a header and a row. If nothing was graded, all points are empty,
+/// not 0, and the note says why.
 pub fn write(outcome: &Outcome, settings: &Settings) -> String {
     let mut header: Vec<String> = COLUMNS.map(str::to_owned).to_vec();
     let mut row = vec![settings.id.clone(), settings.name.clone()];
     let note = match outcome {
-        Outcome::Infrastructure(why) => {
+        Outcome::Infrastructure(why) | Outcome::Refused { why, .. } => {
             row.extend(["", "", "", ""].map(str::to_owned));
             format!("not graded: {why}")
         }

@@ -2,7 +2,7 @@
 //!
 //! <https://gradescope-autograders.readthedocs.io/en/latest/specs/>
 
-use crate::outcome::{NOT_GRADED, name};
+use crate::outcome::{NOT_GRADED, REFUSED, name};
 use crate::points::{rounded, total};
 use crate::text::{limited, printable};
 use crate::{Graded, Outcome, Settings};
@@ -59,13 +59,22 @@ struct Test {
 pub fn write(outcome: &Outcome, settings: &Settings) -> Result<String, GraderError> {
     let results = match outcome {
         Outcome::Graded(graded) => results(graded, settings),
+        Outcome::Refused { why, max_score } => Results {
+            score: Some(0.0),
+            output: printable(&format!("{REFUSED}\n{why}")),
+            extra_data: ExtraData::Points {
+                core: 0.0,
+                max_core: rounded(*max_score),
+                extra: 0.0,
+                max_extra: 0.0,
+            },
+            ..empty(settings)
+        },
         Outcome::Infrastructure(why) => Results {
-            score: None,
             output: printable(&format!("{NOT_GRADED}\n{why}")),
             extra_data: ExtraData::Failure {
                 infrastructure: printable(why),
             },
-            tests: Vec::new(),
             ..empty(settings)
         },
     };

@@ -1,8 +1,8 @@
 //! Grades the workspace or a submission, for a report in any format.
 
 use clap::ArgMatches;
-use formats::Graded;
 use formats::annotation;
+use formats::{Graded, Outcome};
 use grader::cli::grade::{hint, request};
 use grader::course::{Course, Task};
 use grader::error::GraderError;
@@ -11,43 +11,48 @@ use grader::report::{self, Reveal, table};
 use grader::sources::{self, SourceFile, with_slashes};
 use grader::workspace::Workspace;
 use grader::{compile_errors, printed};
+use judge::Tier;
 use std::any::Any;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use submission::SubmissionReport;
-use submission::clean_workspace::CleanWorkspace;
+use submission::one::{GradingCourse, NotGraded, Options, grade_one};
 use submission::read::Submission;
 
 /// How many ignored files are named.
 const IGNORED_NAMED: usize = 20;
 
-/// Grades what `matches` ask for. A panic of the grader is an error, too.
-pub(crate) fn grade(matches: &ArgMatches) -> Result<Graded, GraderError> {
-    let graded = catch_unwind(AssertUnwindSafe(|| {
-        let request = request(matches)?;
-        let reveal = Reveal {
-            hint: hint(matches),
-            extra: matches.get_flag("extra"),
-        };
-        let workspace = Workspace::above(Path::new("."))?;
-        match matches.get_one::<PathBuf>("submission") {
-            Some(folder) => {
-                let together = matches.get_flag("together");
-                submission(&workspace, &request, reveal, folder, together)
-            }
-            None if matches.contains_id("class") => Err(GraderError::new(
-                "a class has formats of its own: grade it with `grader class`",
-            )),
-            None => in_place(&workspace, &request, reveal),
+/// Grades what `matches` ask for. A panic of the grader is a failure of the grader.
+pub(crate) fn grade(matches: &ArgMatches) -> Outcome {
+    let outcome = catch_unwind(AssertUnwindSafe(|| attempt(matches)));
+    let failed = |why: GraderError| Outcome::Infrastructure(why.to_string());
+    match outcome {
+        Ok(outcome) => outcome.unwrap_or_else(failed),
+        Err(panic) => Outcome::Infrastructure(format!("the grader panicked: {}", message(&*panic))),
+    }
+}
+
+fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
+    let request = request(matches)?;
+    let reveal = Reveal {
+        hint: hint(matches),
+        extra: matches.get_flag("extra"),
+    };
+    let workspace = Workspace::above(Path::new("."))?;
+    match matches.get_one::<PathBuf>("submission") {
+        Some(folder) => {
+            let options = Options {
+                request,
+                together: matches.get_flag("together"),
+            };
+            submission(&workspace, options, reveal, folder)
         }
-    }));
-    graded.unwrap_or_else(|panic| {
-        Err(GraderError::new(format!(
-            "the grader panicked: {}",
-            message(&*panic)
-        )))
-    })
+        None if matches.contains_id("class") => Err(GraderError::new(
+            "a class has formats of its own: grade it with `grader class`",
+        )),
+        None => in_place(&workspace, &request, reveal),
+    }
 }
 
 fn message(panic: &(dyn Any + Send)) -> &str {
@@ -69,7 +74,7 @@ fn in_place(
     workspace: &Workspace,
     request: &GradeRequest,
     reveal: Reveal,
-) -> Result<Graded, GraderError> {
+) -> Result<Outcome, GraderError> {
     let course = Course::read(workspace)?;
     let graded = grade::in_place(workspace, request, false, true)?;
     let mut files = Vec::new();
@@ -79,39 +84,44 @@ fn in_place(
     let json = report::json(&graded.report)?;
     report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     let notes = join([&*graded.compiler, &printed::format(&graded.printed)]);
-    Ok(Graded {
+    Ok(Outcome::Graded(Box::new(Graded {
         what: request.what.clone(),
         annotations: annotation::all(&graded.report, &graded.compiler, &files, reveal),
         report: graded.report,
         json,
         reveal,
         notes,
-    })
+    })))
 }
 
 fn submission(
     workspace: &Workspace,
-    request: &GradeRequest,
+    options: Options,
     reveal: Reveal,
     folder: &Path,
-    together: bool,
-) -> Result<Graded, GraderError> {
-    let course = Course::read(workspace)?;
-    let tasks = course.select(&request.what)?;
-    let submission = Submission::read(folder, &course, workspace.root())?;
-    let clean = CleanWorkspace::open(workspace)?;
-    let report = SubmissionReport::of(&submission, workspace, &clean, request, together)?;
+) -> Result<Outcome, GraderError> {
+    let course = GradingCourse::open(workspace)?;
+    let tasks = course.course().select(&options.request.what)?;
+    let report = match grade_one(&course, folder, &options) {
+        Ok(graded) => graded.report,
+        Err(NotGraded::Refused(why)) => {
+            let max_score = tasks.iter().map(|task| task.points(Tier::Core)).sum();
+            return Ok(Outcome::Refused { why, max_score });
+        }
+        Err(NotGraded::Infrastructure(why)) => return Ok(Outcome::Infrastructure(why)),
+    };
     let json = report::json(&report)?;
     report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
-    let files = files(&submission, &tasks);
-    Ok(Graded {
-        what: request.what.clone(),
+    let handed_in = Submission::read(folder, course.course(), workspace.root())?;
+    let files = files(&handed_in, &tasks);
+    Ok(Outcome::Graded(Box::new(Graded {
         annotations: annotation::all(&report.scores, &report.compiler, &files, reveal),
         notes: notes(&report),
+        what: options.request.what,
         report: report.scores,
         json,
         reveal,
-    })
+    })))
 }
 
 /// The files of a submission that were graded, by their paths in the workspace.
@@ -133,6 +143,7 @@ fn files(submission: &Submission, tasks: &[&Task]) -> Vec<SourceFile> {
 /// instructor, and not in it: students read these files.
 fn notes(report: &SubmissionReport) -> String {
     let mut text = String::new();
+    let _ = writeln!(text, "seed of the random inputs: {}", report.seed);
     for stage in &report.missing {
         let _ = writeln!(text, "not handed in: stages/{stage}/src");
     }

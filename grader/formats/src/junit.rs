@@ -4,7 +4,7 @@
 //! (`junit-10.xsd`), which is also what GitLab and test reporters of GitHub Actions read. There,
 //! only suites have properties.
 
-use crate::outcome::{NOT_GRADED, name};
+use crate::outcome::{NOT_GRADED, REFUSED, name};
 use crate::points::rounded;
 use crate::text::printable;
 use crate::{Graded, Outcome};
@@ -24,12 +24,14 @@ struct Ending {
     message: String,
 }
 
-/// The file about `outcome`. After a failure of the grader it has one test with an error.
+/// The file about `outcome`. If nothing was graded it has one test, which fails, or
+/// has an error after a failure of the grader.
 pub fn write(outcome: &Outcome) -> Result<String, GraderError> {
     let mut writer = Writer::new_with_indent(Vec::new(), b' ', 2);
     let written = match outcome {
         Outcome::Graded(graded) => document(&mut writer, graded),
-        Outcome::Infrastructure(why) => failure(&mut writer, &printable(why)),
+        Outcome::Infrastructure(why) => not_graded(&mut writer, &INFRASTRUCTURE, why),
+        Outcome::Refused { why, .. } => not_graded(&mut writer, &A_REFUSAL, why),
     };
     let text = written.map(|()| String::from_utf8(writer.into_inner()));
     match text {
@@ -188,26 +190,29 @@ fn ending(case: &CaseResult) -> Option<Ending> {
     })
 }
 
-fn failure(writer: &mut Xml, why: &str) -> io::Result<()> {
+/// How the only test of a file ends if nothing was graded: its element, type and message, and the
+/// numbers of failures and errors.
+struct OnlyTest([&'static str; 3], [&'static str; 2]);
+
+const INFRASTRUCTURE: OnlyTest = OnlyTest(["error", "infrastructure", NOT_GRADED], ["0", "1"]);
+const A_REFUSAL: OnlyTest = OnlyTest(["failure", "refused", REFUSED], ["1", "0"]);
+
+fn not_graded(writer: &mut Xml, test: &OnlyTest, why: &str) -> io::Result<()> {
+    let OnlyTest([element, kind, message], [failures, errors]) = *test;
     writer.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    let counts = [("tests", "1"), ("failures", "0"), ("errors", "1")];
+    let counts = [("tests", "1"), ("failures", failures), ("errors", errors)];
     let tag = writer.create_element("testsuites");
-    let tag = tag
-        .with_attribute(("name", "First Light"))
-        .with_attributes(counts);
-    tag.write_inner_content(|writer| {
+    let tag = tag.with_attribute(("name", "First Light"));
+    tag.with_attributes(counts).write_inner_content(|writer| {
         let tag = writer.create_element("testsuite");
-        let tag = tag
-            .with_attribute(("name", "grader"))
-            .with_attributes(counts);
-        tag.write_inner_content(|writer| {
+        let tag = tag.with_attribute(("name", "grader"));
+        tag.with_attributes(counts).write_inner_content(|writer| {
             let tag = writer.create_element("testcase");
             let tag = tag.with_attributes([("name", "grading"), ("classname", "grader")]);
             tag.write_inner_content(|writer| {
-                let tag = writer.create_element("error");
-                let tag =
-                    tag.with_attributes([("type", "infrastructure"), ("message", NOT_GRADED)]);
-                tag.write_text_content(BytesText::new(why))?;
+                let tag = writer.create_element(element);
+                let tag = tag.with_attributes([("type", kind), ("message", message)]);
+                tag.write_text_content(BytesText::new(&printable(why)))?;
                 Ok(())
             })?;
             Ok(())

@@ -87,20 +87,21 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         &Outcome::Infrastructure(UNFINISHED.into()),
         &settings,
     )?;
-    let graded = grading::grade(matches);
-    let outcome = match &graded {
-        Ok(graded) => Outcome::Graded(Box::new(graded.clone())),
-        Err(error) => Outcome::Infrastructure(error.to_string()),
-    };
+    let outcome = grading::grade(matches);
     write_all(&targets, &outcome, &settings)?;
-    match (Format::named(printed), &graded) {
+    match (Format::named(printed), &outcome) {
         (Some(format), _) => print!("{}", format.write(&outcome, &settings)?),
-        (None, Ok(graded)) => print!("{}", grading::table(graded)),
-        (None, Err(_)) => {}
+        (None, Outcome::Graded(graded)) => print!("{}", grading::table(graded)),
+        (None, _) => {}
     }
-    match graded?.report.is_full() {
-        true => Ok(Verdict::Passed),
-        false => Ok(Verdict::Failed),
+    match outcome {
+        Outcome::Graded(graded) if graded.report.is_full() => Ok(Verdict::Passed),
+        Outcome::Graded(_) => Ok(Verdict::Failed),
+        Outcome::Refused { why, .. } => {
+            eprintln!("cannot be graded: {why}");
+            Ok(Verdict::Failed)
+        }
+        Outcome::Infrastructure(why) => Err(GraderError::new(why)),
     }
 }
 

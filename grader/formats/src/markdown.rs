@@ -1,6 +1,6 @@
 //! A summary for people: the step summary of GitHub Actions, the release page of Classroom 50.
 
-use crate::outcome::NOT_GRADED;
+use crate::outcome::{NOT_GRADED, REFUSED};
 use crate::points::rounded;
 use crate::text::{limited, printable};
 use crate::{Graded, Outcome};
@@ -15,6 +15,9 @@ pub fn write(outcome: &Outcome) -> String {
     match outcome {
         Outcome::Infrastructure(why) => {
             format!("## Not graded\n\n{NOT_GRADED}\n\n{}", code(&printable(why)))
+        }
+        Outcome::Refused { why, .. } => {
+            format!("## Not graded\n\n{REFUSED}\n\n{}", code(&printable(why)))
         }
         Outcome::Graded(graded) => summary(graded),
     }

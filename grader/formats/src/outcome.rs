@@ -9,6 +9,14 @@ use grader::score::Status;
 pub enum Outcome {
     /// The code was graded.
     Graded(Box<Graded>),
+    /// What was handed in cannot be graded, and the student can mend that: it is not a submission, or
+    /// has a file that a submission may not contain.
+    Refused {
+        /// What is wrong.
+        why: String,
+        /// The core points that were to be had.
+        max_score: f64,
+    },
     /// The grader failed, for a reason that is not the fault of the code: this says which. It is
     /// never worth zero points: somebody has to look at it.
     Infrastructure(String),
@@ -53,3 +61,6 @@ pub(crate) fn name(task: &TaskReport) -> String {
 /// The first sentence about an infrastructure failure, in every format.
 pub(crate) const NOT_GRADED: &str =
     "This submission was not graded: the grader failed. This is not the fault of the code.";
+
+/// The first sentence about a submission that cannot be graded, in every format.
+pub(crate) const REFUSED: &str = "This submission cannot be graded.";

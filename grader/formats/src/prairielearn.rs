@@ -2,7 +2,7 @@
 //!
 //! <https://docs.prairielearn.com/externalGrading/>, "Grading results"
 
-use crate::outcome::{NOT_GRADED, name};
+use crate::outcome::{NOT_GRADED, REFUSED, name};
 use crate::points::{rounded, total};
 use crate::text::{limited, printable};
 use crate::{Graded, Outcome, Settings};
@@ -36,27 +36,27 @@ struct Test {
     output: String,
 }
 
-/// The file about `outcome`. After a failure of the grader, and if nothing compiles, the submission
-/// is not gradable: it costs the student no attempt and gives no points.
+/// The file about `outcome`. After a failure of the grader, and if nothing can be graded or
+/// compiled, the submission is not gradable: it costs the student no attempt and gives no points.
 pub fn write(outcome: &Outcome, settings: &Settings) -> Result<String, GraderError> {
     let results = match outcome {
-        Outcome::Infrastructure(why) => not_gradable(NOT_GRADED, printable(why), ""),
-        Outcome::Graded(graded) if graded.nothing_compiles() => not_gradable(
-            "The code does not compile.",
-            limited(&printable(&graded.notes), LONGEST),
-            "",
-        ),
+        Outcome::Infrastructure(why) => not_gradable(NOT_GRADED, why),
+        Outcome::Refused { why, .. } => not_gradable(REFUSED, why),
+        Outcome::Graded(graded) if graded.nothing_compiles() => {
+            not_gradable("The code does not compile.", &graded.notes)
+        }
         Outcome::Graded(graded) => results(graded, settings),
     };
     json(&results)
 }
 
-fn not_gradable(message: &str, error: String, output: &str) -> Results {
+fn not_gradable(message: &str, error: &str) -> Results {
+    let error = limited(&printable(error), LONGEST);
     Results {
         gradable: false,
         score: None,
         message: message.into(),
-        output: output.into(),
+        output: String::new(),
         format_errors: vec![message.into(), error],
         tests: Vec::new(),
     }

@@ -4,17 +4,18 @@ mod junit_schema;
 mod outcomes;
 
 use formats::{Format, Outcome};
-use outcomes::{broken, failed_grader, full, hostile, nothing_compiles, partly, settings};
+use outcomes::{broken, failed_grader, full, hostile, nothing_compiles, partly, refused, settings};
 use serde_json::Value;
 
 /// Every kind of outcome, with its name.
-fn all() -> [(&'static str, Outcome); 6] {
+fn all() -> [(&'static str, Outcome); 7] {
     [
         ("full", full()),
         ("partly", partly()),
         ("broken", broken()),
         ("nothing_compiles", nothing_compiles()),
         ("hostile", hostile()),
+        ("refused", refused()),
         ("failed_grader", failed_grader()),
     ]
 }
@@ -34,10 +35,10 @@ fn schema(text: &str) -> jsonschema::Validator {
 }
 
 /// The names of the outcomes whose file in `format` violates the schema.
-fn refused(format: Format, schema_text: &str) -> Vec<&'static str> {
+fn violating(format: Format, schema_text: &str) -> Vec<&'static str> {
     let schema = schema(schema_text);
     let all = all();
-    let refused = all.iter().filter(|(name, outcome)| {
+    let violating = all.iter().filter(|(name, outcome)| {
         let file = json(format, outcome);
         let errors = schema
             .iter_errors(&file)
@@ -48,14 +49,14 @@ fn refused(format: Format, schema_text: &str) -> Vec<&'static str> {
         }
         !errors.is_empty()
     });
-    refused.map(|(name, _)| *name).collect()
+    violating.map(|(name, _)| *name).collect()
 }
 
 #[test]
 fn gradescope_accepts_every_file_but_that_of_a_failed_grader() {
     // Gradescope shows such a file as a failure of the autograder, without points.
     let text = include_str!("../../schemas/gradescope.json");
-    assert_eq!(refused(Format::Gradescope, text), ["failed_grader"]);
+    assert_eq!(violating(Format::Gradescope, text), ["failed_grader"]);
     let file = json(Format::Gradescope, &failed_grader());
     assert!(
         file.get("score").is_none() && file.get("tests").is_none(),
@@ -73,7 +74,7 @@ fn gradescope_accepts_every_file_but_that_of_a_failed_grader() {
 #[test]
 fn classroom50_accepts_every_file() {
     let text = include_str!("../../schemas/classroom50.json");
-    assert_eq!(refused(Format::Classroom50, text), [""; 0]);
+    assert_eq!(violating(Format::Classroom50, text), [""; 0]);
     for (name, outcome) in all() {
         let file = json(Format::Classroom50, &outcome);
         let points = |value: &Value| {
@@ -87,6 +88,11 @@ fn classroom50_accepts_every_file() {
             .map(points)
             .fold([0, 0], |[a, b], [c, d]| [a + c, b + d]);
         let total = points(&file);
+        if tests.is_empty() {
+            let max = if name == "refused" { 1000 } else { 0 };
+            assert_eq!(total, [0, max], "{name}");
+            continue;
+        }
         assert_eq!(total[1], sums[1], "{name}");
         assert!(total[0].abs_diff(sums[0]) <= tests.len() as u64, "{name}");
     }
@@ -95,12 +101,12 @@ fn classroom50_accepts_every_file() {
 #[test]
 fn prairielearn_accepts_every_file() {
     let text = include_str!("../../schemas/prairielearn.json");
-    assert_eq!(refused(Format::PrairieLearn, text), [""; 0]);
+    assert_eq!(violating(Format::PrairieLearn, text), [""; 0]);
     for (name, outcome) in all() {
         let file = written(Format::PrairieLearn, &outcome);
         assert!(file.len() < 1_000_000, "{name}: {} bytes", file.len());
     }
-    for outcome in [failed_grader(), nothing_compiles()] {
+    for outcome in [failed_grader(), refused(), nothing_compiles()] {
         assert_eq!(json(Format::PrairieLearn, &outcome)["gradable"], false);
     }
     assert_eq!(json(Format::PrairieLearn, &full())["score"], 1.0);
@@ -115,7 +121,7 @@ fn prairielearn_accepts_every_file() {
 #[test]
 fn the_reports_own_json_fits_its_schema() {
     let text = include_str!("../../schemas/report.json");
-    assert_eq!(refused(Format::Json, text), [""; 0]);
+    assert_eq!(violating(Format::Json, text), [""; 0]);
 }
 
 #[test]
@@ -151,6 +157,21 @@ fn junit_fails_core_cases_and_skips_extra_credit() {
         failed.contains("<error type=\"infrastructure\""),
         "{failed}"
     );
+}
+
+#[test]
+fn a_student_is_told_what_to_mend_in_a_submission_that_is_none() {
+    let file = json(Format::Gradescope, &refused());
+    assert_eq!(file["score"], 0.0);
+    for format in Format::ALL {
+        let text = written(format, &refused());
+        let says = text.contains("the folder contains no stage");
+        assert!(says || format == Format::Classroom50, "{format:?}: {text}");
+        assert!(
+            !text.contains("not the fault of the code"),
+            "{format:?}: {text}"
+        );
+    }
 }
 
 #[test]

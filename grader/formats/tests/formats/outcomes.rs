@@ -144,3 +144,10 @@ pub(crate) fn hostile() -> Outcome {
 pub(crate) fn failed_grader() -> Outcome {
     Outcome::Infrastructure("the disk is full".into())
 }
+
+pub(crate) fn refused() -> Outcome {
+    Outcome::Refused {
+        why: "the folder contains no stage".into(),
+        max_score: 10.0,
+    }
+}

@@ -77,6 +77,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("pages", &["grader", "judge", "pictures", "wire"]),
     ("submission", &["grader", "judge"]),
     ("formats", &["grader", "judge", "submission"]),
+    ("export", &["grader", "submission"]),
     (
         "review",
         &[

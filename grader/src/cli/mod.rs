@@ -28,7 +28,7 @@ use std::str::FromStr;
 pub const EXIT_CODES: &str = "Exit code: 0 if every core point is earned, 1 if points are lost, 2 after an error in the grader or its input.";
 
 /// The commands that are separate programs: name, package, description.
-const SUBPROGRAMS: [(&str, &str, &str); 7] = [
+const SUBPROGRAMS: [(&str, &str, &str); 8] = [
     (
         "look",
         "review",
@@ -53,6 +53,11 @@ const SUBPROGRAMS: [(&str, &str, &str); 7] = [
         "handout",
         "authoring",
         "For instructors: creates the project for students, without the solutions",
+    ),
+    (
+        "export",
+        "export",
+        "For instructors: writes what Gradescope, Classroom 50, PrairieLearn or GitHub Actions needs to grade",
     ),
     (
         "course",

@@ -10,6 +10,7 @@ use formats::{Format, Outcome, Settings};
 use grader::cli::grade::{arguments, submission_arguments};
 use grader::cli::{self, Verdict, course_systems};
 use grader::error::GraderError;
+use grader::interrupt;
 use grader::report::{HintLevel, write_whole};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -87,7 +88,11 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         &Outcome::Infrastructure(UNFINISHED.into()),
         &settings,
     )?;
-    let outcome = grading::grade(matches);
+    let mut outcome = grading::grade(matches);
+    if interrupt::was_interrupted() {
+        // Whatever failed last did so because it was ended.
+        outcome = Outcome::Infrastructure(UNFINISHED.into());
+    }
     write_all(&targets, &outcome, &settings)?;
     match (Format::named(printed), &outcome) {
         (Some(format), _) => print!("{}", format.write(&outcome, &settings)?),

@@ -198,7 +198,7 @@ pub fn task_text(report: &TaskReport, reveal: Reveal) -> String {
     let mut text = String::new();
     details(&mut text, report, reveal);
     if text.is_empty() && report.result.status != Status::Passed {
-        let _ = writeln!(text, "{}", summary(&report.result));
+        let _ = writeln!(text, "{}: {}", report.result.key, summary(&report.result));
     }
     text.trim_start().to_owned()
 }

@@ -122,6 +122,11 @@ pub(crate) fn body<'a>(text: &'a str, name: &str) -> Option<&'a str> {
     Some(&rest[..end])
 }
 
+/// The line on which the public function `name` begins, from 1 on.
+pub fn line_of_function(text: &str, name: &str) -> Option<usize> {
+    Some(text[..start_of(text, name)?].lines().count() + 1)
+}
+
 /// Where the public function `name` begins.
 fn start_of(text: &str, name: &str) -> Option<usize> {
     ["(", "<"]

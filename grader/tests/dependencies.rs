@@ -77,6 +77,8 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("grader", &["kit", "judge", "pictures", "wire"]),
     ("pages", &["grader", "judge", "pictures", "wire"]),
     ("submission", &["grader", "judge", "sandbox"]),
+    ("formats", &["grader", "judge", "submission"]),
+    ("export", &["grader", "submission"]),
     (
         "review",
         &[

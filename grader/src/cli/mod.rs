@@ -7,6 +7,7 @@
 //! ([`run_to_exit_code`]) and common options.
 
 mod case;
+pub mod course_systems;
 mod explain;
 pub mod grade;
 pub mod picture;
@@ -59,6 +60,11 @@ const SUBPROGRAMS: [(&str, &str, &str); 8] = [
         "For instructors: creates the project for students, without the solutions",
     ),
     (
+        "export",
+        "export",
+        "For instructors: writes what Gradescope, Classroom 50, PrairieLearn or GitHub Actions needs to grade",
+    ),
+    (
         "course",
         "authoring",
         "For instructors: checks the course itself",
@@ -87,6 +93,7 @@ fn command() -> Command {
     grade::arguments(Command::new("grader"), HintLevel::Findings)
         .args(grade::student_arguments())
         .args(grade::submission_arguments())
+        .args(course_systems::arguments())
         .about("Scores your ray tracer, stage by stage")
         .version(env!("CARGO_PKG_VERSION"))
         .args_conflicts_with_subcommands(true)
@@ -115,7 +122,12 @@ impl Format {
         Arg::new("format")
             .long("format")
             .help("How to print the report")
-            .value_parser(["table", "json"])
+            .value_parser(
+                ["table", "json"]
+                    .into_iter()
+                    .chain(course_systems::FORMATS)
+                    .collect::<Vec<_>>(),
+            )
             .default_value("table")
     }
 
@@ -213,6 +225,9 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             .into_iter()
             .chain(forwarded_arguments(rest));
         return subprogram::run(package, arguments.collect());
+    }
+    if course_systems::is_requested(matches) {
+        return subprogram::run("formats", std::env::args_os().skip(1).collect());
     }
     if grade::is_for_submissions(matches) {
         return subprogram::run("submission", std::env::args_os().skip(1).collect());

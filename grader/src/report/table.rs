@@ -127,7 +127,8 @@ fn coloured(table: &str, report: &Report) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-pub(super) fn summary(task: &TaskResult) -> String {
+/// The status of a task in a few words, such as "3 of 12 cases failed".
+pub fn summary(task: &TaskResult) -> String {
     let lost = |tier: Tier| {
         let failed = |case: &&CaseResult| {
             let counts = !matches!(case.status, Status::Passed | Status::Needs(_));
@@ -189,6 +190,17 @@ pub(super) fn failed(task: &TaskResult) -> impl Iterator<Item = &CaseResult> {
         );
         !has_no_result && !case.is_only_reduced()
     })
+}
+
+/// What the report says about one task: its failed cases in as much detail as `reveal` allows, or why
+/// it has none. Empty if every case passes.
+pub fn task_text(report: &TaskReport, reveal: Reveal) -> String {
+    let mut text = String::new();
+    details(&mut text, report, reveal);
+    if text.is_empty() && report.result.status != Status::Passed {
+        let _ = writeln!(text, "{}: {}", report.result.key, summary(&report.result));
+    }
+    text.trim_start().to_owned()
 }
 
 fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Reveal) {

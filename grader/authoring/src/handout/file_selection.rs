@@ -9,7 +9,7 @@ use submission::packages::members::{self, Member};
 
 /// The programs of a handout. It contains their crates and what these depend on, and no other
 /// crates.
-const PROGRAMS: [&str; 7] = [
+const PROGRAMS: [&str; 8] = [
     "grader",
     "worker",
     "pathtracer",
@@ -17,6 +17,7 @@ const PROGRAMS: [&str; 7] = [
     "cost",
     "review",
     "submission",
+    "formats",
 ];
 
 /// The folder of the book, whose chapters of all parts are in every handout.

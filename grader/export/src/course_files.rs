@@ -1,0 +1,91 @@
+//! The files of the course that grading needs: the programs, the reference solutions, the goldens.
+//!
+//! They contain solutions. They are for containers that students cannot look into.
+
+use grader::error::GraderError;
+use grader::workspace::Workspace;
+use std::path::{Path, PathBuf};
+use submission::file_tree::{self, Files};
+use submission::packages::members::{self, Member};
+use submission::packages::{lock, manifest};
+
+/// The programs that a container runs. The package contains what they depend on.
+const PROGRAMS: [&str; 3] = ["formats", "worker", "sandbox"];
+
+/// The files, by their paths in the workspace.
+pub fn of(workspace: &Workspace) -> Result<Files, GraderError> {
+    workspace.ensure_full("it lacks solutions, which grading needs")?;
+    let root = workspace.root();
+    let members = members::read(root)?;
+    let needed = members::with_dependencies(&members, &PROGRAMS);
+    let is_needed = |member: &Member| needed.contains(member.name.as_str());
+    let left_out: Vec<PathBuf> = members
+        .iter()
+        .filter(|member| !is_needed(member))
+        .map(|member| member.folder.clone())
+        .collect();
+    let mut files = Files::new();
+    for path in file_tree::workspace_paths(root)? {
+        let owner = members::containing_member(&members, &path);
+        let is_included = match owner {
+            _ if path.starts_with("golden") => is_golden(&path),
+            Some(owner) => is_needed(owner) && is_built(owner, &path),
+            None => is_of_workspace(&path),
+        };
+        if is_included {
+            let contents = file_tree::read(root, &path)?;
+            let contents = match path.file_name().is_some_and(|name| name == "Cargo.toml") {
+                true => without_what_is_left_out(&contents, owner, &left_out),
+                false => contents,
+            };
+            files.insert(path, contents);
+        }
+    }
+    lock::remove_unused(&mut files)?;
+    Ok(files)
+}
+
+/// The names of those of `PROGRAMS` that the course `files` has and that must be built before
+/// grading. The worker is built while grading.
+pub fn programs(files: &Files) -> Vec<&'static str> {
+    let exists = |name: &&str| {
+        *name != "worker" && files.contains_key(&Path::new("grader").join(name).join("Cargo.toml"))
+    };
+    PROGRAMS.into_iter().filter(exists).collect()
+}
+
+/// Whether a file of the goldens is data that grading reads.
+fn is_golden(path: &Path) -> bool {
+    let is_code = path.extension().is_some_and(|extension| extension == "rs");
+    let is_manifest = path.file_name().is_some_and(|name| name == "Cargo.toml");
+    !is_code && !is_manifest && !path.starts_with("golden/mutants")
+}
+
+/// Whether a file of a crate is part of its library or program.
+fn is_built(owner: &Member, path: &Path) -> bool {
+    let inside = path.strip_prefix(&owner.folder).unwrap_or(path);
+    inside.starts_with("src") || inside == Path::new("Cargo.toml")
+}
+
+/// Whether a file of no crate belongs to the workspace itself.
+fn is_of_workspace(path: &Path) -> bool {
+    let known = ["Cargo.lock", "Cargo.toml", "stages/course.toml"];
+    path.starts_with(".cargo") || known.iter().any(|name| path == Path::new(name))
+}
+
+/// A manifest without the crates that are left out, and without what only tests need.
+fn without_what_is_left_out(
+    contents: &[u8],
+    owner: Option<&Member>,
+    left_out: &[PathBuf],
+) -> Vec<u8> {
+    let text = String::from_utf8_lossy(contents);
+    let text = match owner {
+        None => manifest::without_members(&text, left_out),
+        Some(_) => {
+            let text = manifest::without_tests(&text);
+            manifest::without_unused_dev_dependencies(&text, |_| false)
+        }
+    };
+    text.into_bytes()
+}

@@ -1,0 +1,176 @@
+//! Grades the workspace or a submission, for a report in any format.
+
+use clap::ArgMatches;
+use formats::annotation;
+use formats::{Graded, Outcome};
+use grader::cli::grade::{hint, request};
+use grader::course::{Course, Task};
+use grader::error::GraderError;
+use grader::grade::{self, GradeRequest};
+use grader::report::{self, Reveal, table};
+use grader::sources::{self, SourceFile, with_slashes};
+use grader::workspace::Workspace;
+use grader::{compile_errors, printed};
+use judge::Tier;
+use std::any::Any;
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use submission::SubmissionReport;
+use submission::one::{GradingCourse, NotGraded, Options, grade_one};
+use submission::read::Submission;
+
+/// How many ignored files are named.
+const IGNORED_NAMED: usize = 20;
+
+/// Grades what `matches` ask for. A panic of the grader is a failure of the grader.
+pub(crate) fn grade(matches: &ArgMatches) -> Outcome {
+    let outcome = catch_unwind(AssertUnwindSafe(|| attempt(matches)));
+    let failed = |why: GraderError| Outcome::Infrastructure(why.to_string());
+    match outcome {
+        Ok(outcome) => outcome.unwrap_or_else(failed),
+        Err(panic) => Outcome::Infrastructure(format!("the grader panicked: {}", message(&*panic))),
+    }
+}
+
+fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
+    let request = request(matches)?;
+    let reveal = Reveal {
+        hint: hint(matches),
+        extra: matches.get_flag("extra"),
+    };
+    let workspace = Workspace::above(Path::new("."))?;
+    match matches.get_one::<PathBuf>("submission") {
+        Some(folder) => {
+            let options = Options {
+                request,
+                together: matches.get_flag("together"),
+            };
+            submission(&workspace, options, reveal, folder)
+        }
+        None if matches.contains_id("class") => Err(GraderError::new(
+            "a class has formats of its own: grade it with `grader class`",
+        )),
+        None => in_place(&workspace, &request, reveal),
+    }
+}
+
+fn message(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<&str>().copied();
+    text.or_else(|| panic.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("no message")
+}
+
+/// The report for people.
+pub(crate) fn table(graded: &Graded) -> String {
+    let table = table::format_report(&graded.report, graded.reveal);
+    match graded.notes.is_empty() {
+        true => table,
+        false => format!("{}\n{table}", graded.notes),
+    }
+}
+
+fn in_place(
+    workspace: &Workspace,
+    request: &GradeRequest,
+    reveal: Reveal,
+) -> Result<Outcome, GraderError> {
+    let course = Course::read(workspace)?;
+    let graded = grade::in_place(workspace, request, false, true)?;
+    let mut files = Vec::new();
+    for stage in grade::stages(&course.select(&request.what)?) {
+        files.extend(sources::read(workspace.root(), stage)?);
+    }
+    let json = report::json(&graded.report)?;
+    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    let notes = join([&*graded.compiler, &printed::format(&graded.printed)]);
+    Ok(Outcome::Graded(Box::new(Graded {
+        what: request.what.clone(),
+        annotations: annotation::all(&graded.report, &graded.compiler, &files, reveal),
+        report: graded.report,
+        json,
+        reveal,
+        notes,
+    })))
+}
+
+fn submission(
+    workspace: &Workspace,
+    options: Options,
+    reveal: Reveal,
+    folder: &Path,
+) -> Result<Outcome, GraderError> {
+    let course = GradingCourse::open(workspace)?;
+    let tasks = course.course().select(&options.request.what)?;
+    let report = match grade_one(&course, folder, &options) {
+        Ok(graded) => graded.report,
+        Err(NotGraded::Refused(why)) => {
+            let max_score = tasks.iter().map(|task| task.points(Tier::Core)).sum();
+            return Ok(Outcome::Refused { why, max_score });
+        }
+        Err(NotGraded::Infrastructure(why)) => return Ok(Outcome::Infrastructure(why)),
+    };
+    let json = report::json(&report)?;
+    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    let handed_in = Submission::read(folder, course.course(), workspace.root())?;
+    let files = files(&handed_in, &tasks);
+    Ok(Outcome::Graded(Box::new(Graded {
+        annotations: annotation::all(&report.scores, &report.compiler, &files, reveal),
+        notes: notes(&report),
+        what: options.request.what,
+        report: report.scores,
+        json,
+        reveal,
+    })))
+}
+
+/// The files of a submission that were graded, by their paths in the workspace.
+fn files(submission: &Submission, tasks: &[&Task]) -> Vec<SourceFile> {
+    let stages = grade::stages(tasks);
+    let graded = stages
+        .iter()
+        .filter_map(|stage| Some((stage, submission.stages.get(*stage)?)));
+    let files = graded.flat_map(|(stage, files)| {
+        files.iter().map(move |(path, text)| SourceFile {
+            path: format!("stages/{stage}/src/{}", with_slashes(path)),
+            text: String::from_utf8_lossy(text).into_owned(),
+        })
+    });
+    files.collect()
+}
+
+/// What is said about a submission besides its tasks. What a person should check is for the
+/// instructor, and not in it: students read these files.
+fn notes(report: &SubmissionReport) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "seed of the random inputs: {}", report.seed);
+    for stage in &report.missing {
+        let _ = writeln!(text, "not handed in: stages/{stage}/src");
+    }
+    if !report.ignored.is_empty() {
+        let named = report.ignored.iter().take(IGNORED_NAMED);
+        let named: Vec<&str> = named.map(String::as_str).collect();
+        let more = report.ignored.len() - named.len();
+        let more = match more {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let _ = writeln!(
+            text,
+            "ignored files (only stages/<stage>/src/**/*.rs is graded): {}{more}",
+            named.join(", ")
+        );
+    }
+    join([&*text, &report.compiler, &report.printed])
+}
+
+/// The texts that are not empty, with a blank line between them.
+fn join<const N: usize>(texts: [&str; N]) -> String {
+    let texts = texts.map(compile_errors::plain);
+    let texts: Vec<&str> = texts.iter().map(|text| text.trim_end()).collect();
+    let texts: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
+    match texts.is_empty() {
+        true => String::new(),
+        false => format!("{}\n", texts.join("\n\n")),
+    }
+}

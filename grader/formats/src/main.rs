@@ -1,0 +1,175 @@
+//! The program behind `grader part1 --format FORMAT` and `grader part1 --write FORMAT=FILE`, for the
+//! formats of course systems.
+
+mod grading;
+
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use formats::classroom50::Assignment;
+use formats::settings::Visibility;
+use formats::{Format, Outcome, Settings};
+use grader::cli::grade::{arguments, submission_arguments};
+use grader::cli::{self, Verdict, course_systems};
+use grader::error::GraderError;
+use grader::interrupt;
+use grader::report::{HintLevel, write_whole};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// What the files say while grading runs: a grader that is killed leaves this behind.
+const UNFINISHED: &str = "Grading did not finish: the grader was stopped, or took more time or memory than the machine gives it.";
+
+fn command() -> Command {
+    arguments(Command::new("grader"), HintLevel::Findings)
+        .args(submission_arguments())
+        .args(course_systems::arguments())
+        .arg(
+            Arg::new("extra")
+                .long("extra")
+                .action(ArgAction::SetTrue)
+                .help("Also show what extra credit lost, once every core case passes"),
+        )
+        .about("Grades, and reports in the formats of course systems")
+        .after_help(cli::EXIT_CODES)
+}
+
+fn main() -> ExitCode {
+    let matches = command().get_matches();
+    cli::run_to_exit_code(|| run(&matches))
+}
+
+/// A file to write.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Target {
+    format: Format,
+    path: PathBuf,
+}
+
+impl Target {
+    /// Reads `FORMAT=FILE`.
+    fn parse(text: &str) -> Result<Target, GraderError> {
+        let names = || Format::ALL.map(Format::name).join(", ");
+        let parts = text.split_once('=').filter(|(_, path)| !path.is_empty());
+        let (name, path) = parts.ok_or_else(|| {
+            GraderError::new(format!(
+                "`--write {text}`: expected FORMAT=FILE, such as `--write junit=junit.xml`. The formats are {}",
+                names()
+            ))
+        })?;
+        let format = Format::named(name).ok_or_else(|| {
+            GraderError::new(format!(
+                "`--write {text}`: there is no format {name:?}. The formats are {}",
+                names()
+            ))
+        })?;
+        Ok(Target {
+            format,
+            path: path.into(),
+        })
+    }
+}
+
+fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let targets = matches.get_many::<String>("write").unwrap_or_default();
+    let targets: Vec<Target> = targets
+        .map(|text| Target::parse(text))
+        .collect::<Result<_, _>>()?;
+    // `table` and `json` are not formats of course systems only: the report is printed in them.
+    let printed = matches
+        .get_one::<String>("format")
+        .map_or("table", String::as_str);
+    let settings = settings(matches);
+    let formats = targets.iter().map(|target| target.format);
+    for format in formats.chain(Format::named(printed)) {
+        format.check(&settings)?;
+    }
+    write_all(
+        &targets,
+        &Outcome::Infrastructure(UNFINISHED.into()),
+        &settings,
+    )?;
+    let mut outcome = grading::grade(matches);
+    if interrupt::was_interrupted() {
+        // Whatever failed last did so because it was ended.
+        outcome = Outcome::Infrastructure(UNFINISHED.into());
+    }
+    write_all(&targets, &outcome, &settings)?;
+    match (Format::named(printed), &outcome) {
+        (Some(format), _) => print!("{}", format.write(&outcome, &settings)?),
+        (None, Outcome::Graded(graded)) => print!("{}", grading::table(graded)),
+        (None, _) => {}
+    }
+    match outcome {
+        Outcome::Graded(graded) if graded.report.is_full() => Ok(Verdict::Passed),
+        Outcome::Graded(_) => Ok(Verdict::Failed),
+        Outcome::Refused { why, .. } => {
+            eprintln!("cannot be graded: {why}");
+            Ok(Verdict::Failed)
+        }
+        Outcome::Infrastructure(why) => Err(GraderError::new(why)),
+    }
+}
+
+fn write_all(
+    targets: &[Target],
+    outcome: &Outcome,
+    settings: &Settings,
+) -> Result<(), GraderError> {
+    for Target { format, path } in targets {
+        write_whole(path, format.write(outcome, settings)?.as_bytes())?;
+    }
+    Ok(())
+}
+
+fn settings(matches: &ArgMatches) -> Settings {
+    let text = |name| matches.get_one::<String>(name).cloned();
+    let submission = matches.get_one::<PathBuf>("submission");
+    let folder = submission.and_then(|path| path.file_name());
+    let folder = folder.map(|name| name.to_string_lossy().into_owned());
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    let visibility = text("visibility").and_then(|name| Visibility::named(&name));
+    Settings {
+        id: text("id").or(folder).unwrap_or_default(),
+        name: text("name").unwrap_or_default(),
+        add_extra: matches.get_flag("add-extra"),
+        visibility: visibility.unwrap_or_default(),
+        assignment: Assignment::read(
+            |name| std::env::var(name).ok(),
+            now.map_or(0, |now| now.as_secs()),
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_valid_and_knows_every_format() {
+        command().debug_assert();
+        for format in Format::ALL {
+            let line = ["grader", "part1", "--format", format.name()];
+            assert!(command().try_get_matches_from(line).is_ok(), "{format:?}");
+        }
+        let visibilities = Visibility::ALL.map(Visibility::name);
+        assert_eq!(visibilities, course_systems::VISIBILITIES);
+    }
+
+    #[test]
+    fn a_file_has_a_format_and_a_path() {
+        let target = Target::parse("junit=a=b.xml").expect("it has both");
+        assert_eq!(target.format, Format::JUnit);
+        assert_eq!(target.path, PathBuf::from("a=b.xml"));
+        for (text, why) in [
+            ("junit.xml", "expected FORMAT=FILE"),
+            ("junit=", "expected FORMAT=FILE"),
+            (
+                "xunit=a.xml",
+                "no format \"xunit\". The formats are gradescope",
+            ),
+        ] {
+            let error = Target::parse(text).expect_err(text).to_string();
+            assert!(error.contains(why), "{error}");
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! Describes the state of cases as text.
 
 use crate::case::{Case, State};
+use judge::whole::Counts;
 use pages::html::escape;
 use std::fmt::Write;
 
@@ -43,6 +44,7 @@ pub(super) fn describe(case: &Case) -> String {
             counts,
             wrong,
             not_judged,
+            nearer,
             ..
         } => {
             let _ = writeln!(text, "<p><strong>{}</strong></p>", escape(&meaning(case)));
@@ -51,9 +53,16 @@ pub(super) fn describe(case: &Case) -> String {
                     "<p>No row shows the difference: only the hash of all answers does.</p>\n",
                 );
             }
+            if nearer.nearer + nearer.farther > 0 {
+                let _ = writeln!(
+                    text,
+                    "<p>Nearer to the truth: {}, farther: {}.</p>",
+                    nearer.nearer, nearer.farther
+                );
+            }
             if wrong.is_empty() && not_judged.is_empty() {
                 text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
-            } else {
+            } else if *counts != Counts::default() {
                 let _ = writeln!(text, "<p>All answers by the exact oracle: {counts}.</p>");
             }
             for open in not_judged {

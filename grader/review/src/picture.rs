@@ -45,7 +45,7 @@ pub struct Pixels {
 
 /// The largest number of pixels of a picture that have records. With more, a page with a few
 /// pictures would have more than a megabyte.
-pub const RECORDS: usize = 400;
+pub const RECORDS: usize = 250;
 
 /// Why each pixel differs, and what its colour says about the golden: [`Pixels::causes`] and
 /// [`Pixels::golden_hits`]. `golden` and `actual` are snapshots as they are stored, `full` is

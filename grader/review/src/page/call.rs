@@ -85,7 +85,9 @@ fn record(row: &Row, all: bool, words: &Words) -> String {
             sides.map(|side| side.and_then(|line| value(line, name, nth)));
         let differs = match (golden, actual) {
             (Some(golden), Some(actual)) => golden != actual,
-            _ => row.golden.is_none() || actual.is_none(),
+            (Some(_), None) => true,
+            (None, Some(_)) => row.golden.as_ref().is_none_or(Line::is_miss),
+            (None, None) => false,
         };
         if !differs && !all {
             same.push(name);
@@ -108,7 +110,7 @@ fn record(row: &Row, all: bool, words: &Words) -> String {
         let lines = [
             golden.map(|value| marked(value, actual)),
             actual.map(|value| marked(value, base)),
-            exact.map(|value| escape(&value.to_string())),
+            exact.map(|value| marked(value, None)),
         ];
         text.push_str(&field(name, lines, notes, words));
     }
@@ -153,12 +155,9 @@ fn field(name: &str, lines: [Option<String>; 3], notes: [String; 3], words: &Wor
     text
 }
 
-/// A value; the digits that `other` does not have are marked.
+/// A value; the digits that `other`, if there is one, does not have are marked.
 fn marked(value: &Value, other: Option<&Value>) -> String {
-    let Some(other) = other else {
-        return escape(&value.to_string());
-    };
-    let pieces = delta::digits(value, other).into_iter();
+    let pieces = delta::digits(value, other.unwrap_or(value)).into_iter();
     pieces
         .map(|(text, changed)| match changed {
             true => format!("<mark>{}</mark>", escape(&text)),

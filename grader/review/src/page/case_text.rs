@@ -68,12 +68,19 @@ pub(super) fn describe(case: &Case) -> String {
             for open in not_judged {
                 let _ = writeln!(text, "<p class=\"open\">Not judged: {}</p>", escape(open));
             }
-            for wrong in wrong {
+            for (i, wrong) in wrong.iter().enumerate() {
+                // The first aspect has the fault that explains the most.
+                if i == 1 {
+                    text.push_str("<details><summary>more that is wrong</summary>\n");
+                }
                 let _ = writeln!(
                     text,
                     "<p class=\"bad\">Wrong by the exact oracle: {}</p>",
                     escape(wrong)
                 );
+            }
+            if wrong.len() > 1 {
+                text.push_str("</details>\n");
             }
         }
     }

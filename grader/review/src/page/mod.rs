@@ -27,7 +27,7 @@ const SCRIPTS: [&str; 4] = [
 ];
 
 /// The largest number of calls that the page lists, shared by the cases without pictures.
-const LISTED: usize = 240;
+const LISTED: usize = 160;
 
 /// The smallest number of calls that it lists of a case.
 const LISTED_OF_A_CASE: usize = 3;

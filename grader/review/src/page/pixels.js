@@ -63,7 +63,7 @@ class Pixels {
     const swatches = element("p", { class: "colours" }, ...["golden", "actual"].map((who, i) => this.swatch(who, this.data.names[i], x, y)));
     if (row === undefined) {
       const cause = this.data.causes[call];
-      const heading = element("h4", {}, `Pixel ${x}, ${y}: ${cause ? this.data.labels[cause] : "no difference"}`);
+      const heading = element("h4", {}, `Pixel ${x}, ${y}: ${cause ? this.data.labels[cause] : "no known difference"}`);
       const why = cause ? [element("p", { class: "note" }, this.data.noRecords)] : [];
       this.inspector.replaceChildren(heading, swatches, ...why);
       return this.draw([], -1);
@@ -93,7 +93,7 @@ class Pixels {
     const shown = [];
     for (let i = at, above = Infinity; i >= 0; i--) {
       const box = boxes[walk[i][0]];
-      if (box.depth >= above) continue;
+      if (box.depth >= above || (i < at && !contains(box.corners, boxes[walk[at][0]].corners))) continue;
       above = box.depth;
       shown.unshift({ ...box, chosen: i === at, hit: walk[i][2] === 1 });
     }

@@ -43,3 +43,6 @@ function edges([min, max]) {
   }
   return pairs;
 }
+
+/** Whether a box contains another one. */
+const contains = ([min, max], [from, to]) => min.every((x, axis) => x <= from[axis] && to[axis] <= max[axis]);

@@ -1,31 +1,189 @@
-//! Every golden is what the reference answers, and is not refused by the oracle, which judges every
+//! Every golden is what the reference answers, and is not refuted by the oracle, which judges every
 //! aspect of every answer. `<task>/not_judged.txt` lists what it does not judge.
 //!
-//! `FIRSTLIGHT_BLESS=part1.task3` (or `part1`, or `all`) writes pictures that differ as `.new.png`
-//! beside the goldens, and lists as `not_judged.txt.new`; insta does the same for snapshots, as
-//! `INSTA_UPDATE` says.
+//! If answers differ, the test writes each new snapshot beside its golden, as `.snap.new`, where
+//! `cargo insta review` finds it. `cargo grader review` shows every difference on a page, and
+//! `cargo grader bless` accepts them; neither reads these files.
 
-use grader::course::Course;
+use grader::course::{Course, Task};
 use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use judge::pictures;
-use judge::snapshot;
-use judge::tally::Finding;
-use judge::whole::{Whole, judge_whole};
-use pages::picture;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use judge::plural;
+use review::bless::{Change, Proposal, SNAPSHOT_HEADER};
 use std::path::Path;
 use wire::work::{NodeKind, SceneWork, VisitsWork};
 use wire::{Answer, Outcome, Work};
 
+/// The lines about goldens that a failed test prints: with the test's own lines they fit a screen.
+const LINES: usize = 12;
+
+/// The length of such a line.
+const WIDTH: usize = 100;
+
 #[test]
-fn part1_goldens_are_what_the_reference_answers() {
-    check("part1");
+fn the_goldens_are_what_the_reference_answers() {
+    let (workspace, course) = course();
+    let specs = cases::all(0);
+    let parts: Vec<&str> = ["part1", "part2", "part3", "part4", "part5"].to_vec();
+    let proposal = std::thread::scope(|scope| {
+        let run = |part| {
+            let (workspace, course, specs) = (&workspace, &course, &specs);
+            scope.spawn(move || differences(workspace, course, specs, part))
+        };
+        let threads: Vec<_> = parts.into_iter().map(run).collect();
+        let mut all = Proposal::default();
+        for thread in threads {
+            all.append(thread.join().expect("the part can be checked"));
+        }
+        all
+    });
+    for change in &proposal.changes {
+        if change.golden.extension().is_some_and(|end| end == "snap") {
+            std::fs::write(change.pending(), &change.content).expect("the new file is written");
+        }
+    }
+    assert!(proposal.is_empty(), "{}", summary(&workspace, &proposal));
+}
+
+fn course() -> (Workspace, Course) {
+    let workspace =
+        Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("golden is in a workspace");
+    let course = Course::read(&workspace).expect("the course is sound");
+    (workspace, course)
+}
+
+/// How the goldens of a part differ from what the reference answers.
+fn differences(workspace: &Workspace, course: &Course, specs: &[Spec], part: &str) -> Proposal {
+    let mut proposal = Proposal::default();
+    for task in course.tasks().filter(|task| task.part_key() == part) {
+        let of_task = specs.iter();
+        let of_task =
+            of_task.filter(|spec| task.cases.iter().any(|case| spec.is(&task.key, &case.name)));
+        let mut judged = Vec::new();
+        for spec in of_task {
+            match answer(spec) {
+                Ok(answer) => {
+                    let case = proposal.add_case(workspace, spec, &answer);
+                    judged.push(case.expect("the golden can be read"));
+                }
+                Err(why) => proposal.refuse(spec.task, spec.name, &why),
+            }
+        }
+        let list = proposal.add_not_judged(workspace, task, specs, &judged);
+        list.expect("the list can be read");
+        add_picture(&mut proposal, workspace, task);
+    }
+    proposal
+}
+
+fn add_picture(proposal: &mut Proposal, workspace: &Workspace, task: &Task) {
+    let Some(picture) = pictures::of(&task.key) else {
+        return;
+    };
+    let actual = match answer(&picture.spec()) {
+        Ok(Answer::Picture(answer)) => ::pictures::tone::compose(&picture, &answer),
+        Ok(other) => {
+            let why = format!("the worker's answer is {}", other.kind());
+            return proposal.refuse(&task.key, pictures::NAME, &why);
+        }
+        Err(why) => return proposal.refuse(&task.key, pictures::NAME, &why),
+    };
+    let added = proposal.add_picture(workspace, &picture, &actual);
+    added.expect("the golden can be read");
+}
+
+/// The reference's answer, or why there is none.
+fn answer(spec: &Spec) -> Result<Answer, String> {
+    let record = worker::run(0, &spec.case());
+    match record.outcome {
+        Outcome::Answered(answer) if record.untouched.is_empty() => Ok(answer),
+        outcome => Err(format!("no answer: {outcome:?}")),
+    }
+}
+
+/// What differs, on one screen.
+fn summary(workspace: &Workspace, proposal: &Proposal) -> String {
+    let Proposal { changes, refused } = proposal;
+    let mut tasks: Vec<&str> = changes.iter().map(|change| change.task.as_str()).collect();
+    tasks.extend(refused.iter().filter_map(|line| line.split('/').next()));
+    tasks.sort_unstable();
+    tasks.dedup();
+    let mut text = format!(
+        "{} from the reference's answers, in {}",
+        plural(changes.len(), "golden differs", "goldens differ"),
+        tasks.join(", ")
+    );
+    if !refused.is_empty() {
+        text.push_str(&format!(
+            "; {} wrong or missing",
+            plural(refused.len(), "answer is", "answers are")
+        ));
+    }
+    let path = |change: &Change| {
+        let golden = change.golden.strip_prefix(workspace.root());
+        golden.unwrap_or(&change.golden).display().to_string()
+    };
+    let changes = changes
+        .iter()
+        .map(|change| format!("{}: {}", path(change), change.meaning));
+    let lines: Vec<String> = refused.iter().cloned().chain(changes).collect();
+    for line in lines.iter().take(LINES) {
+        let first = line.lines().next().unwrap_or_default();
+        let short: String = first.chars().take(WIDTH).collect();
+        let cut = if short.len() < first.len() { "…" } else { "" };
+        text.push_str(&format!("\n  {short}{cut}"));
+    }
+    if lines.len() > LINES {
+        text.push_str(&format!("\n  and {} more", lines.len() - LINES));
+    }
+    let keys = tasks.join(" ");
+    text + &format!(
+        "\nSee every difference: cargo grader review {keys}\nAccept them:          cargo grader bless {keys}"
+    )
 }
 
 #[test]
-fn part2_goldens_are_what_the_reference_answers() {
-    check("part2");
+fn a_summary_fits_a_screen() {
+    let (workspace, _) = course();
+    let change = Change {
+        task: "part1.task3".into(),
+        golden: workspace.snapshot("part1.task3", "front_face"),
+        content: Vec::new(),
+        meaning: "long ".repeat(100),
+        not_judged: Vec::new(),
+    };
+    let proposal = Proposal {
+        changes: vec![change; 300],
+        refused: vec!["part1.task4/head_on: a\nb".into(); 300],
+    };
+    let text = summary(&workspace, &proposal);
+    assert!(text.lines().count() <= 18, "{text}");
+    assert!(
+        text.lines().all(|line| line.chars().count() < 120),
+        "{text}"
+    );
+    for part in [
+        "300 goldens differ from the reference's answers, in part1.task3, part1.task4; 300 answers are wrong",
+        "and 588 more",
+        "cargo grader review part1.task3 part1.task4\n",
+    ] {
+        assert!(text.contains(part), "no {part:?} in\n{text}");
+    }
+}
+
+/// `cargo insta review` reads the files that the grader writes.
+#[test]
+fn insta_reads_the_goldens() {
+    let (workspace, _) = course();
+    let path = workspace.snapshot("part1.task3", "front_face");
+    let text = std::fs::read_to_string(&path).expect("the golden exists");
+    let rows = text.strip_prefix(SNAPSHOT_HEADER).expect("insta's header");
+    let read = insta::Snapshot::from_file(&path).expect("insta reads it");
+    let insta::internals::SnapshotContents::Text(contents) = read.contents() else {
+        panic!("it is not text")
+    };
+    assert_eq!(contents.to_string().trim_end(), rows.trim_end());
 }
 
 #[test]
@@ -70,205 +228,5 @@ fn every_box_that_is_counted_is_a_visit() {
         // Who hits something has met the box of a leaf.
         let is_leaf = |node: u32| matches!(tree.nodes[node as usize].kind, NodeKind::Leaf { .. });
         assert!(hit.is_none() || visits.iter().any(|visit| visit.met && is_leaf(visit.node)));
-    }
-}
-
-#[test]
-fn part3_goldens_are_what_the_reference_answers() {
-    check("part3");
-}
-
-#[test]
-fn part4_goldens_are_what_the_reference_answers() {
-    check("part4");
-}
-
-#[test]
-fn part5_goldens_are_what_the_reference_answers() {
-    check("part5");
-}
-
-fn check(part: &str) {
-    let workspace =
-        Workspace::above(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("golden is in a workspace");
-    let course = Course::read(&workspace).expect("the course is sound");
-    let blessed = std::env::var("FIRSTLIGHT_BLESS").unwrap_or_default();
-    let chosen =
-        |key: &str| blessed.is_empty() || blessed == "all" || blessed == part || blessed == key;
-    let specs = cases::all(0);
-    let mut wrong = Vec::new();
-    for task in course
-        .tasks()
-        .filter(|task| task.part_key() == part && chosen(&task.key))
-    {
-        let bless = !blessed.is_empty();
-        let mut not_judged = Some(String::new());
-        for spec in specs
-            .iter()
-            .filter(|spec| task.cases.iter().any(|case| spec.is(&task.key, &case.name)))
-        {
-            match answer(spec) {
-                Ok(None) => not_judged = None,
-                Ok(Some(answer)) => {
-                    let whole = judge_whole(spec, judge::Tier::Robust, &answer);
-                    if let Err(why) = check_case(&workspace, spec, &answer, &whole, bless) {
-                        wrong.push(format!("{} {}: {why}", spec.task, spec.name));
-                    }
-                    if let Some(list) = &mut not_judged {
-                        list.push_str(&whole.not_judged_lines(spec.name));
-                    }
-                }
-                Err(why) => wrong.push(format!("{} {}: {why}", spec.task, spec.name)),
-            }
-        }
-        if let Err(why) = check_task_picture(&workspace, &task.key, bless) {
-            wrong.push(format!("{} {}: {why}", task.key, pictures::NAME));
-        }
-        // What is refused is not blessed, nor is a list of what is not judged in it.
-        if let Some(list) = not_judged
-            && (!bless || wrong.is_empty())
-            && let Err(why) = check_not_judged(&workspace, &task.key, &list, bless)
-        {
-            wrong.push(format!("{}: {why}", task.key));
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-/// The reference's answer; `None` in a handout, whose tasks are carved and whose goldens wait for
-/// the student.
-fn answer(spec: &Spec) -> Result<Option<Answer>, String> {
-    let record = worker::run(0, &spec.case());
-    match record.outcome {
-        Outcome::Answered(answer) if record.untouched.is_empty() => Ok(Some(answer)),
-        Outcome::Answered(_) | Outcome::NotAttempted { .. } => Ok(None),
-        outcome => Err(format!("{outcome:?}")),
-    }
-}
-
-fn check_case(
-    workspace: &Workspace,
-    spec: &Spec,
-    answer: &Answer,
-    whole: &Whole,
-    bless: bool,
-) -> Result<(), String> {
-    let wrong: Vec<String> = whole.wrong.iter().map(Finding::to_string).collect();
-    let refused =
-        (!wrong.is_empty()).then(|| format!("the oracle refuses it: {}", wrong.join("; ")));
-    if bless && let Some(why) = refused {
-        return Err(why);
-    }
-    // What is refused is left beside the golden, too: a reviewer wants to see it.
-    let complaints = [
-        refused,
-        check_snapshot(workspace, spec, answer).err(),
-        check_picture(workspace, spec, answer, bless).err(),
-    ];
-    let complaints: Vec<String> = complaints.into_iter().flatten().collect();
-    if complaints.is_empty() {
-        Ok(())
-    } else {
-        Err(complaints.join("\n    "))
-    }
-}
-
-/// Compares the `list` of what is not judged with the stored one.
-fn check_not_judged(
-    workspace: &Workspace,
-    task: &str,
-    list: &str,
-    bless: bool,
-) -> Result<(), String> {
-    let path = workspace.not_judged(task);
-    let stored = std::fs::read_to_string(&path).unwrap_or_default();
-    if stored == list {
-        return Ok(());
-    }
-    let new = path.with_extension("txt.new");
-    std::fs::write(&new, list).map_err(|e| e.to_string())?;
-    if bless {
-        return Ok(());
-    }
-    Err(format!(
-        "the oracle judges more or fewer aspects than {} lists: look at {}",
-        path.display(),
-        new.display()
-    ))
-}
-
-fn check_snapshot(workspace: &Workspace, spec: &Spec, answer: &Answer) -> Result<(), String> {
-    let Some(text) = snapshot::write(&spec.work, answer) else {
-        return Ok(());
-    };
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(workspace.snapshot(spec.task, spec.name).with_file_name(""));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    let asserted = catch_unwind(AssertUnwindSafe(|| {
-        settings.bind(|| insta::assert_snapshot!(spec.name, text))
-    }));
-    asserted.map_err(|_| "the snapshot differs: look at it with `cargo insta review`".to_string())
-}
-
-fn check_picture(
-    workspace: &Workspace,
-    spec: &Spec,
-    answer: &Answer,
-    bless: bool,
-) -> Result<(), String> {
-    let Some(size) = spec.picture else {
-        return Ok(());
-    };
-    let actual = picture::compose(size, &spec.work, answer).ok_or("its answers make no picture")?;
-    let path = workspace.golden_picture(spec.task, spec.name);
-    if picture::read_png(&path).is_ok_and(|golden| golden == actual) {
-        return Ok(());
-    }
-    let new = path.with_extension("new.png");
-    picture::write_png(&new, &actual).map_err(|e| e.to_string())?;
-    differs(&path, &new, bless)
-}
-
-/// The largest file of a task's picture: a handout contains all of them.
-const LARGEST_PICTURE: usize = 60_000;
-
-/// Compares the picture that students see of a task with what the reference renders, bit for bit.
-fn check_task_picture(workspace: &Workspace, task: &str, bless: bool) -> Result<(), String> {
-    let Some(picture) = pictures::of(task) else {
-        return Ok(());
-    };
-    let actual = match answer(&picture.spec())? {
-        Some(Answer::Picture(answer)) => ::pictures::tone::compose(&picture, &answer),
-        Some(other) => return Err(format!("the worker's answer is {}", other.kind())),
-        None => return Ok(()),
-    };
-    let path = workspace.golden_picture(task, pictures::NAME);
-    if ::pictures::png::read(&path).is_ok_and(|golden| golden == actual) {
-        return Ok(());
-    }
-    let file = ::pictures::png::encode(&actual);
-    let new = path.with_extension("new.png");
-    std::fs::write(&new, &file).map_err(|e| e.to_string())?;
-    if file.len() > LARGEST_PICTURE {
-        return Err(format!(
-            "{} has {} bytes, expected at most {LARGEST_PICTURE}: give its panels fewer steps or more samples",
-            new.display(),
-            file.len()
-        ));
-    }
-    differs(&path, &new, bless)
-}
-
-/// That the new picture differs is an error, unless it is to be blessed.
-fn differs(path: &Path, new: &Path, bless: bool) -> Result<(), String> {
-    if bless {
-        Ok(())
-    } else {
-        Err(format!(
-            "the picture differs: look at {} and {}",
-            path.display(),
-            new.display()
-        ))
     }
 }

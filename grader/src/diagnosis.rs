@@ -34,6 +34,9 @@ pub struct Diagnosis {
     pub mistakes: Vec<String>,
     /// The sentence for the student.
     pub says: String,
+    /// What the code does, such as "culls back faces".
+    #[serde(skip)]
+    pub description: String,
     /// Where to look.
     pub hint: String,
     /// Calls on which the answers agree.
@@ -179,6 +182,7 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     Some(Diagnosis {
         mistakes,
         says: format!("your answers {verb} those of code that {says}: on {equal} of {of} calls"),
+        description: says,
         hint,
         equal,
         of,
@@ -295,6 +299,7 @@ fn two_at_once(
                 "two mistakes at once: your answers look like those of code that {says}, and that {and_says}: together they explain {} of {} wrong values",
                 together.equal, together.either,
             ),
+            description: format!("{says}, and that {and_says}"),
             hint: format!("{hint} {and_hint}"),
             equal: together.equal,
             of: together.either,

@@ -60,7 +60,7 @@ pub fn render(
         return Ok(None);
     };
     let golden = golden(workspace, &picture)?;
-    let yours = yours(course, task, &picture, workers)?.map(|yours| {
+    let yours = of_code(course, task, &picture, workers)?.map(|yours| {
         let comparison = compare(&picture, &golden, &yours);
         (yours, comparison)
     });
@@ -86,8 +86,8 @@ fn golden(workspace: &Workspace, picture: &TaskPicture) -> Result<Image, GraderE
     )))
 }
 
-/// The picture of the code in the workspace, or why there is none.
-fn yours(
+/// The picture of the code that `workers` link, or why there is none.
+pub fn of_code(
     course: &Course,
     task: &Task,
     picture: &TaskPicture,

@@ -1,6 +1,10 @@
 //! Building blocks of self-contained HTML pages.
 
+use miniz_oxide::deflate::compress_to_vec_zlib;
 use pictures::{Image, png};
+
+/// The highest level of compression that does not take minutes.
+const LEVEL: u8 = 9;
 
 /// Escapes `text` for use in HTML text and attribute values.
 pub fn escape(text: &str) -> String {
@@ -43,6 +47,12 @@ pub fn png_data_uri(picture: &Image) -> String {
     format!("data:image/png;base64,{}", base64(&png::encode(picture)))
 }
 
+/// Compresses `bytes` (zlib, RFC 1950) and encodes the result in base64. A script reads it with
+/// `DecompressionStream("deflate")`.
+pub fn compressed(bytes: &[u8]) -> String {
+    base64(&compress_to_vec_zlib(bytes, LEVEL))
+}
+
 /// Escapes JSON for a `<script>` element, so that nothing in it closes the element.
 pub fn json_in_script(json: &str) -> String {
     json.replace("</", "<\\/").replace("<!--", "<\\u0021--")
@@ -66,6 +76,12 @@ mod tests {
             assert_eq!(base64(bytes.as_bytes()), text);
         }
         assert_eq!(base64(&[0xfb, 0xef, 0xff]), "++//");
+    }
+
+    #[test]
+    fn repeated_text_is_compressed_as_zlib() {
+        let text = compressed(&[b'a'; 9999]);
+        assert!(text.starts_with("eN") && text.len() < 100, "{text}");
     }
 
     #[test]

@@ -1,25 +1,25 @@
-//! The box tests of the rays of a picture.
+//! The box tests of some rays of a picture.
 
+use super::box_walk::{self, Step};
 use grader::error::GraderError;
 use grader::runner::{self, Worker};
 use judge::cases::Spec;
-use serde::Serialize;
-use std::collections::HashMap;
-use wire::work::{BoxWork, Node, NodeKind, Probe, VisitsWork, Xyz};
+use judge::convert;
+use kit::Aabb;
+use wire::work::{BoxWork, Node, NodeKind, Ray, VisitsWork, Xyz};
 use wire::{Answer, Case, Outcome, Work};
 
-/// Boxes, and for each pixel which of them were tested.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// Boxes, and for some calls which of them are tested.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BoxTests {
     /// All boxes.
     pub boxes: Vec<TestedBox>,
-    /// For each call its box tests in order: 2 * (index of the box), plus 1 if the ray hits the
-    /// box.
-    pub tests: Vec<Vec<u32>>,
+    /// The box tests of each of the calls.
+    pub walks: Vec<Vec<Step>>,
 }
 
 /// One box.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestedBox {
     /// Its corners: `min`, then `max`.
     pub corners: [Xyz; 2],
@@ -29,22 +29,27 @@ pub struct TestedBox {
     pub leaf: Option<u32>,
 }
 
-/// The box tests in the calls of `spec`: of the nodes of a BVH, or of single boxes. `None` if the
-/// case tests no boxes, or if the worker `together` returns no answer.
+/// The box tests in some `calls` of `spec`: of the nodes of a BVH, or of single boxes. `hits` has
+/// the `t` of the right hit of each call, if it is one. `None` if the case tests no boxes, or if the
+/// worker `together` returns no answer.
 pub fn of_case(
     spec: &Spec,
     answer: &Answer,
     together: &Result<Worker, String>,
+    calls: &[u32],
+    hits: &[Option<f64>],
 ) -> Result<Option<BoxTests>, GraderError> {
     match (&spec.work, answer, together) {
-        (Work::Boxes(BoxWork { boxes, probes }), Answer::Boxes(intervals), _) => {
-            Ok(Some(of_probes(boxes, probes, intervals)))
+        (Work::Boxes(work), Answer::Boxes(intervals), _) => {
+            Ok(Some(of_probes(work, intervals, calls)))
         }
         (Work::SceneHits(traced), _, Ok(together)) => {
+            let rays = calls.iter().map(|&call| traced.rays[call as usize]);
+            let rays: Vec<Ray> = rays.collect();
             let work = Work::Visits(VisitsWork {
                 scene: traced.scene.clone(),
                 tree: traced.tree.clone(),
-                rays: traced.rays.clone(),
+                rays: rays.clone(),
             });
             let case = Case {
                 work,
@@ -55,44 +60,39 @@ pub fn of_case(
             let Some(Outcome::Answered(Answer::Visits(visits))) = outcome else {
                 return Ok(None);
             };
-            let tests = visits.rays.iter().map(|visits| {
-                let visits = visits.iter();
-                visits
-                    .map(|visit| 2 * visit.node + u32::from(visit.met))
-                    .collect()
+            let walks = visits.rays.iter().zip(&rays).zip(hits);
+            let walks = walks.map(|((visits, ray), hit)| {
+                let visits = visits.iter().map(|visit| (visit.node, visit.met));
+                let actual: Vec<(u32, bool)> = visits.collect();
+                let ray = convert::ray(ray);
+                let needed = box_walk::needed(&traced.tree, &ray, hit.unwrap_or(ray.max_t));
+                box_walk::beside(&needed, &actual)
             });
             Ok(Some(BoxTests {
+                walks: walks.collect(),
                 boxes: of_tree(&traced.tree.nodes),
-                tests: tests.collect(),
             }))
         }
         _ => Ok(None),
     }
 }
 
-/// The tests of single boxes. Equal boxes are listed once.
-fn of_probes(shapes: &[[Xyz; 2]], probes: &[Probe], intervals: &[Option<[f64; 2]>]) -> BoxTests {
-    let mut boxes = Vec::new();
-    let mut number_of = HashMap::new();
-    let numbers: Vec<u32> = shapes
-        .iter()
-        .map(|&corners| {
-            let next = number_of.len() as u32;
-            let key = corners.map(|corner| corner.map(f64::to_bits));
-            *number_of.entry(key).or_insert_with(|| {
-                boxes.push(without_tree(corners));
-                next
-            })
-        })
-        .collect();
-    let tests = probes.iter().zip(intervals);
-    let tests = tests.map(|(probe, interval)| {
-        vec![2 * numbers[probe.shape as usize] + u32::from(interval.is_some())]
-    });
-    BoxTests {
-        tests: tests.collect(),
-        boxes,
+/// The tests of single boxes: one in each call.
+fn of_probes(work: &BoxWork, intervals: &[Option<[f64; 2]>], calls: &[u32]) -> BoxTests {
+    let mut tests = BoxTests::default();
+    for (number, &call) in (0..).zip(calls) {
+        let probe = &work.probes[call as usize];
+        let corners = work.boxes[probe.shape as usize];
+        let [min, max] = corners.map(Into::into);
+        let verdict = oracle::bbox(&Aabb { min, max }, &convert::ray(&probe.ray));
+        tests.boxes.push(without_tree(corners));
+        tests.walks.push(vec![Step {
+            number,
+            needed: Some(verdict.hits()),
+            actual: Some(intervals[call as usize].is_some()),
+        }]);
     }
+    tests
 }
 
 fn without_tree(corners: [Xyz; 2]) -> TestedBox {

@@ -2,8 +2,9 @@
 
 use super::box_tests;
 use super::cause::Cause;
+use super::delta;
 use super::exact;
-use super::picture::{Picture, Pixels};
+use super::picture::{self, Picture, Pixels};
 use crate::bless;
 use grader::error::GraderError;
 use grader::runner::Worker;
@@ -15,6 +16,7 @@ use judge::tally::{Aspect, Finding};
 use judge::whole::{Counts, Whole, judge_whole};
 use pages::picture::{compose, read_png};
 use pictures::Image;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use wire::Answer;
 
@@ -58,9 +60,22 @@ pub enum State {
         wrong: Vec<String>,
         /// What it does not judge.
         not_judged: Vec<String>,
+        /// Which answers are nearer to the exact ones.
+        nearer: Nearer,
     },
     /// There is no answer, for this reason.
     Silent(String),
+}
+
+/// Of the calls that differ and have a golden row: how many actual answers are nearer to the exact
+/// oracle's than the golden ones, and how many are farther. Those that it does not know, and those
+/// that are equally far, count as neither.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Nearer {
+    /// Nearer to the truth than the golden.
+    pub nearer: usize,
+    /// Farther from it.
+    pub farther: usize,
 }
 
 /// A call whose answers differ.
@@ -75,14 +90,16 @@ pub struct Row {
     pub golden: Option<Line>,
     /// The answer of the code under review, as much of it as the golden has.
     pub actual: Option<Line>,
-    /// The exact oracle's answer, if there is no golden answer.
+    /// Whether the golden is a hit, where only its colour is known.
+    pub golden_hits: Option<bool>,
+    /// The exact oracle's answer, if it knows this kind of work.
     pub exact: Option<Line>,
     /// The fields of the question, as text.
     pub question: String,
 }
 
-/// The maximum number of rows of a case that are shown.
-pub const ROWS: usize = 100;
+/// The largest number of calls in [`Case::rows`].
+pub const ROWS: usize = 40;
 
 impl Case {
     /// A case without an answer.
@@ -120,12 +137,7 @@ impl Case {
             true => judge_whole(spec, tier, answer),
             false => Whole::default(),
         };
-        let wrong = whole.wrong_calls();
         let snapshots = [&golden, &actual, &full];
-        let picture = match pictures {
-            None => None,
-            Some(pictures) => Some(picture(spec, snapshots, pictures, wrong, answer, together)?),
-        };
         let mut case = Case {
             task: spec.task,
             name: spec.name,
@@ -133,26 +145,73 @@ impl Case {
             state: State::Same,
             rows: Vec::new(),
             whole: Whole::default(),
-            picture,
+            picture: None,
         };
-        if differs {
-            let pixels_of = case
-                .picture
-                .as_ref()
-                .and_then(|picture| picture.pixels.as_ref());
-            let calls = differing(snapshots, &changes, pixels_of, wrong);
-            case.rows = rows(spec, snapshots, pixels_of, &calls);
-            case.state = State::Differs {
-                changes,
-                calls: calls.len(),
-                pixels,
-                counts: whole.count(0..full.calls as u32),
-                wrong: whole.wrong.iter().map(Finding::to_string).collect(),
-                not_judged: whole.not_judged_sentences(),
-            };
-            case.whole = whole;
+        if !differs {
+            return Ok(case);
         }
+        case.picture = match pictures {
+            None => None,
+            Some(pictures) => Some(picture(
+                spec,
+                snapshots,
+                pictures,
+                whole.wrong_calls(),
+                answer,
+                together,
+            )?),
+        };
+        let pixels_of = case
+            .picture
+            .as_ref()
+            .and_then(|picture| picture.pixels.as_ref());
+        let calls = differing(snapshots, &changes, pixels_of, whole.wrong_calls());
+        let calls: Vec<u32> = calls.into_iter().collect();
+        let first = &calls[..calls.len().min(ROWS)];
+        let hits = pixels_of.and_then(|pixels| pixels.golden_hits.as_deref());
+        let causes = pixels_of.map(|pixels| pixels.causes.as_slice());
+        case.rows = rows(spec, snapshots, hits, causes, first);
+        case.state = State::Differs {
+            nearer: nearer(spec, &golden, &full, &changes.differing),
+            changes,
+            calls: calls.len(),
+            pixels,
+            counts: whole.count(0..full.calls as u32),
+            wrong: whole.wrong.iter().map(Finding::to_string).collect(),
+            not_judged: whole.not_judged_sentences(),
+        };
+        case.whole = whole;
         Ok(case)
+    }
+
+    /// The comparison of the picture of a task.
+    pub fn of_task_picture(task: &'static str, golden: Image, actual: Image) -> Case {
+        let pixels = recoloured(&[golden.clone(), actual.clone()]);
+        let state = match pixels {
+            0 => State::Same,
+            pixels => State::Differs {
+                changes: Changes::default(),
+                calls: 0,
+                pixels,
+                counts: Counts::default(),
+                wrong: Vec::new(),
+                not_judged: vec!["the picture: look at it yourself".into()],
+                nearer: Nearer::default(),
+            },
+        };
+        Case {
+            task,
+            name: judge::pictures::NAME,
+            about: "The picture of the task, as students see it beside theirs.",
+            picture: (pixels > 0).then_some(Picture {
+                golden,
+                actual,
+                pixels: None,
+            }),
+            state,
+            rows: Vec::new(),
+            whole: Whole::default(),
+        }
     }
 
     /// The path of the case on the page and below `golden/`.
@@ -197,10 +256,30 @@ fn picture(
     let comparable = old.size() == new.size()
         && [golden, actual].map(|snapshot| snapshot.calls) == [old.pixels().len(); 2];
     let pixels = if comparable {
-        let boxes = box_tests::of_case(spec, answer, together)?;
         let pictures = [(golden, &old), (actual, &new)];
-        let [golden, actual] = pictures;
-        Some(Pixels::of(spec, golden, actual, full, wrong, boxes))
+        let (causes, golden_hits) = picture::causes(spec, pictures[0], pictures[1], full, wrong);
+        let differ = (0..)
+            .zip(&causes)
+            .filter(|(_, cause)| **cause != Cause::Same);
+        let differ: Vec<u32> = differ.map(|(call, _)| call).collect();
+        let calls = picture::spread(&differ, picture::RECORDS);
+        let snapshots = [golden, actual, full];
+        let rows = rows(
+            spec,
+            snapshots,
+            golden_hits.as_deref(),
+            Some(&causes),
+            &calls,
+        );
+        let hits: Vec<Option<f64>> = rows.iter().map(Row::expected_t).collect();
+        Some(Pixels {
+            difference: picture::difference(&new, &causes),
+            boxes: box_tests::of_case(spec, answer, together, &calls, &hits)?,
+            corners: picture::corners(new.size(), full),
+            causes,
+            golden_hits,
+            rows,
+        })
     } else {
         None
     };
@@ -209,6 +288,33 @@ fn picture(
         actual: new,
         pixels,
     })
+}
+
+impl Row {
+    /// The `t` of the golden hit, or of the exact one where the golden's is not known.
+    fn expected_t(&self) -> Option<f64> {
+        let known = self.golden.as_ref().or(self.exact.as_ref());
+        known.and_then(|line| line.number("t"))
+    }
+}
+
+/// Which of the `differing` answers are nearer to the truth.
+fn nearer(spec: &Spec, golden: &Snapshot, full: &Snapshot, differing: &[u32]) -> Nearer {
+    let mut counts = Nearer::default();
+    let Some(exact) = exact::records(spec, differing) else {
+        return counts;
+    };
+    for (call, exact) in differing.iter().zip(&exact) {
+        let (Some(old), Some(new)) = (golden.row(*call), full.row(*call)) else {
+            continue;
+        };
+        match delta::nearer(old, new, exact) {
+            Some(Ordering::Less) => counts.farther += 1,
+            Some(Ordering::Greater) => counts.nearer += 1,
+            _ => {}
+        }
+    }
+    counts
 }
 
 /// The calls that are known to differ: those whose rows differ. If the golden does not have all
@@ -239,32 +345,28 @@ fn differing(
     calls
 }
 
-/// The first calls that differ.
+/// The golden, actual and exact answers of `calls`. `hits` says of each call whether the golden
+/// picture shows a hit, `causes` why its pixel differs.
 fn rows(
     spec: &Spec,
     [golden, actual, full]: [&Snapshot; 3],
-    pixels: Option<&Pixels>,
-    differing: &BTreeSet<u32>,
+    hits: Option<&[bool]>,
+    causes: Option<&[Cause]>,
+    calls: &[u32],
 ) -> Vec<Row> {
-    let calls: Vec<u32> = differing.iter().copied().take(ROWS).collect();
-    let is_known = |call: &u32| (*call as usize) < golden.calls.min(full.calls);
-    let without_row: Vec<u32> = calls
-        .iter()
-        .copied()
-        .filter(|call| is_known(call) && golden.row(*call).is_none())
-        .collect();
-    let exact = exact::records(spec, &without_row).unwrap_or_default();
-    let exact: BTreeMap<u32, Fields> = without_row.into_iter().zip(exact).collect();
-    let hits = pixels.and_then(|pixels| pixels.golden.hits.as_ref());
+    let is_known = |call: &u32| (*call as usize) < full.calls;
+    let known: Vec<u32> = calls.iter().copied().filter(is_known).collect();
+    let exact = exact::records(spec, &known).unwrap_or_default();
+    let exact: BTreeMap<u32, Fields> = known.into_iter().zip(exact).collect();
     let row = |call: u32| {
-        let misses = hits.is_some_and(|hits| !hits[call as usize]);
+        let hits = hits.map(|hits| hits[call as usize]);
         let line = |answer: &Fields| Line {
             call,
             answer: answer.clone(),
             ..Line::default()
         };
         let old = golden.row(call).cloned();
-        let old = old.or_else(|| misses.then(|| line(&Fields::new())));
+        let old = old.or_else(|| (hits == Some(false)).then(|| line(&Fields::new())));
         let new = actual.row(call).or_else(|| full.row(call)).cloned();
         let cause = match (&old, &new) {
             (Some(old), Some(new)) => Cause::of(old, new, true),
@@ -272,16 +374,17 @@ fn rows(
         };
         Row {
             call,
-            cause: pixels.map_or(cause, |pixels| pixels.causes[call as usize]),
+            cause: causes.map_or(cause, |causes| causes[call as usize]),
             question: full
                 .row(call)
                 .or(old.as_ref())
                 .map(Line::asked)
                 .unwrap_or_default(),
-            exact: exact.get(&call).filter(|_| old.is_none()).map(line),
+            exact: exact.get(&call).map(line),
+            golden_hits: hits.filter(|_| old.is_none()),
             golden: old,
             actual: new,
         }
     };
-    calls.into_iter().map(row).collect()
+    calls.iter().map(|call| row(*call)).collect()
 }

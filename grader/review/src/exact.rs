@@ -12,7 +12,7 @@ use wire::answer::Hit;
 use wire::work::{BoxWork, BruteForceWork, Ray, SceneWork};
 
 /// The right hit or interval for each of `calls`, without fields for a miss. `None` for work that
-/// computes neither closest hits nor box intervals.
+/// computes neither hits nor box intervals.
 pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
     match &spec.work {
         Work::BruteForce(BruteForceWork {
@@ -29,6 +29,22 @@ pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
             any_hit: false,
             ..
         }) => Some(of_scene(spec, &scene::load(scene), rays, calls)),
+        Work::Triangles(work) => {
+            let first = |&call: &u32| {
+                let probe = &work.probes[call as usize];
+                let triangle = convert::triangle(&work.triangles[probe.shape as usize]);
+                of_shape(Primitive::Triangle(&triangle), &probe.ray)
+            };
+            Some(calls.iter().map(first).collect())
+        }
+        Work::Spheres(work) => {
+            let first = |&call: &u32| {
+                let probe = &work.probes[call as usize];
+                let sphere = convert::sphere(&work.spheres[probe.shape as usize]);
+                of_shape(Primitive::Sphere(&sphere), &probe.ray)
+            };
+            Some(calls.iter().map(first).collect())
+        }
         Work::Boxes(BoxWork { boxes, probes }) => {
             let inside = |&call: &u32| {
                 let probe = &probes[call as usize];
@@ -48,6 +64,14 @@ pub fn records(spec: &Spec, calls: &[u32]) -> Option<Vec<Fields>> {
         }
         _ => None,
     }
+}
+
+/// The right hit of one shape. It has no number to compare.
+fn of_shape(shape: Primitive<'_>, ray: &Ray) -> Fields {
+    let first = truth::first_of(Tier::Robust, &[shape], &convert::ray(ray), false);
+    let mut fields = fields(&first);
+    fields.retain(|(name, _)| name != "prim");
+    fields
 }
 
 fn of_scene(spec: &Spec, shapes: &Scene, rays: &[Ray], calls: &[u32]) -> Vec<Fields> {

@@ -4,38 +4,49 @@
 //! Start at [`Review::add`]: a worker answers the cases. [`case`] compares each answer with its
 //! golden, line by line and, if the case has a [`picture`], pixel by pixel, and finds the [`cause`]
 //! of each difference. The [`exact`] oracle checks the answers independently of both. [`page`]
-//! writes the result as one self-contained HTML file; [`columns`] and [`box_tests`] are its data
-//! about pixels. [`look`] is the page for students.
+//! writes the result as one self-contained HTML file; [`delta`], [`magnitude`] and [`box_walk`] say
+//! how much answers, colours and traversals differ. [`look`] is the page for students.
 
 pub mod bless;
 pub mod box_tests;
+pub mod box_walk;
 pub mod case;
 pub mod cause;
-pub mod columns;
+pub mod delta;
 pub mod exact;
 pub mod look;
+pub mod magnitude;
 pub mod page;
 pub mod picture;
 
 use case::{Case, State};
 use grader::consistency;
 use grader::course::{CaseEntry, Course, Task};
+use grader::diagnosis::{self, Diagnosis};
 use grader::error::GraderError;
 use grader::grade;
+use grader::picture as task_picture;
 use grader::report::table::status_text;
 use grader::score::Status;
+use grader::signature::Signature;
 use grader::worker_set::WorkerSet;
 use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::Spec;
+use judge::pictures;
+use pages::picture::read_png;
+use std::collections::BTreeMap;
+use std::path::Path;
 use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 
 /// The comparison of goldens and answers.
 #[derive(Clone, Debug, Default)]
 pub struct Review {
-    /// The compared cases in the order of the course.
+    /// The compared cases in the order of the course; after those of a task its picture.
     pub cases: Vec<Case>,
+    /// The known mistakes that the wrong answers look like, by tasks.
+    pub diagnoses: BTreeMap<String, Diagnosis>,
 }
 
 /// Whose answers are reviewed.
@@ -58,24 +69,25 @@ impl Author {
 }
 
 impl Review {
-    /// Runs the cases of `tasks` in `workers` and adds the comparisons.
+    /// Runs the cases of `tasks` in `stage_workers` and adds the comparisons.
     pub fn add(
         &mut self,
         workspace: &Workspace,
         course: &Course,
         tasks: &[&Task],
         specs: &[Spec],
-        workers: &WorkerSet,
+        stage_workers: &WorkerSet,
         author: &Author,
     ) -> Result<(), GraderError> {
         for task in tasks {
             let chosen = grade::chosen(&[task], specs)?;
-            let Some(workers) = workers.workers(&task.stage) else {
+            let Some(workers) = stage_workers.workers(&task.stage) else {
                 self.add_without_answer(&chosen, &Status::DoesNotCompile);
                 continue;
             };
             let endings = workers.run(&chosen, &mut Vec::new())?;
-            for ((entry, spec), ending) in task.cases.iter().zip(chosen).zip(&endings) {
+            let mut is_wrong = false;
+            for ((entry, spec), ending) in task.cases.iter().zip(&chosen).zip(&endings) {
                 let case = match grade::answered(&task.key, ending, course)? {
                     Err(status) => Case::silent(spec, status_text(&status)),
                     Ok(answer) => {
@@ -83,7 +95,29 @@ impl Review {
                         Case::of(workspace, spec, tier, answer, &workers.whole_scene)?
                     }
                 };
+                is_wrong |=
+                    matches!(&case.state, State::Differs { wrong, .. } if !wrong.is_empty());
                 self.cases.push(case);
+            }
+            if is_wrong {
+                let known = diagnosis::known(workspace, &task.key)?;
+                for result in grade::score_tasks(course, &[task], &chosen, &endings)? {
+                    let diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
+                    self.diagnoses
+                        .extend(diagnosis.map(|diagnosis| (task.key.clone(), diagnosis)));
+                }
+            }
+            let has_golden = workspace
+                .golden_picture(&task.key, pictures::NAME)
+                .is_file();
+            if let Some(kind) = pictures::of(&task.key).filter(|_| has_golden) {
+                let golden = read_png(&workspace.golden_picture(kind.task, pictures::NAME))?;
+                self.cases.push(
+                    match task_picture::of_code(course, task, &kind, stage_workers)? {
+                        Ok(actual) => Case::of_task_picture(kind.task, golden, actual),
+                        Err(status) => Case::silent(&kind.spec(), status_text(&status)),
+                    },
+                );
             }
         }
         Ok(())

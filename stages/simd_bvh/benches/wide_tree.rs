@@ -1,13 +1,14 @@
-//! Measures millions of rays per second on one thread: the wide tree and the tree of stage `bvh`,
-//! in one run.
+//! Benchmarks of the wide tree beside the tree of stage `bvh`, on one thread.
 //!
-//! `cargo bench -p simd_bvh -- SCENE.dae`; without a scene a generated mesh. Camera rays go through
-//! a picture of 480 x 360 pixels in order; bounce rays leave the hits in random directions; shadow
-//! rays go from the hits to a point above and look for any hit. Each figure is the best of several
-//! repetitions, because other programs on the machine only add time.
+//! Run with `cargo bench -p simd_bvh`; arguments after `--` are criterion's. The scene is a generated
+//! mesh, or the file that the variable `FIRSTLIGHT_BENCH_SCENE` names. Camera rays go through a
+//! picture of 480 x 360 pixels in order; bounce rays leave the hits in random directions; shadow rays
+//! go from the hits to a point above and look for any hit. Each time is that of one tree or of one
+//! ray; throughput is in primitives for the construction and in rays for the traversal.
 
 // BEGIN SOLUTION(part6.task1)
 use bvh::{construct_bvh, intersect_bvh, occludes_bvh};
+use criterion::{Criterion, Throughput};
 use kit::{
     Aabb, FilmSize, Frame, Hit, Interval, PixelSampler, PrimId, Primitive, Ray, Scene, TriangleHit,
     Vec2, Vec3, World, warp,
@@ -15,14 +16,12 @@ use kit::{
 use meshes::{MeshKind, generate};
 use scenes::placement;
 use simd_bvh::{Level, TestCounts, WideBvh};
-use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 const FILM: FilmSize = FilmSize { w: 480, h: 360 };
-const REPETITIONS: usize = 9;
-/// How many times a repetition traces all rays.
-const ROUNDS: usize = 4;
+
+/// The variable that names a scene file.
+const SCENE: &str = "FIRSTLIGHT_BENCH_SCENE";
 
 struct Kernels<'a>(&'a Scene);
 
@@ -97,36 +96,12 @@ fn rays(scene: &Scene) -> [Vec<Ray>; 3] {
     [camera_rays, bounces, shadows]
 }
 
-/// The CPU time of this thread where the system reports it, else the time since `start`.
-fn cpu_time(start: Instant) -> Duration {
-    std::fs::read_to_string("/proc/thread-self/schedstat")
-        .ok()
-        .and_then(|stat| stat.split_whitespace().next()?.parse().ok())
-        .map_or_else(|| start.elapsed(), Duration::from_nanos)
-}
-
-/// The best rate, in millions of rays per second.
-fn rate(rays: &[Ray], mut trace: impl FnMut(&Ray) -> bool) -> f64 {
-    let start = Instant::now();
-    let best = (0..REPETITIONS)
-        .map(|_| {
-            let before = cpu_time(start);
-            for _ in 0..ROUNDS {
-                black_box(rays.iter().filter(|ray| trace(ray)).count());
-            }
-            cpu_time(start) - before
-        })
-        .min()
-        .unwrap_or(Duration::MAX);
-    (rays.len() * ROUNDS) as f64 / best.as_secs_f64() / 1e6
-}
-
 fn main() {
-    let argument = std::env::args().skip(1).find(|arg| !arg.starts_with('-'));
-    let scene = match &argument {
+    let mut c = Criterion::default().configure_from_args().sample_size(20);
+    let scene = match std::env::var_os(SCENE) {
         Some(path) => {
-            scenes::load(Path::new(path))
-                .expect("a scene that can be read")
+            scenes::load(Path::new(&path))
+                .unwrap_or_else(|e| panic!("{SCENE} names no scene: {e}"))
                 .scene
         }
         None => Scene {
@@ -134,52 +109,50 @@ fn main() {
             ..Scene::default()
         },
     };
-    let start = Instant::now();
+    let bounds = scene.primitive_bounds();
+    let mut group = c.benchmark_group("build");
+    group.throughput(Throughput::Elements(scene.len() as u64));
+    group.bench_function("bvh", |b| b.iter(|| construct_bvh(&bounds, 4)));
+    group.bench_function("simd_bvh", |b| {
+        b.iter(|| WideBvh::build(&scene.triangles, &scene.spheres));
+    });
+    group.finish();
+
+    let tree = construct_bvh(&bounds, 4);
     let wide = WideBvh::build(&scene.triangles, &scene.spheres);
-    let wide_build = start.elapsed();
-    let start = Instant::now();
-    let tree = construct_bvh(&scene.primitive_bounds(), 4);
-    let tree_build = start.elapsed();
     println!(
-        "{} primitives; built: bvh {:.1} ms, simd_bvh {:.1} ms ({} nodes, {} blocks), {:?}",
+        "{} primitives; simd_bvh has {} nodes, {} blocks, {:?}",
         scene.len(),
-        1e3 * tree_build.as_secs_f64(),
-        1e3 * wide_build.as_secs_f64(),
         wide.node_count(),
         wide.block_count(),
         Level::new(),
     );
-    println!(
-        "{:<8} {:>9} {:>9} {:>9}   box and primitive tests per ray",
-        "Mrays/s", "rays", "bvh", "simd_bvh"
-    );
     for (name, rays) in ["camera", "bounce", "shadow"].into_iter().zip(rays(&scene)) {
-        let mut world = Kernels(&scene);
         let any = name == "shadow";
-        let binary = rate(&rays, |ray| {
-            if any {
-                occludes_bvh(&tree, ray, &mut world)
-            } else {
-                intersect_bvh(&tree, &mut { *ray }, &mut world).is_some()
-            }
-        });
+        let mut world = Kernels(&scene);
+        let mut binary = |ray: &Ray| match any {
+            true => occludes_bvh(&tree, ray, &mut world),
+            false => intersect_bvh(&tree, &mut { *ray }, &mut world).is_some(),
+        };
         let mut counts = TestCounts::default();
         let exact = &mut |id: PrimId, ray: &Ray| Kernels(&scene).test(id, ray);
-        let wide_rate = rate(&rays, |ray| {
-            if any {
-                wide.occluded(ray, None, exact, &mut counts)
-            } else {
-                wide.closest(ray, None, exact, &mut counts).is_some()
-            }
+        let mut wide = |ray: &Ray| match any {
+            true => wide.occluded(ray, None, exact, &mut counts),
+            false => wide.closest(ray, None, exact, &mut counts).is_some(),
+        };
+        let hits = rays.iter().filter(|ray| wide(ray)).count();
+        let mut group = c.benchmark_group(name);
+        group.throughput(Throughput::Elements(1));
+        let mut turns = rays.iter().cycle();
+        group.bench_function("bvh", |b| b.iter(|| turns.next().is_some_and(&mut binary)));
+        let mut turns = rays.iter().cycle();
+        group.bench_function("simd_bvh", |b| {
+            b.iter(|| turns.next().is_some_and(&mut wide));
         });
-        let each = |tests: u64| tests as f64 / (rays.len() * REPETITIONS * ROUNDS) as f64;
-        println!(
-            "{name:<8} {:>9} {binary:>9.2} {wide_rate:>9.2}   {:.1} and {:.1}",
-            rays.len(),
-            each(counts.box_tests),
-            each(counts.prim_tests)
-        );
+        group.finish();
+        println!("{name}: {hits} of {} rays hit", rays.len());
     }
+    c.final_summary();
 }
 // STUB: fn main() {}
 // END SOLUTION(part6.task1)

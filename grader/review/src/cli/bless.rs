@@ -2,7 +2,6 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use grader::cli::Verdict;
-use grader::course::Course;
 use grader::error::GraderError;
 use grader::workspace::Workspace;
 use judge::plural;
@@ -15,9 +14,10 @@ pub(crate) fn command() -> Command {
         .about("For instructors: shows how the reference's results differ from the goldens, then stores them as new goldens")
         .arg(
             Arg::new("what")
-                .value_name("WHAT")
+                .value_name("KEY")
+                .num_args(1..)
                 .default_value("all")
-                .help("The goldens to update: `all`, a part such as `part1`, or a task such as `part1.task3`"),
+                .help("The goldens to update: `all`, parts such as `part1`, tasks such as `part1.task3`, cases such as `part1.task3/back_face`"),
         )
         .arg(
             Arg::new("yes")
@@ -27,13 +27,21 @@ pub(crate) fn command() -> Command {
         )
 }
 
+/// The lines of refusals that are printed: the page of `review` has all of them.
+const REFUSALS: usize = 12;
+
 pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
-    let what = matches
-        .get_one::<String>("what")
-        .map_or("all", String::as_str);
+    let keys: Vec<&str> = matches
+        .get_many::<String>("what")
+        .unwrap_or_default()
+        .map(String::as_str)
+        .collect();
     let workspace = Workspace::above(Path::new("."))?;
-    Course::read(&workspace)?.select(what)?;
-    let proposed = bless::propose(&workspace, what)?;
+    let proposal = bless::propose(&workspace, &keys)?;
+    if !proposal.refused.is_empty() {
+        return Err(GraderError::new(refusal(&proposal.refused, &keys)));
+    }
+    let proposed = proposal.changes;
     if proposed.is_empty() {
         println!("The goldens are up to date.");
         return Ok(Verdict::Passed);
@@ -51,12 +59,37 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     println!("{}", verdict(&proposed));
     if matches.get_flag("yes") || confirmed(proposed.len())? {
         bless::accept(&workspace, &proposed)?;
-        println!("{} goldens written.", proposed.len());
+        println!("{} written.", plural(proposed.len(), "golden", "goldens"));
         return Ok(Verdict::Passed);
     }
-    bless::reject(&proposed)?;
-    println!("No golden was written.");
+    println!("No golden was written, and no file was changed.");
     Ok(Verdict::Failed)
+}
+
+/// The message if answers are wrong or missing.
+fn refusal(refused: &[String], keys: &[&str]) -> String {
+    let mut text = format!(
+        "nothing is blessed, because {} wrong or missing:",
+        match refused.len() {
+            1 => "an answer is".to_string(),
+            n => format!("the answers to {n} cases are"),
+        }
+    );
+    for line in refused.iter().take(REFUSALS) {
+        text.push_str(&format!("\n  {line}"));
+    }
+    if refused.len() > REFUSALS {
+        text.push_str(&format!("\n  and {} more", refused.len() - REFUSALS));
+    }
+    let tasks: Vec<&str> = keys
+        .iter()
+        .map(|key| key.split('/').next().unwrap_or(key))
+        .collect();
+    text.push_str(&format!(
+        "\n`cargo grader review {}` shows each of them",
+        tasks.join(" ")
+    ));
+    text
 }
 
 /// What the exact oracle says about the new answers.
@@ -80,7 +113,13 @@ fn confirmed(goldens: usize) -> Result<bool, GraderError> {
         println!("Add `--yes` to write them without confirmation.");
         return Ok(false);
     }
-    print!("Write these {goldens} goldens? [y/N] ");
+    print!(
+        "Write {}? [y/N] ",
+        match goldens {
+            1 => "this golden".into(),
+            n => format!("these {n} goldens"),
+        }
+    );
     let mut answer = String::new();
     let prompted = std::io::stdout()
         .flush()

@@ -1,7 +1,8 @@
 //! Writes what a student sees of a task as one HTML page.
 
 use super::{FailedCase, Look};
-use crate::page::pictures::{article, slider};
+use crate::page::pictures::panels;
+use crate::page::viewer::viewer;
 use crate::page::whole;
 use crate::page::words::LOOK;
 use grader::picture::Rendered;
@@ -90,8 +91,6 @@ fn header(look: &Look) -> String {
 
 /// The picture of the task: expected and yours with a slider, and where they differ.
 fn task_picture(rendered: &Rendered) -> String {
-    let image = |who: &str, src: String| format!("<img alt=\"{who} picture\" src=\"{src}\">");
-    let golden = image(LOOK.golden, png_data_uri(&rendered.golden));
     let about = rendered.picture.panels.iter().map(|kind| kind.about);
     let about = about.collect::<Vec<_>>().join("; below: ");
     let about = escape(&about);
@@ -100,33 +99,26 @@ fn task_picture(rendered: &Rendered) -> String {
         Err(status) => {
             return format!(
                 "<section class=\"task\"><h2>Your picture</h2>\n<p class=\"bad\">There is none: {}.</p>\n\
-                 <div class=\"panels\"><figure><div class=\"screen\">{golden}</div><figcaption>Expected. {about}.</figcaption></figure></div></section>\n",
-                escape(&status_text(status))
+                 <figure><img class=\"alone\" alt=\"{} picture\" src=\"{}\"><figcaption>Expected. {about}.</figcaption></figure></section>\n",
+                escape(&status_text(status)),
+                LOOK.golden,
+                png_data_uri(&rendered.golden),
             );
         }
     };
-    let mut text = format!(
-        "<section class=\"task\"><h2>Your picture</h2>\n<p class=\"about\">{about}.</p>\n<div class=\"panels\">\n\
-         <figure><div class=\"screen\">{golden}{}<span class=\"seam\"></span></div>{}</figure>\n",
-        image(LOOK.actual, png_data_uri(yours)),
-        slider(&LOOK),
-    );
+    let mut legend = String::new();
     if comparison.is_same() {
-        text.push_str("<p class=\"good\">Your picture is as expected.</p>\n");
+        legend.push_str("<p class=\"good\">Your picture is as expected.</p>\n");
     } else {
-        let _ = write!(
-            text,
-            "<figure><div class=\"screen\">{}</div><figcaption>Where yours differs.</figcaption>\n<ul class=\"legend\">",
-            image("difference", png_data_uri(&comparison.difference))
-        );
+        legend.push_str("<ul class=\"legend\">");
         for (kind, marks) in rendered.picture.panels.iter().zip(&comparison.counts) {
             if rendered.picture.panels.len() > 1 && !marks.is_empty() {
-                let _ = write!(text, "<li class=\"note\">{}:</li>", escape(kind.about));
+                let _ = write!(legend, "<li class=\"note\">{}:</li>", escape(kind.about));
             }
             for (mark, count) in marks {
                 let [r, g, b] = mark.colour();
                 let _ = write!(
-                    text,
+                    legend,
                     "<li><span class=\"chip\" style=\"background:rgb({r},{g},{b})\"></span>{}: {}</li>",
                     mark.label(),
                     plural(*count, "pixel", "pixels")
@@ -134,15 +126,19 @@ fn task_picture(rendered: &Rendered) -> String {
             }
             if kind.differences == Differences::Choice && !marks.is_empty() {
                 let _ = write!(
-                    text,
+                    legend,
                     "<li class=\"note\">{}: another solution can be as right.</li>",
                     escape(kind.about)
                 );
             }
         }
-        text.push_str("</ul></figure>\n");
+        legend.push_str("</ul>");
     }
-    text + "</div></section>\n"
+    let difference = (!comparison.is_same()).then_some(&comparison.difference);
+    format!(
+        "<section class=\"task picture\"><h2>Your picture</h2>\n<p class=\"about\">{about}.</p>\n{}</section>\n",
+        viewer(&rendered.golden, yours, difference, &legend, &LOOK)
+    )
 }
 
 fn cases(failed: &[&FailedCase]) -> String {
@@ -166,7 +162,12 @@ fn one_case(failed: &FailedCase) -> String {
     if let Some(case) = &failed.picture
         && let Some(picture) = &case.picture
     {
-        return article(case, picture, &about, &LOOK);
+        let id = escape(&case.path());
+        return format!(
+            "<article class=\"case picture\" id=\"{id}\"><h3>{}</h3>\n{about}{}</article>\n",
+            escape(case.name),
+            panels(case, picture, &LOOK)
+        );
     }
     let figure = failed.figure.as_ref().map(|svg| {
         format!(

@@ -1,6 +1,7 @@
 //! Describes the state of cases as text.
 
 use crate::case::{Case, State};
+use judge::whole::Counts;
 use pages::html::escape;
 use std::fmt::Write;
 
@@ -43,6 +44,7 @@ pub(super) fn describe(case: &Case) -> String {
             counts,
             wrong,
             not_judged,
+            nearer,
             ..
         } => {
             let _ = writeln!(text, "<p><strong>{}</strong></p>", escape(&meaning(case)));
@@ -51,20 +53,34 @@ pub(super) fn describe(case: &Case) -> String {
                     "<p>No row shows the difference: only the hash of all answers does.</p>\n",
                 );
             }
+            if nearer.nearer + nearer.farther > 0 {
+                let _ = writeln!(
+                    text,
+                    "<p>Nearer to the truth: {}, farther: {}.</p>",
+                    nearer.nearer, nearer.farther
+                );
+            }
             if wrong.is_empty() && not_judged.is_empty() {
                 text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
-            } else {
+            } else if *counts != Counts::default() {
                 let _ = writeln!(text, "<p>All answers by the exact oracle: {counts}.</p>");
             }
             for open in not_judged {
                 let _ = writeln!(text, "<p class=\"open\">Not judged: {}</p>", escape(open));
             }
-            for wrong in wrong {
+            for (i, wrong) in wrong.iter().enumerate() {
+                // The first aspect has the fault that explains the most.
+                if i == 1 {
+                    text.push_str("<details><summary>more that is wrong</summary>\n");
+                }
                 let _ = writeln!(
                     text,
                     "<p class=\"bad\">Wrong by the exact oracle: {}</p>",
                     escape(wrong)
                 );
+            }
+            if wrong.len() > 1 {
+                text.push_str("</details>\n");
             }
         }
     }

@@ -1,51 +1,151 @@
 //! Writes the review as one HTML page.
 
+mod call;
 mod case_text;
+mod decision;
 pub(crate) mod pictures;
 mod rows;
-mod snapshots;
+pub(crate) mod viewer;
 pub(crate) mod words;
 
 use super::case::{Case, State};
 use super::{Author, Review};
-use case_text::{count, differs, is_open, is_refuted, is_silent};
+use case_text::{count, differs, is_open, is_refuted, is_silent, meaning};
 use judge::plural;
 use pages::html::escape;
 use std::fmt::Write;
 
 const TEMPLATE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("page.js");
 
-/// Formats the page.
+/// The scripts, in their order: each uses those before it.
+const SCRIPTS: [&str; 4] = [
+    include_str!("projection.js"),
+    include_str!("viewer.js"),
+    include_str!("pixels.js"),
+    include_str!("decision.js"),
+];
+
+/// The largest number of calls that the page lists, shared by the cases without pictures.
+const LISTED: usize = 160;
+
+/// The smallest number of calls that it lists of a case.
+const LISTED_OF_A_CASE: usize = 3;
+
+/// Formats the page: first what changed, task by task, then the names of what did not.
 pub fn write(review: &Review, author: &Author) -> String {
-    // Changed cases come first.
-    let (same, changed): (Vec<&Case>, Vec<&Case>) = review
-        .cases
-        .iter()
-        .partition(|case| case.state == State::Same);
-    let mut pictures = String::new();
-    for case in changed.into_iter().chain(same) {
-        if let Some(picture) = &case.picture {
-            pictures.push_str(&pictures::article(
-                case,
-                picture,
-                &case_text::describe(case),
-                &words::REVIEW,
-            ));
+    let mut content = String::new();
+    let changed = review.cases.iter().filter(|case| differs(&case.state));
+    let listed = (LISTED / changed.count().max(1)).max(LISTED_OF_A_CASE);
+    let is_reference = *author == Author::Reference;
+    let is_changed = review.cases.iter().any(|case| differs(&case.state));
+    if is_changed {
+        content.push_str(decision::BAR);
+    }
+    content.push_str(&overview(review));
+    for cases in review.cases.chunk_by(|a, b| a.task == b.task) {
+        let changed = cases.iter().filter(|case| differs(&case.state));
+        let changed: Vec<&Case> = changed.collect();
+        if changed.is_empty() {
+            continue;
         }
+        let task = escape(cases[0].task);
+        let _ = writeln!(
+            content,
+            "<section class=\"changed\" id=\"{task}\" data-changed=\"{}\">\n<h2>{task}: {} of {} changed</h2>",
+            changed.len(),
+            changed.len(),
+            plural(cases.len(), "golden", "goldens"),
+        );
+        if let Some(diagnosis) = review.diagnoses.get(cases[0].task) {
+            let _ = writeln!(
+                content,
+                "<p class=\"looks\"><strong>Looks like:</strong> {}, {} of {} calls.</p>",
+                escape(&diagnosis.description),
+                diagnosis.equal,
+                diagnosis.of
+            );
+        }
+        for case in changed {
+            content.push_str(&article(case, listed, is_reference));
+        }
+        content.push_str("</section>\n");
     }
-    if pictures.is_empty() {
-        pictures.push_str("<p>None of these cases has a picture.</p>\n");
+    content.push_str(&without_answers(review));
+    content.push_str(&unchanged(review));
+    if is_changed && is_reference {
+        content.push_str(decision::SECTION);
     }
-    let content = format!(
-        "{}<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Pictures</h2>\n{pictures}</section>\n\
-         <section aria-labelledby=\"snapshots\">\n<h2 id=\"snapshots\">Snapshots</h2>\n{}</section>\n",
-        overview(review),
-        snapshots::section(review)
-    );
     let title = format!("Review: {}", summary(review));
     whole("", &title, &header(review, author), &content)
+}
+
+/// A changed case; with `decide`, it can be accepted.
+fn article(case: &Case, listed: usize, decide: bool) -> String {
+    let id = escape(&case.path());
+    let is_refuted = is_refuted(&case.state);
+    let mut text = format!(
+        "<article class=\"case picture\" id=\"{id}\" tabindex=\"-1\" data-task=\"{}\" data-case=\"{}\" data-meaning=\"{}\">\n\
+         <div class=\"head\"><h3>{id}</h3>{}</div>\n{}",
+        escape(case.task),
+        escape(case.name),
+        escape(&meaning(case)),
+        match decide {
+            true => decision::buttons(is_refuted),
+            false => String::new(),
+        },
+        case_text::describe(case),
+    );
+    match &case.picture {
+        Some(picture) => text.push_str(&pictures::panels(case, picture, &words::REVIEW)),
+        None => text.push_str(&rows::rows(case, listed, &words::REVIEW)),
+    }
+    text + "</article>\n"
+}
+
+/// The cases without an answer, by the reason.
+fn without_answers(review: &Review) -> String {
+    let silent = review.cases.iter().filter(|case| is_silent(&case.state));
+    let silent: Vec<&Case> = silent.collect();
+    let mut text = String::new();
+    for of_reason in silent.chunk_by(|a, b| a.state == b.state) {
+        if let State::Silent(why) = &of_reason[0].state {
+            let names: Vec<String> = of_reason.iter().map(|case| escape(&case.path())).collect();
+            let _ = writeln!(
+                text,
+                "<p class=\"bad\">No answer ({}): {}</p>",
+                escape(why),
+                names.join(", ")
+            );
+        }
+    }
+    text
+}
+
+/// The names of the unchanged cases, folded.
+fn unchanged(review: &Review) -> String {
+    let is_same = |case: &&Case| case.state == State::Same;
+    let all = review.cases.iter().filter(is_same).count();
+    if all == 0 {
+        return String::new();
+    }
+    let mut text = format!(
+        "<details class=\"unchanged\"><summary>{} unchanged</summary>\n",
+        plural(all, "golden is", "goldens are")
+    );
+    for cases in review.cases.chunk_by(|a, b| a.task == b.task) {
+        let same = cases.iter().filter(is_same).map(|case| escape(case.name));
+        let same: Vec<String> = same.collect();
+        if !same.is_empty() {
+            let _ = writeln!(
+                text,
+                "<p><code>{}</code>: {}</p>",
+                escape(cases[0].task),
+                same.join(", ")
+            );
+        }
+    }
+    text + "</details>\n"
 }
 
 /// A whole page: `title` is text, `header` and `content` are HTML. The rules of `own_style` come
@@ -54,7 +154,7 @@ pub(crate) fn whole(own_style: &str, title: &str, header: &str, content: &str) -
     // Inserts our own texts first, because the text of an answer may contain a placeholder.
     TEMPLATE
         .replace("<!-- style -->", &format!("{STYLE}{own_style}"))
-        .replace("<!-- script -->", SCRIPT)
+        .replace("<!-- script -->", &SCRIPTS.concat())
         .replace("<!-- title -->", &escape(title))
         .replace("<!-- header -->", header)
         .replace("<!-- content -->", content)
@@ -63,7 +163,7 @@ pub(crate) fn whole(own_style: &str, title: &str, header: &str, content: &str) -
 /// The result of the review in one sentence.
 pub fn summary(review: &Review) -> String {
     let cases: Vec<&Case> = review.cases.iter().collect();
-    let all = plural(cases.len(), "case", "cases");
+    let all = plural(cases.len(), "golden", "goldens");
     let silent = count(&cases, is_silent);
     let mut text = match count(&cases, differs) {
         0 if silent == 0 => return format!("nothing changed in {all}"),
@@ -116,33 +216,39 @@ fn header(review: &Review, author: &Author) -> String {
     )
 }
 
+/// The changed tasks with links to their changed cases.
 fn overview(review: &Review) -> String {
-    let mut text = String::from(
-        "<table>\n<thead><tr><th scope=\"col\">task</th><th scope=\"col\" class=\"number\">cases</th><th scope=\"col\" class=\"number\">changed</th>\
-         <th scope=\"col\" class=\"number\">refuted</th><th scope=\"col\" class=\"number\">not judged</th><th scope=\"col\" class=\"number\">no answer</th><th scope=\"col\">changed cases</th></tr></thead>\n<tbody>\n",
-    );
+    let mut text = String::from("<ul class=\"overview\">\n");
     for cases in review.cases.chunk_by(|a, b| a.task == b.task) {
         let cases: Vec<&Case> = cases.iter().collect();
-        let links: Vec<String> = cases
-            .iter()
-            .filter(|case| differs(&case.state))
-            .map(|case| {
-                let name = escape(case.name);
-                format!("<a href=\"#{}\">{name}</a>", escape(&case.path()))
-            })
-            .collect();
+        let changed = count(&cases, differs);
+        if changed == 0 {
+            continue;
+        }
+        let mut counts = vec![format!("{changed} of {} changed", cases.len())];
+        let parts = [
+            (count(&cases, is_refuted), "refuted"),
+            (count(&cases, is_open), "not judged in some aspect"),
+            (count(&cases, is_silent), "without an answer"),
+        ];
+        for (count, what) in parts {
+            if count > 0 {
+                counts.push(format!("{count} {what}"));
+            }
+        }
+        let links = cases.iter().filter(|case| differs(&case.state));
+        let links = links.map(|case| {
+            let class = if is_refuted(&case.state) { "bad" } else { "" };
+            let (path, name) = (escape(&case.path()), escape(case.name));
+            format!("<a class=\"{class}\" href=\"#{path}\">{name}</a>")
+        });
         let _ = writeln!(
             text,
-            "<tr><th scope=\"row\"><code>{}</code></th><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
-             <td class=\"number\">{}</td><td>{}</td></tr>",
-            escape(cases[0].task),
-            cases.len(),
-            count(&cases, differs),
-            count(&cases, is_refuted),
-            count(&cases, is_open),
-            count(&cases, is_silent),
-            links.join(", ")
+            "<li><a href=\"#{task}\"><code>{task}</code></a> {}: {}</li>",
+            counts.join(", "),
+            links.collect::<Vec<String>>().join(", "),
+            task = escape(cases[0].task),
         );
     }
-    text + "</tbody>\n</table>\n"
+    text + "</ul>\n"
 }

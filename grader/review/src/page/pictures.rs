@@ -1,81 +1,49 @@
-//! The pictures of the page, and their data for the page's script.
+//! The pictures of cases, and the data of their pixels for the page's script.
 
-use super::rows::rows;
+use super::call::call;
+use super::viewer::viewer;
 use super::words::Words;
+use crate::box_walk::Step;
 use crate::case::Case;
 use crate::cause::Cause;
 use crate::picture::{Picture, Pixels};
-use judge::whole::Verdict;
-use pages::html::{base64, escape, json_in_script, png_data_uri};
-use pictures::Image;
-use serde_json::json;
+use pages::html::{compressed, escape};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Formats a case with its picture, below the HTML `about` it.
-pub(crate) fn article(case: &Case, picture: &Picture, about: &str, words: &Words) -> String {
-    let id = escape(&case.path());
-    let mut text = format!("<article class=\"case picture\" id=\"{id}\">\n<h3>{id}</h3>\n{about}");
-    let image = |who: &str, picture: &Image| {
-        format!(
-            "<img data-who=\"{who}\" alt=\"{who} picture\" src=\"{}\">",
-            png_data_uri(picture)
-        )
-    };
-    let [w, h] = picture.actual.size();
-    let overlay = format!(
-        "<svg viewBox=\"0 0 {w} {h}\" preserveAspectRatio=\"none\" aria-hidden=\"true\"></svg>"
-    );
-    let screen = "<div class=\"screen\" tabindex=\"0\" role=\"application\" aria-label=\"picture: arrow keys choose a pixel\">";
-    let _ = write!(
-        text,
-        "<div class=\"panels\">\n<figure>{screen}{}{}<span class=\"seam\"></span>{overlay}</div>\n\
-         {}</figure>\n",
-        image("golden", &picture.golden),
-        image("actual", &picture.actual),
-        slider(words),
-    );
-    match &picture.pixels {
-        None => text.push_str("<p class=\"bad\">The two pictures differ in size, so their pixels cannot be compared.</p>\n</div>\n"),
-        Some(pixels) => {
-            let _ = write!(
-                text,
-                "<figure>{screen}{}{overlay}</div>\n{}</figure>\n\
-                 <div class=\"inspector\" aria-live=\"polite\"><p class=\"note\">Click a pixel to see its ray, both records and the box tests. \
-                 Or select a picture with Tab and use the arrow keys.</p></div>\n</div>\n\
-                 <script type=\"application/json\">{}</script>\n",
-                image("difference", &pixels.difference),
-                legend(pixels),
-                json_in_script(&data(case, picture, pixels, words).to_string()),
-            );
-        }
+/// Formats the pictures of a case, with an inspector of their pixels.
+pub(crate) fn panels(case: &Case, picture: &Picture, words: &Words) -> String {
+    let Picture {
+        golden,
+        actual,
+        pixels,
+    } = picture;
+    let difference = pixels.as_ref().map(|pixels| &pixels.difference);
+    let legend = pixels.as_ref().map(legend).unwrap_or_default();
+    let mut text = viewer(golden, actual, difference, &legend, words);
+    if golden.size() != actual.size() {
+        text.push_str("<p class=\"bad\">The two pictures differ in size, so their pixels cannot be compared.</p>\n");
     }
-    if !case.rows.is_empty() {
+    if let Some(pixels) = pixels {
         let _ = write!(
             text,
-            "<details><summary>The calls that differ</summary>\n{}</details>\n",
-            rows(case)
+            "<div class=\"inspector\" aria-live=\"polite\"><p class=\"note\">Click a pixel to see its ray, all answers and the box tests. \
+             Or select the picture with Tab and use the arrow keys.</p></div>\n\
+             <script type=\"text/plain\" class=\"pixels\">{}</script>\n",
+            compressed(data(case, picture, pixels, words).to_string().as_bytes()),
         );
     }
-    text.push_str("</article>\n");
     text
-}
-
-/// The slider between two pictures that are one on top of the other.
-pub(crate) fn slider(words: &Words) -> String {
-    let Words { golden, actual, .. } = words;
-    format!(
-        "<label class=\"slider\">{golden} <input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"how much of the {golden} picture is shown\"> {actual}</label>"
-    )
 }
 
 fn legend(pixels: &Pixels) -> String {
     let counts = pixels.counts();
     if counts.is_empty() {
-        return "<figcaption>No differences.</figcaption>".into();
+        return "<p class=\"note\">No differences.</p>".into();
     }
     let mut text = String::from(
-        "<figcaption>Differences, by the first field that differs. Each button goes to the next such pixel.</figcaption>\n<ul class=\"legend\">",
+        "<p class=\"note\">Differences, by the first field that differs. Each button goes to the next such pixel.</p>\n<ul class=\"legend\">",
     );
     for (cause, count) in counts {
         let [r, g, b] = cause.colour();
@@ -89,57 +57,52 @@ fn legend(pixels: &Pixels) -> String {
     text + "</ul>"
 }
 
-/// The data of a picture for the script.
-fn data(case: &Case, picture: &Picture, pixels: &Pixels, words: &Words) -> serde_json::Value {
+/// The data of a picture for the script: for each pixel the number of its cause; for each pixel
+/// with records its HTML and its box tests; the boxes that are tested.
+fn data(case: &Case, picture: &Picture, pixels: &Pixels, words: &Words) -> Value {
     let [width, height] = picture.actual.size();
     let causes: Vec<u8> = pixels.causes.iter().map(|cause| *cause as u8).collect();
     let mut labels = vec![Cause::Same.label()];
     labels.extend(Cause::DIFFERENCES.map(Cause::label));
-    let (wrong, not_judged) = verdicts(case, pixels);
-    let exact = pixels.exact.as_ref();
-    let hits = pixels.golden.hits.as_ref();
-    let hits: Option<Vec<u8>> = hits.map(|hits| hits.iter().map(|&hit| u8::from(hit)).collect());
+    let calls: Vec<u32> = pixels.rows.iter().map(|row| row.call).collect();
+    let html = pixels.rows.iter().map(|row| {
+        let [x, y] = [row.call % width, row.call / width];
+        let heading = format!("Pixel {x}, {y}: {}", row.cause.label());
+        call(row, &heading, &case.whole.verdict(row.call), words)
+    });
+    let mut boxes = BTreeMap::new();
+    let mut walks = Vec::new();
+    if let Some(tests) = &pixels.boxes {
+        for walk in &tests.walks {
+            for step in walk {
+                let tested = &tests.boxes[step.number as usize];
+                let [min, max] = tested.corners;
+                boxes.entry(step.number).or_insert_with(
+                    || json!({ "corners": [min, max], "depth": tested.depth, "leaf": tested.leaf }),
+                );
+            }
+            let steps: Vec<[u32; 3]> = walk.iter().map(numbers).collect();
+            walks.push(steps);
+        }
+    }
     json!({
         "width": width,
         "height": height,
         "labels": labels,
-        "words": words,
-        "causes": base64(&causes),
-        "question": pixels.question,
-        "golden": json!({
-            "calls": pixels.golden.calls,
-            "records": pixels.golden.records,
-            "hits": hits.map(|hits| base64(&hits)),
-        }),
-        "actual": pixels.actual,
-        "exact": exact.map(|exact| json!({ "calls": exact.calls, "records": exact.records })),
-        "wrong": wrong,
-        "notJudged": not_judged,
-        "boxes": pixels.boxes,
+        "causes": causes,
+        "calls": calls,
+        "html": html.collect::<Vec<String>>(),
+        "walks": pixels.boxes.as_ref().map(|_| walks),
+        "boxes": boxes,
+        "corners": pixels.corners,
+        "noRecords": words.no_records,
+        "names": [words.golden, words.actual],
     })
 }
 
-/// Texts for some calls.
-type Texts = BTreeMap<usize, Vec<String>>;
-
-/// The wrong aspects of the pixels that differ, and those that are not judged.
-fn verdicts(case: &Case, pixels: &Pixels) -> (Texts, Texts) {
-    let (mut wrong, mut not_judged) = (Texts::new(), Texts::new());
-    let causes = pixels.causes.iter().enumerate();
-    for (call, _) in causes.filter(|(_, cause)| **cause != Cause::Same) {
-        match case.whole.verdict(call as u32) {
-            Verdict::Confirmed => {}
-            Verdict::Refused(aspects) => {
-                let labels = aspects.iter().map(|aspect| aspect.label().to_string());
-                wrong.insert(call, labels.collect());
-            }
-            Verdict::NotJudged(open) => {
-                let open = open
-                    .iter()
-                    .map(|open| format!("{} ({})", open.aspect.label(), open.why));
-                not_judged.insert(call, open.collect());
-            }
-        }
-    }
-    (wrong, not_judged)
+/// A step for the script: the box, what the needed walk says and what the code says: 0 for a miss,
+/// 1 for a hit, 2 for no test.
+fn numbers(step: &Step) -> [u32; 3] {
+    let code = |hit: Option<bool>| hit.map_or(2, u32::from);
+    [step.number, code(step.needed), code(step.actual)]
 }

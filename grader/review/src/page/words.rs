@@ -1,10 +1,7 @@
 //! The words of a picture on a page: reviewers and students read different ones.
 
-use serde::Serialize;
-
-/// The words of a page. The field names are those of the page's script.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
+/// The words of a page.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Words {
     /// The picture that students are graded against.
     pub(crate) golden: &'static str,
@@ -18,12 +15,12 @@ pub(crate) struct Words {
     pub(crate) open: &'static str,
     /// Of an answer that differs and is right.
     pub(crate) confirmed: &'static str,
-    /// Where the golden has fewer fields than the answer.
-    pub(crate) short: &'static str,
     /// Where the golden has no fields, and the exact oracle's are shown.
     pub(crate) instead: &'static str,
     /// Where the golden has no fields, and there are no others.
     pub(crate) only_colour: &'static str,
+    /// Of a pixel that differs and has no records on the page.
+    pub(crate) no_records: &'static str,
 }
 
 /// For reviewers.
@@ -34,9 +31,9 @@ pub(crate) const REVIEW: Words = Words {
     refuted: "The exact oracle refutes the actual answer",
     open: "The exact oracle does not judge all of the actual answer. Not judged",
     confirmed: "The exact oracle confirms the actual answer.",
-    short: "– is not stored: the golden has the main fields of this pixel.",
-    instead: "The golden stores rows for a sample of the pixels, and none for this one: compare with the exact oracle's record.",
+    instead: "The golden stores rows for a sample of the pixels, and none for this one: compare with the exact answer.",
     only_colour: "The golden stores rows for a sample of the pixels, and none for this one: only its colour is known.",
+    no_records: "This page has the records of a sample of the pixels that differ, evenly spread, and this is none of them. The buttons below the picture go to those that have records.",
 };
 
 /// For students.
@@ -47,7 +44,7 @@ pub(crate) const LOOK: Words = Words {
     refuted: "Yours is wrong",
     open: "Yours differs, and this part of it is not graded",
     confirmed: "Yours differs, and is right too.",
-    short: "– is not stored for this pixel.",
     instead: "Compare yours with the exact answer.",
     only_colour: "Of the expected answer, only the colour is known here.",
+    no_records: "This page has the records of a sample of the pixels that differ, and this is none of them. The buttons below the picture go to those that have records.",
 };

@@ -28,10 +28,11 @@ fn a_click_on_a_pixel_shows_its_ray_records_and_box_tests() {
     let shown = browser.text(&format!("{PICTURE} .inspector"));
     for text in [
         "Pixel 32, 24: false miss",
-        "(3.1, 4.3, 5.2)",
+        "(3.1,4.3,5.2)",
         "The exact oracle refutes the actual answer: hit or miss.",
         "The golden stores rows for a sample of the pixels, and none for this one",
-        "Box tests: 1, the ray hits 0",
+        "Box tests: golden needs 1, actual makes 1.",
+        "step 1 of 1",
     ] {
         assert!(shown.contains(text), "no {text:?} in\n{shown}");
     }
@@ -52,10 +53,51 @@ fn a_click_on_a_pixel_shows_its_ray_records_and_box_tests() {
         shown,
         format!("Pixel {}, {}: t", LATER_EXIT[0], LATER_EXIT[1])
     );
-    assert_eq!(field(&mut browser, "golden.inside"), "–");
     let [exact, actual] = ["exact.inside", "actual.inside"].map(|name| field(&mut browser, name));
     assert!(
         exact != actual && exact.starts_with('['),
         "{exact} {actual}"
     );
+}
+
+#[test]
+fn accepted_changes_become_a_command_and_a_line_for_the_changelog() {
+    let Some(mut browser) = Browser::start() else {
+        println!("skipped: found no Chromium with chromedriver");
+        return;
+    };
+    // No answer is refuted, so the change can be accepted.
+    let review = BOXES.review(&BOXES.boxes(|answers| {
+        let [_, leaves] = answers[BOXES.call(LATER_EXIT)]
+            .as_mut()
+            .expect("this pixel is inside the box");
+        *leaves = leaves.next_up();
+    }));
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("review.html");
+    std::fs::write(&file, page::write(&review, &Author::Reference)).expect("the file is written");
+    browser.open(&format!("file://{}", file.display()));
+    browser.press("body", "n");
+    assert!(
+        browser
+            .text(".bar output")
+            .starts_with("1 of 1 · 0 accepted")
+    );
+    browser.press("body", "y");
+    let out = |browser: &mut Browser, name: &str| browser.text(&format!("[data-out='{name}']"));
+    assert_eq!(
+        out(&mut browser, "command"),
+        "cargo grader bless part2.task2"
+    );
+    let line = out(&mut browser, "changelog");
+    assert!(
+        line.starts_with("- Goldens of `part2.task2` changed (picture: "),
+        "{line}"
+    );
+    browser.press("body", "x");
+    assert_eq!(out(&mut browser, "command"), "# nothing is accepted yet");
+    assert!(out(&mut browser, "refused").starts_with("part2.task2/picture: "));
+    browser.press("body", "b");
+    let shown = browser.text(&format!("{PICTURE} [data-mode][aria-pressed='true']"));
+    assert!(shown.starts_with("actual"), "{shown}");
 }

@@ -14,7 +14,8 @@ use review::{Review, exact};
 use std::path::Path;
 use std::sync::LazyLock;
 use tempfile::TempDir;
-use wire::answer::{Hit, HitsAnswer};
+use wire::answer::{Hit, HitsAnswer, TriangleAnswer};
+use wire::work::Ray;
 use wire::{Answer, Work};
 
 /// The pixels that [`Golden::changed_boxes`] changes: one beside the box, and two neighbours inside
@@ -31,14 +32,14 @@ struct Golden {
 }
 
 static BOXES: LazyLock<Golden> = LazyLock::new(|| Golden::of("part2.task2", "picture"));
+static FACES: LazyLock<Golden> = LazyLock::new(|| Golden::of("part1.task3", "front_face"));
 static MESH: LazyLock<Golden> = LazyLock::new(|| Golden::of("part2.task3", "mesh_in_cornell_box"));
 
 impl Golden {
     fn of(task: &str, name: &str) -> Golden {
         let found = cases::all(0).into_iter().find(|spec| spec.is(task, name));
         let spec = found.expect("the case exists");
-        let size = spec.picture.expect("the case has a picture");
-        let calls: Vec<u32> = (0..size[0] * size[1]).collect();
+        let calls: Vec<u32> = (0..judge::calls(&spec.work) as u32).collect();
         let records = exact::records(&spec, &calls).expect("the oracle knows the case");
         let answer = answer(&spec.work, &records);
 
@@ -55,10 +56,12 @@ impl Golden {
         };
         let text = snapshot::write(&golden.spec.work, &golden.answer).expect("it has rows");
         write(&golden.workspace().snapshot(task, name), &text);
-        let picture = picture::compose(size, &golden.spec.work, &golden.answer)
-            .expect("its answers have colours");
-        let path = golden.workspace().golden_picture(task, name);
-        picture::write_png(&path, &picture).expect("the file is written");
+        if let Some(size) = golden.spec.picture {
+            let picture = picture::compose(size, &golden.spec.work, &golden.answer)
+                .expect("its answers have colours");
+            let path = golden.workspace().golden_picture(task, name);
+            picture::write_png(&path, &picture).expect("the file is written");
+        }
         golden
     }
 
@@ -83,6 +86,7 @@ impl Golden {
         );
         Review {
             cases: vec![case.expect("the case can be compared")],
+            ..Review::default()
         }
     }
 
@@ -99,6 +103,15 @@ impl Golden {
         };
         change(&mut answers);
         Answer::Boxes(answers)
+    }
+
+    /// The golden's answers about triangles, changed by `change`.
+    fn triangles(&self, change: impl Fn(&mut [TriangleAnswer])) -> Answer {
+        let Answer::Triangles(mut answers) = self.answer.clone() else {
+            panic!("{} is not about triangles", self.spec.name)
+        };
+        change(&mut answers);
+        Answer::Triangles(answers)
     }
 
     /// The golden's answers about hits, changed by `change`.
@@ -139,13 +152,27 @@ fn answer(work: &Work, records: &[Fields]) -> Answer {
             n: vector(fields, "n"),
             ng: vector(fields, "ng"),
             uv: numbers(fields, "uv").map_or([0.0; 2], |uv| [uv[0], uv[1]]),
-            prim: numbers(fields, "prim")?[0] as u32,
+            prim: numbers(fields, "prim").map_or(0, |prim| prim[0] as u32),
         })
     };
     match work {
         Work::Boxes(_) => {
             let inside = |fields| numbers(fields, "inside").map(|ends| [ends[0], ends[1]]);
             Answer::Boxes(records.iter().map(inside).collect())
+        }
+        Work::Triangles(work) => {
+            let answers = work.probes.iter().zip(records).map(|(probe, fields)| {
+                let hit = hit(fields);
+                TriangleAnswer {
+                    test: hit.map(|hit| [hit.t, hit.uv[0], hit.uv[1]]),
+                    hit,
+                    ray_after: Ray {
+                        max_t: hit.map_or(probe.ray.max_t, |hit| hit.t),
+                        ..probe.ray
+                    },
+                }
+            });
+            Answer::Triangles(answers.collect())
         }
         _ => {
             let hits: Vec<Option<Hit>> = records.iter().map(hit).collect();

@@ -60,6 +60,7 @@ fn talkative(key: &str) -> TaskReport {
         diagnosis: Some(Diagnosis {
             mistakes: vec!["culled".into()],
             says: nasty(60),
+            description: nasty(60),
             hint: nasty(60),
             equal: 1,
             of: 2,
@@ -171,6 +172,7 @@ fn each_level_reveals_more() {
     let found = Diagnosis {
         mistakes: vec!["culled".into()],
         says: "your answers equal those of code that culls".into(),
+        description: "culls".into(),
         hint: "look at the sign".into(),
         equal: 1,
         of: 1,

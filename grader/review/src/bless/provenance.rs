@@ -1,0 +1,55 @@
+//! Where the goldens come from.
+
+use super::read;
+use grader::error::GraderError;
+use grader::workspace::Workspace;
+use std::fmt::Write;
+use std::process::Command;
+
+/// The text of `golden/provenance.toml`.
+pub(super) fn text(workspace: &Workspace) -> Result<String, GraderError> {
+    let rustc = Command::new("rustc").arg("--version").output();
+    let rustc = rustc
+        .map(|output| String::from_utf8_lossy(&output.stdout).trim().to_string())
+        .unwrap_or_default();
+    let mut text = String::from("# Written by `grader bless`: what the goldens were made with.\n");
+    let _ = writeln!(text, "toolchain = {rustc:?}");
+    let _ = writeln!(
+        text,
+        "target = \"{}-{}\"",
+        std::env::consts::ARCH,
+        std::env::consts::OS
+    );
+    let _ = writeln!(
+        text,
+        "flags = {:?}",
+        std::env::var("RUSTFLAGS").unwrap_or_default()
+    );
+    let _ = writeln!(
+        text,
+        "seed = 0\noracle = \"every golden is judged in all aspects at the robust bounds, except for what not_judged.txt lists\"\n\n[scenes]"
+    );
+    let folder = workspace.root().join("scenes/dae");
+    let mut scenes = Vec::new();
+    for entry in std::fs::read_dir(&folder).map_err(|e| GraderError::file("read", &folder, e))? {
+        scenes.push(
+            entry
+                .map_err(|e| GraderError::file("read", &folder, e))?
+                .path(),
+        );
+    }
+    scenes.sort();
+    for path in scenes {
+        let name = path.file_name().unwrap_or_default().display().to_string();
+        let _ = writeln!(text, "{name:?} = \"{:016x}\"", fnv(read(&path)?.as_bytes()));
+    }
+    Ok(text)
+}
+
+/// FNV-1a hash. It only detects that a scene file is not the one that was used; it is not
+/// cryptographic.
+fn fnv(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3)
+    })
+}

@@ -3,6 +3,7 @@
 //! The context of a ray is passed as arguments: the [`RayOrigin`], which determines the primitive
 //! to skip, and the texture colour, which [`Materials::at`] multiplies reflectances by.
 
+use crate::exact_sum::PixelSum;
 use crate::materials::{Materials, PathMaterials};
 use crate::textures::Textures;
 use crate::tracer::{RayRole, RayTracer, SceneTracer};
@@ -70,6 +71,8 @@ pub(crate) struct PathIntegrator<'a, T = SceneTracer<'a>> {
     pub(crate) materials: Materials,
     /// The luminances of the samples of each finished pixel.
     pub(crate) luminance: Vec<Tally>,
+    /// The samples of each finished pixel.
+    pub(crate) sums: Vec<PixelSum>,
     /// The largest number of rays on a path; 0 in a scene without light.
     pub(crate) max_depth: u32,
     /// The number of directions that one estimate by hemisphere sampling traces.
@@ -109,6 +112,7 @@ impl<'a, T: RayTracer> PathIntegrator<'a, T> {
             counters: Cell::default(),
             materials: Materials::new(settings.force_effects),
             luminance: Vec::new(),
+            sums: Vec::new(),
             max_depth: if lit.has_light() || settings.force_effects {
                 settings.max_depth
             } else {

@@ -4,12 +4,14 @@
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
 //! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
-//! [`layers`] (albedo, normal, depth), [`tone`], [`output`] and [`part_file`] (picture files),
+//! [`layers`] (albedo, normal, depth), [`tone`], [`rate_picture`], [`output`] and [`part_file`]
+//! (picture files),
 //! [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
 
 pub mod accel;
 pub mod args;
 pub mod environment_file;
+pub mod exact_sum;
 mod integrator;
 pub mod layers;
 pub mod lens;
@@ -20,8 +22,10 @@ pub mod normals;
 pub mod output;
 mod packet;
 pub mod part_file;
+pub mod passes;
 pub mod picture;
 pub mod progressive;
+pub mod rate_picture;
 pub mod rendered;
 pub mod replay;
 pub mod textures;
@@ -33,16 +37,20 @@ pub mod world;
 pub use accel::{Accel, AccelKind};
 pub use adaptive::rate_colour;
 pub use environment_file::{EnvironmentFileError, load_environment};
+pub use exact_sum::{ExactSum, PixelSum};
 pub use lens::Lens;
 pub use lit::{DirectSampling, LightSettings, render_lit};
 pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};
 pub use part_file::PartFile;
+pub use passes::{Passes, TileDone};
 pub use picture::{Picture, PreparedScene};
 pub use progressive::ProgressiveRender;
+pub use rate_picture::{RateScale, rate_picture};
 pub use rendered::{Job, Rendered, RenderedTile};
 pub use replay::replay_pixel;
 pub use textures::Textures;
+pub use tone::{Tone, ToneCurve};
 pub use tracer::RayRole;
 pub use world::{Counters, SceneWorld};

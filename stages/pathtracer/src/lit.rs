@@ -5,6 +5,7 @@
 //! ray depth of 0 or 1 needs `direct` only. With `--accel simd`, `PacketRenderer` traces most
 //! pictures instead, in packets of eight paths.
 
+use crate::exact_sum::PixelSum;
 use crate::integrator::PathIntegrator;
 use crate::packet::PacketRenderer;
 use crate::rendered::RenderedTile;
@@ -134,8 +135,7 @@ pub fn render_lit_tiles<R: Send>(
         || PathIntegrator::new(lit, textures, accel, settings),
         |integrator, x, y, sampler| {
             if stop.load(Ordering::Relaxed) {
-                integrator.luminance.push(Tally::default());
-                return PixelEstimate::default();
+                return integrator.finish_pixel(PixelSum::default(), Tally::default());
             }
             integrator.pixel(job, (x, y), sampler)
         },
@@ -163,10 +163,17 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
             this.tracer.sample_ends(radiance);
             radiance
         };
-        let (estimate, luminance) =
+        let (sum, luminance) =
             sample_pixel(job, this.settings, (x, y), sampler, camera_ray, trace_ray);
+        self.finish_pixel(sum, luminance)
+    }
+
+    /// Stores the samples of the next pixel of the tile, and the tally of their luminances. Returns
+    /// their mean.
+    pub(crate) fn finish_pixel(&mut self, sum: PixelSum, luminance: Tally) -> PixelEstimate {
+        self.sums.push(sum);
         self.luminance.push(luminance);
-        estimate
+        sum.mean()
     }
 
     /// The finished tile, and what was counted for it.
@@ -177,11 +184,12 @@ impl<T: RayTracer> PathIntegrator<'_, T> {
             counters: self.counters(),
             effects: self.materials.counts(),
             luminance: self.luminance,
+            sums: self.sums,
         }
     }
 }
 
-/// Estimates the pixel `(x, y)` with samples that `trace_ray` traces, and tallies their luminances.
+/// Sums the samples of the pixel `(x, y)`, which `trace_ray` traces, and tallies their luminances.
 pub(crate) fn sample_pixel(
     job: &Job,
     settings: &LightSettings,
@@ -189,11 +197,13 @@ pub(crate) fn sample_pixel(
     sampler: &mut PixelSampler,
     camera_ray: &mut impl FnMut(Vec2) -> Ray,
     trace_ray: &mut impl FnMut(&Ray, &mut PixelSampler) -> Spectrum,
-) -> (PixelEstimate, Tally) {
+) -> (PixelSum, Tally) {
     let mut luminance = Tally::default();
+    let mut sum = PixelSum::default();
     let trace_ray = &mut |ray: &Ray, sampler: &mut PixelSampler| {
         let radiance = trace_ray(ray, sampler);
         luminance.push(radiance.luminance());
+        sum.push(radiance);
         radiance
     };
     let estimate = match settings.adaptive {
@@ -214,5 +224,5 @@ pub(crate) fn sample_pixel(
             },
         ),
     };
-    (estimate, luminance)
+    (sum.of_loop(estimate), luminance)
 }

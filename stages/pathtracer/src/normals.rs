@@ -1,5 +1,6 @@
 //! Normal shading: each pixel shows the shading normal at the first hit.
 
+use crate::exact_sum::PixelSum;
 use crate::rendered::RenderedTile;
 use crate::tiles;
 use crate::tracer::{RayRole, RayTracer, SceneTracer};
@@ -53,18 +54,22 @@ pub fn render_normal_tiles<R: Send>(
     tiles::render(
         tiles,
         job.sampling,
-        Counters::default,
-        |counters, x, y, sampler| {
-            if stop.load(Ordering::Relaxed) {
-                return PixelEstimate::default();
-            }
-            normal_pixel(&tracer, job, (x, y), sampler, counters)
+        || (Counters::default(), Vec::new()),
+        |(counters, sums), x, y, sampler| {
+            let sum = if stop.load(Ordering::Relaxed) {
+                PixelSum::default()
+            } else {
+                sum_of_pixel(&tracer, job, (x, y), sampler, counters)
+            };
+            sums.push(sum);
+            sum.mean()
         },
-        |cell, pixels, counters| {
+        |cell, pixels, (counters, sums)| {
             finish(RenderedTile {
                 cell,
                 pixels,
                 luminance: Vec::new(),
+                sums,
                 counters,
                 effects: EffectCounts::default(),
             })
@@ -76,11 +81,23 @@ pub fn render_normal_tiles<R: Send>(
 pub(crate) fn normal_pixel(
     tracer: &impl RayTracer,
     job: &Job,
-    (x, y): (u32, u32),
+    pixel: (u32, u32),
     sampler: &mut PixelSampler,
     counters: &mut Counters,
 ) -> PixelEstimate {
-    raytrace_pixel(
+    sum_of_pixel(tracer, job, pixel, sampler, counters).mean()
+}
+
+/// Sums the samples of [`normal_pixel`].
+fn sum_of_pixel(
+    tracer: &impl RayTracer,
+    job: &Job,
+    (x, y): (u32, u32),
+    sampler: &mut PixelSampler,
+    counters: &mut Counters,
+) -> PixelSum {
+    let mut sum = PixelSum::default();
+    let estimate = raytrace_pixel(
         x,
         y,
         job.film,
@@ -97,7 +114,9 @@ pub(crate) fn normal_pixel(
                 None => Spectrum::BLACK,
             };
             tracer.sample_ends(color);
+            sum.push(color);
             color
         },
-    )
+    );
+    sum.of_loop(estimate)
 }

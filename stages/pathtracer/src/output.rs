@@ -2,8 +2,8 @@
 
 use crate::layers::{Channel, Values};
 use crate::part_file::PartFile;
-use crate::tone;
-use adaptive::rate_colour;
+use crate::rate_picture::{Bytes, RateScale, rate_picture};
+use crate::tone::Tone;
 use exr::image::write::WritableImage;
 use exr::image::{AnyChannel, AnyChannels, FlatSamples, Image};
 use exr::prelude::SmallVec;
@@ -30,6 +30,7 @@ enum Format {
 pub struct Output {
     format: Format,
     part: PartFile,
+    tone: Tone,
 }
 
 /// Why a picture cannot be written.
@@ -89,7 +90,16 @@ impl Output {
         };
         let part =
             PartFile::create(path).map_err(|why| OutputError::NotWritable(path.to_owned(), why))?;
-        Ok(Output { format, part })
+        Ok(Output {
+            format,
+            part,
+            tone: Tone::default(),
+        })
+    }
+
+    /// The same file, with another tone curve for `.png`. The other formats store radiance.
+    pub fn with_tone(self, tone: Tone) -> Output {
+        Output { tone, ..self }
     }
 
     /// Writes the pixels of `cell`. On success the file is complete and has its name.
@@ -116,15 +126,14 @@ impl Output {
     /// Writes the number of samples of each pixel of `cell`, of at most `ns_aa`, as a colour: blue
     /// for few, green for half, red for all.
     pub fn write_rate(self, film: &Film, cell: Cell, ns_aa: u32) -> Result<(), OutputError> {
-        let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
-        let bytes: Vec<u8> = (cell.y0..cell.y1)
-            .rev()
-            .flat_map(|y| (cell.x0..cell.x1).map(move |x| film.get(x, y).samples))
-            .flat_map(|samples| rate_colour(samples, ns_aa).to_array())
-            .map(|c| (255.0 * c).round() as u8)
-            .collect();
+        self.write_bytes(&rate_picture(film, cell, ns_aa, RateScale::Assignment))
+    }
+
+    /// Writes a picture of bytes as `.png`, whatever the name ends in.
+    pub fn write_bytes(self, picture: &Bytes) -> Result<(), OutputError> {
+        let Bytes { w, h, rgb } = picture;
         let png = PngEncoder::new(BufWriter::new(self.part.file()));
-        png.write_image(&bytes, w, h, ExtendedColorType::Rgb8)
+        png.write_image(rgb, *w, *h, ExtendedColorType::Rgb8)
             .and_then(|()| Ok(self.part.finish()?))
             .map_err(|why| OutputError::Failed(self.part.path().to_owned(), why))
     }
@@ -138,7 +147,7 @@ impl Output {
         let mut file = BufWriter::new(self.part.file());
         match self.format {
             Format::Png => {
-                let bytes: Vec<u8> = radiance.flat_map(tone::to_bytes).collect();
+                let bytes: Vec<u8> = radiance.flat_map(|c| self.tone.to_bytes(c)).collect();
                 PngEncoder::new(&mut file).write_image(&bytes, w, h, ExtendedColorType::Rgb8)?;
             }
             Format::Hdr => {

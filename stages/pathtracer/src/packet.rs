@@ -4,6 +4,7 @@
 //! tree over many primitives) it calls [`Fallback`], which is the scalar [`PathIntegrator`].
 
 use crate::accel::{closest_in, occluded_in};
+use crate::exact_sum::PixelSum;
 use crate::integrator::{PathIntegrator, RayOrigin};
 use crate::lit::sample_pixel;
 use crate::rendered::RenderedTile;
@@ -110,10 +111,8 @@ impl<'a> PacketRenderer<'a> {
         let first = self.certain_samples(0);
         for pixels in pixels.chunks(BATCH_SIZE.div_ceil(first as usize)) {
             if stop.load(Ordering::Relaxed) {
-                estimates.extend(pixels.iter().map(|_| PixelEstimate::default()));
-                integrator
-                    .luminance
-                    .extend(pixels.iter().map(|_| Tally::default()));
+                let none = |_| integrator.finish_pixel(PixelSum::default(), Tally::default());
+                estimates.extend(pixels.iter().map(none));
                 continue;
             }
             let mut starts: Vec<PathStart> = pixels
@@ -143,7 +142,7 @@ impl<'a> PacketRenderer<'a> {
     ) -> PixelEstimate {
         let mut used = 0;
         let mut ready = first.to_vec();
-        let (estimate, luminance) = sample_pixel(
+        let (sum, luminance) = sample_pixel(
             self.job,
             self.settings,
             start.pixel,
@@ -161,8 +160,7 @@ impl<'a> PacketRenderer<'a> {
                 ready[used - 1]
             },
         );
-        integrator.luminance.push(luminance);
-        estimate
+        integrator.finish_pixel(sum, luminance)
     }
 
     /// How many further samples a pixel with `samples` samples needs for certain, and at most a few

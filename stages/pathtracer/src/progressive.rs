@@ -118,7 +118,7 @@ pub(crate) fn job_of_pass(job: &Job, pass: u32) -> Job {
 }
 
 /// The tiles of `cell`, sorted by their distance from its centre.
-fn centre_first(cell: Cell) -> Vec<Cell> {
+pub(crate) fn centre_first(cell: Cell) -> Vec<Cell> {
     let twice_centre = |cell: &Cell| {
         let [x0, y0, x1, y1] = [cell.x0, cell.y0, cell.x1, cell.y1].map(i64::from);
         (x0 + x1, y0 + y1)

@@ -1,6 +1,7 @@
 //! A render job and its result.
 
 use crate::Counters;
+use crate::exact_sum::PixelSum;
 use kit::effects::EffectCounts;
 use kit::film::Cell;
 use kit::sampler::Sampling;
@@ -30,6 +31,8 @@ pub struct RenderedTile {
     pub pixels: Vec<PixelEstimate>,
     /// Tallies of the luminances of each pixel's samples, in the same order; empty for normals.
     pub luminance: Vec<Tally>,
+    /// The sums of each pixel's samples, in the same order.
+    pub sums: Vec<PixelSum>,
     /// Rays and tests.
     pub counters: Counters,
     /// Operations of each effect.
@@ -44,6 +47,9 @@ pub struct Rendered {
     /// Tallies of the luminances of each pixel's samples, in the order of [`Film::pixels`]; empty
     /// for normals.
     pub luminance: Vec<Tally>,
+    /// The exact sums of each pixel's samples, in the order of [`Film::pixels`]; empty if passes
+    /// are averaged instead, with rounding.
+    pub sums: Vec<PixelSum>,
     /// Rays and tests.
     pub counters: Counters,
     /// Operations of each effect.
@@ -58,9 +64,18 @@ impl Rendered {
         Rendered {
             film,
             luminance: vec![Tally::default(); tallies],
+            sums: Vec::new(),
             counters: Counters::default(),
             effects: EffectCounts::default(),
         }
+    }
+
+    /// Like [`Rendered::black`], but the pixels do not depend on how their samples are divided into
+    /// passes, not even in their last bits: exact sums are kept.
+    pub fn exact(size: FilmSize, is_lit: bool) -> Rendered {
+        let mut rendered = Rendered::black(size, is_lit);
+        rendered.sums = vec![PixelSum::default(); rendered.film.pixels().len()];
+        rendered
     }
 
     /// Averages the pixels of a tile with those of the picture, each sample with the same weight. A
@@ -68,11 +83,20 @@ impl Rendered {
     pub fn add_tile(&mut self, tile: &RenderedTile) {
         let width = self.film.size().w as usize;
         for (i, (x, y)) in tile.cell.pixels().enumerate() {
-            if let Some(mean) = mean(self.film.get(x, y), tile.pixels[i]) {
+            let pixel = y as usize * width + x as usize;
+            let before = self.film.get(x, y);
+            let merged = match self.sums.get_mut(pixel) {
+                Some(sum) => {
+                    sum.merge(&tile.sums[i]);
+                    Some(sum.mean())
+                }
+                None => mean(before, tile.pixels[i]),
+            };
+            if let Some(mean) = merged {
                 self.film.set(x, y, mean);
             }
             if let Some(tally) = tile.luminance.get(i) {
-                self.luminance[y as usize * width + x as usize].merge(tally);
+                self.luminance[pixel].merge(tally);
             }
         }
         self.counters += tile.counters;
@@ -93,20 +117,23 @@ impl Rendered {
         pixels.map(|pixel| u64::from(pixel.samples)).sum()
     }
 
-    /// Averages with another picture of the same job that was rendered with other samples. Every
-    /// sample has the same weight.
-    pub fn add(&mut self, other: &Rendered) {
-        let size = self.film.size();
-        for (x, y) in size.whole().pixels() {
-            if let Some(mean) = mean(self.film.get(x, y), other.film.get(x, y)) {
-                self.film.set(x, y, mean);
+    /// Copies the pixels that `other`, a picture of the same size, has and this one has not.
+    pub fn fill_from(&mut self, other: &Rendered) {
+        for (i, (x, y)) in self.film.size().whole().pixels().enumerate() {
+            if self.film.get(x, y).samples == 0 {
+                self.film.set(x, y, other.film.get(x, y));
+                copy(&mut self.luminance, &other.luminance, i);
+                copy(&mut self.sums, &other.sums, i);
             }
-        }
-        for (tally, other) in self.luminance.iter_mut().zip(&other.luminance) {
-            tally.merge(other);
         }
         self.counters += other.counters;
         self.effects = self.effects + other.effects;
+    }
+
+    /// The number of pixels with samples.
+    pub fn rendered_pixels(&self) -> u64 {
+        let pixels = self.film.pixels().iter();
+        pixels.filter(|pixel| pixel.samples > 0).count() as u64
     }
 
     /// The noise of the picture: the root mean square of the standard errors of the pixels'
@@ -126,6 +153,13 @@ impl Rendered {
                 0.0
             }
         })
+    }
+}
+
+/// Copies item `i`, if both lists have it.
+fn copy<T: Copy>(to: &mut [T], from: &[T], i: usize) {
+    if let (Some(to), Some(from)) = (to.get_mut(i), from.get(i)) {
+        *to = *from;
     }
 }
 

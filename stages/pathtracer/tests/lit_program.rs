@@ -110,6 +110,9 @@ fn errors_name_the_allowed_values() {
     refused("-f a.png -e lit.dae lit.dae", "ends in .exr or .hdr");
     refused("-f a.png -e missing.hdr lit.dae", "missing.hdr");
     refused("-f a.png -H --mis lit.dae", "--mis");
+    refused("-f a.png --exposure bright lit.dae", "from -64 to 64");
+    refused("-f a.png --tone film lit.dae", "assignment, filmic, agx");
+    refused("-f a.png --rate-scale assignment lit.dae", "--adaptive");
     refused(
         "-f a.png --sampler stars lit.dae",
         "independent, stratified, sobol",
@@ -138,17 +141,47 @@ fn an_adaptive_picture_has_a_file_of_sample_counts() {
     assert!(output.contains("a_rate.png"), "{output}");
     assert!(output.contains("object above"), "{output}");
     assert!(output.contains("million samples per second"), "{output}");
-    let rate = image::open(folder.path().join("a_rate.png"))
-        .expect("a picture")
-        .into_rgb8();
+    let rate = || {
+        let picture = image::open(folder.path().join("a_rate.png")).expect("a picture");
+        picture.into_rgb8()
+    };
     // The wall needs about a quarter of the samples. The background stays black and takes all of
-    // them.
-    assert!(
-        rate.get_pixel(10, 10).0[2] > 100,
-        "{:?}",
-        rate.get_pixel(10, 10)
+    // them: yellow on top of the legend.
+    let safe = rate();
+    assert!(safe.height() > 20 && safe.width() > 20, "no legend");
+    let [r, g, b] = safe.get_pixel(10, 10).0;
+    assert!(b > r && b > 100, "{r} {g} {b}");
+    assert_eq!(safe.get_pixel(0, 0).0, [253, 231, 37]);
+
+    pathtracer(folder.path(), &format!("--rate-scale assignment {flags}"));
+    let assignment = rate();
+    assert_eq!(assignment.dimensions(), (20, 20));
+    let [_, _, b] = assignment.get_pixel(10, 10).0;
+    assert!(b > 100, "{b}");
+    assert_eq!(assignment.get_pixel(0, 0).0, [255, 0, 0]);
+}
+
+/// A stop more exposure is brighter; the other curves are other bytes of the same picture.
+#[test]
+fn exposure_and_tone_change_the_bytes_only() {
+    let folder = folder();
+    let center = |flags: &str| {
+        let args = format!("-f a.png -r 21 21 -s 16 {flags} lit.dae");
+        let (_, notes) = pathtracer(folder.path(), &args);
+        assert_eq!(notes, "", "{flags}");
+        let picture = image::open(folder.path().join("a.png")).expect("a picture");
+        picture.into_rgb8().get_pixel(10, 10).0[0]
+    };
+    let plain = center("-t 1");
+    assert_eq!(center("--exposure 0 --tone assignment"), plain);
+    let brighter = center("--exposure 1");
+    assert!(brighter > plain && center("--exposure -1") < plain);
+    assert!(center("--tone filmic") != plain && center("--tone agx") != plain);
+    let (_, notes) = pathtracer(
+        folder.path(),
+        "-f a.exr -r 4 4 --tone agx --exposure 1 lit.dae",
     );
-    assert_eq!(rate.get_pixel(0, 0).0, [255, 0, 0]);
+    assert!(notes.contains("no effect: --exposure --tone"), "{notes}");
 }
 
 /// The wall is diffuse: a mirror is not called for, so it counts operations only if forced on.

@@ -1,14 +1,14 @@
 //! The command line: the assignment's flags with its short names, and long names.
 
 use self::values::{
-    depth, edge, length, pixels, positive, positive_length, samples, seed, threads,
+    depth, edge, length, pixels, positive, positive_length, samples, seed, stops, threads,
 };
 use clap::{Parser, ValueEnum};
 mod settings;
 mod values;
 mod view;
 
-use crate::AccelKind;
+use crate::{AccelKind, RateScale, ToneCurve};
 use std::path::PathBuf;
 
 pub use view::ViewError;
@@ -34,9 +34,11 @@ pub struct Args {
     #[arg(short = 'l', long, value_name = "INT", value_parser = samples)]
     pub light_samples: Option<u32>,
 
-    /// Render threads
-    #[arg(short = 't', long, value_name = "INT", default_value_t = 1, value_parser = threads)]
-    pub threads: usize,
+    /// Render threads [default: one for each core]
+    // The assignment's default is 1. The picture is the same for any number, bit for bit, so the
+    // default is the fastest; `-t 1` is the assignment's.
+    #[arg(short = 't', long, value_name = "INT", value_parser = threads)]
+    pub threads: Option<usize>,
 
     /// Maximum ray depth: 0 is emission only, 1 is direct light [default: 1]
     #[arg(short = 'm', long, value_name = "INT", value_parser = depth)]
@@ -50,6 +52,14 @@ pub struct Args {
     #[arg(short = 'r', long, num_args = 2, value_names = ["W", "H"], value_parser = edge)]
     pub resolution: Option<Vec<u32>>,
 
+    /// Exposure of a .png in stops: 1 is twice as bright
+    #[arg(long, value_name = "STOPS", default_value_t = 0.0, value_parser = stops)]
+    pub exposure: f64,
+
+    /// Tone curve of a .png
+    #[arg(long, value_enum, default_value_t = ToneName::Assignment)]
+    pub tone: ToneName,
+
     /// Render only a cell of the picture: its bottom left pixel, counted from the bottom left of
     /// the picture, and its size, which is also the size of the written picture
     #[arg(short = 'p', long = "cell", num_args = 4, value_names = ["X", "Y", "DX", "DY"], value_parser = pixels)]
@@ -62,6 +72,10 @@ pub struct Args {
     /// Samples per batch and tolerance for adaptive sampling
     #[arg(short = 'a', long, num_args = 2, value_names = ["INT", "FLOAT"])]
     pub adaptive: Option<Vec<String>>,
+
+    /// Colours of the sample counts that -a writes to NAME_rate.png
+    #[arg(long, value_enum, default_value_t = RateScaleName::Viridis, requires = "adaptive")]
+    pub rate_scale: RateScaleName,
 
     /// Sample the hemisphere uniformly for direct lighting
     #[arg(short = 'H', long)]
@@ -173,6 +187,45 @@ pub enum SamplerName {
     Stratified,
     /// Owen-scrambled Sobol points: less noise
     Sobol,
+}
+
+/// The tone curve of a `.png`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ToneName {
+    /// A power of the radiance, cut off at white
+    Assignment,
+    /// Contrast of film: bright parts keep detail
+    Filmic,
+    /// AgX: like film, and bright colours fade to white
+    Agx,
+}
+
+impl From<ToneName> for ToneCurve {
+    fn from(name: ToneName) -> ToneCurve {
+        match name {
+            ToneName::Assignment => ToneCurve::Assignment,
+            ToneName::Filmic => ToneCurve::Filmic,
+            ToneName::Agx => ToneCurve::Agx,
+        }
+    }
+}
+
+/// The colours of sample counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RateScaleName {
+    /// Dark blue, green, yellow, readable without colour vision; with a legend
+    Viridis,
+    /// Blue, green, red
+    Assignment,
+}
+
+impl From<RateScaleName> for RateScale {
+    fn from(name: RateScaleName) -> RateScale {
+        match name {
+            RateScaleName::Viridis => RateScale::Viridis,
+            RateScaleName::Assignment => RateScale::Assignment,
+        }
+    }
 }
 
 /// How ray intersections are found.

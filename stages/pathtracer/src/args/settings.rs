@@ -1,8 +1,8 @@
 //! Converts flags to the settings of the renderer.
 
 use super::values::samples;
-use super::{Args, SamplerName};
-use crate::{DirectSampling, Lens, LightSettings};
+use super::{Args, SamplerName, ToneName};
+use crate::{DirectSampling, Lens, LightSettings, Tone};
 use kit::FilmSize;
 use kit::film::Cell;
 use kit::sampler::{Pattern, Sampling};
@@ -108,6 +108,20 @@ impl Args {
         })
     }
 
+    /// The number of render threads: that of `-t`, else one for each core.
+    pub fn thread_count(&self) -> usize {
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.threads.unwrap_or_else(cores)
+    }
+
+    /// How radiance becomes the bytes of a `.png`.
+    pub fn tone(&self) -> Tone {
+        Tone {
+            exposure: self.exposure,
+            curve: self.tone.into(),
+        }
+    }
+
     /// The source of random numbers for `samples` samples per pixel.
     pub fn sampling(&self, samples: u32) -> Sampling {
         Sampling {
@@ -132,6 +146,14 @@ impl Args {
             (self.error.is_some(), "--error"),
             (self.stats, "--stats"),
             (self.explain, "--explain"),
+        ])
+    }
+
+    /// The given flags that have no effect on a file with linear radiance.
+    pub fn unused_by_radiance(&self) -> Vec<&'static str> {
+        given(&[
+            (self.exposure != 0.0, "--exposure"),
+            (self.tone != ToneName::Assignment, "--tone"),
         ])
     }
 

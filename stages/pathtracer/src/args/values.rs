@@ -36,6 +36,14 @@ pub(crate) fn positive(value: &str) -> Result<f64, String> {
     }
 }
 
+/// Exposure in stops. The limit keeps every radiance of a picture finite.
+pub(crate) fn stops(value: &str) -> Result<f64, String> {
+    match value.parse::<f64>() {
+        Ok(v) if v.abs() <= 64.0 => Ok(v),
+        _ => Err("expected a number of stops from -64 to 64, such as 1.5".to_owned()),
+    }
+}
+
 pub(crate) fn length(value: &str) -> Result<f64, String> {
     match value.parse::<f64>() {
         Ok(v) if v.is_finite() && v >= 0.0 => Ok(v),

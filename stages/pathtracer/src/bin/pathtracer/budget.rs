@@ -1,15 +1,11 @@
 //! Rendering in passes, until a time limit or a noise target is reached (`--time`, `--error`).
 
+use pathtracer::Rendered;
 use pathtracer::args::Args;
-use pathtracer::{Job, Rendered};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Samples of a pass if `-s` is 1: a single sample would always go through the pixel's centre.
 pub(crate) const SAMPLES_PER_PASS: u32 = 16;
-
-/// The largest number of samples of a pixel: sample numbers have 32 bits.
-const MAX_SAMPLES: u32 = 1 << 30;
 
 /// Samples of a pixel after which a black picture is accepted: with fewer it may have missed the
 /// light.
@@ -35,32 +31,14 @@ impl Budget {
         (budget.time.is_some() || budget.error.is_some()).then_some(budget)
     }
 
-    /// Calls `pass` for passes of `job` with different samples until the budget is spent or `stop`
-    /// is set, at least once. The total time may differ from the limit by half the time of a pass.
-    pub(crate) fn render(
-        &self,
-        job: &Job,
-        stop: &AtomicBool,
-        mut pass: impl FnMut(&Job) -> Rendered,
-    ) -> Rendered {
-        let start = Instant::now();
-        let mut job = *job;
-        let mut result = pass(&job);
-        let mut last = start.elapsed();
-        while !stop.load(Ordering::Relaxed) && !self.is_spent(&result, start.elapsed() + last / 2) {
-            job.sampling.first_sample += job.samples;
-            if job.sampling.first_sample >= MAX_SAMPLES {
-                break;
-            }
-            let before = Instant::now();
-            result.add(&pass(&job));
-            last = before.elapsed();
-        }
-        result
+    /// Whether the time is up.
+    pub(crate) fn is_late(&self, time: Duration) -> bool {
+        self.time.is_some_and(|limit| time >= limit)
     }
 
-    fn is_spent(&self, so_far: &Rendered, time: Duration) -> bool {
-        self.time.is_some_and(|limit| time >= limit)
+    /// Whether the picture is finished `time` after the start.
+    pub(crate) fn is_spent(&self, so_far: &Rendered, time: Duration) -> bool {
+        self.is_late(time)
             || self.error.is_some_and(|target| {
                 let is_black = so_far.luminance.iter().all(|pixel| pixel.mean() == 0.0);
                 let samples = so_far.luminance.iter().map(|pixel| pixel.count());

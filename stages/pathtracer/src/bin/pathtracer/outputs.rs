@@ -1,8 +1,8 @@
 //! The files that a run writes. All are created before rendering, and no two are the same.
 
 use crate::failure::Failure;
-use pathtracer::Output;
 use pathtracer::args::Args;
+use pathtracer::{Output, Tone};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -13,10 +13,10 @@ pub(crate) struct NamedOutput {
 }
 
 impl NamedOutput {
-    fn create(path: &Path) -> Result<NamedOutput, Failure> {
+    fn create(path: &Path, tone: Tone) -> Result<NamedOutput, Failure> {
         Ok(NamedOutput {
             path: path.to_owned(),
-            file: Output::create(path)?,
+            file: Output::create(path)?.with_tone(tone),
         })
     }
 }
@@ -52,10 +52,11 @@ impl Outputs {
         if let Some(layers) = layers {
             refuse_taken("--layers", layers, &taken)?;
         }
+        let create = |path: &Path| NamedOutput::create(path, Tone::default());
         Ok(Outputs {
-            picture: NamedOutput::create(picture)?,
-            rate: rate.as_deref().map(NamedOutput::create).transpose()?,
-            layers: layers.map(NamedOutput::create).transpose()?,
+            picture: NamedOutput::create(picture, args.tone())?,
+            rate: rate.as_deref().map(create).transpose()?,
+            layers: layers.map(create).transpose()?,
         })
     }
 }

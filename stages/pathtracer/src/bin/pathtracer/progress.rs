@@ -1,7 +1,7 @@
 //! A progress bar, if stderr is a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use kit::film::Cell;
+use pathtracer::TileDone;
 use std::io::{IsTerminal, stderr};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -14,24 +14,29 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// A bar for `pixels` pixels.
-    pub(crate) fn new(pixels: u64) -> Progress {
+    /// A bar for `samples` samples of all pixels together.
+    pub(crate) fn new(samples: u64) -> Progress {
         Progress {
-            bar: bar(pixels),
+            bar: bar(samples),
             start: Instant::now(),
             rays: AtomicU64::new(0),
         }
     }
 
-    /// Restarts the bar for the next pass. Rays keep counting.
-    pub(crate) fn next_pass(&self) {
+    /// The time since the start.
+    pub(crate) fn elapsed(&self) -> Duration {
+        self.start.elapsed()
+    }
+
+    /// Restarts the bar for another round of passes. Rays keep counting.
+    pub(crate) fn next_round(&self) {
         self.bar.set_position(0);
     }
 
-    /// Adds a finished tile, for which `rays` rays were traced.
-    pub(crate) fn tile_done(&self, tile: Cell, rays: u64) {
+    /// Adds a finished tile.
+    pub(crate) fn tile_done(&self, TileDone { samples, rays }: TileDone) {
         let rays = self.rays.fetch_add(rays, Ordering::Relaxed) + rays;
-        self.bar.inc(tile.area());
+        self.bar.inc(samples);
         if !self.bar.is_hidden() {
             let seconds = self.start.elapsed().as_secs_f64().max(1e-9);
             let rate = rays as f64 / seconds / 1e6;
@@ -45,13 +50,13 @@ impl Progress {
     }
 }
 
-fn bar(pixels: u64) -> ProgressBar {
+fn bar(samples: u64) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let template = "Rendering {bar:40} {percent:>3}%  {msg}  {eta} left";
     let style = ProgressStyle::with_template(template).expect("the template is valid");
-    let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::stderr());
+    let bar = ProgressBar::with_draw_target(Some(samples), ProgressDrawTarget::stderr());
     bar.set_style(style);
     bar.enable_steady_tick(Duration::from_millis(200));
     bar

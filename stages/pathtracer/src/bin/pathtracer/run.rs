@@ -7,12 +7,13 @@ use crate::failure::Failure;
 use crate::outputs::Outputs;
 use crate::progress::Progress;
 use crate::{pixel, summary, view, window};
+use kit::effects::EffectCounts;
 use kit::hole;
 use kit::{Emitter, LitScene};
 use pathtracer::args::{Args, Shade};
 use pathtracer::{
-    Accel, DirectSampling, Job, LightSettings, Picture, layers::channels, layers::features,
-    render_lit, render_normals,
+    DirectSampling, Job, LightSettings, Passes, Picture, PreparedScene, Rendered, layers::channels,
+    layers::features, rate_picture,
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
@@ -44,6 +45,12 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
     let outputs = Outputs::create(args, path)?;
+    if path
+        .extension()
+        .is_none_or(|e| !e.eq_ignore_ascii_case("png"))
+    {
+        note_unused(&args.unused_by_radiance(), "only a .png is tone-mapped");
+    }
     let environment = view::load_environment(args)?;
     let picture = Picture::new(args.shade, scene, environment);
     match &picture {
@@ -53,15 +60,13 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
             note_single_batch(light.adaptive, args.samples);
         }
     }
-    let scene = picture.scene();
-    let textures = view::load_textures(&args.scene, scene);
-
+    let textures = view::load_textures(&args.scene, picture.scene());
     let start = Instant::now();
-    let accel = Accel::build(args.accel.into(), scene);
+    let prepared = PreparedScene::new(picture, textures, args.accel.into());
     let building = start.elapsed();
-    println!("{}", summary::accel(&accel, building));
+    println!("{}", summary::accel(&prepared.accel, building));
 
-    let budget = match &picture {
+    let budget = match &prepared.picture {
         Picture::Lit(_) => Budget::new(args),
         Picture::Normals(_) => None,
     };
@@ -76,39 +81,50 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         samples,
         sampling: args.sampling(samples),
     };
-    let stop = stop_on_ctrl_c();
+    let stop = Stop::on_ctrl_c();
+    let thread_count = args.thread_count();
     let threads = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.threads)
+        .num_threads(thread_count)
         .build()
-        .map_err(|why| Failure::Input(format!("cannot start {} threads: {why}", args.threads)))?;
-    let progress = Progress::new(cell.area());
-    let start = Instant::now();
-    let pass = |job: &Job| {
-        progress.next_pass();
-        let tile_done = &|tile, rays| progress.tile_done(tile, rays);
-        threads.install(|| match &picture {
-            Picture::Normals(scene) => render_normals(scene, &accel, job, &stop, tile_done),
-            Picture::Lit(lit) => render_lit(lit, &textures, &accel, job, &light, &stop, tile_done),
-        })
+        .map_err(|why| Failure::Input(format!("cannot start {thread_count} threads: {why}")))?;
+    let progress = Progress::new(cell.area() * u64::from(samples));
+    let passes = Passes {
+        scene: &prepared,
+        job,
+        settings: light,
     };
-    let rendered = match &budget {
-        None => pass(&job),
-        Some(budget) => budget.render(&job, &stop, pass),
+    // `--explain` renders the picture again, which needs the same samples in all pixels.
+    let tile_limit = budget.filter(|_| !args.explain);
+    let tile_done = |tile| {
+        progress.tile_done(tile);
+        if tile_limit.is_some_and(|budget| budget.is_late(progress.elapsed())) {
+            stop.set();
+        }
     };
-    let time = start.elapsed();
+    let mut is_done = |so_far: &Rendered| {
+        progress.next_round();
+        budget.is_none_or(|budget| budget.is_spent(so_far, progress.elapsed()))
+    };
+    let rendered = threads.install(|| passes.render(&stop.flag, &tile_done, &mut is_done));
+    let time = progress.elapsed();
     progress.finish();
     println!(
         "{}",
-        summary::rendering(&job, &rendered, args.threads, time)
+        summary::rendering(&job, &rendered, thread_count, time)
     );
     outputs.picture.file.write(&rendered.film, cell)?;
     println!("Wrote       {}", path.display());
-    if let (Some(rate), Picture::Lit(_)) = (outputs.rate, &picture) {
-        rate.file.write_rate(&rendered.film, cell, args.samples)?;
+    if let (Some(rate), Picture::Lit(_)) = (outputs.rate, &prepared.picture) {
+        let scale = args.rate_scale.into();
+        let picture = rate_picture(&rendered.film, cell, args.samples, scale);
+        rate.file.write_bytes(&picture)?;
         println!("Wrote       {}", rate.path.display());
     }
     if let Some(layers) = outputs.layers {
-        let features = threads.install(|| features(scene, &textures, &accel, &job));
+        let PreparedScene {
+            textures, accel, ..
+        } = &prepared;
+        let features = threads.install(|| features(prepared.scene(), textures, accel, &job));
         let channels = channels(&rendered, &features, &job);
         let (w, h) = (cell.x1 - cell.x0, cell.y1 - cell.y0);
         layers.file.write_channels(channels, w, h)?;
@@ -118,7 +134,7 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         println!("{}", summary::stats(&rendered, loading, building, time));
     }
     if args.explain {
-        match &picture {
+        match &prepared.picture {
             Picture::Normals(_) => {
                 println!("Effects     none: normals are shown, no light is simulated")
             }
@@ -126,24 +142,15 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
                 let forced = if light.force_effects {
                     rendered.effects
                 } else {
-                    let all = LightSettings {
-                        force_effects: true,
-                        ..light
+                    let samples = match budget {
+                        Some(_) => (rendered.samples() / cell.area()) as u32,
+                        None => job.samples,
                     };
-                    let whole = Job {
-                        samples: match budget {
-                            Some(_) => (rendered.samples() / cell.area()) as u32,
-                            None => job.samples,
-                        },
-                        ..job
-                    };
-                    let hook = &|_, _| ();
-                    threads
-                        .install(|| render_lit(lit, &textures, &accel, &whole, &all, &stop, hook))
-                        .effects
+                    let whole = Job { samples, ..job };
+                    threads.install(|| forced_effects(&prepared, whole, light, &stop))
                 };
                 // The counts of an incomplete picture cannot be compared.
-                let forced = (!stop.load(Ordering::Relaxed)).then_some(&forced);
+                let forced = (!stop.is_interrupted()).then_some(&forced);
                 println!(
                     "{}",
                     explain::table(&light.effects(lit), &rendered.effects, forced)
@@ -160,11 +167,32 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         let task = start.task;
         eprintln!("note: {task} is not written yet: the given code is correct, but slow");
     }
-    if stop.load(Ordering::Relaxed) {
-        eprintln!("note: interrupted: the remaining pixels are black");
+    if stop.is_interrupted() {
+        eprintln!(
+            "note: interrupted: the picture is whole, but has more noise than a finished one"
+        );
         return Ok(ExitCode::from(INTERRUPTED));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The operations of each effect if all are forced on.
+fn forced_effects(
+    scene: &PreparedScene,
+    job: Job,
+    light: LightSettings,
+    stop: &Stop,
+) -> EffectCounts {
+    let settings = LightSettings {
+        force_effects: true,
+        ..light
+    };
+    let passes = Passes {
+        scene,
+        job,
+        settings,
+    };
+    passes.render(&stop.flag, &|_| (), &mut |_| true).effects
 }
 
 /// Prints which of the given flags have no effect on a picture of normals.
@@ -204,18 +232,40 @@ fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
     }
 }
 
-/// A flag that the first Ctrl-C sets, so that the picture so far is written. The second one ends
-/// the program.
-fn stop_on_ctrl_c() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let pressed = Arc::clone(&stop);
-    let handler = move || {
-        if pressed.swap(true, Ordering::Relaxed) {
-            process::exit(i32::from(INTERRUPTED));
+/// When to end the rendering early.
+struct Stop {
+    /// Whether to end it.
+    flag: Arc<AtomicBool>,
+    /// Whether Ctrl-C was pressed.
+    interrupted: Arc<AtomicBool>,
+}
+
+impl Stop {
+    /// Set by the first Ctrl-C, so that the picture so far is written. The second one ends the
+    /// program.
+    fn on_ctrl_c() -> Stop {
+        let stop = Stop {
+            flag: Arc::default(),
+            interrupted: Arc::default(),
+        };
+        let (flag, interrupted) = (Arc::clone(&stop.flag), Arc::clone(&stop.interrupted));
+        let handler = move || {
+            flag.store(true, Ordering::Relaxed);
+            if interrupted.swap(true, Ordering::Relaxed) {
+                process::exit(i32::from(INTERRUPTED));
+            }
+        };
+        if let Err(why) = ctrlc::set_handler(handler) {
+            eprintln!("note: Ctrl-C will end the program without a picture: {why}");
         }
-    };
-    if let Err(why) = ctrlc::set_handler(handler) {
-        eprintln!("note: Ctrl-C will end the program without a picture: {why}");
+        stop
     }
-    stop
+
+    fn set(&self) {
+        self.flag.store(true, Ordering::Relaxed);
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
 }

@@ -62,7 +62,7 @@ pub(crate) fn rendering(job: &Job, rendered: &Rendered, threads: usize, time: Du
         text += &format!(
             "\nNoise       {:.2} % of the mean in a pixel, {:.1} samples each",
             100.0 * noise,
-            rendered.samples() as f64 / job.cell.area() as f64
+            rendered.samples() as f64 / rendered.rendered_pixels().max(1) as f64
         );
     }
     let nan = rendered.nan_pixels();

@@ -47,7 +47,10 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "bbox",
             "judge",
             "oracle",
+            "pictures",
             "wire",
+            // What the stages answer to a case of a report.
+            "worker",
         ],
     ),
     ("wire", &[]),
@@ -74,7 +77,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
     ("pictures", &["judge", "kit", "wire"]),
     ("grader", &["kit", "judge", "pictures", "wire"]),
-    ("pages", &["grader", "judge", "pictures", "wire"]),
+    ("pages", &["grader", "pictures"]),
     ("submission", &["grader", "judge"]),
     (
         "review",

@@ -10,12 +10,13 @@
 pub mod bless;
 pub mod box_tests;
 pub mod case;
-pub mod cause;
 pub mod columns;
 pub mod exact;
 pub mod look;
 pub mod page;
 pub mod picture;
+
+pub use pictures::cause;
 
 use case::{Case, State};
 use grader::consistency;

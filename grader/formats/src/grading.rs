@@ -17,6 +17,7 @@ use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use submission::SubmissionReport;
+use submission::arguments::{containment, seeded_request};
 use submission::one::{GradingCourse, NotGraded, Options, grade_one};
 use submission::read::Submission;
 
@@ -34,7 +35,6 @@ pub(crate) fn grade(matches: &ArgMatches) -> Outcome {
 }
 
 fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
-    let request = request(matches)?;
     let reveal = Reveal {
         hint: hint(matches),
         extra: matches.get_flag("extra"),
@@ -43,15 +43,16 @@ fn attempt(matches: &ArgMatches) -> Result<Outcome, GraderError> {
     match matches.get_one::<PathBuf>("submission") {
         Some(folder) => {
             let options = Options {
-                request,
+                request: seeded_request(matches)?,
                 together: matches.get_flag("together"),
             };
-            submission(&workspace, options, reveal, folder)
+            let course = GradingCourse::open(&workspace, containment(matches, &workspace)?)?;
+            submission(&workspace, &course, options, reveal, folder)
         }
         None if matches.contains_id("class") => Err(GraderError::new(
             "a class has formats of its own: grade it with `grader class`",
         )),
-        None => in_place(&workspace, &request, reveal),
+        None => in_place(&workspace, &request(matches)?, reveal),
     }
 }
 
@@ -96,13 +97,13 @@ fn in_place(
 
 fn submission(
     workspace: &Workspace,
+    course: &GradingCourse,
     options: Options,
     reveal: Reveal,
     folder: &Path,
 ) -> Result<Outcome, GraderError> {
-    let course = GradingCourse::open(workspace)?;
     let tasks = course.course().select(&options.request.what)?;
-    let report = match grade_one(&course, folder, &options) {
+    let report = match grade_one(course, folder, &options) {
         Ok(graded) => graded.report,
         Err(NotGraded::Refused(why)) => {
             let max_score = tasks.iter().map(|task| task.points(Tier::Core)).sum();

@@ -3,7 +3,7 @@
 use crate::Image;
 use crate::image::Rgb;
 use crate::palette;
-use judge::pictures::{Differences, PanelKind, TaskPicture};
+use judge::pictures::{Differences, TaskPicture};
 
 /// What differs at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -91,26 +91,43 @@ pub fn compare(picture: &TaskPicture, golden: &Image, yours: &Image) -> Comparis
         assert_eq!(image.size(), picture.size(), "{}", picture.task);
     }
     let [w, h] = picture.work.size;
-    let mut difference = Image::from_fn(picture.size(), |x, y| palette::dimmed(yours.get(x, y)));
+    let mut difference = Image::filled(picture.size(), [0; 3]);
     let mut counts = Vec::new();
     for (number, kind) in (0..).zip(picture.panels) {
         let panel = |image: &Image| Image::from_fn([w, h], |x, y| image.get(x, number * h + y));
-        let marks = marks(kind, &panel(golden), &panel(yours));
-        for (mark, i) in marks.iter().zip(0..) {
-            if let Some(mark) = mark {
-                difference.set(i % w, number * h + i / w, mark.colour());
-            }
-        }
-        let count = |mark| marks.iter().filter(|m| **m == Some(mark)).count();
-        let counted = Mark::ALL.map(|mark| (mark, count(mark)));
-        counts.push(counted.into_iter().filter(|(_, n)| *n > 0).collect());
+        let of_panel = compare_panel(kind.differences, &panel(golden), &panel(yours));
+        difference.paste(&of_panel.difference, 0, number * h);
+        counts.extend(of_panel.counts);
     }
     Comparison { difference, counts }
 }
 
+/// Compares two pictures of one size as one panel.
+///
+/// # Panics
+///
+/// If their sizes differ.
+pub fn compare_panel(kind: Differences, golden: &Image, yours: &Image) -> Comparison {
+    assert_eq!(golden.size(), yours.size());
+    let [w, _] = yours.size();
+    let mut difference = Image::from_fn(yours.size(), |x, y| palette::dimmed(yours.get(x, y)));
+    let marks = marks(kind, golden, yours);
+    for (mark, i) in marks.iter().zip(0..) {
+        if let Some(mark) = mark {
+            difference.set(i % w, i / w, mark.colour());
+        }
+    }
+    let count = |mark| marks.iter().filter(|m| **m == Some(mark)).count();
+    let counted = Mark::ALL.map(|mark| (mark, count(mark)));
+    Comparison {
+        difference,
+        counts: vec![counted.into_iter().filter(|(_, n)| *n > 0).collect()],
+    }
+}
+
 /// The mark of each pixel, row by row from the top left.
-fn marks(kind: &PanelKind, golden: &Image, yours: &Image) -> Vec<Option<Mark>> {
-    if kind.differences == Differences::Noise {
+fn marks(kind: Differences, golden: &Image, yours: &Image) -> Vec<Option<Mark>> {
+    if kind == Differences::Noise {
         return beyond_noise(golden, yours);
     }
     let pairs = golden.pixels().iter().zip(yours.pixels());
@@ -119,7 +136,7 @@ fn marks(kind: &PanelKind, golden: &Image, yours: &Image) -> Vec<Option<Mark>> {
             return None;
         }
         let hits = [golden, yours].map(|colour| *colour != [0; 3]);
-        Some(match (kind.differences, hits) {
+        Some(match (kind, hits) {
             (Differences::Choice, _) => Mark::Choice,
             (Differences::Values | Differences::Noise, _) => Mark::Value,
             (_, [false, true]) => Mark::FalseHit,

@@ -1,9 +1,11 @@
 //! Pictures as bytes.
 //!
 //! [`Image`] is a picture, [`mod@png`] its files, [`tone`] turns the worker's colours into bytes.
-//! [`difference`] compares the picture of a task with its golden, [`sheet`] puts both beside each
-//! other, [`terminal`] prints them. `grader` compiles this crate, so it has few dependencies.
+//! [`cause`] says why a pixel of a case differs, [`difference`] compares the picture of a task with
+//! its golden, [`sheet`] puts both beside each other, [`terminal`] prints them. `grader` compiles
+//! this crate, so it has few dependencies.
 
+pub mod cause;
 pub mod difference;
 pub mod image;
 pub mod palette;

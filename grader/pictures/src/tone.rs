@@ -5,6 +5,7 @@ use crate::image::Rgb;
 use judge::pictures::TaskPicture;
 use kit::math::pow;
 use wire::picture::PictureAnswer;
+use wire::{Answer, Work};
 
 /// The colour of a pixel whose value is NaN: magenta.
 pub const NAN_COLOUR: Rgb = [255, 0, 255];
@@ -20,6 +21,19 @@ fn bytes(colour: [f64; 3], curve: impl Fn(f64) -> f64) -> Rgb {
         return NAN_COLOUR;
     }
     colour.map(|c| (255.0 * curve(c.max(0.0)).min(1.0)) as u8)
+}
+
+/// Converts `answer` to a picture of `width` by `height` pixels, in the colours of
+/// [`judge::picture`]. The answers are in rows from the bottom left. Returns `None` if the number
+/// of answers is not the number of pixels, or if this kind of answer has no colour.
+pub fn of_answer([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Option<Image> {
+    let colours = judge::picture::colours(work, answer)?;
+    if colours.len() != width as usize * height as usize {
+        return None;
+    }
+    Some(Image::from_fn([width, height], |x, y| {
+        tone(colours[((height - 1 - y) * width + x) as usize])
+    }))
 }
 
 /// The picture of a task from the worker's answer, which fits it: its panels, one below the other.
@@ -80,5 +94,17 @@ mod tests {
         assert_eq!(image.get(0, 1), [255; 3]);
         assert_eq!(image.get(1, 2), [255, 0, 0]);
         assert_eq!(image.get(0, 3), [0; 3]);
+    }
+
+    #[test]
+    fn answers_start_at_the_bottom_left_pixel() {
+        let work = Work::Boxes(wire::work::BoxWork {
+            boxes: Vec::new(),
+            probes: Vec::new(),
+        });
+        let boxes = Answer::Boxes(vec![Some([0.0, 1.0]), None, None, None, None, None]);
+        let picture = of_answer([3, 2], &work, &boxes).unwrap();
+        assert_eq!(picture.get(0, 1), [255; 3]);
+        assert_eq!(picture.get(0, 0), [0; 3]);
     }
 }

@@ -1,11 +1,11 @@
 //! Compares the golden and the actual answers of one case.
 
 use super::box_tests;
-use super::cause::Cause;
 use super::delta;
 use super::exact;
 use super::picture::{self, Picture, Pixels};
 use crate::bless;
+use ::pictures::cause::Cause;
 use grader::error::GraderError;
 use grader::runner::Worker;
 use grader::workspace::Workspace;

@@ -2,7 +2,7 @@
 //! a page. `grader bless` accepts them.
 //!
 //! Start at [`Review::add`]: a worker answers the cases. [`case`] compares each answer with its
-//! golden, line by line and, if the case has a [`picture`], pixel by pixel, and finds the [`cause`]
+//! golden, line by line and, if the case has a [`picture`], pixel by pixel, and finds the cause
 //! of each difference. The [`exact`] oracle checks the answers independently of both. [`page`]
 //! writes the result as one self-contained HTML file; [`delta`], [`magnitude`] and [`box_walk`] say
 //! how much answers, colours and traversals differ. [`look`] is the page for students.
@@ -11,7 +11,6 @@ pub mod bless;
 pub mod box_tests;
 pub mod box_walk;
 pub mod case;
-pub mod cause;
 pub mod delta;
 pub mod exact;
 pub mod look;
@@ -36,7 +35,6 @@ use judge::cases::Spec;
 use judge::pictures;
 use pages::picture::read_png;
 use std::collections::BTreeMap;
-use std::path::Path;
 use submission::clean_workspace::CleanWorkspace;
 use submission::read::Submission;
 

@@ -2,7 +2,7 @@
 
 use super::box_tests::BoxTests;
 use super::case::Row;
-use super::cause::Cause;
+use ::pictures::cause::Cause;
 use judge::cases::Spec;
 use judge::snapshot::{Line, Snapshot};
 use judge::tally::Aspect;

@@ -28,7 +28,7 @@ use std::str::FromStr;
 pub const EXIT_CODES: &str = "Exit code: 0 if every core point is earned, 1 if points are lost, 2 after an error in the grader or its input.";
 
 /// The commands that are separate programs: name, package, description.
-const SUBPROGRAMS: [(&str, &str, &str); 8] = [
+const SUBPROGRAMS: &[(&str, &str, &str)] = &[
     (
         "look",
         "review",

@@ -11,6 +11,7 @@
 //! [`containment`] chooses what keeps the rest from files, programs and networks while it is
 //! compiled and while it runs; [`build_folder`] keeps one submission from the next.
 
+pub mod arguments;
 pub mod build_folder;
 mod by_heart;
 pub mod clean_workspace;

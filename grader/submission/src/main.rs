@@ -1,20 +1,17 @@
 //! The command `grader part2 --submission DIR`: grades what a student handed in.
 
-use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
-use grader::cli::grade::{arguments, hint, request, submission_arguments};
+use grader::cli::grade::{arguments, hint, submission_arguments};
 use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
 use grader::error::GraderError;
-use grader::grade::GradeRequest;
 use grader::report::{self, HintLevel, Reveal, table};
 use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use submission::arguments::{containment, seeded_request};
 use submission::clean_workspace::CleanWorkspace;
-use submission::containment::Containment;
-use submission::one::random_seed;
 use submission::{SubmissionReport, read};
 
 fn main() -> ExitCode {
@@ -39,20 +36,6 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             "`--together` needs a submission: add `--submission DIR`",
         )),
     }
-}
-
-/// What to grade. Without `--seed`, with a seed that nobody knows.
-fn seeded_request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {
-    let mut request = request(matches)?;
-    if matches.value_source("seed") == Some(ValueSource::DefaultValue) {
-        request.seed = random_seed();
-    }
-    Ok(request)
-}
-
-/// The containment that the arguments ask for.
-fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
-    Containment::choose(workspace, matches.get_flag("unsandboxed"))
 }
 
 fn grade_one(

@@ -22,23 +22,12 @@ pub(crate) fn build(work: &BuildWork) -> BuildAnswer {
 
 pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
     let tree = kit_tree(&script.tree);
-    let node_of: HashMap<BoxKey, usize> = tree
-        .nodes
-        .iter()
-        .enumerate()
-        .map(|(i, node)| (box_key(&node.bounds), i))
-        .collect();
+    let node_of = nodes_by_box(&tree);
     let each = script.rays.iter().enumerate();
     each.map(|(i, scripted)| {
         harness::call(i);
         let mut ray = convert::ray(&scripted.ray);
-        let mut world = TraverseScript {
-            scripted,
-            nodes: tree.nodes.len(),
-            node_of: &node_of,
-            tested: vec![false; scripted.prims.len()],
-            counts: Counts::default(),
-        };
+        let mut world = TraverseScript::new(scripted, &node_of);
         let hit = if script.any_hit {
             bvh::occludes_bvh(&tree, &ray, &mut world).then_some((0.0, 0))
         } else {
@@ -65,7 +54,13 @@ pub(crate) fn traverse(script: &ScriptedWorld) -> Vec<TraverseAnswer> {
 }
 
 /// The corners of a box, bit for bit.
-pub(crate) type BoxKey = [u64; 6];
+pub type BoxKey = [u64; 6];
+
+/// The node of each box of a tree: of several with one box the last.
+pub fn nodes_by_box(tree: &Bvh) -> HashMap<BoxKey, usize> {
+    let nodes = tree.nodes.iter().enumerate();
+    nodes.map(|(i, node)| (box_key(&node.bounds), i)).collect()
+}
 
 pub(crate) fn box_key(b: &Aabb) -> BoxKey {
     let [x0, y0, z0] = b.min.to_array().map(f64::to_bits);
@@ -82,24 +77,43 @@ struct Counts {
     unknown_boxes: u32,
 }
 
-/// A world with given test results, which it clips to the ray's range.
-struct TraverseScript<'a> {
+/// A world with given test results, which it clips to the ray's range. It counts the tests.
+pub struct TraverseScript<'a> {
     scripted: &'a ScriptedRay,
-    /// The number of nodes of the tree.
-    nodes: usize,
     node_of: &'a HashMap<BoxKey, usize>,
     tested: Vec<bool>,
     counts: Counts,
 }
 
-impl TraverseScript<'_> {
+impl<'a> TraverseScript<'a> {
+    /// The world of `scripted`; `node_of` has the nodes of its tree ([`nodes_by_box`]).
+    pub fn new(
+        scripted: &'a ScriptedRay,
+        node_of: &'a HashMap<BoxKey, usize>,
+    ) -> TraverseScript<'a> {
+        TraverseScript {
+            scripted,
+            node_of,
+            tested: vec![false; scripted.prims.len()],
+            counts: Counts::default(),
+        }
+    }
+
+    /// The interval of `ray` in the node whose box is `b`; `None` if it misses it, or if there is no
+    /// such node. Counts nothing.
+    pub fn interval(&self, b: &Aabb, ray: &Ray) -> Option<Interval> {
+        let [enters, leaves] = self.scripted.spans[*self.node_of.get(&box_key(b))?]?;
+        let (min, max) = (enters.max(ray.min_t), leaves.min(ray.max_t));
+        (min <= max).then_some(Interval { min, max })
+    }
+
     /// What the traversal was asked for.
     fn asked_for(&self) -> String {
         let count = |n: usize, one: &str| match n {
             1 => format!("1 {one}"),
             _ => format!("{n} {one}s"),
         };
-        let nodes = count(self.nodes, "node");
+        let nodes = count(self.scripted.spans.len(), "node");
         let prims = count(self.scripted.prims.len(), "primitive");
         format!("one ray through {nodes} and {prims}")
     }
@@ -122,13 +136,10 @@ impl World for TraverseScript<'_> {
     fn hit_box(&mut self, b: &Aabb, ray: &Ray) -> Option<Interval> {
         harness::limit_calls("hit_box", self.counts.box_tests, || self.asked_for());
         self.counts.box_tests += 1;
-        let Some(&node) = self.node_of.get(&box_key(b)) else {
+        if !self.node_of.contains_key(&box_key(b)) {
             self.counts.unknown_boxes += 1;
-            return None;
-        };
-        let [enters, leaves] = self.scripted.spans[node]?;
-        let (min, max) = (enters.max(ray.min_t), leaves.min(ray.max_t));
-        (min <= max).then_some(Interval { min, max })
+        }
+        self.interval(b, ray)
     }
 
     fn hit_prim(&mut self, id: PrimId, ray: &mut Ray) -> Option<Hit> {
@@ -163,7 +174,8 @@ fn wire_tree(tree: &Bvh) -> Tree {
     }
 }
 
-pub(crate) fn kit_tree(tree: &Tree) -> Bvh {
+/// A tree of a case.
+pub fn kit_tree(tree: &Tree) -> Bvh {
     let node = |node: &wire::work::Node| BvhNode {
         bounds: convert::aabb(&node.bounds),
         kind: match node.kind {

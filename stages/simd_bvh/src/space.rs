@@ -62,6 +62,14 @@ impl TreeSpace {
         }
     }
 
+    /// Transforms a box to world space.
+    pub(crate) fn world_bounds(&self, b: Aabb) -> Aabb {
+        Aabb {
+            min: (b.min + self.shift) / self.scale,
+            max: (b.max + self.shift) / self.scale,
+        }
+    }
+
     /// Transforms a ray from world space.
     #[inline(always)]
     pub(crate) fn ray(&self, ray: &Ray) -> LocalRay {

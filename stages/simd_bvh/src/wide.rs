@@ -3,16 +3,17 @@
 // BEGIN SOLUTION(part6.task1)
 use crate::binary;
 use crate::collapse::Collapse;
-use crate::node::{Child, Node};
+use crate::node::{Child, ChildKind, Node};
 use crate::sah::LANES;
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
 use crate::triangle_block::TriangleBlock;
-use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
+use kit::{Bvh, BvhNode, NodeKind, PrimId};
+use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
 
 use fearless_simd::Level;
-use kit::{Sphere, Triangle};
+use kit::{Aabb, Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
@@ -107,6 +108,31 @@ impl WideBvh {
         // BEGIN SOLUTION(part6.task1)
         self.blocks.len() + self.spheres.len()
         // STUB: kit::hole!("part6.task1", self)
+        // END SOLUTION(part6.task1)
+    }
+
+    /// The boxes of the children of nodes in world space, each with its depth (0 for the children of
+    /// the root), breadth first: at most `most` of them. For drawing.
+    pub fn boxes(&self, most: usize) -> Vec<(Aabb, usize)> {
+        // BEGIN SOLUTION(part6.task1)
+        let mut boxes = Vec::new();
+        let mut pending = VecDeque::from([(0, 0)]);
+        while let Some((index, depth)) = pending.pop_front() {
+            let Some(node) = self.nodes.get(index as usize) else {
+                continue;
+            };
+            for lane in 0..node.count as usize {
+                if boxes.len() == most {
+                    return boxes;
+                }
+                boxes.push((self.space.world_bounds(node.bounds(lane)), depth));
+                if let ChildKind::Node(child) = node.children[lane].kind() {
+                    pending.push_back((child, depth + 1));
+                }
+            }
+        }
+        boxes
+        // STUB: kit::hole!("part6.task1", self, most)
         // END SOLUTION(part6.task1)
     }
 }

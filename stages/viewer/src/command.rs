@@ -1,5 +1,8 @@
 //! Everything that a key, a click, a drag or a button does, as a value.
 
+use crate::element_walk::ElementKind;
+use crate::picture_pair::PairView;
+use crate::report::CasePart;
 use crate::session::Mode;
 use crate::settings::Change;
 use crate::tree_walk::Side;
@@ -26,8 +29,17 @@ pub enum Command {
     ToggleEdges,
     /// Selects what is under the pointer, or nothing.
     Select,
+    /// Selects the next vertex, edge or face, or the previous one.
+    SelectNext {
+        /// What to select.
+        kind: ElementKind,
+        /// Forward, else back.
+        forward: bool,
+    },
     /// Moves the selected vertex, in fractions of the view's width and height.
     MoveVertex(Vec2),
+    /// As [`Command::MoveVertex`], as a whole move.
+    NudgeVertex(Vec2),
     /// The vertex is where it should be: the next move is another one.
     EndMove,
     /// Moves the vertex back that was moved last.
@@ -40,6 +52,8 @@ pub enum Command {
     GoToDepth(usize),
     /// Selects a node.
     GoToNode(u32),
+    /// Shows the boxes of the wide tree, or those of the binary one.
+    ToggleWideTree,
     /// Changes the camera rays per pixel.
     Samples(Change),
     /// Changes the samples per light.
@@ -76,8 +90,19 @@ pub enum Command {
     EndComparison,
     /// Shows both pictures in turns, or side by side.
     Flicker,
+    /// Shows two pictures in another way.
+    ShowPair(PairView),
+    /// Shows two pictures in the next way.
+    NextPairView,
+    /// Compares with the next of the kept pictures.
+    NextCompared,
+    /// Swaps the compared pictures.
+    SwapCompared,
     /// Replays a pixel, counted from the bottom left.
     Inspect(u32, u32),
+    /// Replays the pixel beside the replayed one, by columns and rows; without a replay that in the
+    /// middle.
+    InspectNext(i32, i32),
     /// Replays the pixel under the pointer.
     InspectUnderPointer,
     /// Walks through the tests of the ray.
@@ -114,8 +139,19 @@ pub enum Command {
     Open(PathBuf),
     /// Reads the scene file again.
     Reload,
+    /// Switches to report mode; there already, shows the next part of the case.
+    ShowReport,
     /// Opens a case of the report.
     OpenCase(usize),
+    /// Opens the next case of the report, or the previous one.
+    NeighbourCase {
+        /// Forward, else back.
+        forward: bool,
+    },
+    /// Shows a part of the case.
+    ShowPart(CasePart),
+    /// Walks to an event of the case, counted from 1.
+    GoToEvent(usize),
     /// Saves the test of the opened case.
     SaveCaseAsTest,
     /// Closes the list of keys; else asks to close the window.

@@ -2,6 +2,7 @@
 
 use kit::{Film, FilmSize};
 use pathtracer::tone;
+use pictures::Image;
 use std::path::Path;
 
 /// A picture to compare with.
@@ -63,6 +64,13 @@ impl Reference {
             size,
             bytes,
             linear,
+        })
+    }
+
+    /// The picture with its rows from the top.
+    pub fn image(&self) -> Image {
+        Image::from_fn([self.size.w, self.size.h], |x, y| {
+            self.get(x, self.size.h - 1 - y)
         })
     }
 

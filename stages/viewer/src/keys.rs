@@ -1,18 +1,62 @@
 //! All keys. One list is the help sheet, the input of the window, and what the tests go through.
 
 use crate::command::Command;
+use crate::element_walk::ElementKind;
 use crate::session::Mode;
 use crate::settings::Change;
 use crate::tree_walk::Side;
-use egui::Key;
+use egui::{Key, Modifiers};
+use kit::Vec2;
+
+/// The keys that are held beside another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// Shift or none: it does not matter.
+    Any,
+    /// None.
+    Nothing,
+    /// Shift.
+    Shift,
+    /// Alt.
+    Alt,
+    /// Shift and Alt.
+    ShiftAlt,
+    /// Ctrl.
+    Ctrl,
+}
+
+impl Held {
+    /// The held keys that this stands for.
+    pub fn modifiers(self) -> Modifiers {
+        match self {
+            Held::Any | Held::Nothing => Modifiers::NONE,
+            Held::Shift => Modifiers::SHIFT,
+            Held::Alt => Modifiers::ALT,
+            Held::ShiftAlt => Modifiers::SHIFT.plus(Modifiers::ALT),
+            Held::Ctrl => Modifiers::CTRL,
+        }
+    }
+
+    fn fits(self, modifiers: Modifiers) -> bool {
+        let held = [modifiers.shift, modifiers.alt, modifiers.ctrl];
+        match self {
+            Held::Any => [false, false] == held[1..],
+            Held::Nothing => held == [false, false, false],
+            Held::Shift => held == [true, false, false],
+            Held::Alt => held == [false, true, false],
+            Held::ShiftAlt => held == [true, true, false],
+            Held::Ctrl => held == [false, false, true],
+        }
+    }
+}
 
 /// A key and what it does.
 #[derive(Clone, Debug)]
 pub struct Binding {
     /// The key.
     pub key: Key,
-    /// Whether Shift has to be held; `None` if it does not matter.
-    pub shift: Option<bool>,
+    /// What is held beside it.
+    pub held: Held,
     /// The key on the help sheet.
     pub label: &'static str,
     /// The modes in which it works; empty for all.
@@ -30,14 +74,14 @@ impl Binding {
     }
 
     /// Whether a press of `key` is this one.
-    pub fn is_pressed(&self, key: Key, shift: bool) -> bool {
-        self.key == key && self.shift.is_none_or(|wanted| wanted == shift)
+    pub fn is_pressed(&self, key: Key, modifiers: Modifiers) -> bool {
+        self.key == key && self.held.fits(modifiers)
     }
 }
 
 /// The command of a key in a mode.
-pub fn command(mode: Mode, key: Key, shift: bool) -> Option<Command> {
-    let of_key = |binding: &Binding| binding.works_in(mode) && binding.is_pressed(key, shift);
+pub fn command(mode: Mode, key: Key, modifiers: Modifiers) -> Option<Command> {
+    let of_key = |binding: &Binding| binding.works_in(mode) && binding.is_pressed(key, modifiers);
     bindings()
         .into_iter()
         .find(of_key)
@@ -47,238 +91,364 @@ pub fn command(mode: Mode, key: Key, shift: bool) -> Option<Command> {
 const ALL: &[Mode] = &[];
 const CAMERA: &[Mode] = &[Mode::Edit, Mode::Bvh];
 const BVH: &[Mode] = &[Mode::Bvh];
+const TREE: &[Mode] = &[Mode::Bvh, Mode::Report];
 const EDIT: &[Mode] = &[Mode::Edit];
 const RENDER: &[Mode] = &[Mode::Render];
+const REPORT: &[Mode] = &[Mode::Report];
+const PAIRS: &[Mode] = &[Mode::Render, Mode::Report];
+
+/// The share of the view that a key rotates, pans or moves a vertex by.
+const KEY_STEP: f64 = 0.04;
+/// The share of the view that a key moves a vertex by.
+const VERTEX_STEP: f64 = 0.01;
 
 /// All bindings, in the order of the help sheet.
 ///
 /// In the assignment's program S, D, C and H mean other things in edit mode than in render mode.
 /// Here every key has one meaning, in all modes where it does something.
 pub fn bindings() -> Vec<Binding> {
-    let bind = |key, label, modes, command, help| Binding {
+    use Command as C;
+    let bind = |key, held, label, modes, command, help| Binding {
         key,
-        shift: None,
+        held,
         label,
         modes,
         command,
         help,
     };
-    let shifted = |shift, binding: Binding| Binding {
-        shift: Some(shift),
-        ..binding
-    };
-    use Command as C;
-    vec![
-        bind(Key::E, "E", ALL, C::Mode(Mode::Edit), "edit mode"),
-        bind(Key::V, "V", ALL, C::Mode(Mode::Bvh), "BVH visualiser"),
-        bind(Key::R, "R", ALL, C::Render, "render; again: start over"),
-        bind(Key::Space, "Space", CAMERA, C::ResetView, "reset the view"),
-        bind(Key::W, "W", CAMERA, C::ToggleEdges, "edges of triangles"),
-        bind(
+    let any = |key, label, modes, command, help| bind(key, Held::Any, label, modes, command, help);
+    let only =
+        |key, label, modes, command, help| bind(key, Held::Nothing, label, modes, command, help);
+    let shift =
+        |key, label, modes, command, help| bind(key, Held::Shift, label, modes, command, help);
+    let mut bindings = vec![
+        any(Key::E, "E", ALL, C::Mode(Mode::Edit), "edit mode"),
+        any(Key::V, "V", ALL, C::Mode(Mode::Bvh), "BVH visualiser"),
+        any(Key::R, "R", ALL, C::Render, "render; again: start over"),
+        any(
+            Key::Y,
+            "Y",
+            ALL,
+            C::ShowReport,
+            "report; again: its pictures",
+        ),
+        any(Key::Space, "Space", CAMERA, C::ResetView, "reset the view"),
+        only(
+            Key::Num1,
+            "1",
+            EDIT,
+            select(ElementKind::Vertex, true),
+            "next vertex; Shift: previous",
+        ),
+        shift(Key::Num1, "", EDIT, select(ElementKind::Vertex, false), ""),
+        only(
+            Key::Num2,
+            "2",
+            EDIT,
+            select(ElementKind::Edge, true),
+            "next edge; Shift: previous",
+        ),
+        shift(Key::Num2, "", EDIT, select(ElementKind::Edge, false), ""),
+        only(
+            Key::Num3,
+            "3",
+            EDIT,
+            select(ElementKind::Face, true),
+            "next face; Shift: previous",
+        ),
+        shift(Key::Num3, "", EDIT, select(ElementKind::Face, false), ""),
+        any(Key::PageUp, "Page Up", ALL, C::Zoom(1.0), "nearer"),
+        any(Key::PageDown, "Page Down", ALL, C::Zoom(-1.0), "farther"),
+        any(Key::W, "W", CAMERA, C::ToggleEdges, "edges of triangles"),
+        any(
             Key::Z,
             "Z",
             EDIT,
             C::UndoMove,
             "undo the last move of a vertex",
         ),
-        bind(
+        only(
             Key::ArrowLeft,
             "Left",
-            BVH,
+            TREE,
             C::Descend(Side::Left),
             "to the left child",
         ),
-        bind(
+        only(
             Key::ArrowRight,
             "Right",
-            BVH,
+            TREE,
             C::Descend(Side::Right),
             "to the right child",
         ),
-        bind(Key::ArrowUp, "Up", BVH, C::Ascend, "to the parent"),
-        bind(
+        only(Key::ArrowUp, "Up", TREE, C::Ascend, "to the parent"),
+        any(
             Key::OpenBracket,
             "[",
             ALL,
             C::Samples(Change::Less),
             "half the camera rays",
         ),
-        bind(
+        any(
             Key::CloseBracket,
             "]",
             ALL,
             C::Samples(Change::More),
             "twice the camera rays",
         ),
-        bind(
+        any(
             Key::Minus,
             "-",
             ALL,
             C::LightSamples(Change::Less),
             "half the light samples",
         ),
-        bind(
+        any(
             Key::Equals,
             "= +",
             ALL,
             C::LightSamples(Change::More),
             "twice the light samples",
         ),
-        bind(
+        any(
             Key::Comma,
             ", <",
             ALL,
             C::Depth(Change::Less),
             "ray depth - 1",
         ),
-        bind(
+        any(
             Key::Period,
             ". >",
             ALL,
             C::Depth(Change::More),
             "ray depth + 1",
         ),
-        bind(
+        any(
             Key::H,
             "H",
             ALL,
             C::ToggleHemisphere,
             "sample the hemisphere",
         ),
-        bind(
+        any(
             Key::M,
             "M",
             ALL,
             C::ToggleMis,
             "multiple importance sampling",
         ),
-        bind(Key::A, "A", ALL, C::ToggleAdaptive, "adaptive sampling"),
-        bind(
+        any(Key::A, "A", ALL, C::ToggleAdaptive, "adaptive sampling"),
+        any(
             Key::U,
             "U",
             ALL,
             C::NextSampler,
             "next distribution of samples",
         ),
-        bind(
+        any(
             Key::C,
             "C",
             RENDER,
             C::ToggleCell,
             "cell mode: drag a rectangle",
         ),
-        bind(Key::P, "P", RENDER, C::StopOrResume, "stop or resume"),
-        bind(
+        any(Key::P, "P", RENDER, C::StopOrResume, "stop or resume"),
+        any(
             Key::O,
             "O",
             RENDER,
             C::AddSamples,
             "add as many samples again",
         ),
-        bind(Key::T, "T", RENDER, C::ToggleRate, "samples of each pixel"),
-        bind(
+        any(Key::T, "T", RENDER, C::ToggleRate, "samples of each pixel"),
+        any(
             Key::X,
             "X",
             RENDER,
             C::NextHeat,
             "heat map: boxes, primitives, off",
         ),
-        bind(
+        any(
             Key::G,
             "G",
             RENDER,
             C::GoToDearest,
             "inspect the dearest pixel",
         ),
-        bind(
+        any(
             Key::K,
             "K",
             RENDER,
             C::KeepForComparison,
             "keep the picture to compare",
         ),
-        bind(
+        any(
             Key::F,
             "F",
-            RENDER,
+            PAIRS,
             C::Flicker,
             "flicker between both pictures",
         ),
-        bind(
+        any(
+            Key::J,
+            "J",
+            PAIRS,
+            C::NextPairView,
+            "wipe, flicker, A, B, difference",
+        ),
+        any(
+            Key::Num8,
+            "8",
+            BVH,
+            C::ToggleWideTree,
+            "boxes of the wide tree, of the binary one",
+        ),
+        any(
+            Key::Num9,
+            "9",
+            RENDER,
+            C::NextCompared,
+            "compare with the next kept picture",
+        ),
+        any(
+            Key::Num0,
+            "0",
+            RENDER,
+            C::SwapCompared,
+            "swap both pictures",
+        ),
+        any(
+            Key::Enter,
+            "Enter",
+            REPORT,
+            C::NeighbourCase { forward: true },
+            "next case",
+        ),
+        any(
+            Key::Backspace,
+            "Backspace",
+            REPORT,
+            C::NeighbourCase { forward: false },
+            "previous case",
+        ),
+        any(
             Key::I,
             "I",
             ALL,
             C::InspectUnderPointer,
             "inspect the pixel under the mouse",
         ),
-        shifted(
-            false,
-            bind(
-                Key::N,
-                "N",
-                ALL,
-                C::StepTest { forward: true },
-                "next test of the ray",
-            ),
+        only(
+            Key::N,
+            "N",
+            ALL,
+            C::StepTest { forward: true },
+            "next test of the ray",
         ),
-        shifted(
-            false,
-            bind(
-                Key::B,
-                "B",
-                ALL,
-                C::StepTest { forward: false },
-                "previous test (back)",
-            ),
+        only(
+            Key::B,
+            "B",
+            ALL,
+            C::StepTest { forward: false },
+            "previous test (back)",
         ),
-        shifted(
-            true,
-            bind(
-                Key::N,
-                "Shift N",
-                ALL,
-                C::StepRay { forward: true },
-                "next ray",
-            ),
+        shift(
+            Key::N,
+            "Shift N",
+            ALL,
+            C::StepRay { forward: true },
+            "next ray",
         ),
-        shifted(
-            true,
-            bind(
-                Key::B,
-                "Shift B",
-                ALL,
-                C::StepRay { forward: false },
-                "previous ray",
-            ),
+        shift(
+            Key::B,
+            "Shift B",
+            ALL,
+            C::StepRay { forward: false },
+            "previous ray",
         ),
-        bind(Key::Q, "Q", ALL, C::CloseInspector, "close the inspector"),
-        bind(Key::S, "S", ALL, C::Screenshot, "save a screenshot"),
-        bind(
+        any(Key::Q, "Q", ALL, C::CloseInspector, "close the inspector"),
+        any(Key::S, "S", ALL, C::Screenshot, "save a screenshot"),
+        any(
             Key::D,
             "D",
             ALL,
             C::DumpCamera,
             "write the camera to a file for -c",
         ),
-        bind(
+        any(
             Key::Backtick,
             "`",
             ALL,
             C::ToggleOverlay,
             "text in the view",
         ),
-        bind(Key::L, "L", ALL, C::ToggleTheme, "light or dark"),
-        bind(Key::F5, "F5", ALL, C::Reload, "read the scene file again"),
-        bind(Key::Questionmark, "?", ALL, C::ToggleHelp, "this sheet"),
-        bind(Key::F1, "F1", ALL, C::ToggleHelp, "this sheet"),
-        bind(
+        any(Key::L, "L", ALL, C::ToggleTheme, "light or dark"),
+        any(Key::F5, "F5", ALL, C::Reload, "read the scene file again"),
+        any(Key::Questionmark, "?", ALL, C::ToggleHelp, "this sheet"),
+        any(Key::F1, "F1", ALL, C::ToggleHelp, "this sheet"),
+        any(
             Key::Escape,
             "Esc",
             ALL,
             C::Escape,
             "close the sheet, then the window",
         ),
-    ]
+    ];
+    bindings.extend(arrows());
+    bindings
+}
+
+fn select(kind: ElementKind, forward: bool) -> Command {
+    Command::SelectNext { kind, forward }
+}
+
+/// The arrow keys with others held: one line of the help sheet for each of the four.
+fn arrows() -> impl Iterator<Item = Binding> {
+    type Step = fn(Vec2) -> Command;
+    let kinds: [(Held, &str, &str, &'static [Mode], Step); 4] = [
+        (Held::Shift, "Shift Arrows", "rotate the view", ALL, |by| {
+            Command::Orbit(KEY_STEP * by)
+        }),
+        (Held::Alt, "Alt Arrows", "move the view", ALL, |by| {
+            Command::Pan(KEY_STEP * by)
+        }),
+        (
+            Held::ShiftAlt,
+            "Shift Alt Arrows",
+            "move the selected vertex",
+            EDIT,
+            |by| Command::NudgeVertex(VERTEX_STEP * by),
+        ),
+        (
+            Held::Ctrl,
+            "Ctrl Arrows",
+            "replay the next pixel",
+            RENDER,
+            |by| Command::InspectNext(by.x as i32, by.y as i32),
+        ),
+    ];
+    let directions = [
+        (Key::ArrowLeft, Vec2::new(-1.0, 0.0)),
+        (Key::ArrowRight, Vec2::new(1.0, 0.0)),
+        (Key::ArrowUp, Vec2::new(0.0, 1.0)),
+        (Key::ArrowDown, Vec2::new(0.0, -1.0)),
+    ];
+    kinds
+        .into_iter()
+        .flat_map(move |(held, label, help, modes, command)| {
+            directions
+                .into_iter()
+                .enumerate()
+                .map(move |(i, (key, by))| Binding {
+                    key,
+                    held,
+                    label: if i == 0 { label } else { "" },
+                    modes,
+                    command: command(by),
+                    help,
+                })
+        })
 }
 
 /// Other keys that mean the same as a key of the list.
@@ -293,6 +463,15 @@ pub fn canonical(key: Key) -> Key {
 mod tests {
     use super::*;
 
+    const HELD: [Held; 6] = [
+        Held::Any,
+        Held::Nothing,
+        Held::Shift,
+        Held::Alt,
+        Held::ShiftAlt,
+        Held::Ctrl,
+    ];
+
     #[test]
     fn no_key_means_two_things_in_one_mode() {
         for mode in Mode::ALL {
@@ -303,9 +482,10 @@ mod tests {
                 .filter(|(_, b)| b.works_in(mode))
             {
                 for b in bindings[i + 1..].iter().filter(|b| b.works_in(mode)) {
-                    let both = [false, true]
-                        .iter()
-                        .any(|&shift| a.is_pressed(a.key, shift) && b.is_pressed(a.key, shift));
+                    let both = HELD.iter().any(|held| {
+                        let modifiers = held.modifiers();
+                        a.is_pressed(a.key, modifiers) && b.is_pressed(a.key, modifiers)
+                    });
                     assert!(!both, "{} and {} clash in {mode:?}", a.help, b.help);
                 }
             }
@@ -318,7 +498,7 @@ mod tests {
         for a in &bindings {
             for b in bindings
                 .iter()
-                .filter(|b| b.key == a.key && b.shift == a.shift)
+                .filter(|b| b.key == a.key && b.held == a.held)
             {
                 assert_eq!(a.command, b.command, "{}", a.label);
             }

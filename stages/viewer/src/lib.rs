@@ -3,9 +3,9 @@
 //! Everything but the drawing works without a display and is tested there. Reading order:
 //! [`command`] (what a key, a click or a drag does, as a value), [`keys`] (the one list of keys),
 //! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
-//! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`tree_walk`],
+//! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`element_walk`], [`tree_walk`],
 //! [`view_picture`] and [`view3d`] (the ray-traced view), [`render_control`] (the picture),
-//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`], [`features`]
+//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`] and [`picture_pair`] (A and B), [`features`]
 //! (what waits for a task), [`report`] (a report of the grader), [`ray_test`]. [`task`] runs work
 //! in the background and catches the holes of stages that are not written yet; [`project`] is the
 //! projection of lines.
@@ -17,10 +17,12 @@ pub mod app;
 pub mod cli;
 pub mod command;
 pub mod compare;
+pub mod element_walk;
 pub mod features;
 pub mod inspector;
 pub mod keys;
 pub mod orbit;
+pub mod picture_pair;
 pub mod project;
 pub mod raster;
 pub mod ray_test;

@@ -1,6 +1,7 @@
 //! A loaded scene with everything that the window needs of it.
 
 use crate::features::Feature;
+use crate::session::progress::{LoadProgress, LoadStep};
 use crate::task::{StageFailure, guarded};
 use kit::{Aabb, Bvh, Environment, FilmSize, Scene};
 use pathtracer::args::{Args, Shade};
@@ -40,6 +41,8 @@ pub struct SceneData {
     pub prepared: PreparedScene,
     /// The binary tree over the scene: for the visualiser and for replays.
     pub tree: Accel,
+    /// The first boxes of the wide tree and their depths, breadth first; none if it is not used.
+    pub wide_boxes: Vec<(Aabb, usize)>,
     /// Why the wide tree is not used, if it should be.
     pub missing_accel: Option<StageFailure>,
     /// The bounding box.
@@ -59,7 +62,10 @@ pub struct Opened {
 
 impl Opened {
     /// Reads the scene `path`, with the flags of `args`. The error is a sentence.
-    pub fn load(path: &Path, args: &Args) -> Result<Opened, String> {
+    /// Its steps are written to `progress`.
+    pub fn load(path: &Path, args: &Args, progress: &LoadProgress) -> Result<Opened, String> {
+        let bytes = std::fs::metadata(path).map_or(0, |file| file.len());
+        progress.start(LoadStep::Reading { bytes });
         let modified = modified(path);
         let loaded = scenes::load(path).map_err(|why| why.to_string())?;
         let (view, film) = args.view(&loaded.scene).map_err(|why| why.to_string())?;
@@ -94,21 +100,36 @@ impl Opened {
             modified,
         };
         Ok(Opened {
-            data: SceneData::build(Arc::new(source), Arc::new(loaded.scene)),
+            data: SceneData::build(Arc::new(source), Arc::new(loaded.scene), progress),
             view,
             film,
         })
     }
 }
 
+/// The number of boxes of the wide tree that can be drawn: those of the first levels.
+const MAX_WIDE_BOXES: usize = 600;
+
 impl SceneData {
     /// Builds the trees. If a stage fails, the next simpler way to find hits is used: in the end
-    /// brute force, which needs no tree.
-    pub fn build(source: Arc<Source>, file_scene: Arc<Scene>) -> SceneData {
+    /// brute force, which needs no tree. The steps are written to `progress`.
+    pub fn build(
+        source: Arc<Source>,
+        file_scene: Arc<Scene>,
+        progress: &LoadProgress,
+    ) -> SceneData {
         let environment = source.environment.clone();
         let picture = Picture::new(source.shade, Scene::clone(&file_scene), environment);
         let scene = picture.scene();
-        let build = |kind| guarded(|| Accel::build(kind, scene));
+        let of = if source.accel == AccelKind::Bvh { 1 } else { 2 };
+        let build = |kind| {
+            progress.start(LoadStep::Tree {
+                number: if kind == AccelKind::Bvh { 1 } else { of },
+                of,
+                primitives: scene.len(),
+            });
+            guarded(|| Accel::build(kind, scene))
+        };
         let tree = build(AccelKind::Bvh);
         let mut missing_accel = tree.as_ref().err().cloned();
         let tree = tree.unwrap_or(Accel::Brute);
@@ -119,7 +140,12 @@ impl SceneData {
                 tree.clone()
             }),
         };
+        let wide_boxes = match &accel {
+            Accel::Simd(wide) => guarded(|| wide.boxes(MAX_WIDE_BOXES)).unwrap_or_default(),
+            _ => Vec::new(),
+        };
         SceneData {
+            wide_boxes,
             bounds: scene.bounds(),
             prepared: PreparedScene {
                 textures: source.textures.clone(),

@@ -105,6 +105,11 @@ impl Topology {
         self.positions.len()
     }
 
+    /// The number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.vertices_of.len()
+    }
+
     /// The position of vertex `v`.
     pub fn position(&self, v: u32) -> Vec3 {
         self.positions[v as usize]

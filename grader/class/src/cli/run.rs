@@ -13,7 +13,7 @@ use grader::error::GraderError;
 use grader::report::{HintLevel, write_whole};
 use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
-use submission::containment::Containment;
+use submission::arguments::containment;
 use submission::one::{GradingCourse, random_seed};
 
 /// Runs the command.
@@ -166,11 +166,6 @@ fn limits(matches: &ArgMatches) -> &'static str {
         true => "without a sandbox",
         false => "in a sandbox",
     }
-}
-
-/// How the code of submissions is contained.
-fn containment(matches: &ArgMatches, workspace: &Workspace) -> Result<Containment, GraderError> {
-    Containment::choose(workspace, matches.get_flag("unsandboxed"))
 }
 
 /// Prints which submission is read, now and then.

@@ -183,10 +183,11 @@ pub fn test(scene: &Scene, test: &Test) -> String {
 /// A primitive and the node of the scene that it belongs to.
 pub fn primitive(scene: &Scene, prim: PrimId) -> String {
     let index = prim.0 as usize;
-    let kind = if index < scene.triangles.len() {
-        "triangle"
-    } else {
-        "sphere"
+    let kind = match index {
+        _ if index < scene.triangles.len() => "triangle",
+        _ if index < scene.len() => "sphere",
+        // In a case whose test results are given there are no shapes.
+        _ => "primitive",
     };
     let object = scene
         .object_of

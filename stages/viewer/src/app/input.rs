@@ -21,10 +21,8 @@ pub(super) fn commands(ctx: &Context, mode: Mode) -> Vec<Command> {
                 ..
             } = event
                 && !is_typing
-                && !modifiers.ctrl
-                && !modifiers.alt
-                && !modifiers.command
-                && let Some(command) = keys::command(mode, keys::canonical(*key), modifiers.shift)
+                && !modifiers.mac_cmd
+                && let Some(command) = keys::command(mode, keys::canonical(*key), *modifiers)
             {
                 if let Command::Mode(next) = command {
                     mode = next;

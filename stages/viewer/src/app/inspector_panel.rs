@@ -211,6 +211,21 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
     let parting = inspected.truth.first_wrong.as_ref();
     let parting = parting.filter(|(s, r, _)| (*s, *r) == (sample, ray));
     let wrong = parting.and_then(|(_, _, truth)| truth.parting.as_ref()?.test);
+    if let Some(test) = test_list(ui, scene, record, step, wrong) {
+        commands.push(Command::SelectTest(test));
+    }
+}
+
+/// The tests of a ray, of which `step` were walked; `wrong` is the first wrong one. Returns the one
+/// that was clicked.
+pub(super) fn test_list(
+    ui: &mut Ui,
+    scene: &Scene,
+    record: &RayRecord,
+    step: usize,
+    wrong: Option<usize>,
+) -> Option<usize> {
+    let mut clicked = None;
     ScrollArea::vertical()
         .id_salt("tests")
         .max_height(220.0)
@@ -234,10 +249,11 @@ fn tests(ui: &mut Ui, inspector: &Inspector, commands: &mut Vec<Command>) {
                     response.scroll_to_me(None);
                 }
                 if response.clicked() {
-                    commands.push(Command::SelectTest(i));
+                    clicked = Some(i);
                 }
             }
         });
+    clicked
 }
 
 fn test_color(ui: &Ui, test: &Test) -> Color32 {

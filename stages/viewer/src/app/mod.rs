@@ -1,15 +1,21 @@
 //! Draws the session with egui, and turns its input into commands.
 //!
 //! Reading order: this file (the layout), `input` (keys and files), `view_panel` (the 3D view and
-//! its mouse), `scene_lines` (grid, boxes, rays), `picture_panel` (the picture and its mouse),
-//! `side_panel` with `settings_panel`, `tree_panel`, `inspector_panel` and `report_panel`, `sheets`
-//! (help, questions).
+//! its mouse), `lines` with `scene_lines` and `ray_lines` (grid, boxes, rays), `picture_panel` (the
+//! picture and its mouse), `pair_view` (two pictures), `case_panel` with `case_lines` (a case of a
+//! report), `side_panel` with `settings_panel`, `compare_panel`, `tree_panel`, `inspector_panel` and
+//! `report_panel`, `sheets` (help, questions).
 
+mod case_lines;
 mod case_panel;
 mod colors;
+mod compare_panel;
 mod input;
 mod inspector_panel;
+mod lines;
+mod pair_view;
 mod picture_panel;
+mod ray_lines;
 mod report_panel;
 mod scene_lines;
 mod settings_panel;
@@ -22,7 +28,7 @@ use crate::command::Command;
 use crate::features::Feature;
 use crate::session::{Mode, Saved, Session};
 use crate::snapshot;
-use egui::{Align, Key, Layout, RichText, Ui};
+use egui::{Align, Key, Layout, ProgressBar, RichText, Ui};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
@@ -32,6 +38,7 @@ pub struct App {
     pub session: Session,
     view: view_panel::ViewPanel,
     picture: picture_panel::PicturePanel,
+    case: case_panel::CasePanel,
     frames: FrameRate,
     title: String,
     /// Why the last screenshot of the window was not written.
@@ -48,6 +55,7 @@ impl App {
             session,
             view: Default::default(),
             picture: Default::default(),
+            case: Default::default(),
             frames: FrameRate::default(),
             title: String::new(),
             failed_screenshot: Arc::default(),
@@ -96,12 +104,8 @@ impl App {
         let is_timed = !self.session.patience.always_sharp;
         let fps = if is_timed { self.frames.rate() } else { 0.0 };
         let rect = ui.available_rect_before_wrap();
-        if self
-            .session
-            .report()
-            .is_some_and(|report| report.opened.is_some())
-        {
-            case_panel::show(ui, rect, &mut self.session);
+        if self.session.mode() == Mode::Report {
+            self.case.show(ui, rect, &mut self.session, commands);
             return false;
         }
         if self.session.mode() != Mode::Render {
@@ -128,7 +132,17 @@ impl App {
 
     fn top_bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
-            for (mode, key) in [(Mode::Edit, "E"), (Mode::Bvh, "V"), (Mode::Render, "R")] {
+            let modes = [
+                (Mode::Edit, "E"),
+                (Mode::Bvh, "V"),
+                (Mode::Render, "R"),
+                (Mode::Report, "Y"),
+            ];
+            let has_report = self.session.report().is_some();
+            let modes = modes
+                .into_iter()
+                .filter(|(m, _)| *m != Mode::Report || has_report);
+            for (mode, key) in modes {
                 let text = RichText::new(format!("{} ({key})", mode.name())).strong();
                 let selected = self.session.mode() == mode;
                 // Without camera rays and intersections there is no picture to render.
@@ -144,6 +158,7 @@ impl App {
                 if response.clicked() {
                     commands.push(match mode {
                         Mode::Render if self.session.render().is_none() => Command::Render,
+                        Mode::Report => Command::ShowReport,
                         mode => Command::Mode(mode),
                     });
                 }
@@ -174,13 +189,15 @@ impl App {
 
     fn status_bar(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
-            if let Some((path, since)) = self.session.loading() {
-                ui.spinner();
-                ui.label(format!(
-                    "Loading {} for {:.0} s",
-                    path.display(),
-                    since.elapsed().as_secs_f64()
-                ));
+            if let Some(loading) = self.session.loading() {
+                let name = loading.path.file_name().unwrap_or_default();
+                let seconds = loading.since.elapsed().as_secs_f64();
+                if let Some((step, share)) = loading.progress.now() {
+                    let bar = ProgressBar::new(share as f32).desired_width(160.0);
+                    ui.add(bar.text(format!("{:.0} %", 100.0 * share)));
+                    let name = name.to_string_lossy();
+                    ui.label(format!("Loading {name}: {step}, {seconds:.1} s"));
+                }
                 return;
             }
             ui.add(egui::Label::new(self.session.message()).truncate());

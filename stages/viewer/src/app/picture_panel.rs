@@ -1,11 +1,13 @@
 //! The picture in progress, and the mouse over it: click a pixel, drag a cell, wipe.
 
 use super::colors;
+use super::compare_panel::NAMES;
+use super::pair_view::{self, PairTextures, dragged_wipe};
 use crate::command::Command;
 use crate::session::Session;
 use egui::{
-    Align2, Color32, ColorImage, FontId, Pos2, Rect, Sense, Stroke, TextureHandle, TextureOptions,
-    Ui,
+    Align2, Color32, ColorImage, FontId, Pos2, Rect, Response, Sense, Stroke, TextureHandle,
+    TextureOptions, Ui,
 };
 use kit::film::Cell;
 use kit::{Film, FilmSize};
@@ -16,7 +18,7 @@ use pathtracer::tone;
 pub(super) struct PicturePanel {
     /// What the texture shows, and the texture.
     shown: Option<(ShownKey, TextureHandle)>,
-    reference: Option<(String, TextureHandle)>,
+    pair: PairTextures,
     /// The pixel where a drag in cell mode started.
     cell_start: Option<(u32, u32)>,
 }
@@ -39,8 +41,15 @@ impl PicturePanel {
         commands: &mut Vec<Command>,
     ) {
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
+        if self.compare(ui, rect, &response, session) {
+            return;
+        }
         let Some(render) = session.render() else {
-            hint(ui, rect, "R renders the picture");
+            let text = match session.scene() {
+                Some(_) => "R renders the picture",
+                None => "Drop a .dae file here, or two pictures to compare",
+            };
+            hint(ui, rect, text);
             return;
         };
         if let Some(failure) = render.failure() {
@@ -54,7 +63,7 @@ impl PicturePanel {
         let film = render.job().film;
         let area = fitted(rect, film);
         self.update_texture(ui, session);
-        self.paint(ui, area, session);
+        self.paint(ui, area);
         let pixel = |at: Pos2| pixel_at(area, film, at);
         let hovered = response.hover_pos().and_then(pixel);
         session.point_at_pixel(hovered);
@@ -73,18 +82,48 @@ impl PicturePanel {
                     self.cell_start = None;
                 }
             }
-        } else if session.comparison().is_some() && response.dragged() {
-            if let (Some(at), Some(comparison)) =
-                (response.interact_pointer_pos(), session.comparison_mut())
-            {
-                comparison.wipe = ((at.x - area.left()) / area.width()).clamp(0.0, 1.0);
-            }
         } else if response.clicked()
             && let Some((x, y)) = response.interact_pointer_pos().and_then(pixel)
         {
             commands.push(Command::Inspect(x, y));
         }
         self.paint_marks(ui, area, session, film);
+    }
+
+    /// Shows two pictures. Returns whether there are two of one size.
+    fn compare(&mut self, ui: &Ui, rect: Rect, response: &Response, session: &mut Session) -> bool {
+        let Some((number, pair)) = session
+            .compared()
+            .and_then(|compared| Some((compared.number, compared.pair.clone()?)))
+        else {
+            return false;
+        };
+        let area = fitted(rect, pair.size());
+        let hovered = response.hover_pos();
+        session.point_at_pixel(hovered.and_then(|at| pixel_at(area, pair.size(), at)));
+        let Some(comparison) = session.comparison_mut() else {
+            return false;
+        };
+        if let Some(at) = response
+            .interact_pointer_pos()
+            .filter(|_| response.dragged())
+        {
+            comparison.display.wipe = dragged_wipe(area, at);
+        }
+        let display = comparison.display;
+        let shows_render = comparison.first.is_none();
+        pair_view::paint(ui, area, display, self.pair.of(ui, number, &pair), NAMES);
+        if let Some((x, y)) = response
+            .interact_pointer_pos()
+            .filter(|_| response.clicked() && shows_render)
+            .and_then(|at| pixel_at(area, pair.size(), at))
+        {
+            session.apply(Command::Inspect(x, y));
+        }
+        if shows_render {
+            self.paint_marks(ui, area, session, pair.size());
+        }
+        true
     }
 
     fn update_texture(&mut self, ui: &Ui, session: &Session) {
@@ -144,48 +183,13 @@ impl PicturePanel {
         }
     }
 
-    fn paint(&mut self, ui: &Ui, area: Rect, session: &Session) {
+    fn paint(&self, ui: &Ui, area: Rect) {
         let Some((_, texture)) = &self.shown else {
             return;
         };
         let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
         let painter = ui.painter_at(area);
         painter.image(texture.id(), area, whole, Color32::WHITE);
-        let Some(comparison) = session.comparison() else {
-            self.reference = None;
-            return;
-        };
-        let reference = &comparison.reference;
-        if self
-            .reference
-            .as_ref()
-            .is_none_or(|(name, _)| *name != reference.name)
-        {
-            let image = image_of(reference.size, |x, y| Some(reference.get(x, y)));
-            let texture = ui
-                .ctx()
-                .load_texture("reference", image, TextureOptions::NEAREST);
-            self.reference = Some((reference.name.clone(), texture));
-        }
-        let Some((_, texture)) = &self.reference else {
-            return;
-        };
-        if comparison.flickers {
-            let time = ui.input(|input| input.time);
-            if ((2.0 * time) as u64).is_multiple_of(2) {
-                painter.image(texture.id(), area, whole, Color32::WHITE);
-            }
-            ui.ctx()
-                .request_repaint_after(std::time::Duration::from_millis(100));
-            return;
-        }
-        let wipe = comparison.wipe;
-        let mut right = area;
-        right.min.x += wipe * area.width();
-        let uv = Rect::from_min_max(Pos2::new(wipe, 0.0), Pos2::new(1.0, 1.0));
-        painter.image(texture.id(), right, uv, Color32::WHITE);
-        let line = [right.left_top(), right.left_bottom()];
-        painter.line_segment(line, Stroke::new(1.5, colors::SELECTED));
     }
 
     fn paint_marks(&self, ui: &Ui, area: Rect, session: &Session, film: FilmSize) {
@@ -243,7 +247,7 @@ fn image_of(size: FilmSize, pixel: impl Fn(u32, u32) -> Option<[u8; 3]>) -> Colo
 }
 
 /// The largest rectangle of the film's shape in the middle of `rect`.
-fn fitted(rect: Rect, film: FilmSize) -> Rect {
+pub(super) fn fitted(rect: Rect, film: FilmSize) -> Rect {
     let size = egui::vec2(film.w as f32, film.h as f32);
     let scale = (rect.width() / size.x).min(rect.height() / size.y);
     Rect::from_center_size(rect.center(), size * scale)
@@ -284,7 +288,7 @@ fn outline(ui: &Ui, area: Rect, film: FilmSize, cell: Cell, color: Color32) {
         .rect_stroke(rect, 0.0, stroke, egui::StrokeKind::Outside);
 }
 
-fn hint(ui: &Ui, rect: Rect, text: &str) {
+pub(super) fn hint(ui: &Ui, rect: Rect, text: &str) {
     let font = FontId::proportional(18.0);
     let color = ui.visuals().text_color();
     ui.painter_at(rect)

@@ -1,7 +1,7 @@
 //! The settings of renders, and the progress of the one that runs.
 
 use super::side_panel::facts;
-use super::{colors, key_button};
+use super::{compare_panel, key_button};
 use crate::command::Command;
 use crate::features::{Feature, MissingFeatures};
 use crate::session::{HeatKind, Session};
@@ -249,7 +249,7 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
         }
     });
     under_pointer(ui, session);
-    comparison(ui, session, commands);
+    compare_panel::show(ui, session, commands);
 }
 
 /// The pixel under the mouse.
@@ -292,54 +292,9 @@ fn under_pointer(ui: &mut Ui, session: &Session) {
             ),
         ));
     }
-    if let Some(comparison) = session.comparison().filter(|c| c.reference.size == film) {
-        let [r, g, b] = comparison.reference.get(x, y);
-        rows.push(("other", format!("{r} {g} {b}")));
+    if let Some(other) = session.second_picture().filter(|other| other.size == film) {
+        let [r, g, b] = other.get(x, y);
+        rows.push(("B", format!("{r} {g} {b}")));
     }
     facts(ui, "pixel", &rows);
-}
-
-/// The comparison with another picture.
-fn comparison(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
-    let Some((name, flickers)) = session
-        .comparison()
-        .map(|comparison| (comparison.reference.name.clone(), comparison.flickers))
-    else {
-        ui.horizontal(|ui| {
-            if ui.button("Keep to compare (K)").clicked() {
-                commands.push(Command::KeepForComparison);
-            }
-            ui.weak("or drop a picture here");
-        });
-        return;
-    };
-    ui.separator();
-    ui.label(RichText::new("Compared with").strong());
-    ui.label(RichText::new(name).size(11.0));
-    match session.difference() {
-        None => {
-            ui.colored_label(colors::WRONG, "the sizes differ");
-        }
-        Some(difference) => {
-            let mut rows = vec![
-                ("pixels", difference.pixels.to_string()),
-                ("largest", difference.largest.to_string()),
-                ("RMSE", format!("{:.3}", difference.rmse)),
-                ("PSNR", format!("{:.2} dB", difference.psnr)),
-            ];
-            if let Some(error) = difference.relative_mse {
-                rows.push(("relative MSE", format!("{error:.3e}")));
-            }
-            facts(ui, "difference", &rows);
-        }
-    }
-    ui.horizontal(|ui| {
-        if ui.selectable_label(flickers, "Flicker (F)").clicked() {
-            commands.push(Command::Flicker);
-        }
-        if ui.button("End").clicked() {
-            commands.push(Command::EndComparison);
-        }
-        ui.weak("drag to wipe");
-    });
 }

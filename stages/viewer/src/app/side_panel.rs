@@ -8,9 +8,8 @@ use kit::Vec3;
 
 pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Command>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        if session.report().is_some() {
-            report_panel::show(ui, session, commands);
-            ui.separator();
+        if session.mode() == Mode::Report {
+            return report_panel::show(ui, session, commands);
         }
         // The replay is what the user looks at: it comes first.
         let replay_first = session.mode() == Mode::Render;
@@ -21,6 +20,7 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
             Mode::Edit => selection(ui, session),
             Mode::Bvh => tree_panel::show(ui, session, commands),
             Mode::Render => settings_panel::progress(ui, session, commands),
+            Mode::Report => {}
         }
         if !replay_first {
             inspector_panel::show(ui, session, commands);

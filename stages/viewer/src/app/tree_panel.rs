@@ -39,6 +39,15 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Comman
     if ui.add(slider).changed() {
         commands.push(Command::GoToDepth(depth));
     }
+    if !session.wide_boxes().is_empty() {
+        let wide = session.shows_wide_tree();
+        if ui
+            .selectable_label(wide, "Boxes of the wide tree (8)")
+            .clicked()
+        {
+            commands.push(Command::ToggleWideTree);
+        }
+    }
     if let Some(node) = session.node_statistics() {
         statistics(ui, "node", &node, tree);
     }

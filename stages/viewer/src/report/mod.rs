@@ -1,28 +1,37 @@
-//! A report of the grader: its failing cases, each with the ray that is wrong.
+//! A report of the grader: its failing cases, each with what is wrong, and what would be right.
 //!
-//! Reading order: [`mod@file`] (what is read of `report.json`), [`case_view`] (one case: shapes,
-//! ray, the stage's answer and the exact one).
+//! Reading order: [`mod@file`] (what is read of `report.json`), [`stage_answer`] (what the stages of
+//! this program answer now), [`case_view`] (a case in 3D: [`ray_case`], [`tree_case`],
+//! [`visit_case`], [`light_case`]), [`case_pictures`] (golden, actual and difference), [`open_case`]
+//! (the case that is shown).
 
+pub mod case_pictures;
 pub mod case_view;
 pub mod file;
+pub mod light_case;
+pub mod open_case;
+pub mod ray_case;
+pub mod stage_answer;
+pub mod tree_case;
+pub mod visit_case;
 
-pub use case_view::{CaseView, Row};
+pub use case_view::CaseView;
 pub use file::{FailedCase, read};
+pub use open_case::{CaseContent, CasePart, OpenCase};
+pub use ray_case::{RayCase, Row};
 
-use crate::orbit::Orbit;
-use crate::session::Session;
+use crate::task::Wake;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A report and the case that is shown.
 pub struct OpenReport {
     /// The file.
     pub path: PathBuf,
     /// The failing cases, in the order of the course.
-    pub cases: Vec<FailedCase>,
-    /// The index of the shown case, and its view; `None` in its place for cases without a ray.
-    pub opened: Option<(usize, Option<CaseView>)>,
-    /// The camera of the shown case, once it is drawn.
-    pub orbit: Option<Orbit>,
+    pub cases: Vec<Arc<FailedCase>>,
+    /// The shown case.
+    pub opened: Option<OpenCase>,
 }
 
 impl OpenReport {
@@ -31,50 +40,31 @@ impl OpenReport {
         let cases = read(path)?;
         Ok(OpenReport {
             path: path.to_owned(),
+            cases: cases.into_iter().map(Arc::new).collect(),
             opened: None,
-            orbit: None,
-            cases,
         })
     }
 
     /// Shows the case with this index, if there is one.
-    pub fn open(&mut self, index: usize) {
+    pub fn open(&mut self, index: usize, wake: &Wake) {
         if let Some(case) = self.cases.get(index) {
-            self.opened = Some((index, CaseView::of(case)));
-            self.orbit = None;
+            self.opened = Some(OpenCase::start(index, case, &self.path, wake));
+        }
+    }
+
+    /// The index of the case after the shown one, or before it.
+    pub fn neighbour(&self, forward: bool) -> usize {
+        let shown = self.opened.as_ref().map(|opened| opened.index);
+        match (shown, forward) {
+            (None, _) => 0,
+            (Some(at), true) => (at + 1).min(self.cases.len().saturating_sub(1)),
+            (Some(at), false) => at.saturating_sub(1),
         }
     }
 
     /// The shown case.
     pub fn case(&self) -> Option<&FailedCase> {
-        self.cases.get(self.opened.as_ref()?.0)
-    }
-
-    /// The view of the shown case, if it is about a ray.
-    pub fn view(&self) -> Option<&CaseView> {
-        self.opened.as_ref()?.1.as_ref()
-    }
-}
-
-impl Session {
-    pub(crate) fn open_case(&mut self, index: usize) {
-        let Some(mut report) = self.take_report() else {
-            return;
-        };
-        report.open(index);
-        if let Some(case) = report.case() {
-            self.say(format!("{} {}", case.task, case.name));
-        }
-        self.set_report(report);
-    }
-
-    pub(crate) fn save_case_as_test(&mut self) {
-        let test = self
-            .report()
-            .and_then(|report| Some((report.case()?, report.case()?.test()?)));
-        match test.map(|(case, test)| (case.stage.clone(), test)) {
-            Some((stage, text)) => self.save_test(&crate::ray_test::RayTest { stage, text }),
-            None => self.say("This case has no short test"),
-        }
+        let case = self.cases.get(self.opened.as_ref()?.index)?;
+        Some(case)
     }
 }

@@ -1,10 +1,11 @@
-//! Selecting and moving parts of the scene.
+//! Moving parts of the scene.
 
 use super::Session;
+use super::progress::LoadProgress;
 use crate::project::Projection;
 use crate::scene_data::SceneData;
 use crate::task::Task;
-use crate::topology::{Element, ElementInfo, Topology, move_vertex};
+use crate::topology::{Element, Topology, move_vertex};
 use kit::{Scene, Vec2, Vec3};
 use std::sync::Arc;
 use std::time::Duration;
@@ -48,28 +49,6 @@ impl Session {
             .topology
             .as_ref()
             .filter(|_| Arc::ptr_eq(scene, &found.of))
-    }
-
-    /// What is under the pointer.
-    pub fn hovered(&self) -> Option<Element> {
-        let (scene, topology) = (self.scene.as_ref()?, self.topology()?);
-        let hit = self.view.picture(scene)?.hit_at(self.pointer_in_view?)?;
-        let triangles = scene.scene().triangles.len() as u32;
-        if hit.prim >= triangles {
-            return Some(Element::Sphere(hit.prim - triangles));
-        }
-        let [b1, b2] = hit.uv.map(f64::from);
-        Some(topology.element_at(hit.prim, [1.0 - b1 - b2, b1, b2]))
-    }
-
-    /// Facts about the selected element.
-    pub fn selection_info(&self) -> Option<ElementInfo> {
-        let (scene, topology) = (self.scene.as_ref()?, self.topology()?);
-        Some(topology.info(scene.scene(), self.selection?))
-    }
-
-    pub(super) fn select(&mut self) {
-        self.selection = self.hovered();
     }
 
     /// Where the selected vertex is, or will be as soon as the tree is rebuilt.
@@ -154,7 +133,7 @@ impl Session {
         let source = Arc::clone(&scene.source);
         self.edit.wanted = None;
         self.edit.rebuilding = Some(Task::spawn(Arc::clone(&self.wake), move |_| {
-            SceneData::build(source, Arc::new(moved))
+            SceneData::build(source, Arc::new(moved), &LoadProgress::default())
         }));
     }
 

@@ -1,6 +1,7 @@
 //! Opening scenes: in the background, with the last scene shown until the new one is there.
 
 use super::Session;
+use super::progress::LoadProgress;
 use crate::orbit::Orbit;
 use crate::scene_data::{Opened, modified};
 use crate::settings::RenderSettings;
@@ -16,9 +17,13 @@ const MAX_RECENT: usize = 8;
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 
 /// A scene that is being read.
-pub(super) struct Loading {
-    pub(super) path: PathBuf,
-    pub(super) since: Instant,
+pub struct Loading {
+    /// The file.
+    pub path: PathBuf,
+    /// When it started.
+    pub since: Instant,
+    /// How far it is.
+    pub progress: Arc<LoadProgress>,
     task: Task<Result<Opened, String>>,
 }
 
@@ -32,10 +37,15 @@ impl Session {
             args.camera = None;
         }
         let file = path.clone();
-        let task = Task::spawn(Arc::clone(&self.wake), move |_| Opened::load(&file, &args));
+        let progress = Arc::new(LoadProgress::default());
+        let written = Arc::clone(&progress);
+        let task = Task::spawn(Arc::clone(&self.wake), move |_| {
+            Opened::load(&file, &args, &written)
+        });
         self.loading = Some(Loading {
             path,
             since: Instant::now(),
+            progress,
             task,
         });
     }

@@ -1,25 +1,37 @@
 //! The state of the window, without the window: what it shows, and what commands do to it.
 //!
 //! Everything here works without a display. [`Session::apply`] executes a command;
-//! [`Session::update`] takes the results of background work. Reading order: this file, then
-//! `loading` (scenes), `rendering`, `editing`, `pointer`, `files` (what is written).
+//! [`Session::update`] takes the results of background work. Reading order: this file, `state` (what
+//! is read of it), then `loading` (scenes), `cameras`, `selecting` and `editing`, `tree`, `rendering`,
+//! `heat`, `comparison`, `pointer`, `reports`, `files` (what is written).
 
+mod cameras;
+mod comparison;
 mod editing;
 mod files;
+mod heat;
 mod loading;
 mod pointer;
+pub mod progress;
 mod rendering;
+mod reports;
+mod selecting;
+mod state;
+mod tree;
 
+pub use comparison::{Compared, Comparison};
 pub use files::Saved;
-pub use rendering::{Comparison, Heat, HeatKind};
+pub use heat::{Heat, HeatKind};
+pub use loading::Loading;
 
-use loading::Loading;
 use rendering::CameraRays;
 
 use crate::command::Command;
+use crate::compare::Reference;
 use crate::features::MissingFeatures;
 use crate::inspector::Inspector;
 use crate::orbit::Orbit;
+use crate::picture_pair::PairDisplay;
 use crate::render_control::RenderControl;
 use crate::report::OpenReport;
 use crate::scene_data::SceneData;
@@ -27,12 +39,10 @@ use crate::settings::RenderSettings;
 use crate::task::{Task, Wake};
 use crate::topology::Element;
 use crate::tree_walk::{NodeStatistics, TreeWalk};
-use crate::view_picture::{ViewRequest, ViewStyle};
 use crate::view3d::{Patience, View3d};
 use editing::{Edit, FoundTopology};
-use kit::{FilmSize, Vec2};
+use kit::Vec2;
 use pathtracer::args::Args;
-use scenes::placement::for_film;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -46,11 +56,13 @@ pub enum Mode {
     Bvh,
     /// The picture.
     Render,
+    /// The failing cases of a report.
+    Report,
 }
 
 impl Mode {
     /// All modes.
-    pub const ALL: [Mode; 3] = [Mode::Edit, Mode::Bvh, Mode::Render];
+    pub const ALL: [Mode; 4] = [Mode::Edit, Mode::Bvh, Mode::Render, Mode::Report];
 
     /// The name in the window.
     pub fn name(self) -> &'static str {
@@ -58,6 +70,7 @@ impl Mode {
             Mode::Edit => "Edit",
             Mode::Bvh => "BVH",
             Mode::Render => "Render",
+            Mode::Report => "Report",
         }
     }
 }
@@ -87,6 +100,7 @@ pub struct Session {
     selection: Option<Element>,
     edit: Edit,
     walk: TreeWalk,
+    shows_wide: bool,
     statistics: Vec<(Arc<SceneData>, NodeStatistics)>,
     render: Option<RenderControl>,
     camera_rays: CameraRays,
@@ -94,6 +108,10 @@ pub struct Session {
     show_rate: bool,
     heat: Heat,
     comparison: Option<Comparison>,
+    /// The pictures to compare with.
+    kept: Vec<Arc<Reference>>,
+    /// The number of comparisons so far.
+    comparisons: u64,
     /// The replay of a pixel.
     pub inspector: Inspector,
     report: Option<OpenReport>,
@@ -135,6 +153,7 @@ impl Session {
             selection: None,
             edit: Edit::default(),
             walk: TreeWalk::default(),
+            shows_wide: false,
             statistics: Vec::new(),
             render: None,
             camera_rays: CameraRays::default(),
@@ -142,6 +161,8 @@ impl Session {
             show_rate: false,
             heat: Heat::default(),
             comparison: None,
+            kept: Vec::new(),
+            comparisons: 0,
             inspector: Inspector::default(),
             report: None,
             finding_features: None,
@@ -171,22 +192,31 @@ impl Session {
             Command::Mode(mode) => self.mode = mode,
             Command::Render => self.start_render(),
             Command::Orbit(by) => self.with_camera(|orbit| {
-                orbit.rotate(ROTATION_PER_VIEW * by.x, ROTATION_PER_VIEW * by.y);
+                orbit.rotate(
+                    cameras::ROTATION_PER_VIEW * by.x,
+                    cameras::ROTATION_PER_VIEW * by.y,
+                );
             }),
             Command::Pan(by) => self.with_camera(|orbit| orbit.pan(by.x, by.y)),
             Command::Zoom(steps) => self.with_camera(|orbit| orbit.zoom(steps)),
             Command::ResetView => self.with_camera(Orbit::reset),
             Command::ToggleEdges => self.edges = !self.edges,
             Command::Select => self.select(),
+            Command::SelectNext { kind, forward } => self.select_next(kind, forward),
             Command::MoveVertex(by) => self.move_vertex(by),
+            Command::NudgeVertex(by) => {
+                self.move_vertex(by);
+                self.edit.end_move();
+            }
             Command::EndMove => self.edit.end_move(),
             Command::UndoMove => self.undo_move(),
             Command::Descend(side) => self.with_tree(|walk, tree| walk.descend(tree, side)),
-            Command::Ascend => self.walk.ascend(),
+            Command::Ascend => self.with_tree(|walk, _| walk.ascend()),
             Command::GoToDepth(depth) => {
                 self.with_tree(|walk, tree| walk.go_to_depth(tree, depth));
             }
             Command::GoToNode(node) => self.with_tree(|walk, tree| walk.go_to(tree, node)),
+            Command::ToggleWideTree => self.toggle_wide_tree(),
             Command::Samples(change) => self.change_settings(|s| s.change_samples(change)),
             Command::LightSamples(change) => {
                 self.change_settings(|s| s.change_light_samples(change));
@@ -206,16 +236,20 @@ impl Session {
             Command::NextHeat => self.next_heat(),
             Command::GoToDearest => self.go_to_dearest(),
             Command::KeepForComparison => self.keep_for_comparison(),
-            Command::CompareWith(path) => self.compare_with(&path),
+            Command::CompareWith(path) => self.compare_with_file(&path),
             Command::EndComparison => self.comparison = None,
-            Command::Flicker => {
-                if let Some(comparison) = &mut self.comparison {
-                    comparison.flickers = !comparison.flickers;
-                }
-            }
+            Command::Flicker => self.with_pair(PairDisplay::toggle_flicker),
+            Command::ShowPair(view) => self.with_pair(|display| display.view = view),
+            Command::NextPairView => self.with_pair(|display| display.view = display.view.next()),
+            Command::NextCompared => self.next_compared(),
+            Command::SwapCompared => self.swap_compared(),
             Command::Inspect(x, y) => self.inspect(x, y),
+            Command::InspectNext(x, y) => self.inspect_next(x, y),
             Command::InspectUnderPointer => self.inspect_under_pointer(),
-            Command::StepTest { forward } => self.inspector.step_test(forward),
+            Command::StepTest { forward } => match self.walked_case() {
+                Some(opened) => opened.step_test(forward),
+                None => self.inspector.step_test(forward),
+            },
             Command::StepRay { forward } => self.inspector.step_ray(forward),
             Command::SelectSample(sample) => self.inspector.select_sample(sample),
             Command::SelectRay(ray) => self.inspector.select_ray(ray),
@@ -232,7 +266,19 @@ impl Session {
             Command::ToggleHelp => self.help = !self.help,
             Command::Open(path) => self.open(path),
             Command::Reload => self.reload(),
+            Command::ShowReport => self.show_report(),
             Command::OpenCase(case) => self.open_case(case),
+            Command::NeighbourCase { forward } => self.open_neighbour(forward),
+            Command::ShowPart(part) => {
+                if let Some(opened) = self.opened_case_mut() {
+                    opened.show(part);
+                }
+            }
+            Command::GoToEvent(step) => {
+                if let Some(opened) = self.opened_case_mut() {
+                    opened.go_to_event(step);
+                }
+            }
             Command::SaveCaseAsTest => self.save_case_as_test(),
             Command::Escape => self.escape(),
             Command::SaveAndQuit => {
@@ -267,11 +313,13 @@ impl Session {
         self.update_heat(wait);
         self.inspector.update(wait);
         self.update_camera_rays(wait);
+        let runs_case = self.update_case(wait);
         let shows_rays = self.inspector.inspected().is_some() || !self.camera_rays().is_empty();
         if shows_rays && self.spy.is_none() {
-            self.spy = self.orbit.map(beside);
+            self.spy = self.orbit.map(cameras::beside);
         }
         self.loading.is_some()
+            || runs_case
             || self.edit.is_rebuilding()
             || self.heat.is_counting()
             || self.inspector.running().is_some()
@@ -299,229 +347,12 @@ impl Session {
         self.quits
     }
 
-    fn with_camera(&mut self, change: impl FnOnce(&mut Orbit)) {
-        // In render mode the render camera stays; the view of the replay moves.
-        let camera = match self.mode {
-            Mode::Edit | Mode::Bvh => self.orbit.as_mut(),
-            Mode::Render => self.spy.as_mut(),
-        };
-        if let Some(camera) = camera {
-            change(camera);
+    /// Changes how the visible pair of pictures is shown.
+    fn with_pair(&mut self, change: impl FnOnce(&mut PairDisplay)) {
+        if let Some(opened) = self.walked_case() {
+            change(&mut opened.display);
+        } else if let Some(comparison) = &mut self.comparison {
+            change(&mut comparison.display);
         }
     }
-
-    fn with_tree(&mut self, change: impl FnOnce(&mut TreeWalk, &kit::Bvh)) {
-        if let Some(tree) = self.scene.as_ref().and_then(|scene| scene.bvh()) {
-            change(&mut self.walk, tree);
-        }
-    }
-
-    /// The scene.
-    pub fn scene(&self) -> Option<&Arc<SceneData>> {
-        self.scene.as_ref()
-    }
-
-    /// The file that is being read, and since when.
-    pub fn loading(&self) -> Option<(&PathBuf, Instant)> {
-        self.loading
-            .as_ref()
-            .map(|loading| (&loading.path, loading.since))
-    }
-
-    /// The scenes that were open, the newest first.
-    pub fn recent(&self) -> &[PathBuf] {
-        &self.recent
-    }
-
-    /// The mode.
-    pub fn mode(&self) -> Mode {
-        self.mode
-    }
-
-    /// The render camera.
-    pub fn orbit(&self) -> Option<&Orbit> {
-        self.orbit.as_ref()
-    }
-
-    /// The camera of the 3D view that is visible.
-    pub fn view_orbit(&self) -> Option<&Orbit> {
-        match self.mode {
-            Mode::Render => self.spy.as_ref(),
-            Mode::Edit | Mode::Bvh => self.orbit.as_ref(),
-        }
-    }
-
-    /// The settings of renders.
-    pub fn settings(&self) -> Option<&RenderSettings> {
-        self.settings.as_ref()
-    }
-
-    /// The selected element.
-    pub fn selection(&self) -> Option<Element> {
-        self.selection
-    }
-
-    /// The selected node of the tree.
-    pub fn walk(&self) -> &TreeWalk {
-        &self.walk
-    }
-
-    /// The render in progress, or the last one.
-    pub fn render(&self) -> Option<&RenderControl> {
-        self.render.as_ref()
-    }
-
-    /// Whether a drag in the picture selects a cell.
-    pub fn cell_mode(&self) -> bool {
-        self.cell_mode
-    }
-
-    /// Whether the picture shows the number of samples of each pixel.
-    pub fn shows_rate(&self) -> bool {
-        self.show_rate
-    }
-
-    /// The heat map.
-    pub fn heat(&self) -> &Heat {
-        &self.heat
-    }
-
-    /// The comparison with another picture.
-    pub fn comparison(&self) -> Option<&Comparison> {
-        self.comparison.as_ref()
-    }
-
-    /// The comparison, to move its wipe.
-    pub fn comparison_mut(&mut self) -> Option<&mut Comparison> {
-        self.comparison.as_mut()
-    }
-
-    /// The report of a grader and the opened case.
-    pub fn report(&self) -> Option<&OpenReport> {
-        self.report.as_ref()
-    }
-
-    /// Shows a report of the grader.
-    pub fn set_report(&mut self, report: OpenReport) {
-        self.report = Some(report);
-    }
-
-    /// The report, to move the camera of its case.
-    pub fn report_mut(&mut self) -> Option<&mut OpenReport> {
-        self.report.as_mut()
-    }
-
-    /// The statistics of the selected node. They are computed once for each node.
-    pub fn node_statistics(&mut self) -> Option<NodeStatistics> {
-        self.statistics_of(self.walk.node())
-    }
-
-    /// The statistics of the whole tree.
-    pub fn root_statistics(&mut self) -> Option<NodeStatistics> {
-        self.statistics_of(0)
-    }
-
-    fn statistics_of(&mut self, node: u32) -> Option<NodeStatistics> {
-        let scene = self.scene.as_ref()?;
-        let is_known = |(of, known): &&(Arc<SceneData>, NodeStatistics)| {
-            Arc::ptr_eq(of, scene) && known.node == node
-        };
-        if let Some((_, known)) = self.statistics.iter().find(is_known) {
-            return Some(known.clone());
-        }
-        let statistics = NodeStatistics::of(scene.bvh()?, node)?;
-        // Those of the root and of the selected node.
-        self.statistics
-            .retain(|(of, known)| Arc::ptr_eq(of, scene) && known.node == 0);
-        self.statistics
-            .push((Arc::clone(scene), statistics.clone()));
-        Some(statistics)
-    }
-
-    pub(crate) fn take_report(&mut self) -> Option<OpenReport> {
-        self.report.take()
-    }
-
-    /// What does not work because a task is not written yet.
-    pub fn missing(&self) -> &MissingFeatures {
-        &self.missing
-    }
-
-    /// What happened last, as a sentence.
-    pub fn message(&self) -> &str {
-        &self.message
-    }
-
-    /// Says what happened.
-    pub fn say(&mut self, message: impl Into<String>) {
-        self.message = message.into();
-    }
-
-    /// Whether the text in the view is visible.
-    pub fn overlay(&self) -> bool {
-        self.overlay
-    }
-
-    /// Whether the list of keys is visible.
-    pub fn help(&self) -> bool {
-        self.help
-    }
-
-    /// Whether the window is dark.
-    pub fn dark(&self) -> bool {
-        self.dark
-    }
-
-    /// Whether the window asks what to do with the render in progress.
-    pub fn asks_to_quit(&self) -> bool {
-        self.asks_to_quit
-    }
-
-    /// Whether the window is to close.
-    pub fn quits(&self) -> bool {
-        self.quits
-    }
-
-    /// The files that were written or are to be written, in order.
-    pub fn take_saved(&mut self) -> Vec<Saved> {
-        std::mem::take(&mut self.saved)
-    }
-
-    /// What the visible 3D view is to show, with `size` pixels; `None` without a scene.
-    pub fn view_request(&self, size: (u32, u32)) -> Option<ViewRequest> {
-        let film = FilmSize {
-            w: size.0.max(1),
-            h: size.1.max(1),
-        };
-        Some(ViewRequest {
-            camera: for_film(&self.view_orbit()?.camera(), film),
-            size: (film.w, film.h),
-            style: match self.mode {
-                Mode::Bvh if self.scene.as_ref()?.bvh().is_some() => {
-                    ViewStyle::Node(self.walk.node())
-                }
-                _ => ViewStyle::Materials { edges: self.edges },
-            },
-        })
-    }
-
-    /// Brings the picture of the 3D view up to date. Returns whether more is to come.
-    pub fn update_view(&mut self, size: (u32, u32)) -> bool {
-        let (Some(scene), Some(request)) = (self.scene.clone(), self.view_request(size)) else {
-            return false;
-        };
-        let wake = Arc::clone(&self.wake);
-        self.view.update(&scene, request, self.patience, &wake)
-    }
-}
-
-/// The angle that a drag over the height of the view rotates by, in radians.
-const ROTATION_PER_VIEW: f64 = std::f64::consts::PI;
-
-/// A view of what `orbit` sees, from its side: its camera and its rays are visible.
-fn beside(orbit: Orbit) -> Orbit {
-    let mut spy = Orbit::new(orbit.view());
-    spy.rotate(-0.7, -0.25);
-    spy.zoom(-4.0);
-    Orbit::new(spy.view())
 }

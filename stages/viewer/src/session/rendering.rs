@@ -1,61 +1,16 @@
-//! The picture: rendering, cells, heat maps, comparisons, and the pixel that is inspected.
+//! The picture: rendering, cells, and the pixel that is inspected.
 
 use super::{Mode, Session};
-use crate::compare::{Difference, Reference};
 use crate::render_control::RenderControl;
 use crate::scene_data::SceneData;
 use crate::settings::RenderSettings;
 use crate::task::Task;
 use kit::film::Cell;
 use kit::{Camera, PixelEstimate, Ray, Vec2};
-use pathtracer::replay::{HeatMap, heat_map};
-use pathtracer::{Counters, Job, LightSettings};
+use pathtracer::{Job, LightSettings};
 use raygen::generate_ray;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
-
-/// What a heat map counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HeatKind {
-    /// Box tests.
-    Boxes,
-    /// Primitive tests.
-    Primitives,
-}
-
-impl HeatKind {
-    /// The number that the map shows.
-    pub fn of(self, counters: &Counters) -> u64 {
-        match self {
-            HeatKind::Boxes => counters.box_tests,
-            HeatKind::Primitives => counters.prim_tests,
-        }
-    }
-}
-
-/// The heat map of the picture.
-#[derive(Default)]
-pub struct Heat {
-    /// What it shows; `None` if the picture is shown.
-    pub kind: Option<HeatKind>,
-    /// The counts, and what they are of.
-    map: Option<(Arc<SceneData>, Job, LightSettings, HeatMap)>,
-    counting: Option<(Arc<SceneData>, Job, LightSettings, Task<HeatMap>)>,
-    goes_to_dearest: bool,
-}
-
-impl Heat {
-    /// The counts of the newest picture that was counted.
-    pub fn map(&self) -> Option<&HeatMap> {
-        self.map.as_ref().map(|(_, _, _, map)| map)
-    }
-
-    /// Whether it is counting.
-    pub fn is_counting(&self) -> bool {
-        self.counting.is_some()
-    }
-}
 
 /// Camera rays of a render that failed: what is written may be seen.
 #[derive(Default)]
@@ -68,19 +23,6 @@ pub(super) struct CameraRays {
 
 /// The rays along each edge of the film that are shown.
 const CAMERA_RAYS: u32 = 10;
-
-/// Another picture beside the one of the render.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    /// The other picture.
-    pub reference: Reference,
-    /// The share of the width, from the left, that shows the render.
-    pub wipe: f32,
-    /// Whether both are shown in turns instead.
-    pub flickers: bool,
-    /// The difference, and the version of the render that it is of.
-    difference: Option<(u64, Option<Difference>)>,
-}
 
 impl Session {
     /// The camera of renders.
@@ -218,7 +160,7 @@ impl Session {
     }
 
     /// The job whose pixels are inspected: that of the render, else the one that would start.
-    fn inspected_job(&self) -> Option<(Arc<SceneData>, Job, LightSettings, u32)> {
+    pub(super) fn inspected_job(&self) -> Option<(Arc<SceneData>, Job, LightSettings, u32)> {
         if let Some(render) = self.render.as_ref().filter(|_| self.mode == Mode::Render) {
             let passes = match render.render() {
                 Some(done) if done.is_done() => done.passes(),
@@ -251,6 +193,24 @@ impl Session {
         self.message = format!("Replaying pixel {x} {y}");
     }
 
+    /// Replays the pixel that is `x` columns and `y` rows from the replayed one; without a replay the
+    /// one in the middle.
+    pub(super) fn inspect_next(&mut self, x: i32, y: i32) {
+        let Some((_, job, ..)) = self.inspected_job() else {
+            return;
+        };
+        let replayed = self.inspector.inspected().map(|i| i.replay.pixel);
+        let at = self.inspector.running().or(replayed);
+        let (x, y) = match at {
+            Some(at) => (
+                at.0.saturating_add_signed(x).min(job.film.w - 1),
+                at.1.saturating_add_signed(y).min(job.film.h - 1),
+            ),
+            None => (job.film.w / 2, job.film.h / 2),
+        };
+        self.inspect(x, y);
+    }
+
     /// The pixel of the render, if it has all samples of `passes` passes.
     fn rendered_pixel(&self, x: u32, y: u32, passes: u32) -> Option<PixelEstimate> {
         let render = self.render.as_ref().filter(|_| self.mode == Mode::Render)?;
@@ -258,133 +218,5 @@ impl Session {
         let is_adaptive = render.settings().adaptive.is_some();
         let expected = passes * render.job().samples;
         (pixel.samples > 0 && (is_adaptive || pixel.samples == expected)).then_some(pixel)
-    }
-
-    pub(super) fn next_heat(&mut self) {
-        self.heat.kind = match self.heat.kind {
-            None => Some(HeatKind::Boxes),
-            Some(HeatKind::Boxes) => Some(HeatKind::Primitives),
-            Some(HeatKind::Primitives) => None,
-        };
-        self.count_heat();
-    }
-
-    pub(super) fn go_to_dearest(&mut self) {
-        self.heat.goes_to_dearest = true;
-        self.heat.kind = self.heat.kind.or(Some(HeatKind::Boxes));
-        self.count_heat();
-    }
-
-    /// Starts to count, unless the counts are there.
-    fn count_heat(&mut self) {
-        let Some((scene, job, settings, _)) = self.inspected_job() else {
-            return;
-        };
-        let is_same = |s: &Arc<SceneData>, j: &Job, l: &LightSettings| {
-            Arc::ptr_eq(s, &scene) && (*j, *l) == (job, settings)
-        };
-        let is_there = self
-            .heat
-            .map
-            .as_ref()
-            .is_some_and(|(s, j, l, _)| is_same(s, j, l));
-        let is_coming = self
-            .heat
-            .counting
-            .as_ref()
-            .is_some_and(|(s, j, l, _)| is_same(s, j, l));
-        if self.heat.kind.is_none() || is_there || is_coming {
-            return;
-        }
-        let data = Arc::clone(&scene);
-        let task = Task::spawn(Arc::clone(&self.wake), move |stop| {
-            let prepared = &data.prepared;
-            heat_map(
-                &prepared.picture,
-                &prepared.textures,
-                &data.tree,
-                &job,
-                &settings,
-                stop,
-            )
-        });
-        self.heat.counting = Some((scene, job, settings, task));
-    }
-
-    pub(super) fn update_heat(&mut self, wait: Duration) {
-        let counted = self
-            .heat
-            .counting
-            .as_ref()
-            .and_then(|(.., task)| task.wait(wait));
-        if let Some(counted) = counted
-            && let Some((scene, job, settings, _)) = self.heat.counting.take()
-        {
-            match counted {
-                Ok(map) => self.heat.map = Some((scene, job, settings, map)),
-                Err(failure) => {
-                    self.heat.kind = None;
-                    self.heat.goes_to_dearest = false;
-                    self.say(format!("Nothing was counted: {failure}"));
-                }
-            }
-        }
-        if let (true, None, Some(kind), Some(map)) = (
-            self.heat.goes_to_dearest,
-            &self.heat.counting,
-            self.heat.kind,
-            self.heat.map(),
-        ) {
-            let dearest = map.dearest(|counters| kind.of(counters));
-            self.heat.goes_to_dearest = false;
-            if let Some((x, y)) = dearest {
-                self.inspect(x, y);
-            }
-        }
-    }
-
-    pub(super) fn keep_for_comparison(&mut self) {
-        let Some(render) = &self.render else {
-            return self.say("There is no picture to keep: R renders one");
-        };
-        let flags = match &self.settings {
-            Some(settings) => settings.flags(),
-            None => String::new(),
-        };
-        let reference = Reference::of_film(&flags, &render.shown().film);
-        self.compare(reference);
-        self.say("Kept: later pictures are compared with this one");
-    }
-
-    pub(super) fn compare_with(&mut self, path: &Path) {
-        match Reference::load(path) {
-            Ok(reference) => self.compare(reference),
-            Err(why) => self.say(why),
-        }
-    }
-
-    fn compare(&mut self, reference: Reference) {
-        self.comparison = Some(Comparison {
-            reference,
-            wipe: 0.5,
-            flickers: false,
-            difference: None,
-        });
-    }
-
-    /// The difference between the picture so far and the one it is compared with; `None` if their
-    /// sizes differ.
-    pub fn difference(&mut self) -> Option<Difference> {
-        let (render, comparison) = (self.render.as_ref()?, self.comparison.as_mut()?);
-        let shown = render.shown();
-        match comparison.difference {
-            Some((version, difference)) if version == shown.version => difference,
-            _ => {
-                let actual = Reference::of_film("", &shown.film);
-                let difference = Difference::of(&actual, &comparison.reference);
-                comparison.difference = Some((shown.version, difference));
-                difference
-            }
-        }
     }
 }

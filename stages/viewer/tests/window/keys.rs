@@ -6,6 +6,7 @@ use kit::film::Cell;
 use pathtracer::DirectSampling;
 use pathtracer::args::SamplerName;
 use viewer::command::Command;
+use viewer::picture_pair::PairView;
 use viewer::session::{HeatKind, Mode};
 
 /// A window with a small picture.
@@ -260,10 +261,17 @@ fn other_keys_do_what_the_sheet_says() {
         window
             .session()
             .comparison()
-            .is_some_and(|comparison| comparison.flickers)
+            .is_some_and(|comparison| comparison.display.view == PairView::Flicker)
     );
-    let difference = window.session().difference().expect("one size");
-    assert_eq!(difference.pixels, 0, "the picture is compared with itself");
+    let errors = window
+        .session()
+        .compared()
+        .and_then(|compared| compared.errors);
+    let errors = errors.expect("one size");
+    assert_eq!(errors.pixels, 0, "the picture is compared with itself");
+    window.press(Key::J);
+    let display = window.session().comparison().expect("both").display;
+    assert_eq!(display.view, PairView::First);
     window.press(Key::Escape);
     assert!(window.session().quits());
 }
@@ -297,13 +305,7 @@ fn no_key_breaks_anything() {
                     continue;
                 }
                 window.session().apply(Command::Mode(mode));
-                let shift = binding.shift == Some(true);
-                let modifiers = if shift {
-                    Modifiers::SHIFT
-                } else {
-                    Modifiers::NONE
-                };
-                window.press_with(modifiers, binding.key);
+                window.press_with(binding.held.modifiers(), binding.key);
             }
             assert!(!window.session().quits());
         }

@@ -220,7 +220,12 @@ fn a_drag_wipes_between_two_pictures() {
     window.press(Key::R);
     window.press(Key::K);
     window.drag(PointerButton::Primary, MIDDLE, Pos2::new(200.0, 300.0));
-    let wipe = window.session().comparison().expect("a comparison").wipe;
+    let wipe = window
+        .session()
+        .comparison()
+        .expect("a comparison")
+        .display
+        .wipe;
     assert!(wipe < 0.45, "{wipe}");
 }
 

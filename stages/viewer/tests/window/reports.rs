@@ -1,9 +1,14 @@
 //! Reports of the grader in the window.
 
 use super::common::{Window, session};
-use std::path::PathBuf;
+use egui::Key;
+use std::path::{Path, PathBuf};
 use viewer::command::Command;
-use viewer::report::OpenReport;
+use viewer::picture_pair::PairView;
+use viewer::report::case_pictures::{golden_folder, of_case};
+use viewer::report::stage_answer::answer_of;
+use viewer::report::{CaseContent, CasePart, CaseView, FailedCase, OpenCase, OpenReport};
+use viewer::session::Mode;
 
 /// A report in which the case `back_face` of `part1.task3` failed, and another case without a ray.
 fn report(folder: &tempfile::TempDir) -> PathBuf {
@@ -52,18 +57,25 @@ fn report(folder: &tempfile::TempDir) -> PathBuf {
     path
 }
 
+/// What is computed about a case of a report.
+fn content(open: &OpenReport, index: usize) -> CaseContent {
+    CaseContent::of(&open.cases[index], &open.path)
+}
+
 #[test]
 fn failing_cases_open_with_their_ray_and_both_answers() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut open = OpenReport::load(&report(&folder)).expect("a report");
+    let open = OpenReport::load(&report(&folder)).expect("a report");
     let names: Vec<&str> = open.cases.iter().map(|case| case.name.as_str()).collect();
     assert_eq!(
         names,
         ["back_face", "no_such_case"],
         "passed cases are left out"
     );
-    open.open(0);
-    let view = open.view().expect("a ray");
+    let content_of_ray = content(&open, 0);
+    let Some(CaseView::Ray(view)) = &content_of_ray.view else {
+        panic!("a ray: {content_of_ray:?}")
+    };
     assert!(view.is_of_report);
     assert_eq!(view.scene.triangles.len(), 1);
     assert_eq!(view.right.len(), 1, "the exact answer is a hit");
@@ -71,7 +83,8 @@ fn failing_cases_open_with_their_ray_and_both_answers() {
     assert_eq!(view.failure, None);
     assert_eq!(view.rows[0].student, "hit");
     assert!(view.rows.iter().all(|row| row.is_right), "{:?}", view.rows);
-    let case = open.case().expect("a case");
+    assert_eq!(content_of_ray.wrong_now, Some(Vec::new()));
+    let case = &open.cases[0];
     assert_eq!(
         case.diagnosis.as_deref(),
         Some("your answers equal those of code that culls back faces")
@@ -81,8 +94,138 @@ fn failing_cases_open_with_their_ray_and_both_answers() {
         test.contains("intersect::test_triangle") && test.contains("#[test]"),
         "{test}"
     );
-    open.open(1);
-    assert!(open.view().is_none());
+    assert!(content(&open, 1).view.is_none());
+}
+
+/// A case that failed at its first call, as the report would have it.
+fn failed(task: &str, name: &str) -> FailedCase {
+    let spec = judge::cases::of(task, 0)
+        .into_iter()
+        .find(|spec| spec.name == name)
+        .expect("the case exists");
+    FailedCase {
+        task: task.to_owned(),
+        title: String::new(),
+        stage: String::new(),
+        name: name.to_owned(),
+        tier: judge::Tier::Core,
+        about: String::new(),
+        points: (0.0, 1.0),
+        status: "failed".to_owned(),
+        findings: vec![viewer::report::file::WrongAspect {
+            aspect: "t".to_owned(),
+            wrong: 1,
+            judged: 1,
+            worst: Some((0, String::new())),
+        }],
+        diagnosis: None,
+        spec: Some(Box::new(spec)),
+    }
+}
+
+/// Trees, traversals, direct light and paths have a view in 3D; with the reference nothing is wrong in
+/// it, and every picture equals its golden one.
+#[test]
+fn cases_of_every_part_are_shown_in_3d_and_as_pictures() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (task, name, kind, has_picture) in [
+        ("part1.task3", "picture_of_a_ring", "Ray", true),
+        ("part2.task1", "centroids_on_the_split", "Tree", false),
+        ("part2.task3", "both_children", "Visits", false),
+        ("part2.task3", "shadow_rays_in_cornell_box", "Visits", false),
+        ("part3.task2", "", "Light", false),
+        ("part3.task3", "", "Light", false),
+        ("part4.task2", "", "Light", false),
+    ] {
+        let name = match name {
+            "" => judge::cases::of(task, 0)[0].name,
+            name => name,
+        };
+        let content = CaseContent::of(&failed(task, name), here);
+        let wrong = match &content.view {
+            Some(CaseView::Ray(case)) => ("Ray", case.rows.iter().any(|row| !row.is_right)),
+            Some(CaseView::Tree(case)) => ("Tree", !case.wrong.is_empty()),
+            Some(CaseView::Visits(case)) => ("Visits", case.parting.is_some()),
+            Some(CaseView::Light(case)) => ("Light", case.points.is_empty()),
+            None => ("nothing", true),
+        };
+        assert_eq!(wrong, (kind, false), "{task} {name}");
+        assert_eq!(content.wrong_now, Some(Vec::new()), "{task} {name}");
+        let pictures = [
+            (CasePart::CasePicture, has_picture),
+            (CasePart::TaskPicture, true),
+        ];
+        for (part, is_there) in pictures {
+            let legend = content
+                .pair(part)
+                .map(|pair| pair.map(|pair| pair.legend.len()));
+            let expected = is_there.then_some(Ok(0));
+            assert_eq!(legend, expected, "{task} {name} {part:?}");
+        }
+    }
+}
+
+#[test]
+fn differing_pixels_of_a_case_have_their_cause() {
+    let case = failed("part1.task3", "picture_of_a_ring");
+    let spec = case.spec.expect("it was found");
+    let mut answer = answer_of(&spec).expect("the reference answers").answer;
+    let wire::Answer::BruteForce(hits) = &mut answer else {
+        panic!("hits: {answer:?}")
+    };
+    let mut lost = 0;
+    for hit in hits.hits.iter_mut().step_by(5) {
+        lost += usize::from(hit.take().is_some());
+    }
+    let goldens = golden_folder(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project's");
+    let pair = of_case(&goldens, &spec, judge::Tier::Core, &answer);
+    let pair = pair.expect("a picture").expect("a golden one");
+    let [cause] = pair.legend.as_slice() else {
+        panic!("one cause: {:?}", pair.legend)
+    };
+    assert_eq!((cause.label, cause.pixels), ("false miss", lost));
+    assert!(lost > 100);
+}
+
+#[test]
+fn pictures_of_a_case_are_wiped_flickered_and_told_apart() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut session = session("", "");
+    session.set_report(OpenReport::load(&report(&folder)).expect("a report"));
+    let mut window = Window::with(session, [900.0, 700.0]);
+    window.press(Key::Y);
+    assert_eq!(window.session().mode(), Mode::Report);
+    let part = |window: &mut Window| window.session().opened_case().and_then(OpenCase::part);
+    assert_eq!(part(&mut window), Some(CasePart::View));
+    let before = *window.session().view_orbit().expect("a camera");
+    window.press_with(egui::Modifiers::SHIFT, Key::ArrowLeft);
+    assert_ne!(*window.session().view_orbit().expect("a camera"), before);
+    window.press(Key::Y);
+    assert_eq!(part(&mut window), Some(CasePart::TaskPicture));
+    let display = |window: &mut Window| window.session().opened_case().expect("a case").display;
+    window.drag(
+        egui::PointerButton::Primary,
+        egui::pos2(200.0, 300.0),
+        egui::pos2(300.0, 300.0),
+    );
+    let wipe = display(&mut window).wipe;
+    assert!(wipe != 0.5 && wipe > 0.0 && wipe < 1.0, "{wipe}");
+    window.press(Key::F);
+    assert_eq!(display(&mut window).view, PairView::Flicker);
+    window.press(Key::J);
+    assert_eq!(display(&mut window).view, PairView::First);
+    window.press(Key::Enter);
+    assert_eq!(
+        window.session().opened_case().map(|case| case.index),
+        Some(1)
+    );
+    window.press(Key::Backspace);
+    assert_eq!(
+        window.session().opened_case().map(|case| case.index),
+        Some(0)
+    );
+    window.press(Key::E);
+    assert_eq!(window.session().mode(), Mode::Edit);
 }
 
 #[test]

@@ -14,8 +14,17 @@ use crate::cases::{Spec, recorded};
 use crate::check::{Check, Content};
 use crate::snapshot::number;
 use crate::tally::{Aspect, Tally};
+use kit::Aabb;
 use wire::answer::BuildAnswer;
-use wire::work::BuildWork;
+use wire::work::{BuildWork, Tree, Xyz};
+
+/// For each node of a tree over primitives with the boxes `bounds`, the smallest box around the
+/// primitives below it: what its box must contain. The error is a sentence: the first fault of a tree
+/// whose nodes are not reached once each, or that does not hold each primitive once.
+pub fn exact_boxes(tree: &Tree, bounds: &[[Xyz; 2]]) -> Result<Vec<Aabb>, String> {
+    let walk = structure::walk(tree, bounds.len()).map_err(|fault| fault.message)?;
+    Ok(judge::tight_boxes(tree, &walk, bounds))
+}
 
 /// `construct_bvh`, called twice.
 pub(crate) struct Build;

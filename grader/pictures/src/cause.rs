@@ -1,9 +1,9 @@
 //! Why a pixel differs.
 
+use crate::image::Rgb;
+use crate::palette;
 use judge::snapshot::Line;
 use judge::tally::Aspect;
-use pictures::image::Rgb;
-use pictures::palette;
 use serde::Serialize;
 
 /// The first difference of a call's answer from the golden, in this order. "False" means different

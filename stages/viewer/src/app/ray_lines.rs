@@ -1,0 +1,158 @@
+//! The lines of rays: a camera's pyramid, the rays of a replay, the boxes of their walk.
+
+use super::colors;
+use super::lines::{Hidden, Lines};
+use crate::inspector::Inspector;
+use crate::session::Session;
+use crate::topology::corners;
+use egui::{Color32, Stroke, Ui};
+use kit::camera::half_tan;
+use kit::{Camera, FilmSize, Vec2, Vec3};
+use pathtracer::RayRole;
+use pathtracer::replay::{Outcome, RayRecord, Test, Visit};
+
+/// A camera: its pyramid of view up to `depth`, and the grid of its pixels if there are few.
+pub(super) fn frustum(
+    lines: &Lines<'_>,
+    camera: &Camera,
+    film: FilmSize,
+    depth: f64,
+    color: Color32,
+    pixel: Option<(u32, u32)>,
+) {
+    let half = Vec2::new(half_tan(camera.h_fov), half_tan(camera.v_fov));
+    let at = |x: f64, y: f64| {
+        let on_plane = (2.0 * Vec2::new(x, y) - 1.0) * half;
+        camera.pos + depth * (camera.c2w * Vec3::new(on_plane.x, on_plane.y, -1.0))
+    };
+    let stroke = Stroke::new(1.5, color);
+    let corners = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
+    for (i, corner) in corners.iter().enumerate() {
+        lines.line(camera.pos, *corner, stroke, Hidden::Faint);
+        lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Faint);
+    }
+    let rectangle = |x0: f64, y0: f64, x1: f64, y1: f64, stroke: Stroke| {
+        let corners = [at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)];
+        for (i, corner) in corners.iter().enumerate() {
+            lines.line(*corner, corners[(i + 1) % 4], stroke, Hidden::Shown);
+        }
+    };
+    let (w, h) = (f64::from(film.w), f64::from(film.h));
+    // The grid: every pixel of a small film, else every tenth of a film's edge.
+    let (columns, rows) = (w.min(10.0), h.min(10.0));
+    let thin = Stroke::new(0.7, color.gamma_multiply(0.45));
+    for i in 1..columns as u32 {
+        let x = f64::from(i) / columns;
+        lines.line(at(x, 0.0), at(x, 1.0), thin, Hidden::Faint);
+    }
+    for i in 1..rows as u32 {
+        let y = f64::from(i) / rows;
+        lines.line(at(0.0, y), at(1.0, y), thin, Hidden::Faint);
+    }
+    if let Some((x, y)) = pixel {
+        let (x, y) = (f64::from(x), f64::from(y));
+        let stroke = Stroke::new(2.0, colors::SELECTED);
+        rectangle(x / w, y / h, (x + 1.0) / w, (y + 1.0) / h, stroke);
+    }
+}
+
+/// The rays of the replay, the selected one with the boxes of its walk.
+pub(super) fn replay(lines: &Lines<'_>, inspector: &Inspector) {
+    let Some(inspected) = inspector.inspected() else {
+        return;
+    };
+    let (sample, ray, step) = inspector.position();
+    let size = inspected.scene.bounds.extent().length();
+    for (s, record) in inspected.replay.samples.iter().enumerate() {
+        if inspector.filter.one_sample && s != sample {
+            continue;
+        }
+        for (r, record) in record.rays.iter().enumerate() {
+            let is_selected = (s, r) == (sample, ray);
+            if inspector.filter.shows(record) || is_selected {
+                draw_ray(lines, record, size, is_selected);
+            }
+        }
+    }
+    if let Some(record) = inspector.ray() {
+        draw_walk(lines, record, step, inspected.scene.scene());
+    }
+    if let Some((s, r, truth)) = &inspected.truth.first_wrong
+        && (*s, *r) == (sample, ray)
+        && let (Some((_, t)), Some(record)) = (truth.right, inspector.ray())
+    {
+        lines.disc(record.ray.at(t), 6.0, colors::RIGHT);
+    }
+}
+
+fn draw_ray(lines: &Lines<'_>, record: &RayRecord, size: f64, is_selected: bool) {
+    let color = colors::ray(record.role);
+    let end = record
+        .ray
+        .at(record.end().unwrap_or(size / record.ray.d.length()));
+    let width = if is_selected { 3.0 } else { 1.2 };
+    lines.line(record.ray.o, end, Stroke::new(width, color), Hidden::Faint);
+    if record.role == RayRole::Shadow && record.outcome == Outcome::Blocked {
+        lines.disc(end, 3.0, colors::WRONG);
+    }
+    if let Outcome::Hit(hit) = record.outcome
+        && is_selected
+    {
+        lines.disc(hit.p, 4.0, color);
+        lines.arrow(hit.p, hit.n, 0.08 * size, colors::RIGHT, "n");
+        if hit.n.distance(hit.ng) > 1e-6 {
+            lines.arrow(hit.p, hit.ng, 0.08 * size, colors::HOVERED, "ng");
+        }
+    }
+}
+
+/// The boxes and primitives of the first `step` tests, the last one in bold.
+pub(super) fn draw_walk(lines: &Lines<'_>, record: &RayRecord, step: usize, scene: &kit::Scene) {
+    for (i, test) in record.tests.iter().take(step).enumerate() {
+        let is_last = i + 1 == step;
+        match test {
+            Test::Box { bounds, visit, .. } => {
+                let color = match visit {
+                    Visit::Entered { .. } => colors::RIGHT,
+                    Visit::Missed => Color32::from_gray(150),
+                    Visit::Behind { .. } | Visit::Pruned { .. } => colors::HOVERED,
+                };
+                let entered = matches!(visit, Visit::Entered { .. });
+                if is_last || entered {
+                    let width = if is_last { 2.5 } else { 1.0 };
+                    lines.aabb(bounds, Stroke::new(width, color), Hidden::Faint);
+                }
+            }
+            // Where only the results of tests are given there are no shapes.
+            Test::Primitive { prim, .. } if is_last && (prim.0 as usize) < scene.len() => {
+                let stroke = Stroke::new(2.5, colors::HOVERED);
+                match scene.primitive(*prim) {
+                    kit::Primitive::Triangle(triangle) => {
+                        let fill = colors::HOVERED.gamma_multiply(0.3);
+                        lines.triangle(corners(triangle), fill, stroke);
+                    }
+                    kit::Primitive::Sphere(sphere) => {
+                        lines.aabb(&sphere.bounds(), stroke, Hidden::Faint)
+                    }
+                }
+            }
+            Test::Primitive { .. } => {}
+        }
+    }
+}
+
+/// The camera rays of a render that failed.
+pub(super) fn camera_rays(lines: &Lines<'_>, ui: &Ui, session: &Session) {
+    let (Some(render), [first, ..]) = (session.render(), session.camera_rays()) else {
+        return;
+    };
+    let scene = render.scene();
+    let depth = 0.3 * scene.bounds.extent().length();
+    let job = render.job();
+    frustum(lines, &job.camera, job.film, depth, colors::line(ui), None);
+    let stroke = Stroke::new(1.2, colors::ray(RayRole::Camera));
+    for ray in session.camera_rays() {
+        lines.line(ray.o, ray.at(4.0 * depth), stroke, Hidden::Shown);
+    }
+    lines.disc(first.o, 4.0, stroke.color);
+}

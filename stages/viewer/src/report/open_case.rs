@@ -1,0 +1,250 @@
+//! The case of a report that is shown: what is computed about it, and a walk through it.
+
+use super::case_pictures::{golden_folder, of_case, of_task};
+use super::case_view::CaseView;
+use super::file::FailedCase;
+use super::stage_answer::{answer_of, is_timed};
+use crate::orbit::Orbit;
+use crate::picture_pair::{PairDisplay, PicturePair};
+use crate::task::{StageFailure, Task, Wake};
+use crate::tree_walk::TreeWalk;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// The parts of a case that can be looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CasePart {
+    /// Shapes and rays in 3D.
+    View,
+    /// The picture whose pixels are the calls of the case.
+    CasePicture,
+    /// The picture of the task.
+    TaskPicture,
+}
+
+impl CasePart {
+    /// Its name in the window.
+    pub fn name(self) -> &'static str {
+        match self {
+            CasePart::View => "3D",
+            CasePart::CasePicture => "Picture of the case",
+            CasePart::TaskPicture => "Picture of the task",
+        }
+    }
+}
+
+/// What is computed about a case with the stages of this program.
+#[derive(Clone, Debug, Default)]
+pub struct CaseContent {
+    /// Why the stages have no answer, as a sentence.
+    pub silent: Option<String>,
+    /// Whether the task still has the start that the course provides.
+    pub is_untouched: bool,
+    /// What is wrong with the answer now: the grader's sentences; `None` without an answer.
+    pub wrong_now: Option<Vec<String>>,
+    /// The case in 3D.
+    pub view: Option<CaseView>,
+    /// Golden, actual and difference of the case; the error is a sentence.
+    pub case_picture: Option<Result<PicturePair, String>>,
+    /// Golden, actual and difference of the task's picture; the error is a sentence.
+    pub task_picture: Option<Result<PicturePair, String>>,
+}
+
+impl CaseContent {
+    /// Runs the case and renders its pictures. `report` is the path of the report.
+    pub fn of(case: &FailedCase, report: &Path) -> CaseContent {
+        let mut content = CaseContent::default();
+        let answer = match &case.spec {
+            Some(spec) if !is_timed(&spec.work) => match answer_of(spec) {
+                Ok(answer) => Some(answer),
+                Err(why) => {
+                    content.silent = Some(why);
+                    None
+                }
+            },
+            _ => None,
+        };
+        if let (Some(answer), Some(spec)) = (&answer, &case.spec) {
+            let findings = judge::judge(spec, case.tier, &answer.answer);
+            let wrong = findings.iter().filter(|finding| !finding.passed());
+            let sentence = |finding: &judge::tally::Finding| match &finding.worst {
+                Some(worst) => worst.message.clone(),
+                None => format!("{} is missing", finding.aspect.label()),
+            };
+            content.wrong_now = Some(wrong.map(sentence).collect());
+            content.is_untouched = answer.is_untouched;
+        }
+        content.view = CaseView::of(case, answer.as_ref().map(|answer| &answer.answer));
+        let Some(goldens) = golden_folder(report) else {
+            return content;
+        };
+        if let (Some(answer), Some(spec)) = (&answer, &case.spec) {
+            content.case_picture = of_case(&goldens, spec, case.tier, &answer.answer);
+        }
+        if judge::pictures::of(&case.task).is_some() {
+            content.task_picture = Some(of_task(&goldens, &case.task));
+        }
+        content
+    }
+
+    /// The parts that there are, in order.
+    pub fn parts(&self) -> Vec<CasePart> {
+        let parts = [
+            (CasePart::View, self.view.is_some()),
+            (CasePart::CasePicture, self.case_picture.is_some()),
+            (CasePart::TaskPicture, self.task_picture.is_some()),
+        ];
+        let present = parts.into_iter().filter(|(_, is_there)| *is_there);
+        present.map(|(part, _)| part).collect()
+    }
+
+    /// The two pictures of a part; the error is a sentence.
+    pub fn pair(&self, part: CasePart) -> Option<Result<&PicturePair, &str>> {
+        let pair = match part {
+            CasePart::View => None,
+            CasePart::CasePicture => self.case_picture.as_ref(),
+            CasePart::TaskPicture => self.task_picture.as_ref(),
+        };
+        pair.map(|pair| pair.as_ref().map_err(String::as_str))
+    }
+}
+
+/// The shown case.
+pub struct OpenCase {
+    /// Its index in the report.
+    pub index: usize,
+    running: Option<Task<CaseContent>>,
+    content: Option<CaseContent>,
+    failure: Option<StageFailure>,
+    chosen: Option<CasePart>,
+    /// How its pictures are shown.
+    pub display: PairDisplay,
+    /// The camera of the 3D view, once it is drawn.
+    pub orbit: Option<Orbit>,
+    /// The selected node of a tree.
+    pub walk: TreeWalk,
+    /// The number of tests of a traversal that have been walked, or of wrong nodes of a tree.
+    pub step: usize,
+}
+
+impl OpenCase {
+    /// Starts to compute what there is to see of `case`, in the background.
+    pub fn start(index: usize, case: &Arc<FailedCase>, report: &Path, wake: &Wake) -> OpenCase {
+        let (case, report) = (Arc::clone(case), report.to_owned());
+        let task = Task::spawn(Arc::clone(wake), move |_| CaseContent::of(&case, &report));
+        OpenCase {
+            index,
+            running: Some(task),
+            content: None,
+            failure: None,
+            chosen: None,
+            display: PairDisplay::default(),
+            orbit: None,
+            walk: TreeWalk::default(),
+            step: 0,
+        }
+    }
+
+    /// Takes what was computed. Waits for it at most `wait`.
+    pub fn update(&mut self, wait: Duration) {
+        let Some(result) = self.running.as_ref().and_then(|task| task.wait(wait)) else {
+            return;
+        };
+        self.running = None;
+        match result {
+            Ok(content) => self.content = Some(content),
+            Err(failure) => self.failure = Some(failure),
+        }
+        // The walk starts where something is wrong.
+        match self
+            .content
+            .as_ref()
+            .and_then(|content| content.view.as_ref())
+        {
+            Some(CaseView::Tree(_)) => self.step_test(true),
+            Some(CaseView::Visits(case)) => {
+                let parting = case.parting.as_ref().and_then(|parting| parting.test);
+                self.step = parting.map_or(0, |test| test + 1);
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether something is being computed.
+    pub fn is_running(&self) -> bool {
+        self.running.is_some()
+    }
+
+    /// What was computed.
+    pub fn content(&self) -> Option<&CaseContent> {
+        self.content.as_ref()
+    }
+
+    /// Why nothing was computed.
+    pub fn failure(&self) -> Option<&StageFailure> {
+        self.failure.as_ref()
+    }
+
+    /// The case in 3D.
+    pub fn view(&self) -> Option<&CaseView> {
+        self.content()?.view.as_ref()
+    }
+
+    /// The visible part; `None` if there is none.
+    pub fn part(&self) -> Option<CasePart> {
+        let parts = self.content()?.parts();
+        let chosen = self.chosen.filter(|part| parts.contains(part));
+        chosen.or(parts.first().copied())
+    }
+
+    /// Shows a part.
+    pub fn show(&mut self, part: CasePart) {
+        self.chosen = Some(part);
+    }
+
+    /// Shows the next part.
+    pub fn show_next(&mut self) {
+        let Some(parts) = self.content().map(CaseContent::parts) else {
+            return;
+        };
+        let at = parts.iter().position(|part| Some(*part) == self.part());
+        if let Some(at) = at {
+            self.chosen = Some(parts[(at + 1) % parts.len()]);
+        }
+    }
+
+    /// Walks to the next or the previous event: a test of a traversal, a wrong node of a tree.
+    pub fn step_test(&mut self, forward: bool) {
+        let events = match self.view() {
+            Some(CaseView::Visits(case)) => case.record.tests.len(),
+            Some(CaseView::Tree(case)) => case.wrong.len(),
+            _ => 0,
+        };
+        let step = if forward {
+            (self.step + 1).min(events)
+        } else {
+            self.step.saturating_sub(1)
+        };
+        self.go_to_event(step);
+    }
+
+    /// Walks to the event with this number, counted from 1; 0 is before the first one.
+    pub fn go_to_event(&mut self, step: usize) {
+        self.step = step;
+        let content = self.content.as_ref();
+        if let Some(CaseView::Tree(case)) = content.and_then(|content| content.view.as_ref())
+            && let Some(wrong) = step.checked_sub(1).and_then(|i| case.wrong.get(i))
+        {
+            self.walk.go_to(&case.tree, wrong.node);
+        }
+    }
+
+    /// Walks through the tree of a case.
+    pub fn with_tree(&mut self, change: impl FnOnce(&mut TreeWalk, &kit::Bvh)) {
+        let content = self.content.as_ref();
+        if let Some(CaseView::Tree(case)) = content.and_then(|content| content.view.as_ref()) {
+            change(&mut self.walk, &case.tree);
+        }
+    }
+}

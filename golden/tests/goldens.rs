@@ -247,7 +247,7 @@ fn check_task_picture(workspace: &Workspace, task: &str, bless: bool) -> Result<
     if ::pictures::png::read(&path).is_ok_and(|golden| golden == actual) {
         return Ok(());
     }
-    let file = ::pictures::png::encode(&actual);
+    let file = ::pictures::png::encode_smallest(&actual);
     let new = path.with_extension("new.png");
     std::fs::write(&new, &file).map_err(|e| e.to_string())?;
     if file.len() > LARGEST_PICTURE {

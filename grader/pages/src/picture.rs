@@ -22,7 +22,7 @@ pub fn compose([width, height]: [u32; 2], work: &Work, answer: &Answer) -> Optio
 
 /// Writes the picture as a PNG file. The file is written completely or not at all.
 pub fn write_png(path: &Path, picture: &Image) -> Result<(), GraderError> {
-    write_whole(path, &png::encode(picture))
+    write_whole(path, &png::encode_smallest(picture))
 }
 
 /// Reads a PNG file.

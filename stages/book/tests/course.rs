@@ -88,7 +88,7 @@ fn the_summary_lists_the_chapter_of_each_part_and_task_with_its_title() {
             assert_eq!(listed.get(&path_of(task)), Some(&title));
         }
     }
-    for path in ["", "part1", "part2", "part3", "part4", "part5"]
+    for path in ["", "part1", "part2", "part3", "part4", "part5", "part6"]
         .into_iter()
         .flat_map(markdown_in)
     {

@@ -9,6 +9,7 @@ mod part2;
 mod part3;
 mod part4;
 mod part5;
+mod part6;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

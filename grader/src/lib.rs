@@ -9,7 +9,7 @@
 //! - [`compile`], [`worker_set`], [`stage_workers`], [`runner`]: building and running the workers
 //! - the crate [`judge`]: which answers are right
 //! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake; [`speedup`]: times
-//! - [`picture`]: what the code renders
+//! - [`picture`]: what the code renders; [`chapter`]: where the book explains it
 //! - [`report`]: the output; [`results`] and [`next_task`]: what is known from earlier runs
 //!
 //! [`watch`] grades whenever a file is saved. [`explain`] draws what a case tests.
@@ -20,6 +20,7 @@
 
 mod changed_signature;
 mod channel;
+pub mod chapter;
 pub mod child_processes;
 pub mod cli;
 pub mod compile;

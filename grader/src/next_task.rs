@@ -98,12 +98,6 @@ pub fn is_given(known: &[Known], part: &str) -> bool {
         && later.any(|task| task.place.has_hole)
 }
 
-/// The chapter of the book about a task: `stages/book/src/part2/task1.md` for `part2.task1`.
-pub fn chapter(key: &str) -> Option<String> {
-    let (part, task) = key.split_once('.')?;
-    Some(format!("stages/book/src/{part}/{task}.md"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,12 +153,5 @@ mod tests {
         assert_eq!(first(&graded).as_deref(), Some("part1.task1"));
         let half = [one, hole("part1.task2"), hole("part2.task1")];
         assert_eq!(first(&half).as_deref(), Some("part1.task1"));
-    }
-
-    #[test]
-    fn the_chapter_is_in_the_key() {
-        let path = "stages/book/src/part2/task1.md";
-        assert_eq!(chapter("part2.task1").as_deref(), Some(path));
-        assert_eq!(chapter("toy"), None);
     }
 }

@@ -4,7 +4,7 @@ use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::grade;
 use crate::report::write_whole;
-use crate::runner;
+use crate::runner::{self, Worker};
 use crate::score::Status;
 use crate::worker_set::WorkerSet;
 use crate::workspace::Workspace;
@@ -104,13 +104,22 @@ pub fn of_code(
             return Ok(Err(Status::Needs(needs)));
         }
     };
-    let mut run = runner::run(&worker, &[picture.spec().case()])?;
+    rendered_by(course, picture, &worker)
+}
+
+/// The picture of the code that `worker` links, or why there is none.
+pub fn rendered_by(
+    course: &Course,
+    picture: &TaskPicture,
+    worker: &Worker,
+) -> Result<Result<Image, Status>, GraderError> {
+    let mut run = runner::run(worker, &[picture.spec().case()])?;
     let ending = run
         .endings
         .pop()
         .ok_or_else(|| GraderError::new("the worker returned no picture"))?;
     let ending = Ok(ending);
-    Ok(match grade::answered(&task.key, &ending, course)? {
+    Ok(match grade::answered(picture.task, &ending, course)? {
         Ok(Answer::Picture(answer)) => Ok(tone::compose(picture, answer)),
         Ok(_) => Err(Status::Failed),
         Err(status) => Err(status),

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// Writes the picture as a PNG file. The file is written completely or not at all.
 pub fn write_png(path: &Path, picture: &Image) -> Result<(), GraderError> {
-    write_whole(path, &png::encode(picture))
+    write_whole(path, &png::encode_smallest(picture))
 }
 
 /// Reads a PNG file.

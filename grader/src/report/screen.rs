@@ -9,7 +9,7 @@ use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, wrap_to};
 use super::{Report, Reveal, TaskReport};
-use crate::next_task::chapter;
+use crate::chapter::chapter;
 use crate::printed::Printed;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::sources::Place;

@@ -3,6 +3,7 @@
 
 use super::terminal::{stdout_has_colours, style_of};
 use super::{HintLevel, Report, Reveal, TaskReport, order};
+use crate::chapter::{Section, section};
 use crate::diagnosis::Diagnosis;
 use crate::score::{CaseResult, Status, TaskResult};
 use comfy_table::{Cell, CellAlignment, Table, presets};
@@ -271,6 +272,9 @@ fn explanation(text: &mut String, report: &TaskReport, hint: HintLevel, is_core:
             );
             if hint >= HintLevel::Remedy {
                 let _ = writeln!(text, "  Hint: {}", diagnosis.hint);
+                if let Some(place) = section(&report.result.key, Section::Mistakes) {
+                    let _ = writeln!(text, "  More in the book: {place}");
+                }
             }
         }
         None if hint >= HintLevel::Mistake && is_core => {

@@ -5,9 +5,9 @@
 
 pub mod files;
 
+use crate::chapter::chapter;
 use crate::course::{Course, Task};
 use crate::error::GraderError;
-use crate::next_task::chapter;
 use crate::report::screen::{self, Context};
 use crate::report::terminal::{GREEN, Page};
 use crate::report::wrap::one_line;

@@ -6,20 +6,92 @@
 use kit::{Camera, Vec2, Vec3};
 use std::fmt::Write;
 
-/// Colours by class: `ink`, `blue`, `red`, `green`, `soft` for lines, `f-...` for filled areas. The
-/// colours are those of Okabe and Ito, which colour-blind readers can distinguish.
+/// Rules that do not depend on a colour.
 const STYLE: &str = "\
-.paper{fill:#fff}.ink{stroke:#222}.blue{stroke:#0072b2}.red{stroke:#d55e00}.green{stroke:#00795a}.soft{stroke:#999}\
-.line{fill:none;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}.soft{stroke-width:1.2}.dash{stroke-dasharray:6 5}\
-.area{stroke:none;fill-opacity:.16}.f-ink{fill:#222}.f-blue{fill:#0072b2}.f-red{fill:#d55e00}.f-green{fill:#00795a}.f-soft{fill:#999}\
-text{font-family:sans-serif;font-size:15px;fill:#222}.m{font-family:serif;font-style:italic;font-size:19px}\
-.s{font-size:13px}text.blue,text.red,text.green,text.soft,text.ink{stroke:none}\
-text.blue{fill:#0072b2}text.red{fill:#b34700}text.green{fill:#00795a}text.soft{fill:#666}\
-@media (prefers-color-scheme:dark){.paper{fill:#16181d}.ink{stroke:#e6e6e6}.blue{stroke:#56b4e9}.red{stroke:#ff8c42}\
-.green{stroke:#2fc89b}.soft{stroke:#8a8a8a}.f-ink{fill:#e6e6e6}.f-blue{fill:#56b4e9}.f-red{fill:#ff8c42}\
-.f-green{fill:#2fc89b}.f-soft{fill:#8a8a8a}text{fill:#e6e6e6}text.blue{fill:#56b4e9}text.red{fill:#ff8c42}\
-text.green{fill:#2fc89b}text.soft{fill:#a8a8a8}}\
-@media print{.paper{fill:#fff}.ink{stroke:#000}text{fill:#000}}";
+.paper{fill:#fff}.line{fill:none;stroke-width:2;stroke-linejoin:round;stroke-linecap:round}.dash{stroke-dasharray:6 5}\
+.dots{stroke-width:8;stroke-linecap:round}.area{stroke:none;fill-opacity:.16}\
+text{font-family:sans-serif;font-size:15px;fill:#222;stroke:none}\
+.m{font-family:serif;font-style:italic;font-size:19px}.s{font-size:13px}";
+
+/// A colour of lines (`blue`), areas (`f-blue`) and text, on a light and on a dark page. Lines have
+/// the colours of Okabe and Ito, which colour-blind readers can distinguish.
+struct Colour {
+    class: &'static str,
+    light: &'static str,
+    /// Of text, which needs more contrast.
+    light_text: &'static str,
+    dark: &'static str,
+    dark_text: &'static str,
+}
+
+const COLOURS: [Colour; 5] = [
+    Colour {
+        class: "ink",
+        light: "#222",
+        light_text: "#222",
+        dark: "#e6e6e6",
+        dark_text: "#e6e6e6",
+    },
+    Colour {
+        class: "blue",
+        light: "#0072b2",
+        light_text: "#0072b2",
+        dark: "#56b4e9",
+        dark_text: "#56b4e9",
+    },
+    Colour {
+        class: "red",
+        light: "#d55e00",
+        light_text: "#b34700",
+        dark: "#ff8c42",
+        dark_text: "#ff8c42",
+    },
+    Colour {
+        class: "green",
+        light: "#00795a",
+        light_text: "#00795a",
+        dark: "#2fc89b",
+        dark_text: "#2fc89b",
+    },
+    Colour {
+        class: "soft",
+        light: "#999",
+        light_text: "#666",
+        dark: "#8a8a8a",
+        dark_text: "#a8a8a8",
+    },
+];
+
+/// The rules for the colours that `body` uses: for light pages, dark ones and print.
+fn style(body: &str) -> String {
+    let used = |class: &str| {
+        [
+            format!(" {class}\""),
+            format!(" {class} "),
+            format!("f-{class}\""),
+        ]
+        .iter()
+        .any(|use_of| body.contains(use_of.as_str()))
+    };
+    let (mut light, mut dark) = (STYLE.to_string(), ".paper{fill:#16181d}".to_string());
+    for colour in COLOURS.iter().filter(|colour| used(colour.class)) {
+        let class = colour.class;
+        let rules = |line: &str, text: &str| {
+            format!(
+                ".{class}{{stroke:{line}}}.f-{class}{{fill:{line}}}text.{class}{{fill:{text};stroke:none}}"
+            )
+        };
+        light += &rules(colour.light, colour.light_text);
+        dark += &rules(colour.dark, colour.dark_text);
+        if class == "soft" {
+            light += ".soft{stroke-width:1.2}";
+        }
+    }
+    format!(
+        "{light}@media (prefers-color-scheme:dark){{{dark}}}\
+         @media print{{.paper{{fill:#fff}}.ink{{stroke:#000}}text{{fill:#000}}}}"
+    )
+}
 
 /// Where a label is, relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,6 +219,15 @@ impl Drawing {
         );
     }
 
+    /// Many dots of one colour, as a single element.
+    pub fn dots(&mut self, points: &[Vec2], colour: &str) {
+        let each = points
+            .iter()
+            .map(|p| format!("M{}h0", pixel(self.place(*p))));
+        let list: String = each.collect();
+        let _ = writeln!(self.body, "<path class=\"dots {colour}\" d=\"{list}\"/>");
+    }
+
     /// A circle around `centre`; an ellipse on the page if the axes have different scales.
     pub fn circle(&mut self, centre: Vec2, radius: f64, class: &str) {
         let points: Vec<Vec2> = (0..=72).map(|k| centre + radius * turn(k, 72)).collect();
@@ -217,17 +298,19 @@ impl Drawing {
     }
 
     fn points(&self, points: &[Vec2]) -> String {
-        let places: Vec<String> = points.iter().map(|p| pixel(self.place(*p))).collect();
-        places.join(" ")
+        let places: Vec<Vec2> = points.iter().map(|p| self.place(*p)).collect();
+        let kept: Vec<String> = simplified(&places).into_iter().map(pixel).collect();
+        kept.join(" ")
     }
 
     /// The complete SVG file.
     pub fn finish(self) -> String {
         let (w, h) = (number(self.width), number(self.height));
         let description = escape(&self.description);
+        let style = style(&self.body);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
-             role=\"img\" aria-label=\"{description}\">\n<title>{description}</title>\n<style>{STYLE}</style>\n\
+             role=\"img\" aria-label=\"{description}\">\n<title>{description}</title>\n<style>{style}</style>\n\
              <rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>\n{}</svg>\n",
             self.body
         )
@@ -265,6 +348,33 @@ impl View {
         Vec2::new(p.dot(self.right), p.dot(self.up))
     }
 }
+
+/// The line through `points` without those that are not needed to stay within [`TOLERANCE`] of it
+/// (Douglas and Peucker, 1973).
+fn simplified(points: &[Vec2]) -> Vec<Vec2> {
+    let [first, .., last] = points else {
+        return points.to_vec();
+    };
+    let along = (*last - *first).normalize_or_zero();
+    let off = |p: Vec2| match along == Vec2::ZERO {
+        true => (p - *first).length(),
+        false => (p - *first).perp_dot(along).abs(),
+    };
+    let inner = 1..points.len() - 1;
+    let farthest = inner.max_by(|a, b| off(points[*a]).total_cmp(&off(points[*b])));
+    match farthest {
+        Some(at) if off(points[at]) > TOLERANCE => {
+            let mut kept = simplified(&points[..=at]);
+            kept.pop();
+            kept.extend(simplified(&points[at..]));
+            kept
+        }
+        _ => vec![*first, *last],
+    }
+}
+
+/// In pixels: less than can be seen.
+const TOLERANCE: f64 = 0.06;
 
 /// Rounds to a tenth of a pixel: figures are compared as text.
 fn number(x: f64) -> String {

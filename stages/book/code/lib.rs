@@ -53,6 +53,9 @@ mod code_of_chapters {
         Part3 "part3/README.md"
         Part4 "part4/README.md"
         Part5 "part5/README.md"
+        Part6 "part6/README.md"
+        Part6Task1 "part6/task1.md"
+        Part6Task2 "part6/task2.md"
         GettingStarted "getting-started.md"
         Debugging "debugging.md"
     }

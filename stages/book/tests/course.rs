@@ -2,6 +2,8 @@
 //! mistakes. What a handout does not contain (the mistakes) is not compared there.
 
 use book::chapter::{self, Chapter};
+use book::html;
+use grader::chapter::{self as place, Section};
 use grader::course::{Course, Task};
 use grader::workspace::Workspace;
 use judge::Tier;
@@ -86,7 +88,7 @@ fn the_summary_lists_the_chapter_of_each_part_and_task_with_its_title() {
             assert_eq!(listed.get(&path_of(task)), Some(&title));
         }
     }
-    for path in ["", "part1", "part2", "part3", "part4", "part5"]
+    for path in ["", "part1", "part2", "part3", "part4", "part5", "part6"]
         .into_iter()
         .flat_map(markdown_in)
     {
@@ -329,6 +331,76 @@ fn mistakes_are_named_as_the_grader_names_them_and_fail_the_cases_shown() {
                     .any(|line| fails(&line)),
                 "{}: \"{name}\" does not fail {case}",
                 task.key
+            );
+        }
+    }
+}
+
+/// The pictures are rendered by `grader mutants all --pictures`; handouts do not have the list.
+#[test]
+fn pictures_of_mistakes_are_shown_and_named() {
+    let root = workspace().root().to_path_buf();
+    let Ok(list) = fs::read_to_string(root.join("grader/mutants/pictures.toml")) else {
+        return;
+    };
+    let list: toml::Table = list.parse().expect("the list of pictures is TOML");
+    let sheets = list["sheet"].as_array().expect("a list");
+    let mut shown = BTreeSet::new();
+    for (task, chapter) in chapters() {
+        let sheet = sheets
+            .iter()
+            .find(|s| s["task"].as_str() == Some(&task.key));
+        let sheet = sheet.unwrap_or_else(|| panic!("{}: no picture of mistakes", task.key));
+        let names = sheet["mutants"].as_array().expect("a list").iter();
+        let descriptions: Vec<String> = names
+            .map(|name| {
+                let name = name.as_str().expect("a name");
+                let id = name.split(" on ").next().unwrap_or(name);
+                format!("*{}*", description(&root, &task, id))
+            })
+            .collect();
+        let section = &chapter.section("Mistakes").expect("a section").text;
+        let flat: String = section.split_whitespace().collect::<Vec<_>>().join(" ");
+        let file = format!("{}.png", task.key.replace('.', "-"));
+        let expected = format!(
+            "](../mistakes/{file}) From the left: the right picture, then the pictures of code that {}.",
+            descriptions.join("; ")
+        );
+        assert!(flat.contains(&expected), "{}: {expected}", task.key);
+        shown.insert(file);
+    }
+    let files = fs::read_dir(book::folder().join("src/mistakes")).expect("the pictures");
+    let name = |file: std::io::Result<fs::DirEntry>| file.expect("a file").file_name();
+    let files: BTreeSet<String> = files
+        .map(|file| name(file).to_string_lossy().into_owned())
+        .collect();
+    assert_eq!(files, shown);
+}
+
+/// What the grader says about the mistake `id` of a task.
+fn description(root: &Path, task: &Task, id: &str) -> String {
+    let list = root.join(format!("grader/mutants/{}.toml", task.key));
+    let list = fs::read_to_string(list).expect("the list of mistakes");
+    let list: toml::Table = list.parse().expect("the list of mistakes is TOML");
+    let mut mistakes = list["mistake"].as_array().expect("a list").iter();
+    let found = mistakes.find(|mistake| mistake["id"].as_str() == Some(id));
+    let found = found.unwrap_or_else(|| panic!("{}: there is no mistake {id}", task.key));
+    found["description"].as_str().expect("a text").to_string()
+}
+
+/// The hints of the grader end with such links.
+#[test]
+fn the_sections_that_the_grader_links_to_exist() {
+    for (task, chapter) in chapters() {
+        for section in Section::ALL {
+            let link = place::section(&task.key, section).expect("the key names part and task");
+            let (path, anchor) = link.split_once('#').expect("a section");
+            let below = Path::new("stages/book/src").join(&chapter.path);
+            assert_eq!(Path::new(path), below);
+            let mut titles = chapter.sections.iter().map(|section| &section.title);
+            assert!(
+                titles.any(|title| html::anchor(title) == anchor),
+                "{link} names no section"
             );
         }
     }

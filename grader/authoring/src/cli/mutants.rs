@@ -4,6 +4,7 @@
 use authoring::mutants::blessing::{self, BlessVerdict, Blessing};
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::groups;
+use authoring::mutants::mistake_pictures;
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::table::Table;
@@ -58,6 +59,13 @@ pub(crate) fn command() -> Command {
                 .help("Also print, as a table in Markdown, what `grader bless` would do with each mistake if the reference made it, and the answers that it would confirm although they differ by more than rounding errors"),
         )
         .arg(
+            Arg::new("pictures")
+                .long("pictures")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "bless", "with", "families"])
+                .help("Instead, render the mistakes that the chapters of the book show, as grader/mutants/pictures.toml lists them, to stages/book/src/mistakes"),
+        )
+        .arg(
             Arg::new("bless")
                 .long("bless")
                 .action(ArgAction::SetTrue)
@@ -74,6 +82,12 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let mut verdict = Verdict::Passed;
+    if matches.get_flag("pictures") {
+        for (path, bytes) in mistake_pictures::write(&workspace, &course, &course.select(what)?)? {
+            println!("{}: {bytes} bytes", workspace.relative(&path).display());
+        }
+        return Ok(verdict);
+    }
     for task in course.select(what)? {
         if let Some(&seeds) = seeds {
             let graded = seeds::grade(&workspace, &course, task, 0..seeds)?;

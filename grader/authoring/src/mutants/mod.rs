@@ -4,14 +4,16 @@
 //! Every mutant must lose points, and no variant may lose a core point. [`corpus`] reads mutants
 //! and variants, [`versions_crate`] builds all versions of a stage in one crate, [`run`] grades
 //! them, [`table`] lists which case detects which mistake. [`grader::diagnosis`] compares a
-//! student's results with those of the mutants. [`blessing`] checks that no mistake of the
+//! student's results with those of the mutants. [`mistake_pictures`] renders mistakes for the book. [`blessing`] checks that no mistake of the
 //! reference could become golden unnoticed.
 
 pub mod blessing;
 pub mod corpus;
 pub mod empty;
 pub mod families;
+mod few_colours;
 pub mod groups;
+pub mod mistake_pictures;
 pub mod run;
 pub mod seeds;
 pub mod table;

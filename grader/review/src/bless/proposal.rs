@@ -127,7 +127,7 @@ impl Proposal {
                     let path = workspace.golden_picture(spec.task, spec.name);
                     if let Some(meaning) = picture_change(&path, &actual)? {
                         self.changes
-                            .push(change(path, png::encode(&actual), meaning));
+                            .push(change(path, png::encode_smallest(&actual), meaning));
                     }
                 }
             }
@@ -193,7 +193,7 @@ impl Proposal {
         let Some(meaning) = picture_change(&path, actual)? else {
             return Ok(());
         };
-        let content = png::encode(actual);
+        let content = png::encode_smallest(actual);
         if content.len() > LARGEST_PICTURE {
             let why = format!(
                 "the picture has {} bytes, expected at most {LARGEST_PICTURE}: give its panels fewer steps or more samples",

@@ -1,8 +1,8 @@
 //! What a screen says about one task that is not complete.
 
 use super::{Block, Context};
+use crate::chapter::{Section, chapter, section};
 use crate::compile_errors;
-use crate::next_task::chapter;
 use crate::printed;
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
@@ -226,19 +226,30 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             out.add(0, SENTENCES, &format!("  {label}: {}.", found.says));
             if reveal.hint >= HintLevel::Remedy {
                 out.add(1, SENTENCES, &format!("  Hint: {}", found.hint));
-                if let Some(chapter) = chapter(&report.result.key) {
-                    out.add(2, 2, &format!("  More in its chapter: {chapter}"));
-                }
+                read_more(out, &report.result.key, Section::Mistakes);
             }
         }
         None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
             out.add(2, 1, "  The answers match no known mistake.");
+            if reveal.hint >= HintLevel::Remedy {
+                read_more(out, &report.result.key, Section::Contract);
+            }
+        }
+        None if reveal.hint >= HintLevel::Remedy && !lost_core => {
+            read_more(out, &report.result.key, Section::Limits);
         }
         _ => {}
     }
     if !report.regularities.is_empty() {
         let common = report.regularities.join("; ");
         out.add(1, SENTENCES, &format!("  In common: {common}."));
+    }
+}
+
+/// Adds the place in the book about what went wrong.
+fn read_more(out: &mut Lines, key: &str, about: Section) {
+    if let Some(place) = section(key, about) {
+        out.add(2, 2, &format!("  More in the book: {place}"));
     }
 }
 

@@ -207,7 +207,28 @@ fn each_level_reveals_more() {
         levels("Hint: look at the sign"),
         [false, false, false, true]
     );
+    assert_eq!(
+        levels("More in the book: stages/book/src/part1/task3.md#mistakes"),
+        [false, false, false, true]
+    );
     assert_eq!(levels("for more ("), [true, true, true, false]);
+}
+
+#[test]
+fn without_a_known_mistake_the_book_is_opened_where_it_helps() {
+    let shows = |tier, extra, word: &str| {
+        let lost = case("back_face", tier, "your result: miss");
+        let most = if tier == Tier::Core { 1.0 } else { 30.0 };
+        let wrong = task("part1.task3", "", most, vec![lost]);
+        let reveal = Reveal {
+            hint: HintLevel::Remedy,
+            extra,
+        };
+        screen(vec![wrong], &context("part1.task3"), reveal).contains(word)
+    };
+    assert!(shows(Tier::Core, false, "part1/task3.md#the-contract"));
+    let limits = "part1/task3.md#where-the-formulas-break";
+    assert!(shows(Tier::Robust, true, limits));
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod part3_diffuse;
 mod part3_direct;
 mod part4;
 mod part5;
+mod part6;
 
 use kit::{Aabb, Vec2, Vec3};
 use std::path::PathBuf;
@@ -32,6 +33,7 @@ pub fn all() -> Vec<Figure> {
         part3_direct::figures(),
         part4::figures(),
         part5::figures(),
+        part6::figures(),
     ]
     .concat()
 }

@@ -129,13 +129,16 @@ fn disk() -> String {
     ] {
         let mut sampler = PixelSampler::new(0, 0, 9);
         d.circle(w(centre, 0.0), 1.0, "soft");
-        for _ in 0..300 {
+        let points = (0..300).map(|_| {
             let u = sampler.get_sample();
             let r = if root { u.x.sqrt() } else { u.x };
             let (sin, cos) = math::sin_cos(TAU * u.y);
-            let p = w(centre, 0.0) + r * w(cos, sin);
-            d.dot(p, if root { "green" } else { "red" });
-        }
+            w(centre, 0.0) + r * w(cos, sin)
+        });
+        d.dots(
+            &points.collect::<Vec<_>>(),
+            if root { "green" } else { "red" },
+        );
         d.note(w(centre, -1.05), Side::Below, words, "ink");
     }
     d.finish()

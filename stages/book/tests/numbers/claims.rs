@@ -1,102 +1,529 @@
-//! Numbers in sentences of the chapters.
+//! Numbers in sentences of the chapters: all of them are computed here, or listed in [`GIVEN`] as
+//! inputs of a thought, which nothing is computed from.
 
-use book::chapter::Chapter;
-use std::path::Path;
+use book::chapter::{self, Chapter};
+use judge::pictures;
+use kit::math;
+use std::fs;
+use wire::picture::Subject;
 
-/// Requires that the chapter at `path` contains `words`, in which the computed numbers stand.
-fn says(path: &str, words: &str) {
-    let chapter = Chapter::read(Path::new(path)).expect("the chapter");
-    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(
-        flat(&chapter.text).contains(&flat(words)),
-        "{path} does not say: {words}"
-    );
+/// A chapter and a phrase of it, with computed numbers.
+type Claim = (&'static str, String);
+
+fn claims() -> Vec<Claim> {
+    [
+        general(),
+        part1(),
+        part2(),
+        part3(),
+        part4(),
+        part5_task1(),
+        part5_task2(),
+    ]
+    .concat()
 }
 
-#[test]
-fn triangles_overflow_where_the_text_says() {
-    let largest = f64::MAX.cbrt().log10().floor();
-    let smallest = f64::MIN_POSITIVE.cbrt().log10().ceil();
-    let words = format!(
-        "overflow from about $10^{{{largest}}}$ on, and lose digits below about $10^{{{smallest}}}$"
-    );
-    says("part1/task3.md", &words);
+/// Rounded to one digit, as powers of ten are in the text.
+fn one_digit(x: f64) -> f64 {
+    let power = 10_f64.powf(x.log10().floor());
+    (x / power).round() * power
 }
 
-#[test]
-fn brute_force_takes_as_long_as_the_text_says() {
-    let tests = 480.0 * 360.0 * 100_000.0;
-    let words = format!(
-        "takes {:.0} billion tests; at 10 nanoseconds each that is {:.0} seconds",
-        (tests / 1e9_f64).floor(),
-        tests * 1e-8
-    );
-    says("part2/README.md", &words);
+fn general() -> Vec<Claim> {
+    let radiance = 1.0 / (1.0 - 0.5);
+    let lost = 2.0 * 1000_f64.log10();
+    let digits = (53.0 * 2_f64.log10()).round();
+    assert_eq!((lost.round(), digits), (6.0, 16.0), "six of sixteen");
+    assert_eq!(2.0 * 1e8_f64.log10(), digits, "all");
+    vec![
+        ("debugging.md", format!("In a closed room that emits 1 and reflects 0.5, everything has the radiance {radiance}")),
+        ("accuracy.md", "A sphere 1000 radii away costs six of sixteen digits; one hundred million radii away, all".into()),
+    ]
 }
 
-#[test]
-fn a_sphere_leaves_half_of_its_box_empty() {
-    let empty = 100.0 * (1.0 - std::f64::consts::PI / 6.0);
-    says(
-        "part2/task2.md",
-        &format!("A sphere in a box leaves {empty:.0} % of the box empty"),
-    );
-}
-
-#[test]
-fn fields_of_view_are_those_of_the_text() {
+fn part1() -> Vec<Claim> {
     let half = 30_f64.to_radians().tan();
     let wide = (2.0 * half).atan().to_degrees();
-    let words = format!(
-        "Half of 60 degrees has the tangent {half:.3}, and twice that is the tangent of {wide:.1} degrees, so the \
-         horizontal field of view is {:.1} degrees",
-        2.0 * wide
-    );
-    says("part1/task2.md", &words);
+    let steep = (0.5 * std::f64::consts::PI).tan();
+    let largest = f64::MAX.cbrt().log10().floor();
+    let smallest = f64::MIN_POSITIVE.cbrt().log10().ceil();
+    let blind = (1.0 / f64::EPSILON.sqrt()).log10().round();
+    vec![
+        (
+            "part1/task1.md",
+            format!(
+                "So to remove 9/10 of the noise, a picture takes {:.0} times as long",
+                (1.0 - 0.9_f64).powi(-2)
+            ),
+        ),
+        (
+            "part1/task2.md",
+            format!("Is the horizontal one {} degrees?", 2 * 60),
+        ),
+        (
+            "part1/task2.md",
+            format!(
+                "Half of 60 degrees has the tangent {half:.3}, and twice that is the tangent of {wide:.1} degrees, so the \
+                 horizontal field of view is {:.1} degrees",
+                2.0 * wide
+            ),
+        ),
+        (
+            "part1/task2.md",
+            format!(
+                "the tangent takes radians: {} degrees are $\\pi$",
+                std::f64::consts::PI.to_degrees()
+            ),
+        ),
+        (
+            "part1/task2.md",
+            format!(
+                "its tangent is about ${:.1} \\cdot 10^{{16}}$",
+                steep / 1e16
+            ),
+        ),
+        (
+            "part1/task3.md",
+            format!(
+                "overflow from about $10^{{{largest}}}$ on, and lose digits below about $10^{{{smallest}}}$"
+            ),
+        ),
+        (
+            "part1/task4.md",
+            format!("From a distance of about $10^{blind}$ on, not one digit is right"),
+        ),
+        (
+            "part1/task4.md",
+            format!(
+                "With a distance of $10^{blind}$ radii, the terms are $10^{{{}}}$ times larger than their difference",
+                2.0 * blind
+            ),
+        ),
+    ]
 }
 
-#[test]
-fn rare_light_is_lost_as_often_as_the_text_says() {
-    let missed = 0.999_f64.powi(32);
-    let words = format!(
-        "With $p = 0.001$ and $b = 32$ that happens to {:.0} % of the pixels",
-        100.0 * missed
-    );
-    says("part5/task2.md", &words);
-    let words = format!(
-        "256 samples miss the lamp with the probability {:.2}",
-        0.999_f64.powi(256)
-    );
-    says("part5/task2.md", &words);
-    let hits = (1.96_f64 / 0.05).powi(2).ceil();
-    says(
-        "part5/task2.md",
-        &format!("With a tolerance of 5 % it is {hits}"),
-    );
+fn subject(task: &str) -> Subject {
+    pictures::of(task)
+        .expect("the task has a picture")
+        .work
+        .subject
 }
 
-#[test]
-fn roulette_leaves_as_many_bounces_as_the_text_says() {
-    assert!((0.8 / (1.0 - 0.8) - 4.0_f64).abs() < 1e-12);
-    says("part4/task3.md", "For $\\rho = 0.8$ that is four.");
-}
-
-#[test]
-fn glass_reflects_as_much_as_the_text_says() {
-    let r: f64 = (1.5 - 1.0) / (1.5 + 1.0);
-    says(
-        "part4/task1.md",
-        &format!("glass reflects {:.0} % head on", 100.0 * r * r),
-    );
-}
-
-#[test]
-fn rounding_of_a_box_is_as_large_as_the_text_says() {
+fn part2() -> Vec<Claim> {
+    let tests = 480.0 * 360.0 * 100_000.0;
+    let empty = 100.0 * (1.0 - std::f64::consts::PI / 6.0);
     let u = 0.5 * f64::EPSILON;
     let gamma = 3.0 * u / (1.0 - 3.0 * u);
-    let words = format!(
-        "a factor of $1 + {:.1} \\cdot 10^{{-16}}$",
-        2.0 * gamma * 1e16
+    assert_eq!(one_digit(1e300_f64.log2()), 1000.0, "a thousand splits");
+    let Subject::Leaves {
+        triangles,
+        max_leaf_size,
+    } = subject("part2.task1")
+    else {
+        panic!("another picture")
+    };
+    let Subject::Traversal { scene, hottest, .. } = subject("part2.task3") else {
+        panic!("another picture")
+    };
+    let wire::work::SceneSource::InCornellBox(_, mesh) = scene else {
+        panic!("another scene")
+    };
+    let deep = judge::cases::all(0)
+        .into_iter()
+        .find(|spec| spec.is("part2.task3", "very_deep_tree"));
+    let deep = deep.expect("the case is there").about;
+    assert!(deep.contains("500 levels"), "{deep}");
+    vec![
+        (
+            "part2/README.md",
+            format!(
+                "A picture of 480 by 360 pixels of a mesh with 100 000 triangles takes {:.0} billion tests; at 10 nanoseconds \
+                 each that is {:.0} seconds",
+                (tests / 1e9_f64).floor(),
+                tests * 1e-8
+            ),
+        ),
+        (
+            "part2/task1.md",
+            format!(
+                "a mesh of about {} triangles",
+                one_digit(triangles.len() as f64)
+            ),
+        ),
+        (
+            "part2/task1.md",
+            format!("at most {max_leaf_size} triangles in a leaf"),
+        ),
+        (
+            "part2/task1.md",
+            "down to $10^{-300}$ give a path of a thousand midpoint splits".into(),
+        ),
+        (
+            "part2/task2.md",
+            format!("A sphere in a box leaves {empty:.0} % of the box empty"),
+        ),
+        (
+            "part2/task2.md",
+            format!(
+                "a factor of $1 + {:.1} \\cdot 10^{{-16}}$",
+                2.0 * gamma * 1e16
+            ),
+        ),
+        (
+            "part2/task3.md",
+            format!("A mesh of about {mesh} triangles in a Cornell box"),
+        ),
+        ("part2/task3.md", format!("white from {hottest} on")),
+        ("part2/task3.md", "A tree may be 500 levels deep".into()),
+    ]
+}
+
+fn part3() -> Vec<Claim> {
+    let gap = 1.0 - 1_f64.next_down();
+    let q: f64 = 0.01;
+    // Of values that are 1 with the probability q and else 0, relative to their mean.
+    let spread = ((1.0 - q) / q).sqrt();
+    let needed = (spread / 0.1).powi(2);
+    assert_eq!(q * 100.0, 1.0, "one pixel is lit");
+    vec![
+        ("part3/task1.md", format!("$1 - u_x$ is ${:.1} \\cdot 10^{{-16}}$", gap * 1e16)),
+        ("part3/task2.md", "A small lamp covers 1/100 of the hemisphere. Of 100 pixels with one sample each, how many are lit".into()),
+        ("part3/task2.md", format!("About one, and it is about {} times too bright", 1.0 / q)),
+        (
+            "part3/task2.md",
+            format!(
+                "with $q = {q}$ it is {}, and {} 000 samples are needed for an error of 10 %",
+                one_digit(spread),
+                one_digit(needed) / 1000.0
+            ),
+        ),
+    ]
+}
+
+fn part4() -> Vec<Claim> {
+    let r: f64 = (1.5 - 1.0) / (1.5 + 1.0);
+    assert!((0.8 / (1.0 - 0.8) - 4.0_f64).abs() < 1e-12, "that is four");
+    vec![
+        (
+            "part4/task1.md",
+            format!("glass reflects {:.0} % head on", 100.0 * r * r),
+        ),
+        (
+            "part4/task2.md",
+            format!("If your code gives {} it bounces once", 1.0 + 0.5),
+        ),
+        ("part4/task3.md", "For $\\rho = 0.8$ that is four.".into()),
+    ]
+}
+
+/// The share of a bell curve within `z` standard deviations, by Simpson's rule.
+fn within(z: f64) -> f64 {
+    const STEPS: u32 = 2000;
+    let h = z / f64::from(STEPS);
+    let density = |x: f64| math::exp(-0.5 * x * x) / std::f64::consts::TAU.sqrt();
+    let weight = |i: u32| match i {
+        0 | STEPS => 1.0,
+        i if i % 2 == 1 => 4.0,
+        _ => 2.0,
+    };
+    let sum: f64 = (0..=STEPS)
+        .map(|i| weight(i) * density(h * f64::from(i)))
+        .sum();
+    2.0 * sum * h / 3.0
+}
+
+fn part5_task1() -> Vec<Claim> {
+    let Subject::Adaptive {
+        ns_aa,
+        batch,
+        tolerance,
+        ..
+    } = subject("part5.task1")
+    else {
+        panic!("another picture")
+    };
+    let share = 100.0 * within(1.96);
+    assert!(
+        (within(1.95996) - 0.95).abs() < 1e-6,
+        "neither 2 nor 1.95996"
     );
-    says("part2/task2.md", &words);
+    let times: f64 = (5.0_f64 / 1.0).powi(2);
+    vec![
+        (
+            "part5/task1.md",
+            format!(
+                "at most {ns_aa} samples for a pixel, in batches of {batch}, with a tolerance of {:.0} %",
+                100.0 * tolerance
+            ),
+        ),
+        (
+            "part5/task1.md",
+            format!("Blue is few, green is half, red is all {ns_aa}."),
+        ),
+        (
+            "part5/task1.md",
+            format!("If the count is always {ns_aa}, the lower panel is all red."),
+        ),
+        (
+            "part5/task1.md",
+            format!("the sum is divided by {ns_aa} all the same"),
+        ),
+        (
+            "part5/task1.md",
+            format!("So a tolerance of 1 % takes {times} times as long as one of 5 %"),
+        ),
+        (
+            "part5/task1.md",
+            format!("Of a bell curve, {share:.0} % lie within 1.96 standard deviations"),
+        ),
+        (
+            "part5/task1.md",
+            "The number is 1.96, neither 2 nor 1.95996".into(),
+        ),
+    ]
+}
+
+/// The fewest samples with which `has_surely_converged` may stop.
+fn fewest() -> u32 {
+    let source = book::folder().join("../adaptive/src/stop.rs");
+    let source = fs::read_to_string(source).expect("the stage");
+    let constant = source.split("FEWEST_SAMPLES: u64 = ").nth(1);
+    let digits = constant.and_then(|rest| rest.split(';').next());
+    digits
+        .and_then(|digits| digits.parse().ok())
+        .expect("a number")
+}
+
+fn part5_task2() -> Vec<Claim> {
+    let Subject::RareLight {
+        ns_aa,
+        batch,
+        tolerance,
+    } = subject("part5.task2")
+    else {
+        panic!("another picture")
+    };
+    let fewest = fewest();
+    let missed = 100.0 * 0.999_f64.powi(batch as i32);
+    let hits = (1.96_f64 / 0.05).powi(2).ceil();
+    vec![
+        (
+            "part5/task2.md",
+            format!(
+                "A pixel takes at most {ns_aa} samples, in batches of {batch}, with a tolerance of {:.0} %",
+                100.0 * tolerance
+            ),
+        ),
+        (
+            "part5/README.md",
+            format!(
+                "Here the least is green: {fewest} samples of {}",
+                2 * fewest
+            ),
+        ),
+        (
+            "part5/task2.md",
+            format!("it stops at {fewest} samples, the fewest allowed"),
+        ),
+        (
+            "part5/task2.md",
+            format!("If black pixels may stop at {fewest} samples"),
+        ),
+        (
+            "part5/task2.md",
+            format!("The course asks for {fewest} samples at least"),
+        ),
+        (
+            "part5/task2.md",
+            format!("({fewest}) samples, a mean above 0"),
+        ),
+        (
+            "part5/task2.md",
+            format!("{fewest} samples are enough; {} are not", fewest - 1),
+        ),
+        (
+            "part5/task2.md",
+            format!(
+                "With $p = 0.001$ and $b = {batch}$ that happens to {missed:.0} % of the pixels"
+            ),
+        ),
+        (
+            "part5/task2.md",
+            format!("With a tolerance of 5 % it is {hits}"),
+        ),
+        ("part5/task2.md", format!("A mean over {hits} lucky events")),
+        (
+            "part5/task2.md",
+            format!(
+                "{fewest} samples miss the lamp with the probability {:.2}",
+                0.999_f64.powi(fewest as i32)
+            ),
+        ),
+    ]
+}
+
+/// Phrases with numbers that are inputs of a thought, settings of a picture that the text names, or
+/// results of one measurement.
+const GIVEN: &[(&str, &str)] = &[
+    ("grading.md", "not a tolerance like 0.001"),
+    ("grading.md", "on 1106 of 1106 calls"),
+    ("grading.md", "fewer than 95 % agree"),
+    ("debugging.md", "Scale it by 1000:"),
+    (
+        "part1/task1.md",
+        "at 0.35 of its width and 0.4 of its height",
+    ),
+    ("part1/task1.md", "in one of 1000 samples"),
+    ("part1/task2.md", "Angles of 180 degrees and just below"),
+    ("part1/task2.md", "a camera that is turned by 180 degrees"),
+    (
+        "part1/task2.md",
+        "from a millionth of a degree to 180 degrees",
+    ),
+    ("part1/task2.md", "At 180 degrees the tangent"),
+    ("part1/task2.md", "at all near 180 degrees"),
+    ("part1/task2.md", "Perspective at 150 degrees"),
+    // tests/course.rs compares this number with the README's table.
+    ("part1/task3.md", "about 65 300 leak"),
+    // Once, with the reference and another slack.
+    ("part2/task3.md", "of 2.4 million rays"),
+    ("part3/task2.md", "A fixed offset such as 0.001"),
+    ("part4/task1.md", "= 1/1.5, 1.5, 1 and 2.4"),
+    ("part4/task1.md", "for 1.5 and 1/1.5"),
+    ("part4/task3.md", "a largest channel of 1.25"),
+    ("part4/task3.md", "survive with at most 95 %"),
+    ("part5/task1.md", "Without the factor 1.96"),
+    (
+        "part5/task1.md",
+        "with a confidence of 95 %, $$\\lvert \\mu - I \\rvert \\le 1.96 \\, s.$$",
+    ),
+    ("part5/task1.md", "$$1.96 \\, s \\le \\tau \\mu.$$"),
+    (
+        "part5/task1.md",
+        "$n \\ge (1.96 \\, \\sigma / (\\tau \\mu))^2$",
+    ),
+    ("part5/task1.md", "lies with a confidence of 95 %"),
+    (
+        "part5/task2.md",
+        "from 1 at the right edge to 0.005 at the left one",
+    ),
+    ("part5/task2.md", "met by one sample of 1000"),
+    ("part5/task2.md", "How many of 100 pixels"),
+    (
+        "part5/task2.md",
+        "\\left( \\frac{1.96}{\\tau} \\right)^2 \\frac{1}{p}",
+    ),
+    (
+        "part5/task2.md",
+        "\\left( \\frac{1.96}{\\tau} \\right)^2.$$",
+    ),
+    ("part5/task2.md", "in one of 3000 on the right"),
+];
+
+/// The text in one line.
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn sentences_have_the_computed_numbers() {
+    let chapters = chapter::all().expect("all chapters");
+    let given = GIVEN.iter().map(|(path, words)| (*path, words.to_string()));
+    for (path, words) in claims().into_iter().chain(given) {
+        let of_path = |chapter: &&Chapter| chapter.path.as_os_str() == path;
+        let chapter = chapters.iter().find(of_path).expect("the chapter");
+        assert!(
+            flat(&chapter.text).contains(&flat(&words)),
+            "{path} does not say: {words}"
+        );
+    }
+}
+
+/// The chapters without worked examples, code, tables and lists of literature.
+fn prose(chapter: &Chapter) -> String {
+    let mut text = chapter.text.clone();
+    for title in ["A worked example", "Exercises and reading"] {
+        if let Some(section) = chapter.section(title) {
+            text = text.replace(&section.text, "\n");
+        }
+    }
+    let text: String = text.split("```").step_by(2).collect();
+    let lines = text.lines().filter(|line| !line.starts_with('|'));
+    let text = flat(&lines.collect::<Vec<_>>().join("\n"));
+    // Inline code and the targets of links.
+    let text: String = text.split('`').step_by(2).collect();
+    let mut parts = text.split("](");
+    let first = parts.next().unwrap_or_default().to_string();
+    parts.fold(first, |all, part| {
+        all + "]" + part.split_once(')').map_or("", |(_, rest)| rest)
+    })
+}
+
+/// The numbers that must have been computed: those with a decimal point, of three digits or more,
+/// percentages and powers of ten; not years.
+fn telling_numbers(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let chars: Vec<char> = text.chars().collect();
+    let mut i = 0;
+    while i < chars.len() {
+        if !chars[i].is_ascii_digit() {
+            i += 1;
+            continue;
+        }
+        let start = i;
+        let is_part = |i: usize| {
+            let is_digit = |i: usize| chars.get(i).is_some_and(char::is_ascii_digit);
+            is_digit(i) || chars.get(i) == Some(&'.') && is_digit(i + 1)
+        };
+        while is_part(i) {
+            i += 1;
+        }
+        let number: String = chars[start..i].iter().collect();
+        let rest: String = chars[i..chars.len().min(i + 2)].iter().collect();
+        let is_year = number.len() == 4 && (number.starts_with("19") || number.starts_with("20"));
+        let is_telling = number.contains('.')
+            || number.len() >= 3 && !is_year
+            || rest.starts_with(" %")
+            || number == "10" && rest.starts_with('^');
+        if is_telling {
+            let from = start.saturating_sub(40);
+            let until = chars.len().min(i + 20);
+            found.push(chars[from..until].iter().collect());
+        }
+    }
+    found
+}
+
+#[test]
+fn telling_numbers_are_found() {
+    let count = |text: &str| telling_numbers(text).len();
+    assert_eq!(count("0.5 and 120, 5 %, $10^{-8}$"), 4);
+    assert_eq!(count("in 2013, 16 of 24. The 3 others"), 0);
+}
+
+/// Every number of the text is computed or listed as given. Those of [Hosting](hosting.md) and
+/// [Further reading](reading.md) are points, which `course.rs` compares, and literature.
+#[test]
+fn no_number_is_left_to_chance() {
+    let given = GIVEN.iter().map(|(path, words)| (*path, words.to_string()));
+    let known: Vec<Claim> = claims().into_iter().chain(given).collect();
+    let mut unknown = Vec::new();
+    for chapter in chapter::all().expect("all chapters") {
+        let path = chapter.path.display().to_string();
+        if ["hosting.md", "reading.md"].contains(&path.as_str()) {
+            continue;
+        }
+        let mut text = prose(&chapter);
+        for (_, words) in known.iter().filter(|(of, _)| *of == path) {
+            let words: String = flat(words).split('`').step_by(2).collect();
+            text = text.replace(&words, "");
+        }
+        let numbers = telling_numbers(&text);
+        unknown.extend(numbers.iter().map(|near| format!("{path}: ...{near}...")));
+    }
+    assert!(
+        unknown.is_empty(),
+        "compute these numbers in claims.rs, or list them as given:\n{}",
+        unknown.join("\n")
+    );
 }

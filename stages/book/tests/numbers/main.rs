@@ -1,7 +1,7 @@
 //! The numbers of the text are computed here, from the given values and by formulas of our own.
 //!
 //! In the section "A worked example" of a chapter every number of every formula is compared, in the
-//! order in which they stand there. In other places the sentences of `claims` are compared.
+//! order in which they stand there. Numbers in other places are those of `claims`.
 
 mod claims;
 mod part1;
@@ -9,6 +9,7 @@ mod part2;
 mod part3;
 mod part4;
 mod part5;
+mod part6;
 
 use book::chapter::Chapter;
 use kit::{Vec2, Vec3};

@@ -1,0 +1,267 @@
+//! Pictures of mistakes for the book: the picture of a task as the reference renders it, and as
+//! mutants do, beside each other in one small file.
+//!
+//! `grader/mutants/pictures.toml` lists them. `grader mutants TASK --pictures` makes the files
+//! below `stages/book/src/mistakes`, which the chapters show.
+
+use super::corpus::{Corpus, Sources, reference_sources};
+use super::few_colours::few_colours;
+use super::run::{Kind, versions};
+use super::versions_crate::{self, VERSION_VARIABLE};
+use grader::course::{Course, Task};
+use grader::error::GraderError;
+use grader::picture;
+use grader::report::write_whole;
+use grader::runner::Worker;
+use grader::workspace::Workspace;
+use judge::pictures::{NAME, TaskPicture};
+use pictures::image::Rgb;
+use pictures::{Image, png};
+use serde::Deserialize;
+use std::path::PathBuf;
+use tempfile::TempPath;
+
+/// Width and height of each picture in a sheet: half of those of a panel.
+const TILE: [u32; 2] = [160, 120];
+
+/// Pixels between two pictures.
+const GAP: u32 = 4;
+
+/// The colour of the gaps, visible on white and on dark paper.
+const PAPER: Rgb = [128, 128, 128];
+
+/// The mistakes of a task that its chapter shows.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sheet {
+    /// Key of the task.
+    pub task: String,
+    /// The panel of the task's picture, counted from the top.
+    #[serde(default)]
+    pub panel: u32,
+    /// Column and row, from the top left of the panel, of the top left corner of the part that is
+    /// shown as it is. Without it the whole panel is shown at half its size.
+    #[serde(default)]
+    pub corner: Option<[u32; 2]>,
+    /// The largest number of colours of each picture.
+    pub colours: usize,
+    /// The names of the mutants, in the order in which they are shown.
+    pub mutants: Vec<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct List {
+    sheet: Vec<Sheet>,
+}
+
+impl Sheet {
+    /// The sheets of all tasks. Fails if the list cannot be read or shows a place outside of a
+    /// panel.
+    pub fn all(workspace: &Workspace) -> Result<Vec<Sheet>, GraderError> {
+        workspace.ensure_full("it does not contain the list of typical mistakes")?;
+        let path = workspace.root().join("grader/mutants/pictures.toml");
+        let text =
+            std::fs::read_to_string(&path).map_err(|e| GraderError::file("read", &path, e))?;
+        let list: List = toml::from_str(&text).map_err(|e| GraderError::file("parse", &path, e))?;
+        for sheet in &list.sheet {
+            sheet
+                .check()
+                .map_err(|message| GraderError::file("use", &path, message))?;
+        }
+        Ok(list.sheet)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let task = &self.task;
+        let picture = judge::pictures::of(task)
+            .ok_or_else(|| format!("`{task}` has no picture: use a task's key"))?;
+        let panels = picture.work.panels;
+        if self.panel >= panels {
+            let panel = self.panel;
+            return Err(format!(
+                "the picture of `{task}` has {panels} panels, counted from 0: there is no panel {panel}"
+            ));
+        }
+        let [w, h] = picture.work.size;
+        let corner = self.corner.unwrap_or_default();
+        if corner[0] > w - TILE[0] || corner[1] > h - TILE[1] {
+            return Err(format!(
+                "`{task}`: the corner {corner:?} leaves less than {TILE:?} of a panel of {w} x {h} pixels"
+            ));
+        }
+        Ok(())
+    }
+
+    /// The file of the sheet.
+    pub fn file(&self, workspace: &Workspace) -> PathBuf {
+        let name = self.task.replace('.', "-");
+        let folder = workspace.root().join("stages/book/src/mistakes");
+        folder.join(format!("{name}.png"))
+    }
+
+    /// What the sheet shows of a picture of the task.
+    pub fn tile(&self, picture: &Image) -> Image {
+        let top = self.panel * 2 * TILE[1];
+        let tile = match self.corner {
+            Some([x, y]) => Image::from_fn(TILE, |i, j| picture.get(x + i, top + y + j)),
+            None => Image::from_fn(TILE, |i, j| mean_of_four(picture, 2 * i, top + 2 * j)),
+        };
+        few_colours(&tile, self.colours)
+    }
+
+    /// The picture that `tiles` make beside each other.
+    fn compose(tiles: &[Image]) -> Image {
+        let count = tiles.len() as u32;
+        let width = count * (TILE[0] + GAP) - GAP;
+        let mut sheet = Image::filled([width, TILE[1]], PAPER);
+        for (i, tile) in (0..).zip(tiles) {
+            sheet.paste(tile, i * (TILE[0] + GAP), 0);
+        }
+        sheet
+    }
+
+    /// The picture at the place `number` in a sheet; the reference's is at 0.
+    pub fn shown(sheet: &Image, number: u32) -> Image {
+        Image::from_fn(TILE, |x, y| sheet.get(number * (TILE[0] + GAP) + x, y))
+    }
+}
+
+fn mean_of_four(picture: &Image, x: u32, y: u32) -> Rgb {
+    let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| picture.get(x + i, y + j));
+    [0, 1, 2].map(|channel| {
+        let sum: u32 = four.iter().map(|pixel| u32::from(pixel[channel])).sum();
+        ((sum + 2) / 4) as u8
+    })
+}
+
+/// The versions that sheets need, in one worker.
+struct Versions {
+    program: TempPath,
+    /// The task and the name of each version from number 1 on. Number 0 is the reference.
+    named: Vec<(String, String)>,
+}
+
+impl Versions {
+    fn build(
+        workspace: &Workspace,
+        course: &Course,
+        sheets: &[Sheet],
+    ) -> Result<Versions, GraderError> {
+        let mut named = Vec::new();
+        let mut stages: Vec<(&str, Vec<Sources>)> = Vec::new();
+        for stage in course.stages() {
+            let mut sources = vec![reference_sources(workspace, stage)?];
+            for task in course.tasks().filter(|task| task.stage == stage) {
+                for sheet in sheets.iter().filter(|sheet| sheet.task == task.key) {
+                    for (name, source) in mutants_of(workspace, task, sheet)? {
+                        named.push((task.key.clone(), name));
+                        sources.push(source);
+                    }
+                }
+            }
+            stages.push((stage, sources));
+        }
+        let program = versions_crate::worker_of_stages(workspace, "pictures", &stages)?;
+        Ok(Versions { program, named })
+    }
+
+    /// The number of a version.
+    fn number(&self, task: &str, name: &str) -> Result<usize, GraderError> {
+        let is_it = |(of, called): &(String, String)| of == task && called == name;
+        let found = self.named.iter().position(is_it);
+        found
+            .map(|i| i + 1)
+            .ok_or_else(|| GraderError::new(format!("no mutant of `{task}` is called `{name}`")))
+    }
+
+    /// The picture of `task` that a version renders.
+    fn render(
+        &self,
+        course: &Course,
+        picture: &TaskPicture,
+        number: usize,
+    ) -> Result<Image, GraderError> {
+        let worker = Worker {
+            program: self.program.to_path_buf(),
+            environment: vec![(VERSION_VARIABLE, number.to_string())],
+            launcher: None,
+        };
+        picture::rendered_by(course, picture, &worker)?.map_err(|status| {
+            let name = &self.named[number - 1].1;
+            GraderError::new(format!(
+                "`{name}` renders no picture of {} ({status:?}): show another mistake",
+                picture.task
+            ))
+        })
+    }
+}
+
+/// The mutants that a sheet shows, in its order, with their sources.
+fn mutants_of(
+    workspace: &Workspace,
+    task: &Task,
+    sheet: &Sheet,
+) -> Result<Vec<(String, Sources)>, GraderError> {
+    let all = Corpus::read(workspace, task)?.mutants;
+    let wanted = sheet.mutants.iter().map(|name| {
+        let found = all.iter().find(|mutant| mutant.name() == *name);
+        found.cloned().ok_or_else(|| {
+            GraderError::new(format!(
+                "grader/mutants/pictures.toml shows the mutant `{name}`, which grader/mutants/{}.toml does not have",
+                task.key
+            ))
+        })
+    });
+    let (named, sources) = versions(workspace, task, wanted.collect::<Result<_, _>>()?)?;
+    let both = named.into_iter().zip(sources);
+    let mutants = both.filter(|((_, kind), _)| matches!(kind, Kind::Mutant(_)));
+    Ok(mutants.map(|((name, _), source)| (name, source)).collect())
+}
+
+/// Renders the sheets of some tasks. Returns the path of each and its file's content.
+pub fn render(
+    workspace: &Workspace,
+    course: &Course,
+    tasks: &[&Task],
+) -> Result<Vec<(PathBuf, Vec<u8>)>, GraderError> {
+    let mut sheets = Sheet::all(workspace)?;
+    sheets.retain(|sheet| tasks.iter().any(|task| task.key == sheet.task));
+    let versions = Versions::build(workspace, course, &sheets)?;
+    let each = sheets.iter().map(|sheet| {
+        let picture = judge::pictures::of(&sheet.task)
+            .ok_or_else(|| GraderError::new(format!("`{}` has no picture", sheet.task)))?;
+        let mut tiles = vec![sheet.tile(&golden(workspace, &sheet.task)?)];
+        for name in &sheet.mutants {
+            let number = versions.number(&sheet.task, name)?;
+            tiles.push(sheet.tile(&versions.render(course, &picture, number)?));
+        }
+        let file = png::encode(&Sheet::compose(&tiles));
+        Ok((sheet.file(workspace), file))
+    });
+    each.collect()
+}
+
+/// The golden picture of a task.
+pub fn golden(workspace: &Workspace, task: &str) -> Result<Image, GraderError> {
+    let path = workspace.golden_picture(task, NAME);
+    png::read(&path).map_err(|e| GraderError::file("read", &path, e))
+}
+
+/// Renders the sheets of some tasks and writes their files. Returns the paths and their sizes in
+/// bytes.
+pub fn write(
+    workspace: &Workspace,
+    course: &Course,
+    tasks: &[&Task],
+) -> Result<Vec<(PathBuf, usize)>, GraderError> {
+    let mut written = Vec::new();
+    for (path, file) in render(workspace, course, tasks)? {
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(|e| GraderError::file("create", folder, e))?;
+        }
+        write_whole(&path, &file)?;
+        written.push((path, file.len()));
+    }
+    Ok(written)
+}

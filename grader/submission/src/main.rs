@@ -121,6 +121,9 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     for place in &report.reaches_out {
         let _ = writeln!(text, "may access files or programs, please check: {place}");
     }
+    for sentence in &report.by_heart {
+        let _ = writeln!(text, "{sentence}");
+    }
     if !report.compiler.is_empty() {
         let _ = writeln!(text, "\n{}", report.compiler.trim_end());
     }

@@ -97,7 +97,9 @@ fn places(tokens: &[Token]) -> Vec<(usize, &str, &'static str)> {
             "]" => depth = depth.saturating_sub(1),
             _ => {}
         }
-        let of_macro = reason(&MACROS, word).filter(|_| text(i + 1) == "!");
+        // Not `!=`.
+        let is_macro = text(i + 1) == "!" && text(i + 2) != "=";
+        let of_macro = reason(&MACROS, word).filter(|_| is_macro);
         let of_attribute = reason(&ATTRIBUTES, word).filter(|_| depth > 0);
         let unstable = word == "feature" && i > 0 && is_inner(tokens, i - 1);
         let unstable = unstable.then_some(UNSTABLE);

@@ -5,6 +5,7 @@ use crate::course::{Course, Task, stages_of};
 use crate::crash::{self, Crash};
 use crate::diagnosis;
 use crate::error::GraderError;
+use crate::fresh_cases::FreshCases;
 use crate::picture;
 use crate::printed::Printed;
 use crate::regularity;
@@ -70,7 +71,7 @@ pub fn in_place(
         (run, pictures)
     });
     let run = run?;
-    let mut tasks = explain(workspace, run.results, &specs)?;
+    let mut tasks = explain(workspace, run.results, &specs, request.seed)?;
     for (task, path) in pictures? {
         let report = tasks.iter_mut().find(|report| report.result.key == task);
         report
@@ -102,7 +103,7 @@ pub fn at(
     let workers = workers(build_root, tasks, &specs, false)?;
     let run = run(&workers, course, tasks, &specs)?;
     Ok(Graded {
-        report: Report::new(explain(workspace, run.results, &specs)?, None),
+        report: Report::new(explain(workspace, run.results, &specs, seed)?, None),
         printed: run.printed,
         compiler: workers.compiler,
         limit: workers.limit,
@@ -162,18 +163,25 @@ fn run(
     Ok(run)
 }
 
-/// Adds to each result the mistake that explains it and a test of its worst answer.
+/// Adds to each result the mistake that explains it and a test of its worst answer. The `specs`
+/// were made with `seed`.
 fn explain(
     workspace: &Workspace,
     results: Vec<TaskResult>,
     specs: &[Spec],
+    seed: u64,
 ) -> Result<Vec<TaskReport>, GraderError> {
     let explained = results.into_iter().map(|result| {
         if result.status == Status::Passed {
             return Ok(result.into());
         }
-        let known = diagnosis::known(workspace, &result.key)?;
-        let diagnosis = diagnosis::diagnose(&known, &Signature::of(&result.cases));
+        let fresh = FreshCases::of(&result.key, specs, seed);
+        let mut known = diagnosis::known(workspace, &result.key)?;
+        for known in &mut known {
+            known.signature = fresh.removed_from(&known.signature);
+        }
+        let signature = fresh.removed_from(&Signature::of(&result.cases));
+        let diagnosis = diagnosis::diagnose(&known, &signature);
         let regularities = regularity::of(&result.key, &result.cases, specs);
         let worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
         Ok(TaskReport {

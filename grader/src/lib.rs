@@ -32,6 +32,7 @@ pub mod death;
 pub mod diagnosis;
 pub mod error;
 pub mod explain;
+mod fresh_cases;
 pub mod grade;
 pub mod interrupt;
 pub mod launcher;

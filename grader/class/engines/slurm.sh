@@ -16,4 +16,4 @@ set -euo pipefail
 : "${OUT:?the folder for the results}" "${PART:?the number of the part}"
 cd "$COURSE"
 exec target/release/class class "$CLASS" --out "$OUT" --part "$PART" \
-    --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" --jobs "${SLURM_CPUS_PER_TASK:-1}"
+    --shard "$SLURM_ARRAY_TASK_ID/${SHARDS:-$SLURM_ARRAY_TASK_COUNT}" --jobs "${SLURM_CPUS_PER_TASK:-1}"

@@ -100,6 +100,20 @@ impl Signature {
         self.cases().values().map(Codes::wrong).sum()
     }
 
+    /// The signature without these cases.
+    pub fn without(&self, cases: &BTreeSet<&str>) -> Signature {
+        let kept = |tier: &Cases| -> Cases {
+            let sides = tier.iter();
+            let kept = sides.filter(|(key, _)| !cases.contains(key.case.as_str()));
+            kept.map(|(key, codes)| (key.clone(), codes.clone()))
+                .collect()
+        };
+        Signature {
+            core: kept(&self.core),
+            robust: kept(&self.robust),
+        }
+    }
+
     /// A text that two signatures share only if they have the same faults in all cases.
     pub fn to_text(&self) -> String {
         let tiers = [("core", &self.core), ("robust", &self.robust)];

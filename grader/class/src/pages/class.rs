@@ -208,7 +208,7 @@ fn mistakes(class: &Class) -> String {
                 mistake.likely + mistake.perhaps,
                 escape(task),
                 escape(name),
-                escape(mistake.says)
+                escape(&about_code(mistake.says))
             );
         }
         html.push_str("</table></div>\n");
@@ -225,6 +225,27 @@ fn mistakes(class: &Class) -> String {
         );
     }
     html
+}
+
+/// What a diagnosis says about the code, without the student's numbers: of "your answers equal
+/// those of code that culls back faces: on 560 of 560 calls" the words "code that culls back
+/// faces".
+fn about_code(says: &str) -> String {
+    let start = says.find("code that ").unwrap_or(0);
+    let end = says.rfind(": on ").filter(|end| *end > start);
+    says[start..end.unwrap_or(says.len())].to_string()
+}
+
+/// A small number of pairs, with two digits that count.
+fn expected_pairs(pairs: f64) -> String {
+    match pairs {
+        1.0.. => format!("{pairs:.0}"),
+        1e-6.. => {
+            let digits = (-pairs.log10()).floor() as usize + 2;
+            format!("{pairs:.digits$}")
+        }
+        _ => "less than 0.000001".to_string(),
+    }
 }
 
 fn pairs(class: &Class) -> String {
@@ -248,6 +269,7 @@ fn pairs(class: &Class) -> String {
             .map(|(task, count, others)| {
                 let others = match others {
                     0 => "nobody else has them".to_string(),
+                    1 => "one other student has them".to_string(),
                     others => format!("{others} others have them"),
                 };
                 format!("{}: {count} answers, {others}", escape(task))
@@ -255,7 +277,7 @@ fn pairs(class: &Class) -> String {
             .collect();
         let expected = match pair.tasks.is_empty() {
             true => String::new(),
-            false => format!("{:.2e}", pair.expected),
+            false => expected_pairs(pair.expected),
         };
         let _ = writeln!(
             html,
@@ -314,4 +336,23 @@ fn students(class: &Class, page_names: &[String]) -> String {
         );
     }
     html + "</table></div>\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mistake_is_named_without_the_numbers_of_one_student() {
+        let says =
+            "your answers nearly equal those of code that swaps x and y: on 230 of 231 calls";
+        assert_eq!(about_code(says), "code that swaps x and y");
+        assert_eq!(about_code("something else"), "something else");
+    }
+
+    #[test]
+    fn expected_pairs_have_two_digits_that_count() {
+        let numbers = [29.2, 0.0999, 6.66e-5, 0.0].map(expected_pairs);
+        assert_eq!(numbers, ["29", "0.100", "0.000067", "less than 0.000001"]);
+    }
 }

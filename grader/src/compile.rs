@@ -2,6 +2,7 @@
 
 use crate::changed_signature;
 use crate::child_processes;
+use crate::compile_warnings::Warnings;
 use crate::error::GraderError;
 use crate::target_folder;
 use crate::workspace::Workspace;
@@ -191,13 +192,14 @@ fn run_cargo(
         .ok_or_else(|| GraderError::new("cannot read cargo's standard output"))?;
     let mut program = None;
     let mut errors = CompileErrors::default();
+    let mut warnings = Warnings::default();
     for line in BufReader::new(stdout).lines() {
         let line =
             line.map_err(|e| GraderError::new(format!("cannot read cargo's messages: {e}")))?;
         match Message::read(&line) {
             Some(Message::Program(path)) => program = Some(path),
-            Some(Message::Warning(text)) if show => eprint!("{text}"),
-            Some(Message::Warning(_)) | None => {}
+            Some(Message::Warning { of_crate }) => warnings.add(&of_crate),
+            None => {}
             Some(Message::Error { text, of_crate }) => {
                 if of_crate == WORKER && package == WORKER {
                     errors.worker_messages.push_str(&text);
@@ -214,6 +216,9 @@ fn run_cargo(
     let status = child
         .wait()
         .map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
+    if show {
+        eprint!("{}", warnings.summary());
+    }
     let stderr = progress.map(|thread| thread.join().ok().and_then(Result::ok).unwrap_or_default());
     match program {
         Some(program) if status.success() => Ok(Ok(program)),
@@ -237,8 +242,8 @@ fn run_cargo(
 enum Message {
     /// A program was built, or was up to date.
     Program(PathBuf),
-    /// A warning of the compiler.
-    Warning(String),
+    /// A warning of the compiler about a crate.
+    Warning { of_crate: String },
     /// An error of the compiler in a crate.
     Error { text: String, of_crate: String },
 }
@@ -252,10 +257,10 @@ impl Message {
         let diagnostic = message.get("message")?;
         let level = diagnostic.get("level")?.as_str()?;
         let text = diagnostic.get("rendered")?.as_str()?.to_string();
-        if !level.starts_with("error") {
-            return Some(Message::Warning(text));
-        }
         let of_crate = message.get("target")?.get("name")?.as_str()?.to_string();
+        if !level.starts_with("error") {
+            return Some(Message::Warning { of_crate });
+        }
         Some(Message::Error { text, of_crate })
     }
 }

@@ -3,6 +3,7 @@
 use crate::changed_signature;
 use crate::child_processes;
 use crate::child_processes::Watchdog;
+use crate::compile_warnings::Warnings;
 use crate::error::GraderError;
 use crate::launcher::Launcher;
 use crate::runner::{Worker, tail};
@@ -269,12 +270,13 @@ fn run_cargo(
         .ok_or_else(|| GraderError::new("cannot read cargo's standard output"))?;
     let mut program = None;
     let mut errors = CompileErrors::default();
+    let mut warnings = Warnings::default();
     let mut stdout = BufReader::new(stdout);
     while let Some(line) = read_line(&mut stdout)? {
         match Message::read(&line) {
             Some(Message::Program(path)) => program = Some(path),
-            Some(Message::Warning(text)) if show => eprint!("{text}"),
-            Some(Message::Warning(_)) | None => {}
+            Some(Message::Warning { of_crate }) => warnings.add(&of_crate),
+            None => {}
             Some(Message::Error { text, of_crate }) => {
                 if of_crate == WORKER && package == WORKER {
                     push_message(&mut errors.worker_messages, &text);
@@ -294,6 +296,9 @@ fn run_cargo(
         false => child.wait(),
     };
     let status = status.map_err(|e| GraderError::new(format!("cannot wait for cargo: {e}")))?;
+    if show {
+        eprint!("{}", warnings.summary());
+    }
     let stderr = progress.map(|thread| thread.join().unwrap_or_default());
     let says = stderr.as_deref().unwrap_or("Cargo's message is above.");
     if limited && !status.success() {
@@ -416,8 +421,8 @@ impl std::fmt::Display for BuildLimit {
 enum Message {
     /// A program was built, or was up to date.
     Program(PathBuf),
-    /// A warning of the compiler.
-    Warning(String),
+    /// A warning of the compiler about a crate.
+    Warning { of_crate: String },
     /// An error of the compiler in a crate.
     Error { text: String, of_crate: String },
 }
@@ -431,10 +436,10 @@ impl Message {
         let diagnostic = message.get("message")?;
         let level = diagnostic.get("level")?.as_str()?;
         let text = diagnostic.get("rendered")?.as_str()?.to_string();
-        if !level.starts_with("error") {
-            return Some(Message::Warning(text));
-        }
         let of_crate = message.get("target")?.get("name")?.as_str()?.to_string();
+        if !level.starts_with("error") {
+            return Some(Message::Warning { of_crate });
+        }
         Some(Message::Error { text, of_crate })
     }
 }

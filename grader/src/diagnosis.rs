@@ -167,7 +167,12 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
         false => likeliest,
     };
     let (equal, of) = student.calls_alike(&best.signature);
-    let (mistakes, says, hint) = with_twins(&ranked, best);
+    let Named {
+        mistakes,
+        says,
+        others,
+        hint,
+    } = with_twins(&ranked, best);
     // A case that disagrees throughout makes a name uncertain. It does not veto it: tried on 199
     // mistakes that were not known, a veto took away eight names, all of them right.
     let certainty = match student.disagrees_throughout(&best.signature) {
@@ -181,7 +186,9 @@ pub fn diagnose(known: &[Known], student: &Signature) -> Option<Diagnosis> {
     };
     Some(Diagnosis {
         mistakes,
-        says: format!("your answers {verb} those of code that {says}: on {equal} of {of} calls"),
+        says: format!(
+            "your answers {verb} those of code that {says}: on {equal} of {of} calls{others}"
+        ),
         description: says,
         hint,
         equal,
@@ -230,27 +237,40 @@ fn alone_of_its_kind<'a>(
         .then_some(first)
 }
 
-/// The names of a mistake and of those that cannot be distinguished from it, the end of the
-/// sentence about them, and the hints of all of them.
-fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> (Vec<String>, String, String) {
-    let mut mistakes = best.mistakes.clone();
-    let mut says = best.descriptions.join(", and ");
-    let mut hint = best.hints.join(" ");
+/// What is said about a mistake and those that cannot be distinguished from it.
+struct Named {
+    /// The names of all of them.
+    mistakes: Vec<String>,
+    /// The end of the sentence about the mistake that fits best.
+    says: String,
+    /// The other guesses, each a clause of its own: what they say may be the opposite.
+    others: String,
+    /// The hints of all of them.
+    hint: String,
+}
+
+/// What is said about `best` and those of `ranked` that cannot be distinguished from it.
+fn with_twins(ranked: &[(&Known, Agreement)], best: &Known) -> Named {
+    let mut named = Named {
+        mistakes: best.mistakes.clone(),
+        says: best.descriptions.join(", and "),
+        others: String::new(),
+        hint: best.hints.join(" "),
+    };
     let twins = ranked.iter().map(|(twin, _)| twin).filter(|twin| {
         let single = twin.mistakes.len() == 1;
         single && twin.signature.shows_the_same(&best.signature)
     });
     for twin in twins {
-        if !mistakes.contains(&twin.mistakes[0]) {
-            mistakes.extend(twin.mistakes.iter().cloned());
-            says = format!(
-                "{says}; or of code that {}",
-                twin.descriptions.join(", and ")
-            );
-            hint = format!("{hint} Or: {}", twin.hints.join(" "));
+        if !named.mistakes.contains(&twin.mistakes[0]) {
+            named.mistakes.extend(twin.mistakes.iter().cloned());
+            let says = twin.descriptions.join(", and ");
+            let other = format!("; another guess, with the same answers: code that {says}");
+            named.others.push_str(&other);
+            named.hint = format!("{} Or: {}", named.hint, twin.hints.join(" "));
         }
     }
-    (mistakes, says, hint)
+    named
 }
 
 /// Two mistakes that together explain what neither explains alone.
@@ -290,17 +310,16 @@ fn two_at_once(
     let likeness = together.likeness();
     let explains = likeness >= TOGETHER && 1.0 - likeness <= LEFT * (1.0 - alone);
     (explains && likeness > alone).then(|| {
-        let [(mut mistakes, says, hint), (others, and_says, and_hint)] =
-            [first, second].map(|known| with_twins(ranked, known));
-        mistakes.extend(others);
+        let [mut first, second] = [first, second].map(|known| with_twins(ranked, known));
+        first.mistakes.extend(second.mistakes);
         Diagnosis {
-            mistakes,
+            mistakes: first.mistakes,
             says: format!(
-                "two mistakes at once: your answers look like those of code that {says}, and that {and_says}: together they explain {} of {} wrong values",
-                together.equal, together.either,
+                "two mistakes at once: your answers look like those of code that {}, and that {}: together they explain {} of {} wrong values{}{}",
+                first.says, second.says, together.equal, together.either, first.others, second.others,
             ),
-            description: format!("{says}, and that {and_says}"),
-            hint: format!("{hint} {and_hint}"),
+            description: format!("{}, and that {}", first.says, second.says),
+            hint: format!("{} {}", first.hint, second.hint),
             equal: together.equal,
             of: together.either,
             certainty: Certainty::of(likeness),
@@ -330,6 +349,11 @@ mod tests {
         let diagnosis = diagnose(&all, &wrong).expect("the mistake is known");
         assert_eq!(diagnosis.mistakes, ["this", "that"]);
         assert_eq!(diagnosis.hint, "Not this. Or: Not that.");
+        assert_eq!(
+            diagnosis.says,
+            "your answers equal those of code that does this: on 8 of 8 calls; \
+             another guess, with the same answers: code that does that"
+        );
     }
 
     #[test]

@@ -25,6 +25,7 @@ pub mod child_processes;
 pub mod cli;
 pub mod compile;
 pub mod compile_errors;
+pub mod compile_warnings;
 pub mod consistency;
 pub mod course;
 pub mod crash;

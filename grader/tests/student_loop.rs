@@ -198,7 +198,7 @@ fn a_student_writes_a_task() {
         "{bare}"
     );
     let (status, _) = run(&course, &["status"]);
-    assert!(!status.contains("before your edit"), "{status}");
+    assert!(!status.contains("before edit"), "{status}");
     assert!(status.contains("Next: part1.task1"), "{status}");
 
     // A call that ends the case does not hide the others.

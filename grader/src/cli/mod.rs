@@ -10,6 +10,7 @@ mod case;
 pub mod course_systems;
 mod explain;
 pub mod grade;
+mod help;
 pub mod picture;
 mod status;
 mod subprogram;
@@ -88,16 +89,20 @@ fn command() -> Command {
         Command::new(*name)
             .about(*about)
             .disable_help_flag(true)
+            .hide(!help::is_for_students(name))
             .arg(rest)
     });
+    let for_instructors = grade::submission_arguments().into_iter();
+    let for_instructors = for_instructors.chain(course_systems::arguments());
     grade::arguments(Command::new("grader"), HintLevel::Findings)
         .args(grade::student_arguments())
-        .args(grade::submission_arguments())
-        .args(course_systems::arguments())
+        .args(for_instructors.map(|argument| argument.hide(true)))
+        .mut_arg("format", |argument| argument.hide_possible_values(true))
+        .disable_help_subcommand(true)
         .about("Scores your ray tracer, stage by stage")
         .version(env!("CARGO_PKG_VERSION"))
         .args_conflicts_with_subcommands(true)
-        .after_help(EXIT_CODES)
+        .after_help(help::after())
         .subcommands([
             status::command(),
             watch::command(),
@@ -105,6 +110,7 @@ fn command() -> Command {
             picture::command(),
         ])
         .subcommands(subprograms)
+        .subcommand(help::command())
 }
 
 /// How to print a report.
@@ -121,7 +127,7 @@ impl Format {
     pub fn argument() -> Arg {
         Arg::new("format")
             .long("format")
-            .help("How to print the report")
+            .help("How to print the report: `table`, or `json` for programs")
             .value_parser(
                 ["table", "json"]
                     .into_iter()
@@ -218,6 +224,7 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             return match name {
                 "status" => status::run(),
                 "watch" => watch::run(rest),
+                help::NAME => help::run(rest),
                 _ => explain::run(rest),
             };
         };

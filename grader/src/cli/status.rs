@@ -4,10 +4,10 @@ use super::Verdict;
 use crate::course::Course;
 use crate::error::GraderError;
 use crate::next_task::{self, Known};
-use crate::report::screen::{self, title_width};
+use crate::report::screen;
 use crate::report::table::number;
 use crate::report::terminal::{GREEN, Page};
-use crate::report::wrap::{columns, one_line, wrap_to};
+use crate::report::wrap::{columns, wrap, wrap_to};
 use crate::workspace::Workspace;
 use clap::Command;
 use std::path::Path;
@@ -29,12 +29,11 @@ pub(super) fn run() -> Result<Verdict, GraderError> {
 /// A line for each task, the points of each part, and the next step.
 fn format_status(all: &[Known], page: Page) -> String {
     let mut lines = Vec::new();
+    let titles = all.iter().map(|known| columns(&known.place.title));
+    let widest = titles.max().unwrap_or(0);
     for known in all {
-        lines.push(line(
-            known,
-            next_task::is_given(all, known.part_key()),
-            page,
-        ));
+        let is_given = next_task::is_given(all, known.part_key());
+        lines.extend(task_lines(known, is_given, widest, page));
     }
     lines.push(String::new());
     let parts = all.chunk_by(|a, b| a.part_key() == b.part_key());
@@ -74,15 +73,39 @@ fn format_status(all: &[Known], page: Page) -> String {
 /// Columns of whether a task is written.
 const WRITTEN: usize = 12;
 
-fn line(known: &Known, is_given: bool, page: Page) -> String {
+/// The key and the title of a task, and its state: in one line, or in two if the page is too narrow.
+/// The title is never cut. `widest` is the width of the widest title.
+fn task_lines(known: &Known, is_given: bool, widest: usize, page: Page) -> Vec<String> {
+    let Known { place, .. } = known;
+    let before = format!("{}  {}", place.key, place.title);
+    let state = state(known, is_given);
+    let coloured = match page.colours && known.is_complete() {
+        true => format!("{GREEN}{state}{GREEN:#}"),
+        false => state.clone(),
+    };
+    let padding = widest - columns(&place.title) + 1;
+    match columns(&before) + padding + columns(&state) <= page.width {
+        true => vec![format!("{before}{}{coloured}", " ".repeat(padding))],
+        false => {
+            let below_title = columns(&place.key) + 2;
+            let mut lines = wrap(&before, below_title, page.width);
+            let indent = match below_title + columns(&state) <= page.width {
+                true => below_title,
+                false => 2,
+            };
+            lines.push(format!("{}{coloured}", " ".repeat(indent)));
+            lines
+        }
+    }
+}
+
+/// Whether a task is written, and its points.
+fn state(known: &Known, is_given: bool) -> String {
     let Known {
         place,
         last,
         changed,
     } = known;
-    let title = one_line(&place.title, title_width(page));
-    let padding = " ".repeat(title_width(page).saturating_sub(columns(&title)));
-    let before = format!("{}  {title}{padding} ", place.key);
     // A hole in a function that is not graded does not count.
     let written = match place.open.as_slice() {
         [] => "written",
@@ -94,19 +117,11 @@ fn line(known: &Known, is_given: bool, page: Page) -> String {
         None => "not graded yet".to_owned(),
         Some(last) => {
             let points = format!("{}/{}", number(last.score), number(last.max_score));
-            let changed = if *changed { " before your edit" } else { "" };
+            let changed = if *changed { " before edit" } else { "" };
             format!("{points}{changed}")
         }
     };
-    let points = one_line(
-        &points,
-        page.width.saturating_sub(columns(&before) + WRITTEN),
-    );
-    let state = format!("{written:<WRITTEN$}{points}");
-    match page.colours && known.is_complete() {
-        true => format!("{before}{GREEN}{state}{GREEN:#}"),
-        false => format!("{before}{state}"),
-    }
+    format!("{written:<WRITTEN$}{points}")
 }
 
 #[cfg(test)]
@@ -119,7 +134,7 @@ mod tests {
         Known {
             place: Place {
                 key: key.into(),
-                title: "Intersecting things of every kind and shape".into(),
+                title: "Direct light by hemisphere sampling".into(),
                 file: Some("stages/intersect/src/lib.rs".into()),
                 open: open.iter().map(ToString::to_string).collect(),
                 has_hole: !open.is_empty(),
@@ -139,7 +154,10 @@ mod tests {
         let text = format_status(&tasks, Page::default());
         let lines: Vec<&str> = text.lines().collect();
         assert!(lines[0].ends_with("written     20/20"), "{text}");
-        assert!(lines[1].contains("written     3.5/20 before"), "{text}");
+        assert!(
+            lines[1].ends_with("written     3.5/20 before edit"),
+            "{text}"
+        );
         assert!(lines[2].ends_with("holes left  not graded yet"), "{text}");
         assert!(
             text.contains("part1 23.5 of 40, part2 not graded yet"),
@@ -147,5 +165,25 @@ mod tests {
         );
         assert!(text.contains("Next: part1.task2"), "{text}");
         assert!(lines.iter().all(|line| columns(line) <= 80), "{text}");
+    }
+
+    #[test]
+    fn no_title_is_cut_on_a_narrow_page() {
+        let tasks = [known("part1.task2", &[], Some(3.5), true)];
+        for width in [40, 60, 80] {
+            let page = Page {
+                width,
+                ..Page::default()
+            };
+            let text = format_status(&tasks, page);
+            let words: Vec<&str> = text.split_whitespace().collect();
+            let words = words.join(" ");
+            let whole = "Direct light by hemisphere sampling written 3.5/20 before edit";
+            assert!(words.contains(whole), "{width}: {text}");
+            assert!(
+                text.lines().all(|line| columns(line) <= width),
+                "{width}: {text}"
+            );
+        }
     }
 }

@@ -54,7 +54,10 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         course: course.clone(),
     };
     let page = Page::of_stdout();
-    watch::run(&mut terminal, &course, part, hint(matches), complete, page)?;
+    let ended = watch::run(&mut terminal, &course, part, hint(matches), complete, page)?;
+    if let Some(why) = ended.why() {
+        eprintln!("{why}");
+    }
     Ok(Verdict::Passed)
 }
 

@@ -142,7 +142,7 @@ fn part(key: &str) -> &str {
 }
 
 /// Columns of a task's title.
-pub(crate) fn title_width(page: Page) -> usize {
+fn title_width(page: Page) -> usize {
     page.width.saturating_sub(43).min(37)
 }
 

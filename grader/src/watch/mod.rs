@@ -47,6 +47,28 @@ pub trait Desk {
 /// The last line of the screen: the keys.
 const KEYS: &str = "keys, then Enter: h more hint, n next task, p picture, c chapter, q quit";
 
+/// Why the loop ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
+    /// The student quit.
+    ByKey,
+    /// There was nothing more to read.
+    InputClosed,
+}
+
+impl Ended {
+    /// The sentence about it, where the student did not ask for it.
+    pub fn why(self) -> Option<&'static str> {
+        match self {
+            Ended::ByKey => None,
+            Ended::InputClosed => Some(
+                "grader watch ended: its standard input was closed, and it reads keys from there. \
+                 Run it in a terminal",
+            ),
+        }
+    }
+}
+
 /// Lines for the keys and a remark.
 const FOOTER: usize = 3;
 
@@ -59,7 +81,7 @@ pub fn run(
     hint: HintLevel,
     complete: BTreeSet<String>,
     page: Page,
-) -> Result<(), GraderError> {
+) -> Result<Ended, GraderError> {
     let first = desk.next_open(part, &[])?;
     let mut session = Session {
         course,
@@ -76,7 +98,7 @@ pub fn run(
     session.grade(desk);
     loop {
         match desk.next_event()? {
-            Event::Closed => return Ok(()),
+            Event::Closed => return Ok(Ended::InputClosed),
             Event::Saved(stages) => {
                 if let Some(what) = session.touched(&stages) {
                     session.what = what;
@@ -84,7 +106,7 @@ pub fn run(
                 }
             }
             Event::Typed(line) => match line.trim() {
-                "q" => return Ok(()),
+                "q" => return Ok(Ended::ByKey),
                 "" => session.grade(desk),
                 "h" => {
                     let next = session.reveal.hint.next();

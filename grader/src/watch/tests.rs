@@ -78,11 +78,11 @@ fn typed(line: &str) -> Event {
 }
 
 /// Runs the loop over `events` in `part`.
-fn play(script: &mut Script, part: Option<&str>, events: &[Event]) {
+fn play(script: &mut Script, part: Option<&str>, events: &[Event]) -> Ended {
     script.events = events.iter().cloned().collect();
     let (hint, page) = (HintLevel::Findings, Page::default());
     let complete = BTreeSet::new();
-    run(script, &course(), part, hint, complete, page).expect("the script has no errors");
+    run(script, &course(), part, hint, complete, page).expect("the script has no errors")
 }
 
 #[test]
@@ -109,6 +109,16 @@ fn keys_grade_again_go_on_and_quit() {
     let events = [typed(""), typed("n\n"), typed("q"), typed("")];
     play(&mut script, Some("part1"), &events);
     assert_eq!(script.graded, ["part1.task1", "part1.task1", "part1.task2"]);
+}
+
+#[test]
+fn the_end_of_the_input_is_explained_and_that_by_a_key_is_not() {
+    let mut script = Script::default();
+    assert_eq!(play(&mut script, None, &[typed("q")]), Ended::ByKey);
+    assert_eq!(Ended::ByKey.why(), None);
+    assert_eq!(play(&mut script, None, &[typed("h")]), Ended::InputClosed);
+    let why = Ended::InputClosed.why().expect("it is explained");
+    assert!(why.contains("standard input was closed"), "{why}");
 }
 
 #[test]

@@ -1,0 +1,133 @@
+//! `grader --help` lists what students use, `grader help instructors` the rest.
+
+use super::{EXIT_CODES, Format, SUBPROGRAMS, Verdict, course_systems, grade, subprogram};
+use crate::error::GraderError;
+use clap::{Arg, ArgMatches, Command};
+use std::ffi::OsString;
+
+/// The name of the command.
+pub(super) const NAME: &str = "help";
+
+/// The topic that is not a command.
+const INSTRUCTORS: &str = "instructors";
+
+/// The programs beside the grader that students use.
+const FOR_STUDENTS: [&str; 2] = ["look", "cost"];
+
+/// Whether `grader --help` lists the program `name`.
+pub(super) fn is_for_students(name: &str) -> bool {
+    FOR_STUDENTS.contains(&name)
+}
+
+/// The last lines of `grader --help`.
+pub(super) fn after() -> String {
+    format!("{EXIT_CODES}\n\nFor instructors: grader help instructors")
+}
+
+pub(super) fn command() -> Command {
+    Command::new(NAME)
+        .about("Prints this message, or the help of a command")
+        .arg(
+            Arg::new("topic")
+                .value_name("COMMAND")
+                .help("A command, or `instructors` for what they use"),
+        )
+}
+
+/// Prints the help of a command, of the whole program, or for instructors.
+pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let mut whole = super::command();
+    let mut named = match matches.get_one::<String>("topic").map(String::as_str) {
+        None => whole,
+        Some(INSTRUCTORS) => for_instructors(),
+        Some(name) => {
+            if let Some((_, package, _)) = SUBPROGRAMS.iter().find(|(other, ..)| *other == name) {
+                return subprogram::run(package, [name, "--help"].map(OsString::from).to_vec());
+            }
+            let known = whole.find_subcommand_mut(name).cloned();
+            known.ok_or_else(|| {
+                GraderError::new(format!(
+                    "there is no command `{name}`. `grader --help` lists the commands, `grader help {INSTRUCTORS}` those for instructors"
+                ))
+            })?
+        }
+    };
+    let printed = named.print_help();
+    printed.map_err(|e| GraderError::new(format!("cannot print the help: {e}")))?;
+    Ok(Verdict::Passed)
+}
+
+/// The commands and options that students do not need.
+fn for_instructors() -> Command {
+    let programs = SUBPROGRAMS
+        .iter()
+        .filter(|(name, ..)| !is_for_students(name));
+    let programs = programs.map(|(name, _, about)| Command::new(*name).about(*about));
+    Command::new("grader")
+        .bin_name("grader")
+        .about("What instructors and reviewers use. `grader help COMMAND` has more about a command")
+        .override_usage("grader <COMMAND>\n       grader part1 --submission <DIR> [OPTIONS]")
+        .disable_help_flag(true)
+        .disable_help_subcommand(true)
+        .args(grade::submission_arguments())
+        .args(course_systems::arguments())
+        .arg(Format::argument())
+        .after_help(EXIT_CODES)
+        .subcommands(programs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(mut command: Command) -> String {
+        command.render_help().to_string()
+    }
+
+    #[test]
+    fn students_see_what_is_theirs_and_where_the_rest_is() {
+        let help = text(crate::cli::command());
+        for theirs in [
+            "status", "watch", "explain", "picture", "look", "cost", "--hint",
+        ] {
+            assert!(help.contains(&format!("  {theirs} ")), "{theirs}:\n{help}");
+        }
+        assert!(!help.contains("For instructors: c"), "{help}");
+        for other in [
+            "mutants",
+            "bless",
+            "handout",
+            "export",
+            "--submission",
+            "--write",
+            "gradescope",
+        ] {
+            assert!(!help.contains(other), "{other}:\n{help}");
+        }
+        assert!(help.contains("grader help instructors"), "{help}");
+    }
+
+    #[test]
+    fn every_command_and_option_is_in_one_of_the_two() {
+        let instructors = text(for_instructors());
+        let both = format!("{}{instructors}", text(crate::cli::command()));
+        for command in crate::cli::command().get_subcommands() {
+            let name = command.get_name();
+            assert!(both.contains(&format!("  {name} ")), "{name}:\n{both}");
+        }
+        for argument in crate::cli::command().get_arguments() {
+            let Some(long) = argument.get_long() else {
+                continue;
+            };
+            assert!(both.contains(&format!("--{long}")), "{long}:\n{both}");
+        }
+        assert!(instructors.contains("gradescope"), "{instructors}");
+    }
+
+    #[test]
+    fn a_command_that_does_not_exist_is_an_error() {
+        let matches = command().get_matches_from(["help", "mutant"]);
+        let error = run(&matches).expect_err("there is none").to_string();
+        assert!(error.contains("there is no command `mutant`"), "{error}");
+    }
+}

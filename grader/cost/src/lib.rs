@@ -8,6 +8,7 @@
 //! [`page`] (output).
 
 mod accuracy;
+mod leak_view;
 mod leaks;
 mod machine;
 mod measure;

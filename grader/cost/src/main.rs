@@ -1,7 +1,7 @@
 //! `grader cost`: measures the time that accuracy costs.
 
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
-use cost::page::page;
+use cost::page::{page, plot};
 use cost::report::Shape;
 use cost::{CostRequest, SampleCounts, table};
 use grader::cli::{Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command};
@@ -27,6 +27,13 @@ fn command() -> Command {
                 .value_name("FILE")
                 .value_parser(value_parser!(PathBuf))
                 .help("Also write a self-contained HTML page of plots"),
+        )
+        .arg(
+            Arg::new("svg")
+                .long("svg")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help("Also write the plot of accuracy against time, of the first shape, as an SVG file"),
         )
         .arg(
             Arg::new("quick")
@@ -73,6 +80,12 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let cost = cost::measure(Some(&workspace), &request)?;
     if let Some(path) = matches.get_one::<PathBuf>("html") {
         report::write_whole(path, page(&cost)?.as_bytes())?;
+    }
+    if let Some(path) = matches.get_one::<PathBuf>("svg") {
+        let plot = plot(&cost)?.ok_or_else(|| {
+            GraderError::new("--svg: nothing to plot; name a shape: triangle, sphere or box")
+        })?;
+        report::write_whole(path, plot.as_bytes())?;
     }
     match Format::of(matches) {
         Format::Json => println!("{}", report::json(&cost)?),

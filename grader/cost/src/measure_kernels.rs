@@ -1,6 +1,7 @@
 //! Time and accuracy of the kernels of one shape, the student's among them.
 
 use super::accuracy::TestSet;
+use super::leak_view::MeshView;
 use super::leaks::ClosedMeshes;
 use super::measure::SampleCounts;
 use super::rays;
@@ -81,6 +82,7 @@ pub(super) fn family<S: StudentShape, W: Into<Answer> + Send + Sync + 'static>(
         columns: columns::<S>(),
         rows,
         student_missing,
+        student_leaks: None,
     })
 }
 
@@ -266,6 +268,9 @@ pub(super) fn add_leaks(
         && let Ok(leaks) = student.leaks(&closed[0])?
     {
         row.leaks_per_million = Some(leaks);
+        if let Some(textbook) = kernels.first() {
+            family.student_leaks = student.leaking_pixels(&MeshView::new(textbook))?.ok();
+        }
     }
     Ok(())
 }

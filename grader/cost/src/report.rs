@@ -79,6 +79,10 @@ pub struct KernelFamily {
     pub rows: Vec<KernelRow>,
     /// Why there is no row for the student's kernel, if there is none.
     pub student_missing: Option<String>,
+    /// The pixels of the picture of leaks in which rays pass through the mesh with the student's
+    /// kernel. Triangles only; not part of the JSON.
+    #[serde(skip)]
+    pub student_leaks: Option<Vec<u32>>,
 }
 
 /// A family of rays with its description.

@@ -2,6 +2,7 @@
 //! in the same turns.
 
 use super::accuracy::TestSet;
+use super::leak_view::{FARTHEST, MeshView};
 use super::leaks::ClosedMeshes;
 use super::quartiles::Quartiles;
 use super::report::Accuracy;
@@ -138,6 +139,24 @@ impl Student {
             }
         }
         Ok(Ok(closed.per_million(leaks)))
+    }
+
+    /// Returns the pixels of the picture of leaks whose rays pass through the mesh.
+    pub(crate) fn leaking_pixels(
+        &self,
+        view: &MeshView,
+    ) -> Result<Result<Vec<u32>, MissingReason>, GraderError> {
+        let (pixels, rays, mesh) = view.rays_at_edges();
+        match self.run(brute_force(mesh, &[], &rays))? {
+            Ok(wire::Answer::BruteForce(hits)) => {
+                let pixels = pixels.into_iter().zip(&hits.hits);
+                // The rays reach their edges at t = 1.
+                let leaks = pixels.filter(|(_, hit)| hit.is_none_or(|hit| hit.t > FARTHEST));
+                Ok(Ok(leaks.map(|(pixel, _)| pixel).collect()))
+            }
+            Ok(_) => Err(unexpected_answer()),
+            Err(missing) => Ok(Err(missing)),
+        }
     }
 
     /// Times the student's test in each of these orders of the rays; the first one is not timed.

@@ -2,7 +2,7 @@
 //! numbers.
 
 use cost::page::page;
-use cost::picture::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
+use cost::picture::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport, Thumbnail};
 use cost::quartiles::Quartiles;
 use cost::report::{
     Accuracy, CostReport, Errors, KernelFamily, KernelRow, Machine, Precision, Quantiles,
@@ -84,6 +84,7 @@ fn family(rows: Vec<KernelRow>) -> KernelFamily {
         columns: vec![column(RayFamily::Ordinary), column(RayFamily::Edge)],
         rows,
         student_missing: None,
+        student_leaks: None,
     }
 }
 
@@ -94,6 +95,10 @@ fn rows(leaks_of_tight: f64, wrong: f64) -> Vec<KernelRow> {
         row("Woop", Precision::F64, 1.5, leaks_of_tight, wrong),
         row("yours", Precision::F64, 0.9, 0.0, 0.0),
     ]
+}
+
+fn thumbnail() -> Thumbnail {
+    Thumbnail::of([2, 1], &[[0.5; 3], [0.0; 3]])
 }
 
 fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
@@ -118,6 +123,7 @@ fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
         flags: String::new(),
         points: [4.0, 16.0, 64.0].map(point).into(),
         slope: Some(slope),
+        at_equal_time: Some((1, thumbnail())),
     }
 }
 
@@ -185,6 +191,8 @@ fn report(rows: Vec<KernelRow>, bias: Option<f64>) -> CostReport {
                 seeds: 3,
                 converged: "-s 512".into(),
                 is_relative: false,
+                samples_are: "positions in a pixel".into(),
+                reference: Some(thumbnail()),
                 converged_rmse: 1e-3,
                 curves: vec![
                     curve("independent", -0.5, None),
@@ -312,6 +320,67 @@ fn captions_follow_the_numbers() {
     assert!(tight.contains("No curve has a significant bias"));
     let biased = html(&report(rows(0.0, 0.0), Some(0.02)));
     assert!(biased.contains("number of samples of a curve it is 2.0 % (stratified)"));
+}
+
+#[test]
+fn headings_say_what_was_found() {
+    let heading = |page: &str, text: &str| page.contains(&format!("<h3>{text}</h3>"));
+    let tight = html(&report(rows(0.0, 0.0), None));
+    for text in [
+        "Woop never leaks and takes 1.5 times the textbook&#39;s time",
+        "Only Woop f64 is never wrong",
+        "SAH is worth its build from 100,000 rays on",
+        "Samples: stratified reaches the same error as independent 4.0 times as fast",
+    ] {
+        assert!(heading(&tight, text), "no {text:?}");
+    }
+    let mut free = rows(0.0, 0.0);
+    free[2].time = timing(10.0, 1.01);
+    assert!(heading(
+        &html(&report(free, None)),
+        "Woop never leaks and costs nothing"
+    ));
+    let leaking = html(&report(rows(5.0, 2000.0), None));
+    assert!(heading(&leaking, "Every known test leaks"));
+}
+
+/// Names are beside the points, numbers in tooltips and in tables.
+#[test]
+fn each_test_is_named_at_its_point_and_has_a_tooltip_and_a_row() {
+    let page = html(&report(rows(0.0, 0.0), None));
+    let pareto = roxmltree::Document::parse(plots(&page)[0]).expect("well-formed");
+    let texts = |tag: &str| -> Vec<String> {
+        let nodes = pareto.descendants().filter(|node| node.has_tag_name(tag));
+        nodes
+            .filter_map(|node| Some(node.text()?.trim().to_string()))
+            .collect()
+    };
+    let (names, tips) = (texts("text"), texts("title"));
+    for name in [
+        "Möller-Trumbore (textbook)",
+        "Möller-Trumbore",
+        "Woop",
+        "yours",
+    ] {
+        assert!(
+            names.iter().any(|text| text == name),
+            "no {name} in {names:?}"
+        );
+    }
+    assert_eq!(tips.len(), 4);
+    assert!(tips[0].contains("of the textbook's time, "), "{tips:?}");
+    assert!(page.contains("<tr><th scope=\"row\">Woop f64</th><td>1.50 ±0.02</td>"));
+}
+
+#[test]
+fn pictures_of_equal_time_are_embedded() {
+    let page = html(&report(rows(0.0, 0.0), None));
+    let section = &page[page.find("class=\"thumbnails\"").expect("thumbnails")..];
+    assert_eq!(section.matches("<img src=\"data:image/png").count(), 3);
+    assert!(
+        section.contains("independent: 0.016 s, error 25 %"),
+        "{section}"
+    );
 }
 
 #[test]

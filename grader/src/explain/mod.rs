@@ -2,9 +2,10 @@
 //!
 //! The drawings are made of the case's own inputs and of the exact expected answers: `shapes` draws
 //! triangles, spheres and boxes with the rays at them, `film` samples in a pixel and points of a
-//! sensor. Other kinds of work get a table of their first calls.
+//! sensor, [`hemisphere`] lights above a point. Other kinds of work get a table of their first calls.
 
 mod film;
+pub mod hemisphere;
 mod plot;
 mod shapes;
 
@@ -89,6 +90,8 @@ pub fn case(entry: &CaseEntry, spec: &Spec, golden: Option<&Snapshot>, page: Pag
         Work::Boxes(work) => shapes::boxes(work, golden),
         Work::Pixels(work) => film::pixels(work),
         Work::CameraRays(work) => film::camera_rays(work),
+        Work::Direct(work) => hemisphere::direct(work),
+        Work::Lambert(probes) => hemisphere::lambert(probes),
         _ => first_calls(spec, golden, page),
     };
     paragraph(&format!("  {words}"));

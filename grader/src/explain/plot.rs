@@ -47,6 +47,13 @@ impl Plot {
         true
     }
 
+    /// Marks a point in place of what is there.
+    pub(super) fn set(&mut self, point: [f64; 2], mark: char) {
+        if let Some((column, row)) = self.cell(point) {
+            self.cells[row][column] = mark;
+        }
+    }
+
     /// Draws the line between two points where nothing is drawn yet.
     pub(super) fn line(&mut self, from: [f64; 2], to: [f64; 2]) {
         let steps = 4 * WIDTH;

@@ -6,6 +6,8 @@ use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::cell::RefCell;
+use std::fmt::Write;
 
 /// The drawing area of plotters.
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -26,6 +28,8 @@ const LETTER: f64 = 0.56;
 /// A canvas.
 pub(crate) struct Canvas<'a> {
     area: Area<'a>,
+    /// SVG elements that show a text when the pointer is over them.
+    tips: RefCell<String>,
 }
 
 /// The result of a drawing operation.
@@ -97,16 +101,23 @@ pub(crate) fn svg(
 ) -> Result<String, GraderError> {
     let [units_w, units_h] = [w, h].map(|edge| (edge * UNITS).round() as u32);
     let mut text = String::new();
+    let tips;
     {
         let area = SVGBackend::with_string(&mut text, (units_w, units_h)).into_drawing_area();
-        let canvas = Canvas { area };
+        let canvas = Canvas {
+            area,
+            tips: RefCell::new(String::new()),
+        };
         draw(&canvas)?;
         canvas.area.present().map_err(failed)?;
+        tips = canvas.tips.take();
     }
+    // Above everything else, so that the pointer reaches them.
+    text = text.replacen("</svg>", &format!("{tips}</svg>"), 1);
     // As wide as the column, but at most `w`.
     let size = format!("width=\"{units_w}\" height=\"{units_h}\"");
     let fluid = format!(
-        "role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto;background:#fff\"",
+        "class=\"plot\" role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto;background:#fff\"",
         escape(label)
     );
     Ok(text.replacen(&size, &fluid, 1))
@@ -125,6 +136,29 @@ fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
 }
 
 impl Canvas<'_> {
+    /// Shows `text` when the pointer is within `radius` of `center`.
+    pub(crate) fn tip(&self, center: Position, radius: f64, text: &str) {
+        let (x, y) = units(center);
+        let _ = write!(
+            self.tips.borrow_mut(),
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"transparent\"><title>{}</title></circle>\n",
+            (radius * UNITS).round(),
+            escape(text)
+        );
+    }
+
+    /// Shows `text` when the pointer is over the rectangle between two corners.
+    pub(crate) fn tip_over(&self, from: Position, to: Position, text: &str) {
+        let ((x, y), (right, bottom)) = (units(from), units(to));
+        let _ = write!(
+            self.tips.borrow_mut(),
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"transparent\"><title>{}</title></rect>\n",
+            right - x,
+            bottom - y,
+            escape(text)
+        );
+    }
+
     /// Draws a line through `positions`.
     pub(crate) fn line(&self, positions: &[Position], color: RGBColor, width: f64) -> DrawResult {
         let positions: Vec<(i32, i32)> = positions.iter().copied().map(units).collect();

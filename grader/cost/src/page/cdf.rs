@@ -1,7 +1,8 @@
 //! The distribution of the errors of `t`, compared with the forward error bound.
 
 use super::canvas::{DrawResult, Label, svg};
-use super::formatting::{figures, list, name, tick};
+use super::figure::Figure;
+use super::formatting::{figures, list, name, rounded, tick};
 use super::plot::{Axis, Plot};
 use super::style::{self, BOUND, SeriesStyle};
 use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
@@ -15,11 +16,11 @@ const LINE: f64 = 14.0;
 /// Smaller errors are drawn here.
 const LEAST: f64 = 1e-18;
 
-/// Draws the distributions; returns the SVG and its caption.
-pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderError> {
+/// Draws the distributions.
+pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
     let hard = most_different(family);
     let label = format!("Distribution of errors of t: {}", family.shape.name());
-    let figure_html = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
+    let drawing = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
         for (i, rays) in [Some(RayFamily::Ordinary), hard]
             .iter()
             .flatten()
@@ -73,7 +74,46 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
         }
         Ok(())
     })?;
-    Ok((figure_html, caption(family, hard)))
+    let shown = || [Some(RayFamily::Ordinary), hard].into_iter().flatten();
+    let mut head = vec!["test".to_string()];
+    head.extend(shown().flat_map(|rays| {
+        ["median", "99.9 %", "largest"].map(|quantile| format!("{}: {quantile}", rays.name()))
+    }));
+    let rows = family.rows.iter().map(|row| {
+        let errors = shown().flat_map(|rays| {
+            let relative = accuracy(row, rays).and_then(|a| a.t).map(|t| t.relative);
+            match relative {
+                Some(of) => [of.p50, of.p999, of.max].map(figures),
+                None => ["", "", ""].map(String::from),
+            }
+        });
+        std::iter::once(name(row)).chain(errors).collect()
+    });
+    Ok(Figure {
+        finding: finding(family, hard),
+        drawing,
+        caption: "The share of hits whose relative error of t is at most the value on the axis; the thick grey lines are the forward error \
+                  bounds of robust tests."
+            .into(),
+        notes: caption(family, hard),
+        head,
+        rows: rows.collect(),
+    })
+}
+
+/// What the plot shows: by how much the best test is better than the worst on hard rays.
+fn finding(family: &KernelFamily, hard: Option<RayFamily>) -> String {
+    let both = hard.and_then(|rays| Some((rays, extremes(family, rays)?)));
+    match both {
+        Some((rays, [best, worst])) if worst.1 > 2.0 * best.1 => format!(
+            "On the rays “{}”, {} is {} times as accurate as {}",
+            rays.name(),
+            name(best.0),
+            rounded(worst.1 / best.1.max(LEAST)),
+            name(worst.0)
+        ),
+        _ => "All tests have errors of t of the same size".into(),
+    }
 }
 
 /// Returns the kernels' names without duplicates.
@@ -121,13 +161,13 @@ fn steps(distribution: &[(f64, f64)]) -> Vec<(f64, f64)> {
     first.into_iter().chain(shown).chain(last).collect()
 }
 
-/// Returns the kernels in f64 with the smallest and the largest median relative error on these
-/// rays.
+/// Returns the known kernels in f64 with the smallest and the largest median relative error on
+/// these rays.
 fn extremes(family: &KernelFamily, rays: RayFamily) -> Option<[(&KernelRow, f64); 2]> {
     let rows = family
         .rows
         .iter()
-        .filter(|row| row.precision == Precision::F64);
+        .filter(|row| row.precision == Precision::F64 && !row.student);
     let mut errors: Vec<(&KernelRow, f64)> = rows
         .filter_map(|row| Some((row, accuracy(row, rays)?.t?.relative.p50)))
         .collect();

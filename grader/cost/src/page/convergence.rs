@@ -1,13 +1,16 @@
 //! The error of pictures against samples and against time.
 
 use super::canvas::{DrawResult, Label, svg};
+use super::figure::{Figure, heads};
 use super::formatting::{figures, list, percent, tick};
 use super::plot::{Axis, Plot, legend};
 use super::style::{self, INK, Marker, SeriesStyle};
-use crate::picture::{Curve, CurvePoint, Experiment};
+use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
 use crate::quartiles::Quartiles;
 use crate::table::factor;
 use grader::error::GraderError;
+use pages::html::{escape, png_data_uri};
+use pictures::Image;
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 300.0;
@@ -25,10 +28,10 @@ const HALF_SLOPE: SeriesStyle = SeriesStyle {
     dashes: Some([1.5, 3.0]),
 };
 
-/// Draws the plots of one experiment; returns the SVG and its caption.
-pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), GraderError> {
+/// Draws the plots of one experiment, and pictures that took equal times.
+pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
     let label = format!("Error of pictures: {}", experiment.title);
-    let figure_html = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
+    let drawing = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
         let points = || experiment.curves.iter().flat_map(|curve| &curve.points);
         let error = |p: &CurvePoint| p.error(experiment.is_relative);
         let errors: Vec<f64> = points()
@@ -43,7 +46,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
         let axes = [
             (
                 "error against samples",
-                Axis::log("samples per pixel", points().map(|p| p.samples), tick),
+                Axis::log(&experiment.samples_are, points().map(|p| p.samples), tick),
                 (|p| p.samples) as fn(&CurvePoint) -> f64,
             ),
             (
@@ -72,6 +75,8 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
                         plot.time_bar(style, ends, error(point).value)?;
                     }
                     plot.marker(style, (of(point), error(point).value), 30.0)?;
+                    let at = plot.at(of(point), error(point).value);
+                    canvas.tip(at, 6.0, &tip(curve, point, experiment.is_relative));
                 }
             }
         }
@@ -88,7 +93,139 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<(String, String), Grader
         )?;
         canvas.text("slope -1/2", (corner.0 + 32.0, below), Label::left(9.5))
     })?;
-    Ok((figure_html, caption(experiment)))
+    let last = |curve: &Curve| curve.points.last().cloned();
+    let rows = experiment.curves.iter().map(|curve| {
+        let last = last(curve);
+        let number = |of: &dyn Fn(&CurvePoint) -> Option<String>| {
+            last.as_ref().and_then(of).unwrap_or("–".into())
+        };
+        vec![
+            curve.name.clone(),
+            number(&|p| Some(figures(p.samples))),
+            number(&|p| Some(percent(error_of(p, experiment.is_relative)))),
+            number(&|p| Some(figures(p.seconds.median))),
+            curve
+                .slope
+                .map_or("–".into(), |slope| format!("{slope:.2}")),
+            number(&|p| p.bias.map(percent)),
+            number(&|p| p.relative_efficiency.as_ref().map(factor)),
+        ]
+    });
+    Ok(Figure {
+        finding: finding(experiment),
+        drawing: drawing + &thumbnails(experiment),
+        caption: format!(
+            "The error of {} against {} and against time, with 95 % confidence intervals over {} pictures{}.",
+            experiment.scene,
+            experiment.samples_are,
+            experiment.seeds,
+            match experiment.reference {
+                Some(_) => "; below, pictures that took about the same time",
+                None => "",
+            }
+        ),
+        notes: caption(experiment),
+        head: heads(&[
+            "method",
+            &experiment.samples_are,
+            "error",
+            "seconds",
+            "slope",
+            "bias",
+            "efficiency, ratio",
+        ]),
+        rows: rows.collect(),
+    })
+}
+
+fn error_of(point: &CurvePoint, is_relative: bool) -> f64 {
+    point.error(is_relative).value
+}
+
+fn tip(curve: &Curve, point: &CurvePoint, is_relative: bool) -> String {
+    format!(
+        "{}, {}: error {}, {} s",
+        curve.name,
+        point.flags,
+        percent(error_of(point, is_relative)),
+        figures(point.seconds.median)
+    )
+}
+
+/// What the plot shows: the method that reaches an equal error in the least time.
+fn finding(experiment: &Experiment) -> String {
+    let title = &experiment.title;
+    let Some((base, others)) = experiment.curves.split_first() else {
+        return title.clone();
+    };
+    let compared = others
+        .iter()
+        .filter_map(|curve| Some((curve, to_equal_error(experiment, base, curve)?)));
+    let faster = compared.filter(|(_, to)| !to.ties && to.speedup > 1.0);
+    if let Some((curve, to)) = faster.max_by(|a, b| a.1.speedup.total_cmp(&b.1.speedup)) {
+        return format!(
+            "{title}: {} reaches the same error as {} {} times as fast",
+            curve.name,
+            base.name,
+            figures(to.speedup)
+        );
+    }
+    // Errors that have nothing in common are compared where the times are alike.
+    let at_equal_time = |curve: &Curve| {
+        let (point, _) = curve.at_equal_time.as_ref()?;
+        Some(error_of(curve.points.get(*point)?, experiment.is_relative))
+    };
+    let smallest = others
+        .iter()
+        .filter_map(|curve| Some((curve, at_equal_time(curve)?)))
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    match smallest.zip(at_equal_time(base)) {
+        Some(((curve, error), of_base)) if of_base > CLEARLY * error => format!(
+            "{title}: {} has {} of the error of {} after about the same time",
+            curve.name,
+            percent(error / of_base),
+            base.name
+        ),
+        _ => format!("{title}: no method is clearly better than {}", base.name),
+    }
+}
+
+/// Errors that differ by less than this factor are not told apart in a heading.
+const CLEARLY: f64 = 1.5;
+
+/// The converged picture, and one of each method: those whose times are most alike.
+fn thumbnails(experiment: &Experiment) -> String {
+    let Some(reference) = &experiment.reference else {
+        return String::new();
+    };
+    let figure = |picture: &Thumbnail, text: &str| {
+        let [w, h] = picture.size;
+        let mut pixels = picture.pixels.iter();
+        let image = Image::from_fn([w, h], |_, _| pixels.next().copied().unwrap_or_default());
+        let text = escape(text);
+        format!(
+            "<figure><img src=\"{}\" alt=\"{text}\"><figcaption>{text}</figcaption></figure>",
+            png_data_uri(&image)
+        )
+    };
+    let mut html = format!(
+        "<div class=\"thumbnails\">{}",
+        figure(reference, "converged")
+    );
+    for curve in &experiment.curves {
+        if let Some((point, picture)) = &curve.at_equal_time
+            && let Some(point) = curve.points.get(*point)
+        {
+            let text = format!(
+                "{}: {} s, error {}",
+                curve.name,
+                figures(point.seconds.median),
+                percent(error_of(point, experiment.is_relative))
+            );
+            html += &figure(picture, &text);
+        }
+    }
+    html + "</div>"
 }
 
 /// Draws a line of slope -1/2, the convergence rate of independent samples. It goes through the
@@ -170,24 +307,15 @@ fn times_to_equal_error(experiment: &Experiment) -> String {
     let [first, others @ ..] = experiment.curves.as_slice() else {
         return String::new();
     };
-    let error = |p: &CurvePoint| p.error(experiment.is_relative).value;
-    // The times are compared at the last point of the first curve whose error the other curve also
-    // reaches.
-    let compare = |curve: &Curve| {
-        first.points.iter().rev().find_map(|p| {
-            let at = |x: fn(&CurvePoint) -> f64| curve.at_error(error(p), error, x);
-            let own = Quartiles {
-                lower: at(|p| p.seconds.lower)?,
-                median: at(|p| p.seconds.median)?,
-                upper: at(|p| p.seconds.upper)?,
-            };
-            let ties = own.lower <= p.seconds.upper && p.seconds.lower <= own.upper;
-            Some((error(p), p.seconds.median / own.median, ties))
-        })
-    };
     let mut text = Vec::new();
     for curve in others {
-        if let Some((error, speedup, ties)) = compare(curve) {
+        let to = to_equal_error(experiment, first, curve);
+        if let Some(EqualError {
+            error,
+            speedup,
+            ties,
+        }) = to
+        {
             text.push(if ties {
                 format!(
                     "{} reaches an error of {} in the same time within the error bars",
@@ -215,6 +343,34 @@ fn times_to_equal_error(experiment: &Experiment) -> String {
         return String::new();
     }
     format!("Compared with {}: {}. ", first.name, text.join("; "))
+}
+
+/// The times of two methods to an equal error.
+struct EqualError {
+    error: f64,
+    /// The time of the first over that of the other.
+    speedup: f64,
+    /// Whether the times are equal within their errors.
+    ties: bool,
+}
+
+/// Compares a curve with the first one at the last point of the first whose error the other also
+/// reaches.
+fn to_equal_error(experiment: &Experiment, first: &Curve, curve: &Curve) -> Option<EqualError> {
+    let error = |p: &CurvePoint| error_of(p, experiment.is_relative);
+    first.points.iter().rev().find_map(|p| {
+        let at = |x: fn(&CurvePoint) -> f64| curve.at_error(error(p), error, x);
+        let own = Quartiles {
+            lower: at(|p| p.seconds.lower)?,
+            median: at(|p| p.seconds.median)?,
+            upper: at(|p| p.seconds.upper)?,
+        };
+        Some(EqualError {
+            error: error(p),
+            speedup: p.seconds.median / own.median,
+            ties: own.lower <= p.seconds.upper && p.seconds.lower <= own.upper,
+        })
+    })
 }
 
 /// Returns the sentences about bias.

@@ -38,6 +38,23 @@ pub(crate) fn figures(x: f64) -> String {
     format!("{x:.decimals$}")
 }
 
+/// Formats a factor with two significant digits and, from a thousand on, groups of three: "870,000".
+pub(crate) fn rounded(x: f64) -> String {
+    let unit = 10.0_f64.powf((x.log10().floor() - 1.0).max(0.0));
+    if unit <= 1.0 {
+        return figures(x);
+    }
+    let digits = format!("{:.0}", (x / unit).round() * unit);
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i) % 3 == 0 {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 /// Formats a fraction in percent.
 pub(crate) fn percent(share: f64) -> String {
     format!("{} %", figures(100.0 * share))
@@ -80,6 +97,10 @@ mod tests {
             ["0", "1.2", "0.046", "123", "4.5e-9"]
         );
         assert_eq!(percent(0.034), "3.4 %");
+        assert_eq!(
+            [2.34, 868_623.0, 1234.0, 99.6].map(rounded),
+            ["2.3", "870,000", "1,200", "100"]
+        );
         assert_eq!(
             [0.01, 1.0, 500.0, 1e-9].map(tick),
             ["0.01", "1", "500", "1e-9"]

@@ -1,11 +1,12 @@
 //! A heat map of accuracy: one column per family of rays, one row per kernel.
 
 use super::canvas::{DrawResult, Label, svg};
+use super::figure::Figure;
 use super::formatting::{list, name, percent};
-use super::style::{GREEN, PURPLE, SKY, VERMILION, YELLOW, text_color_on};
+use super::style::{self, GREEN, PURPLE, SKY, VERMILION, YELLOW, text_color_on};
 use crate::report::{Accuracy, KernelFamily, KernelRow};
 use grader::error::GraderError;
-use plotters::style::{RGBColor, WHITE};
+use plotters::style::RGBColor;
 
 /// Sizes of the kernel names, the family names and the cells, in points.
 const NAMES: f64 = 172.0;
@@ -77,7 +78,7 @@ impl CellClass {
     fn meaning(self) -> &'static str {
         match self {
             CellClass::Correct => "correct to the last place",
-            CellClass::Within => "within the bound (bits)",
+            CellClass::Within => "within the bound",
             CellClass::Beyond => "t beyond the bound",
             CellClass::Wrong => "wrong decisions",
             CellClass::Leak => "leaks",
@@ -85,8 +86,23 @@ impl CellClass {
     }
 }
 
-/// Draws the heat map; returns the SVG and its caption.
-pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderError> {
+/// The smallest and the largest share of rays, per million, between which a cell is shaded by
+/// degree, in equal steps for equal factors.
+const SHADED: [f64; 2] = [10.0, 500_000.0];
+
+/// The strength of the shade of a share of rays.
+fn degree(per_million: f64) -> f64 {
+    let [from, to] = SHADED;
+    ((per_million / from).ln() / (to / from).ln()).clamp(0.0, 1.0)
+}
+
+/// The strength of the shade of a number of correct bits: the fewer, the stronger.
+fn missing_bits(bits: f64) -> f64 {
+    1.0 - bits / 53.0
+}
+
+/// Draws the heat map.
+pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
     let has_leaks = family
         .rows
         .iter()
@@ -95,7 +111,7 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
     let cell = (WIDTH - NAMES) / columns.max(1) as f64;
     let height = HEAD + ROW * family.rows.len() as f64 + KEY;
     let label = format!("Accuracy by family of rays: {}", family.shape.name());
-    let figure_html = svg(WIDTH, height, &label, |canvas| -> DrawResult {
+    let drawing = svg(WIDTH, height, &label, |canvas| -> DrawResult {
         let center = |column: usize, y: f64| (NAMES + cell * (column as f64 + 0.5), y);
         let mut headings: Vec<&str> = family.columns.iter().map(|c| c.family.name()).collect();
         if has_leaks {
@@ -113,16 +129,19 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
             let label = Label::right(9.5);
             let label = if row.student { label.bold() } else { label };
             canvas.text(&name(row), (NAMES - 6.0, top + 0.5 * ROW), label)?;
-            for (column, (class, text)) in cells(row).into_iter().enumerate() {
+            for (column, cell_of) in cells(row).into_iter().enumerate() {
                 let left = NAMES + cell * column as f64;
-                let color = class.map_or(WHITE, CellClass::color);
+                let Cell { color, text, .. } = &cell_of;
+                let color = *color;
                 let corners = [
                     (left + 0.6, top + 0.6),
                     (left + cell - 0.6, top + ROW - 0.6),
                 ];
                 canvas.rectangle(corners[0], corners[1], color)?;
                 let label = Label::centered(9.0).in_color(text_color_on(color));
-                canvas.text(&text, center(column, top + 0.5 * ROW), label)?;
+                canvas.text(text, center(column, top + 0.5 * ROW), label)?;
+                let tip = format!("{}, {}: {}", name(row), headings[column], cell_of.tip);
+                canvas.tip_over(corners[0], corners[1], &tip);
             }
         }
         let y = height - 0.4 * KEY;
@@ -131,42 +150,123 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
             if class == CellClass::Leak && !has_leaks {
                 continue;
             }
-            canvas.rectangle((x, y - 7.0), (x + 16.0, y + 7.0), class.color())?;
-            let label = Label::centered(9.0).in_color(text_color_on(class.color()));
-            canvas.text(class.sign(), (x + 8.0, y), label)?;
+            // Those that are shaded by degree have a key of three shades.
+            let shades: &[f64] = match class {
+                CellClass::Correct => &[1.0],
+                _ => &[0.0, 0.5, 1.0],
+            };
+            for (i, strength) in shades.iter().enumerate() {
+                let left = x + 8.0 * i as f64;
+                let color = style::tint(class.color(), *strength);
+                canvas.rectangle((left, y - 7.0), (left + 8.0, y + 7.0), color)?;
+            }
+            x += 8.0 * shades.len() as f64 + 5.0;
             let label = Label::left(9.5);
-            canvas.text(class.meaning(), (x + 21.0, y), label)?;
-            x += 36.0 + label.width(class.meaning());
+            let text = format!("{} {}", class.sign(), class.meaning());
+            canvas.text(&text, (x, y), label)?;
+            x += 14.0 + label.width(&text);
         }
         Ok(())
     })?;
-    Ok((figure_html, caption(family)))
+    let mut head = vec!["test".to_string()];
+    head.extend(family.columns.iter().map(|c| c.family.name().to_string()));
+    if has_leaks {
+        head.push("closed mesh".into());
+    }
+    let row_of = |row: &KernelRow| {
+        let cells = cells(row).into_iter().map(|cell| cell.text);
+        std::iter::once(name(row)).chain(cells).collect()
+    };
+    Ok(Figure {
+        finding: finding(family),
+        drawing,
+        caption: "Each cell is a test on a family of rays, with its correct bits of t, or with the share of rays that are wrong, shaded by degree."
+            .into(),
+        notes: caption(family),
+        head,
+        rows: family.rows.iter().map(row_of).collect(),
+    })
+}
+
+/// What the map shows: which tests are never wrong.
+fn finding(family: &KernelFamily) -> String {
+    let known = || family.rows.iter().filter(|row| !row.student);
+    let right: Vec<String> = known().filter(|row| is_right(row)).map(name).collect();
+    match right.len() {
+        0 => format!(
+            "None of {} tests is right on all families of rays",
+            known().count()
+        ),
+        1..=3 => format!(
+            "Only {} {} never wrong",
+            list(&right),
+            match right.len() {
+                1 => "is",
+                _ => "are",
+            }
+        ),
+        n => format!("{n} of {} tests are never wrong", known().count()),
+    }
+}
+
+/// A cell of the map.
+struct Cell {
+    color: RGBColor,
+    text: String,
+    tip: String,
 }
 
 /// Returns the cells of a kernel: the bits of t that are correct for half of the rays, or the
 /// fraction of wrong rays.
-fn cells(row: &KernelRow) -> Vec<(Option<CellClass>, String)> {
-    let mut cells: Vec<(Option<CellClass>, String)> = row
+fn cells(row: &KernelRow) -> Vec<Cell> {
+    let mut cells: Vec<Cell> = row
         .by_ray_family
         .iter()
         .map(|accuracy| {
             let class = CellClass::of(accuracy);
-            let number = match class {
-                CellClass::Wrong => share(accuracy.wrong_per_million()),
-                CellClass::Beyond => share(accuracy.beyond_bound_per_million),
-                _ => accuracy
-                    .t
-                    .map_or(String::new(), |t| format!("{:.0}", t.correct_bits())),
+            let bits = accuracy.t.map(|t| t.correct_bits());
+            let (number, strength) = match class {
+                CellClass::Wrong => {
+                    let wrong = accuracy.wrong_per_million();
+                    (share(wrong), degree(wrong))
+                }
+                CellClass::Beyond => {
+                    let beyond = accuracy.beyond_bound_per_million;
+                    (share(beyond), degree(beyond))
+                }
+                CellClass::Within => (
+                    bits.map_or(String::new(), |bits| format!("{bits:.0}")),
+                    bits.map_or(1.0, missing_bits),
+                ),
+                _ => (bits.map_or(String::new(), |bits| format!("{bits:.0}")), 1.0),
             };
-            (Some(class), format!("{} {number}", class.sign()))
+            let bits = bits.map_or(String::new(), |bits| format!(", {bits:.0} correct bits"));
+            Cell {
+                color: style::tint(class.color(), strength),
+                text: format!("{} {number}", class.sign()),
+                tip: match class {
+                    CellClass::Wrong | CellClass::Beyond => {
+                        format!("{} on {number} of the rays{bits}", class.meaning())
+                    }
+                    _ => format!("{}{bits}", class.meaning()),
+                },
+            }
         })
         .collect();
     if let Some(leaks) = row.leaks_per_million {
         cells.push(if leaks > 0.0 {
-            let sign = CellClass::Leak.sign();
-            (Some(CellClass::Leak), format!("{sign} {}", share(leaks)))
+            let class = CellClass::Leak;
+            Cell {
+                color: style::tint(class.color(), degree(leaks)),
+                text: format!("{} {}", class.sign(), share(leaks)),
+                tip: format!("{} of the rays leave the mesh", share(leaks)),
+            }
         } else {
-            (Some(CellClass::Correct), "= closed".into())
+            Cell {
+                color: CellClass::Correct.color(),
+                text: "= closed".into(),
+                tip: "no ray leaves the mesh".into(),
+            }
         });
     }
     cells
@@ -177,7 +277,7 @@ fn share(per_million: f64) -> String {
     percent(per_million / 1e6)
 }
 
-/// Returns the caption, computed from the numbers.
+/// Returns the notes, computed from the numbers.
 fn caption(family: &KernelFamily) -> String {
     let known = || family.rows.iter().filter(|row| !row.student);
     let right: Vec<String> = known().filter(|row| is_right(row)).map(name).collect();
@@ -231,4 +331,23 @@ fn is_right(row: &KernelRow) -> bool {
             .by_ray_family
             .iter()
             .all(|a| a.wrong_per_million() == 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rare_error_is_shaded_less_than_a_frequent_one() {
+        let shade = |per_million| style::tint(VERMILION, degree(per_million));
+        // 0.0017 % and 49 %.
+        let [rare, frequent] = [17.0, 490_000.0].map(shade);
+        let distance = |color: RGBColor| 255 - u32::from(color.2);
+        assert!(
+            3 * distance(rare) < distance(frequent),
+            "{rare:?} {frequent:?}"
+        );
+        assert_ne!(rare, RGBColor(255, 255, 255));
+        assert_eq!(shade(1e6), VERMILION);
+    }
 }

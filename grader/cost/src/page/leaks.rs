@@ -1,46 +1,17 @@
-//! A picture of a closed mesh, with leaks in magenta.
-//!
-//! The mesh is seen from outside. Each pixel close to an edge traces a ray aimed at that edge, up
-//! to rounding; at least one of its two triangles must be hit. If neither is, the ray passes
-//! through the mesh. Rays through the centres of pixels hit edges so rarely that no leak would be
-//! visible; in an animation they are flickering dots.
+//! A picture of a closed mesh, with leaks in magenta: see [`leak_view`](crate::leak_view).
 
+use super::figure::{Figure, heads};
 use super::formatting::{name, percent};
+use crate::leak_view::{MeshView, NEAR, SIZE, TRIANGLES};
 use crate::report::{KernelFamily, KernelRow};
 use grader::error::GraderError;
-use kernels::{HitF64, Kernel};
-use kit::{Ray, Triangle, Vec3};
-use meshes::{MeshKind, generate};
+use judge::plural;
 use pages::html::{escape, png_data_uri};
-use pictures::Image;
-use pictures::image::Rgb;
-use rayon::prelude::*;
-use std::collections::HashMap;
+use std::fmt::Write;
 
-const SIZE: [u32; 2] = [300, 240];
-const TRIANGLES: usize = 600;
-
-/// Position of the camera, which looks at the origin; the mesh is in the cube from -1 to 1.
-const EYE: Vec3 = Vec3::new(1.6, 1.4, 2.4);
-
-/// Width of the picture at the origin.
-const WIDTH: f64 = 2.1;
-
-/// Pixels at most this far from an edge, in pixels, aim at it.
-const NEAR: f64 = 0.8;
-
-/// A hit farther behind the edge than this fraction of its distance is on another side of the mesh.
-const SAME_WALL: f64 = 1e-3;
-
-/// No surface has this colour.
-const MAGENTA: Rgb = [255, 0, 255];
-
-type TriangleKernel = Kernel<Triangle, HitF64>;
-
-/// Draws two pictures and returns the HTML and its caption: one with a kernel that leaks (the
-/// textbook's if it leaks, else the worst) and one with the fastest kernel that does not. `None` if
-/// no known kernel leaks.
-pub(crate) fn figure(family: &KernelFamily) -> Result<Option<(String, String)>, GraderError> {
+/// Draws the pictures: with a kernel that leaks (the textbook's if it leaks, else the worst), with
+/// the fastest kernel that does not, and with the student's. `None` if no known kernel leaks.
+pub(crate) fn figure(family: &KernelFamily) -> Result<Option<Figure>, GraderError> {
     let known = kernels::triangles();
     let leaks = |row: &KernelRow| row.leaks_per_million.unwrap_or(0.0);
     let kernel_of = |row: &KernelRow| {
@@ -74,191 +45,62 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Option<(String, String)>, 
         return Ok(None);
     };
     let view = MeshView::new(textbook);
-    let mut figure_html = String::from("<div class=\"pair\">");
-    let mut text = format!(
-        "A closed mesh of {TRIANGLES} triangles. {} pixels are within {NEAR} pixels of an edge; their rays are aimed at the edge. Magenta: the ray \
-         misses both triangles at the edge. ",
+    let mut pictures: Vec<(String, Vec<u32>)> = [Some(leaking), tight]
+        .into_iter()
+        .flatten()
+        .map(|(row, kernel)| (name(row), view.leaks(&kernel)))
+        .collect();
+    if let Some(leaks) = &family.student_leaks {
+        pictures.push(("★ your code".into(), leaks.clone()));
+    }
+    let share = |leaks: &[u32]| percent(leaks.len() as f64 / view.at_edges().max(1) as f64);
+    let mut drawing = String::from("<div class=\"pair\">");
+    let mut notes = format!(
+        "A closed mesh of {TRIANGLES} triangles. {} pixels are within {NEAR} pixels of an edge; their rays are aimed at the edge. ",
         view.at_edges()
     );
-    for (row, kernel) in [Some(leaking), tight].into_iter().flatten() {
-        let (picture, leaks) = view.picture(&kernel);
+    let mut rows = Vec::new();
+    for (name, leaks) in &pictures {
         let [w, h] = SIZE;
-        figure_html += &format!(
-            "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {leaks} leaks in magenta\">\
-             <figcaption>{}</figcaption></figure>",
-            png_data_uri(&picture),
-            escape(&name(row)),
+        let _ = write!(
+            drawing,
+            "<figure><img src=\"{}\" width=\"{w}\" height=\"{h}\" alt=\"a closed mesh, {} leaks in magenta\">\
+             <figcaption>{}: {}</figcaption></figure>",
+            png_data_uri(&view.picture(leaks)),
+            leaks.len(),
+            escape(name),
+            match leaks.len() {
+                0 => "no leaks".into(),
+                n => plural(n, "leak", "leaks"),
+            }
         );
-        text += &match leaks {
-            0 => format!("{} has no leaks. ", name(row)),
-            _ => format!(
-                "{} has {leaks} leaks ({}). ",
-                name(row),
-                percent(leaks as f64 / view.at_edges().max(1) as f64)
-            ),
+        notes += &match leaks.len() {
+            0 => format!("{name} has no leaks. "),
+            n => format!("{name} has {n} leaks ({}). ", share(leaks)),
         };
+        rows.push(vec![name.clone(), leaks.len().to_string(), share(leaks)]);
     }
-    figure_html += "</div>";
-    Ok(Some((figure_html, text)))
-}
-
-/// The visible triangles of the mesh, and the rays of the pixels.
-struct MeshView {
-    mesh: Vec<Triangle>,
-    /// The visible triangle and the ray of each pixel, in rows from the top; `None` for the
-    /// background.
-    pixels: Vec<Option<PixelHit>>,
-}
-
-struct PixelHit {
-    ray: Ray,
-    t: f64,
-    triangle: usize,
-    at_edge: bool,
-}
-
-impl MeshView {
-    /// Traces the picture with the kernel `textbook`.
-    fn new(textbook: &TriangleKernel) -> MeshView {
-        let mesh = generate(MeshKind::Smooth, TRIANGLES);
-        let edges = inner_edges(&mesh);
-        let [w, h] = SIZE;
-        let pixels = (0..w * h)
-            .into_par_iter()
-            .map(|i| {
-                let ray = camera_ray(i % w, i / w);
-                let (triangle, hit) = closest(textbook, &mesh, &ray)?;
-                let aimed = aim_at_edge(&mesh[triangle], &edges[triangle], &ray, hit.t);
-                Some(PixelHit {
-                    ray: aimed.unwrap_or(ray),
-                    t: hit.t,
-                    triangle,
-                    at_edge: aimed.is_some(),
-                })
-            })
-            .collect();
-        MeshView { mesh, pixels }
-    }
-
-    fn at_edges(&self) -> usize {
-        self.pixels
-            .iter()
-            .flatten()
-            .filter(|hit| hit.at_edge)
-            .count()
-    }
-
-    /// Renders the picture with `kernel`; also returns the number of leaks.
-    fn picture(&self, kernel: &TriangleKernel) -> (Image, usize) {
-        let colours: Vec<Rgb> = self
-            .pixels
-            .par_iter()
-            .map(|hit| match hit {
-                None => [255; 3],
-                Some(hit) if hit.at_edge && self.is_leak(kernel, hit) => MAGENTA,
-                Some(hit) => shade(&self.mesh[hit.triangle]),
-            })
-            .collect();
-        let leaks = colours.iter().filter(|colour| **colour == MAGENTA).count();
-        let [w, h] = SIZE;
-        let mut colours = colours.into_iter();
-        let picture = Image::from_fn([w, h], |_, _| colours.next().unwrap_or(MAGENTA));
-        (picture, leaks)
-    }
-
-    /// Whether the ray misses all triangles at the distance of its edge.
-    fn is_leak(&self, kernel: &TriangleKernel, hit: &PixelHit) -> bool {
-        let wall = hit.ray_length() * (1.0 + SAME_WALL);
-        !self.mesh.iter().any(|tri| {
-            kernel
-                .answer(tri, &hit.ray)
-                .is_some_and(|hit| hit.t <= wall)
-        })
-    }
-}
-
-impl PixelHit {
-    /// Returns the distance along the ray: 1 for rays aimed at an edge.
-    fn ray_length(&self) -> f64 {
-        if self.at_edge { 1.0 } else { self.t }
-    }
-}
-
-/// Returns the ray through the centre of the pixel in column `x` and row `y` from the top left.
-fn camera_ray(x: u32, y: u32) -> Ray {
-    let [w, h] = SIZE.map(f64::from);
-    let backward = EYE.normalize();
-    let right = Vec3::Y.cross(backward).normalize();
-    let up = backward.cross(right);
-    let across = (f64::from(x) + 0.5) / w - 0.5;
-    let along = (0.5 * h - f64::from(y) - 0.5) / w;
-    let target = WIDTH * (across * right + along * up);
-    Ray::new(EYE, (target - EYE).normalize())
-}
-
-fn closest(kernel: &TriangleKernel, mesh: &[Triangle], ray: &Ray) -> Option<(usize, HitF64)> {
-    let hits = mesh.iter().enumerate();
-    hits.filter_map(|(i, tri)| Some((i, kernel.answer(tri, ray)?)))
-        .min_by(|a, b| a.1.t.total_cmp(&b.1.t))
-}
-
-/// For each triangle, whether the edges opposite to its first, second and third vertex are shared
-/// with another triangle that faces the camera: a ray that misses the mesh at its silhouette is no
-/// leak.
-fn inner_edges(mesh: &[Triangle]) -> Vec<[bool; 3]> {
-    let corner = |v: Vec3| v.to_array().map(f64::to_bits);
-    let key = |a: Vec3, b: Vec3| {
-        let (a, b) = (corner(a), corner(b));
-        (a.min(b), a.max(b))
-    };
-    let edges = |tri: &Triangle| {
-        [
-            key(tri.p1, tri.p2),
-            key(tri.p2, tri.p0),
-            key(tri.p0, tri.p1),
-        ]
-    };
-    let mut facing: HashMap<_, u32> = HashMap::new();
-    for tri in mesh.iter().filter(|tri| faces_eye(tri)) {
-        for edge in edges(tri) {
-            *facing.entry(edge).or_default() += 1;
+    drawing += "</div>";
+    let finding = match pictures.as_slice() {
+        [(leaking, leaks), (tight, none), ..] if none.is_empty() => format!(
+            "{leaking} lets {} of the rays at edges through, {tight} none",
+            share(leaks)
+        ),
+        [(leaking, leaks), ..] => {
+            format!(
+                "{leaking} lets {} of the rays at edges through",
+                share(leaks)
+            )
         }
-    }
-    let both = |edge| facing.get(&edge).is_some_and(|count| *count >= 2);
-    mesh.iter().map(|tri| edges(tri).map(both)).collect()
-}
-
-fn faces_eye(tri: &Triangle) -> bool {
-    // The mesh is star-shaped about the origin, so its outside faces away from the origin.
-    let n = normal(tri);
-    n.dot(tri.p0) * n.dot(EYE - tri.p0) > 0.0
-}
-
-fn normal(tri: &Triangle) -> Vec3 {
-    (tri.p1 - tri.p0).cross(tri.p2 - tri.p0)
-}
-
-/// Returns the ray from the same origin to the nearest point of an edge, if it is closer than
-/// [`NEAR`] pixels. The ray reaches the edge at `t = 1`.
-fn aim_at_edge(tri: &Triangle, inner: &[bool; 3], ray: &Ray, t: f64) -> Option<Ray> {
-    let p = ray.at(t);
-    let pixel = NEAR * WIDTH / f64::from(SIZE[0]) * t / EYE.length();
-    let corners = [tri.p0, tri.p1, tri.p2];
-    let on_edge = |i: usize| {
-        let (a, b) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
-        let along = (b - a) * ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
-        a + along
+        [] => return Ok(None),
     };
-    let nearest = (0..3)
-        .filter(|i| inner[*i])
-        .map(on_edge)
-        .min_by(|a, b| a.distance(p).total_cmp(&b.distance(p)))?;
-    (nearest.distance(p) < pixel).then(|| Ray::new(ray.o, nearest - ray.o))
-}
-
-/// Shades a triangle in grey, brightest if it faces a light above the camera.
-fn shade(tri: &Triangle) -> Rgb {
-    let n = normal(tri).normalize();
-    let lamp = (EYE + Vec3::Y).normalize();
-    [(90.0 + 140.0 * n.dot(lamp).abs()) as u8; 3]
+    Ok(Some(Figure {
+        finding,
+        drawing,
+        caption: "A closed mesh seen from outside, with a ray aimed at an edge in each pixel near one: in magenta pixels it passes through."
+            .into(),
+        notes,
+        head: heads(&["test", "leaks", "share of the rays"]),
+        rows,
+    }))
 }

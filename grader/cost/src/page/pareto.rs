@@ -1,33 +1,36 @@
 //! Accuracy against time with its error, and the Pareto front of the kernels.
 
 use super::canvas::{Canvas, DrawResult, Label, Position, svg};
-use super::formatting::{name, tick};
+use super::figure::{Figure, heads};
+use super::formatting::{name, percent, tick};
 use super::front::front;
-use super::pareto_caption::caption;
+use super::labels::Labels;
+use super::pareto_caption::{caption, finding};
 use super::plot::{Axis, Plot};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
+use crate::table::plus_minus;
 use grader::error::GraderError;
 
-const WIDTH: f64 = 860.0;
-const PLOT: [f64; 2] = [560.0, 380.0];
-const LINE: f64 = 15.5;
+const PLOT: [f64; 2] = [860.0, 470.0];
+/// Height of the legend below the plot.
+const KEY: f64 = 26.0;
 
 /// Area in square points of the markers of a kernel that is never wrong and of one that is always
 /// wrong.
 const AREA: [f64; 2] = [26.0, 420.0];
 
-/// Font size of the numbers beside markers.
-const NUMBER: f64 = 9.0;
+/// Font size of the names beside markers.
+const NAME: f64 = 9.5;
 
-/// Draws the plot; returns the SVG and its caption.
-pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderError> {
-    let height = PLOT[1].max(34.0 + LINE * (family.rows.len() + 5) as f64);
+/// Draws the plot.
+pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
     let label = format!("Correct bits against time: {}", family.shape.name());
-    let figure_html = svg(WIDTH, height, &label, |canvas| -> DrawResult {
+    let drawing = svg(PLOT[0], PLOT[1] + KEY, &label, |canvas| -> DrawResult {
         let times = family.rows.iter().map(|row| row.ranked_time().ratio);
         let times = times.flat_map(|ratio| [ratio.lower, ratio.upper]);
-        let x = Axis::log("time / time of the textbook kernel", times, tick);
+        let x_name = format!("time / time of the textbook's test ({})", textbook(family));
+        let x = Axis::log(&x_name, times, tick);
         let ticks = (0..=5)
             .map(|i| f64::from(10 * i))
             .map(|v| (v, v.to_string()));
@@ -38,33 +41,117 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<(String, String), GraderEr
             ticks.collect(),
         );
         let plot = Plot::new(canvas, "correct bits against time", (0.0, 0.0), PLOT, x, y)?;
-        front_line(&plot, family)?;
-        for (i, row) in family.rows.iter().enumerate() {
+        let corners = front_line(&plot, family)?;
+        for row in &family.rows {
             let ratio = row.ranked_time().ratio;
             let ends = [ratio.lower, ratio.upper];
-            plot.time_bar(style_of(i, row), ends, row.mean_correct_bits())?;
+            plot.time_bar(style_of(row), ends, row.mean_correct_bits())?;
         }
         // Large markers first, so that they do not hide small ones.
-        let mut order: Vec<usize> = (0..family.rows.len()).collect();
-        order.sort_by(|a, b| {
-            failure_rate(&family.rows[*b]).total_cmp(&failure_rate(&family.rows[*a]))
-        });
-        let mut taken: Vec<(Position, f64)> = Vec::new();
-        for i in &order {
-            let row = &family.rows[*i];
-            let (x, y) = at(row);
-            let position = plot.at(x, y);
-            style::marker(canvas, style_of(*i, row), position, area(row))?;
-            taken.push((position, (area(row) / std::f64::consts::PI).sqrt() + 1.0));
+        let mut order: Vec<&KernelRow> = family.rows.iter().collect();
+        order.sort_by(|a, b| failure_rate(b).total_cmp(&failure_rate(a)));
+        let mut labels = Labels::new(plot.inner());
+        for row in &order {
+            let position = place(&plot, row);
+            let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
+            style::marker(canvas, style_of(row), position, area(row))?;
+            canvas.tip(position, radius.max(6.0), &tip(family.shape, row));
+            labels.keep_free(position, radius);
+            let ratio = row.ranked_time().ratio;
+            let [from, to] =
+                [ratio.lower, ratio.upper].map(|x| plot.at(x, row.mean_correct_bits()));
+            labels.keep_box_free([from.0, from.1 - 2.0, to.0, to.1 + 2.0]);
         }
-        for (i, row) in family.rows.iter().enumerate() {
-            let (x, y) = at(row);
-            let position = plot.at(x, y);
-            number(canvas, i + 1, position, &mut taken)?;
+        for ends in corners.windows(2) {
+            let [from, to] = [ends[0], ends[1]].map(|(x, y)| plot.at(x, y));
+            labels.keep_box_free([
+                from.0.min(to.0) - 1.0,
+                from.1.min(to.1) - 1.0,
+                from.0.max(to.0) + 1.0,
+                from.1.max(to.1) + 1.0,
+            ]);
         }
-        names(canvas, family)
+        // The fastest first: the crowd is there, and they are what the plot is about.
+        order.sort_by(|a, b| at(a).0.total_cmp(&at(b).0));
+        for row in order {
+            let label = Label::left(NAME).in_color(style_of(row).color);
+            let label = if row.student { label.bold() } else { label };
+            let text = match (row.student, row.textbook) {
+                (true, _) => "yours".to_string(),
+                (_, true) => format!("{} (textbook)", row.name),
+                _ => row.name.clone(),
+            };
+            labels.place(canvas, &text, place(&plot, row), label)?;
+        }
+        key(canvas, family)
     })?;
-    Ok((figure_html, caption(family)))
+    Ok(Figure {
+        finding: finding(family),
+        drawing,
+        caption: format!(
+            "Further up is more accurate, further left is faster than the textbook's test, {}; bars reach from quartile to quartile of the \
+             times, filled markers have {}, larger ones more, and no test is beaten on the dashed line, the Pareto front.",
+            textbook(family),
+            failures(family.shape)
+        ),
+        notes: caption(family),
+        head: heads(&[
+            "test",
+            "time / textbook's",
+            "ns",
+            "correct bits",
+            failures(family.shape),
+        ]),
+        rows: family
+            .rows
+            .iter()
+            .map(|row| {
+                let time = row.ranked_time();
+                vec![
+                    name(row),
+                    plus_minus(&time.ratio, 2),
+                    plus_minus(&time.ns, 1),
+                    format!("{:.0}", row.mean_correct_bits().floor()),
+                    percent(failure_rate(row)),
+                ]
+            })
+            .collect(),
+    })
+}
+
+/// Returns the plot alone, as an SVG file.
+pub(crate) fn svg_file(family: &KernelFamily) -> Result<String, GraderError> {
+    let drawing = figure(family)?.drawing;
+    Ok(format!("{}\n", drawing.trim_end()))
+}
+
+/// The test that times are compared with.
+fn textbook(family: &KernelFamily) -> String {
+    let textbook = family.rows.iter().find(|row| row.textbook);
+    textbook.map_or("none".into(), name)
+}
+
+fn failures(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Triangle => "leaks",
+        Shape::Sphere | Shape::Box => "wrong decisions in the worst family",
+    }
+}
+
+fn tip(shape: Shape, row: &KernelRow) -> String {
+    format!(
+        "{}: {} of the textbook's time, {:.0} correct bits, {} {}",
+        name(row),
+        plus_minus(&row.ranked_time().ratio, 2),
+        row.mean_correct_bits().floor(),
+        percent(failure_rate(row)),
+        failures(shape)
+    )
+}
+
+fn place(plot: &Plot, row: &KernelRow) -> Position {
+    let (x, y) = at(row);
+    plot.at(x, y)
 }
 
 /// Returns the values that a kernel is drawn at.
@@ -84,7 +171,7 @@ fn area(row: &KernelRow) -> f64 {
 }
 
 /// Colour and shape show the precision; a hollow marker has no leaks or wrong decisions.
-fn style_of(_: usize, row: &KernelRow) -> SeriesStyle {
+fn style_of(row: &KernelRow) -> SeriesStyle {
     let i = match row.precision {
         Precision::F64 => 0,
         Precision::F32 => 1,
@@ -102,8 +189,9 @@ fn style_of(_: usize, row: &KernelRow) -> SeriesStyle {
     }
 }
 
-/// Draws the front as a step function, through the fastest kernel of each step.
-fn front_line(plot: &Plot, family: &KernelFamily) -> DrawResult {
+/// Draws the front as a step function, through the fastest kernel of each step. Returns its
+/// corners.
+fn front_line(plot: &Plot, family: &KernelFamily) -> Result<Vec<(f64, f64)>, GraderError> {
     let mut corners: Vec<(f64, f64)> = Vec::new();
     for step in front(&family.rows) {
         let Some(fastest) = step.first() else {
@@ -120,79 +208,52 @@ fn front_line(plot: &Plot, family: &KernelFamily) -> DrawResult {
         dashes: Some([4.0, 3.0]),
         ..SeriesStyle::of(0)
     };
-    plot.line(style, &corners, 0.9)
+    plot.line(style, &corners, 0.9)?;
+    Ok(corners)
 }
 
-/// Draws a kernel's number at a free position near its marker, with a thin line to the marker if it
-/// is not close.
-fn number(
-    canvas: &Canvas,
-    i: usize,
-    (x, y): Position,
-    taken: &mut Vec<(Position, f64)>,
-) -> DrawResult {
-    let half = NUMBER * 0.62;
-    // From above on: beside the marker is its error bar.
-    let around = (0..6).flat_map(|ring| {
-        (0..12).map(move |k| {
-            (
-                10.0 + 8.0 * f64::from(ring),
-                f64::from(k + 3) * std::f64::consts::PI / 6.0,
-            )
-        })
-    });
-    let free = around
-        .map(|(out, angle)| (x + out * angle.cos(), y - out * angle.sin()))
-        .find(|at| {
-            taken
-                .iter()
-                .all(|(other, radius)| (at.0 - other.0).hypot(at.1 - other.1) >= radius + half)
-        });
-    let at = free.unwrap_or((x, y));
-    if (at.0 - x).hypot(at.1 - y) > 16.0 {
-        canvas.line(&[(x, y), at], INK, 0.4)?;
-        canvas.disc(at, half, plotters::style::WHITE, None)?;
-    }
-    taken.push((at, half));
-    canvas.text(&i.to_string(), at, Label::centered(NUMBER))
-}
-
-/// Draws the names of the kernels and the legend of the markers.
-fn names(canvas: &Canvas, family: &KernelFamily) -> DrawResult {
-    let (x, mut y) = (PLOT[0] + 14.0, 24.0);
-    for (i, row) in family.rows.iter().enumerate() {
-        canvas.text(
-            &(i + 1).to_string(),
-            (x + 14.0, y),
-            Label::right(NUMBER + 0.5),
-        )?;
-        style::marker(canvas, style_of(i, row), (x + 26.0, y), AREA[0])?;
-        let label = Label::left(NUMBER + 0.5);
-        let label = if row.student { label.bold() } else { label };
-        canvas.text(&name(row), (x + 36.0, y), label)?;
-        y += LINE;
-    }
+/// Draws the legend of the markers below the plot.
+fn key(canvas: &Canvas, family: &KernelFamily) -> DrawResult {
     let failure = match family.shape {
         Shape::Triangle => "leaks",
-        Shape::Sphere | Shape::Box => "wrong decisions (worst family)",
+        Shape::Sphere | Shape::Box => "wrong",
     };
-    y += 0.5 * LINE;
-    for (share, text) in [
-        (None, format!("hollow: no {failure}")),
-        (Some(0.1), format!("10 % {failure}")),
-        (Some(0.5), format!("50 % {failure}")),
-    ] {
-        let area = share.map_or(AREA[0], |share| AREA[0] + share * (AREA[1] - AREA[0]));
-        let style = SeriesStyle {
-            color: INK,
-            hollow: share.is_none(),
-            ..SeriesStyle::of(0)
-        };
-        style::marker(canvas, style, (x + 26.0, y), area)?;
-        canvas.text(&text, (x + 40.0, y), Label::left(NUMBER + 0.5))?;
-        y += LINE * 1.15;
+    let precisions = [Precision::F64, Precision::F32, Precision::F32InF64];
+    let mut entries: Vec<(SeriesStyle, f64, String)> = precisions
+        .into_iter()
+        .filter_map(|precision| {
+            let mut rows = family.rows.iter();
+            let row = rows.find(|row| row.precision == precision && !row.student)?;
+            let style = SeriesStyle {
+                hollow: true,
+                ..style_of(row)
+            };
+            Some((style, AREA[0], precision.name().to_string()))
+        })
+        .collect();
+    let black = |hollow| SeriesStyle {
+        color: INK,
+        hollow,
+        ..SeriesStyle::of(0)
+    };
+    entries.push((black(true), AREA[0], format!("hollow: no {failure}")));
+    for share in [0.1, 0.5] {
+        let area = AREA[0] + share * (AREA[1] - AREA[0]);
+        entries.push((
+            black(false),
+            area,
+            format!("{:.0} % {failure}", 100.0 * share),
+        ));
     }
-    let label = Label::left(NUMBER);
-    canvas.text("dashed: Pareto front", (x + 6.0, y), label)?;
-    canvas.text("bars: quartiles of the times", (x + 6.0, y + LINE), label)
+    if let Some(yours) = family.rows.iter().find(|row| row.student) {
+        entries.push((style_of(yours), AREA[0], "yours".into()));
+    }
+    let (mut x, y) = (60.0, PLOT[1] + 0.4 * KEY);
+    for (style, area, text) in entries {
+        style::marker(canvas, style, (x, y), area)?;
+        let label = Label::left(NAME);
+        canvas.text(&text, (x + 14.0, y), label)?;
+        x += 36.0 + label.width(&text);
+    }
+    Ok(())
 }

@@ -1,6 +1,6 @@
-//! The caption of the plot of accuracy against time.
+//! The heading and the notes of the plot of accuracy against time.
 
-use super::formatting::{list, name, percent};
+use super::formatting::{figures, list, name, percent};
 use super::front::{beats, bits, front};
 use super::pareto::failure_rate;
 use crate::report::{KernelFamily, KernelRow, Shape};
@@ -61,6 +61,38 @@ fn front_steps(family: &KernelFamily) -> Vec<String> {
             }
         })
         .collect()
+}
+
+/// What the plot shows: the fastest test in the textbook's precision that never fails, and what it
+/// costs.
+pub(super) fn finding(family: &KernelFamily) -> String {
+    let (never, always) = match family.shape {
+        Shape::Triangle => ("never leaks", "Every known test leaks"),
+        Shape::Sphere | Shape::Box => ("is never wrong", "Every known test is wrong for some rays"),
+    };
+    let textbook = family.rows.iter().find(|row| row.textbook);
+    let precision = textbook.map(|row| row.precision);
+    let time = |row: &KernelRow| row.ranked_time().ratio.median;
+    let rows = family.rows.iter();
+    let safe = rows
+        .filter(|row| !row.student && failure_rate(row) == 0.0 && Some(row.precision) == precision)
+        .min_by(|a, b| time(a).total_cmp(&time(b)));
+    let Some((safe, textbook)) = safe.zip(textbook) else {
+        return always.into();
+    };
+    let ratio = figures(time(safe));
+    if safe.textbook {
+        return format!("The textbook's test, {}, {never}", safe.name);
+    }
+    let (own, base) = (safe.ranked_time(), textbook.ranked_time());
+    let cost = if own.ties_with(base) {
+        "costs nothing".to_string()
+    } else if own.is_faster_than(base) {
+        format!("takes only {ratio} times the textbook's time")
+    } else {
+        format!("takes {ratio} times the textbook's time")
+    };
+    format!("{} {never} and {cost}", safe.name)
 }
 
 /// Returns the sentence about the fastest kernels without failures.

@@ -171,6 +171,11 @@ impl<'a, 'b> Plot<'a, 'b> {
         )
     }
 
+    /// Returns the inner part: left, top, right, bottom.
+    pub(crate) fn inner(&self) -> [f64; 4] {
+        self.inner
+    }
+
     /// Returns the ends of the x axis.
     pub(crate) fn x_ends(&self) -> (f64, f64) {
         self.x.ends()

@@ -154,17 +154,32 @@ pub(crate) fn line(
     }
 }
 
+/// Black on a coloured background: a dark page, which replaces black, leaves this black alone.
+const BLACK_ON_COLOR: RGBColor = RGBColor(1, 1, 1);
+/// White on a coloured background.
+const WHITE_ON_COLOR: RGBColor = RGBColor(254, 254, 254);
+
 /// Returns white or black, whichever has more contrast on `color` (relative luminance of WCAG 2,
 /// linearised by a power).
 pub(crate) fn text_color_on(color: RGBColor) -> RGBColor {
     let linear = |c: u8| (f64::from(c) / 255.0).powf(2.2);
     let luminance = 0.2126 * linear(color.0) + 0.7152 * linear(color.1) + 0.0722 * linear(color.2);
     if luminance > 0.18 {
-        RGBColor(0, 0, 0)
+        BLACK_ON_COLOR
     } else {
-        RGBColor(255, 255, 255)
+        WHITE_ON_COLOR
     }
 }
+
+/// Returns `color` on white, from a faint tint for 0 to the full colour for 1.
+pub(crate) fn tint(color: RGBColor, strength: f64) -> RGBColor {
+    let strength = FAINTEST + (1.0 - FAINTEST) * strength.clamp(0.0, 1.0);
+    let mix = |c: u8| (255.0 + (f64::from(c) - 255.0) * strength).round() as u8;
+    RGBColor(mix(color.0), mix(color.1), mix(color.2))
+}
+
+/// The strength of the faintest tint that can be told from white.
+const FAINTEST: f64 = 0.18;
 
 #[cfg(test)]
 mod tests {
@@ -202,10 +217,7 @@ mod tests {
 
     #[test]
     fn text_contrasts_with_its_background() {
-        assert_eq!(
-            text_color_on(RGBColor(0, 114, 178)),
-            RGBColor(255, 255, 255)
-        );
-        assert_eq!(text_color_on(YELLOW), RGBColor(0, 0, 0));
+        assert_eq!(text_color_on(RGBColor(0, 114, 178)), WHITE_ON_COLOR);
+        assert_eq!(text_color_on(YELLOW), BLACK_ON_COLOR);
     }
 }

@@ -1,9 +1,10 @@
 //! Build time against tracing time of trees.
 
 use super::canvas::{DrawResult, svg};
-use super::formatting::{figures, list, tick};
+use super::figure::{Figure, heads};
+use super::formatting::{figures, list, rounded, tick};
 use super::plot::{Axis, Plot, legend};
-use super::style::{self, SeriesStyle};
+use super::style::{Marker, SeriesStyle};
 use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
@@ -15,49 +16,143 @@ const PLOT: [f64; 2] = [560.0, 320.0];
 /// Range of the x axis: from the rays of a thumbnail to those of a film frame.
 const RAYS: [f64; 2] = [1e4, 1e9];
 
-/// Draws the total of build and tracing time; returns the SVG and its caption.
-pub(crate) fn figure(trees: &TreeReport) -> Result<(String, String), GraderError> {
-    let figure_html = svg(
-        WIDTH,
-        PLOT[1],
-        "Time to build a tree and to trace rays",
-        |canvas| -> DrawResult {
-            let x = Axis::log("rays", RAYS, tick);
-            let all = trees.by_build.iter();
-            let times = all.flat_map(|tree| RAYS.map(|rays| seconds(tree, rays).median));
-            let y = Axis::log("seconds to build and trace", times, tick);
-            let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), PLOT, x, y)?;
-            let mut entries = Vec::new();
-            for (k, tree) in trees.by_build.iter().enumerate() {
-                let style = SeriesStyle::of(k);
-                // Two points per decade, because the line is curved.
-                let ray_counts = (0..=10).map(|i| RAYS[0] * 10.0_f64.powf(0.5 * f64::from(i)));
-                let points: Vec<(f64, Quartiles)> =
-                    ray_counts.map(|rays| (rays, seconds(tree, rays))).collect();
-                let line: Vec<(f64, f64)> =
-                    points.iter().map(|(rays, s)| (*rays, s.median)).collect();
-                plot.line(style, &line, if tree.student { 2.2 } else { 1.4 })?;
-                for (rays, s) in points {
-                    plot.error_bar(style, rays, s.lower, s.upper)?;
+/// Draws the total of build and tracing time, as a ratio to that of the first tree.
+pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
+    let Some(base) = trees.by_build.first() else {
+        return Ok(Figure::default());
+    };
+    let label = "Time to build a tree and to trace rays, as a ratio";
+    let drawing = svg(WIDTH, PLOT[1], label, |canvas| -> DrawResult {
+        let x = Axis::log("rays", RAYS, tick);
+        let counts = || ray_counts().flat_map(|rays| trees.by_build.iter().map(move |t| (t, rays)));
+        let ratios = counts().flat_map(|(tree, rays)| {
+            let Quartiles { lower, upper, .. } = ratio(tree, base, rays);
+            [lower, upper]
+        });
+        let y_name = format!("time to build and trace / that of {}", base.name);
+        let y = Axis::log(&y_name, ratios, tick);
+        let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), PLOT, x, y)?;
+        let mut entries = Vec::new();
+        for (k, tree) in trees.by_build.iter().enumerate() {
+            let style = SeriesStyle::of(k);
+            let points: Vec<(f64, Quartiles)> = ray_counts()
+                .map(|rays| (rays, ratio(tree, base, rays)))
+                .collect();
+            let line: Vec<(f64, f64)> = points.iter().map(|(rays, r)| (*rays, r.median)).collect();
+            plot.line(style, &line, if tree.student { 2.2 } else { 1.4 })?;
+            for (i, (rays, r)) in points.iter().enumerate() {
+                if k > 0 {
+                    plot.error_bar(style, *rays, r.lower, r.upper)?;
                 }
-                if let BreakEven::After {
-                    rays,
-                    at_least,
-                    at_most,
-                } = tree.break_even
-                    && (RAYS[0]..=RAYS[1]).contains(&rays)
-                {
-                    let y = seconds(tree, rays).median;
-                    plot.time_bar(style, [at_least, at_most], y)?;
-                    style::marker(canvas, style, plot.at(rays, y), 40.0)?;
+                // Two points per decade, a marker at each decade.
+                if i % 2 == 0 {
+                    plot.marker(style, (*rays, r.median), 26.0)?;
                 }
-                entries.push((Some(style), tree.name.clone()));
+                let text = format!(
+                    "{}: {} times the time of {} for {} rays",
+                    tree.name,
+                    plus_minus(r, 2),
+                    base.name,
+                    figures(*rays)
+                );
+                canvas.tip(plot.at(*rays, r.median), 6.0, &text);
             }
-            entries.push((None, "markers: break-even with the first".into()));
-            legend(canvas, (PLOT[0] + 10.0, 34.0), &entries)
-        },
-    )?;
-    Ok((figure_html, caption(trees)))
+            entries.push((Some(style), tree.name.clone()));
+        }
+        for (k, tree) in trees.by_build.iter().enumerate() {
+            if let BreakEven::After {
+                rays,
+                at_least,
+                at_most,
+            } = tree.break_even
+                && (RAYS[0]..=RAYS[1]).contains(&rays)
+            {
+                let style = SeriesStyle::of(k);
+                plot.time_bar(style, [at_least, at_most], 1.0)?;
+                let ring = SeriesStyle {
+                    hollow: true,
+                    marker: Marker::Disc,
+                    ..style
+                };
+                plot.marker(ring, (rays, 1.0), 110.0)?;
+                let text = format!("{} breaks even after {} rays", tree.name, figures(rays));
+                canvas.tip(plot.at(rays, 1.0), 8.0, &text);
+            }
+        }
+        entries.push((None, format!("rings: break-even with {}", base.name)));
+        legend(canvas, (PLOT[0] + 10.0, 34.0), &entries)
+    })?;
+    let rows = trees.by_build.iter().map(|tree| {
+        vec![
+            tree.name.clone(),
+            plus_minus(&tree.build_s.scaled(1e3), 1),
+            plus_minus(&tree.trace.time.ns, 0),
+            plus_minus(&tree.trace.time.ratio, 2),
+            figures(tree.trace.box_tests),
+            figures(tree.trace.prim_tests),
+            match tree.break_even {
+                BreakEven::Base => "–".into(),
+                BreakEven::Never => "never".into(),
+                BreakEven::Immediate => "at once".into(),
+                BreakEven::WithinNoise => "within the errors".into(),
+                BreakEven::After { rays, .. } => format!("{} rays", figures(rays)),
+            },
+        ]
+    });
+    Ok(Figure {
+        finding: finding(trees, base),
+        drawing,
+        caption: format!(
+            "The time to build a tree and to trace the rays, as a ratio to that of {}: below 1 is faster, and bars reach from quartile to \
+             quartile.",
+            base.name
+        ),
+        notes: caption(trees),
+        head: heads(&[
+            "tree",
+            "build, ms",
+            "ns per ray",
+            "tracing time, ratio",
+            "box tests per ray",
+            "primitive tests per ray",
+            "break-even",
+        ]),
+        rows: rows.collect(),
+    })
+}
+
+/// What the plot shows: which tree is worth its build first.
+fn finding(trees: &TreeReport, base: &TreeRow) -> String {
+    let after = trees
+        .by_build
+        .iter()
+        .filter_map(|tree| match tree.break_even {
+            BreakEven::After { rays, .. } => Some((tree, rays)),
+            BreakEven::Immediate => Some((tree, 0.0)),
+            _ => None,
+        });
+    match after.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((tree, 0.0)) => format!(
+            "{} is better than {} from the first ray on",
+            tree.name, base.name
+        ),
+        Some((tree, rays)) => format!(
+            "{} is worth its build from {} rays on",
+            tree.name,
+            rounded(rays)
+        ),
+        None => format!("No tree is better than {}", base.name),
+    }
+}
+
+/// The numbers of rays of the points: two per decade.
+fn ray_counts() -> impl Iterator<Item = f64> {
+    (0..=10).map(|i| RAYS[0] * 10.0_f64.powf(0.5 * f64::from(i)))
+}
+
+/// The ratio of two trees' times; its quartiles are those of `tree`.
+fn ratio(tree: &TreeRow, base: &TreeRow, rays: f64) -> Quartiles {
+    seconds(tree, rays).scaled(1.0 / seconds(base, rays).median)
 }
 
 /// Returns the seconds to build the tree and to trace `rays` rays.

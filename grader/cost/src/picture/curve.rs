@@ -1,6 +1,7 @@
 //! The results for pictures: error against samples and against seconds.
 
 use crate::quartiles::Quartiles;
+use pictures::tone::tone;
 use serde::{Deserialize, Serialize};
 
 /// The results of all experiments.
@@ -30,6 +31,11 @@ pub struct Experiment {
     /// Whether the methods aim at an equal relative error in every pixel; then the relative error
     /// is compared.
     pub is_relative: bool,
+    /// What the axis of samples counts, such as "camera rays per pixel".
+    pub samples_are: String,
+    /// The converged picture. It is not part of the JSON.
+    #[serde(skip)]
+    pub reference: Option<Thumbnail>,
     /// The remaining error of the mean of the two converged pictures, relative to the picture's
     /// mean.
     pub converged_rmse: f64,
@@ -51,6 +57,29 @@ pub struct Curve {
     /// The slope of log(error) against log(samples), by least squares over the points that are
     /// random: -1/2 for independent samples. `None` with fewer than three such points.
     pub slope: Option<f64>,
+    /// The point whose time is most like that of the other curves, and its picture. It is not part
+    /// of the JSON.
+    #[serde(skip)]
+    pub at_equal_time: Option<(usize, Thumbnail)>,
+}
+
+/// A small picture in the colours of a screen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Thumbnail {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// The pixels, in rows from the top.
+    pub pixels: Vec<[u8; 3]>,
+}
+
+impl Thumbnail {
+    /// Converts linear radiance, in rows from the top.
+    pub fn of(size: [u32; 2], radiance: &[[f64; 3]]) -> Thumbnail {
+        Thumbnail {
+            size,
+            pixels: radiance.iter().copied().map(tone).collect(),
+        }
+    }
 }
 
 /// The results for one number of samples. Errors are relative to the picture's mean value, over all
@@ -212,6 +241,7 @@ mod tests {
             flags: String::new(),
             points: vec![point(1.0, 8.0), point(16.0, 2.0), point(64.0, 1.0)],
             slope: None,
+            at_equal_time: None,
         };
         let samples_at = |error| curve.at_error(error, |p| p.rmse.value, |p| p.samples);
         assert!((samples_at(4.0).unwrap() - 4.0).abs() < 1e-12);

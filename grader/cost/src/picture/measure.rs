@@ -1,6 +1,6 @@
 //! Renders the pictures of all experiments.
 
-use super::curve::{Curve, CurvePoint, Experiment, PictureReport};
+use super::curve::{Curve, CurvePoint, Experiment, PictureReport, Thumbnail};
 use super::efficiency::relative_efficiency;
 use super::estimate::ConvergedPair;
 use super::plan::{self, ExperimentPlan, RenderMethod};
@@ -63,6 +63,8 @@ fn experiment(
         seeds: plan.seeds,
         converged: plan.converged.clone(),
         is_relative: plan.is_relative,
+        samples_are: plan.samples_are.into(),
+        reference: None,
         converged_rmse: 0.0,
         curves: Vec::new(),
         missing: None,
@@ -95,6 +97,8 @@ fn experiment(
     let [Some(a), Some(b)] = [converged_pictures.pop(), converged_pictures.pop()] else {
         return Ok(experiment);
     };
+    let size = [plan.cell[2], plan.cell[3]];
+    experiment.reference = Some(Thumbnail::of(size, &a));
     let Some(converged) = ConvergedPair::new(a, b) else {
         experiment.missing = Some("the converged picture is black or contains NaN".into());
         return Ok(experiment);
@@ -118,11 +122,33 @@ fn experiment(
             curve(&converged, method, pictures, base?, plan.is_relative)
         })
         .collect();
+    if experiment.curves.len() == plan.methods.len() {
+        add_thumbnails(&mut experiment.curves, size, &pictures);
+    }
     if experiment.curves.len() < plan.methods.len() && experiment.missing.is_none() {
         experiment.missing =
             Some("a picture has another size, or contains NaN or infinite values".into());
     }
     Ok(experiment)
+}
+
+/// Adds a picture to each curve: of the point whose time is nearest to the longest time that all
+/// curves reach. `pictures` are those of all curves.
+fn add_thumbnails(curves: &mut [Curve], size: [u32; 2], pictures: &Pictures) {
+    let longest = |curve: &Curve| {
+        let seconds = curve.points.iter().map(|point| point.seconds.median);
+        seconds.fold(0.0, f64::max)
+    };
+    let common = curves.iter().map(longest).fold(f64::INFINITY, f64::min);
+    for (curve, pictures) in curves.iter_mut().zip(pictures) {
+        let distance = |point: &CurvePoint| (point.seconds.median / common).ln().abs();
+        let points = curve.points.iter().enumerate();
+        let nearest = points.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+        curve.at_equal_time = nearest.and_then(|(at, _)| {
+            let picture = pictures.get(at)?.first()?;
+            Some((at, Thumbnail::of(size, &picture.pixels)))
+        });
+    }
 }
 
 /// Pictures by method, by step and by round.
@@ -222,5 +248,6 @@ fn curve(
         flags: method.flags.clone(),
         slope: slope(&random_points).filter(|_| random_points.len() >= POINTS_OF_A_LINE),
         points,
+        at_equal_time: None,
     })
 }

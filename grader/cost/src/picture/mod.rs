@@ -16,5 +16,5 @@ pub mod program;
 mod simulated;
 pub mod table;
 
-pub use curve::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport};
+pub use curve::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport, Thumbnail};
 pub use measure::measure;

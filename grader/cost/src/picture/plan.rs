@@ -18,6 +18,8 @@ pub struct ExperimentPlan {
     pub converged: String,
     /// Whether the methods aim at an equal relative error in every pixel.
     pub is_relative: bool,
+    /// What the axis of samples counts.
+    pub samples_are: &'static str,
     /// The compared methods.
     pub methods: Vec<RenderMethod>,
 }
@@ -82,6 +84,7 @@ fn edges(quick: bool) -> ExperimentPlan {
             if quick { 512 } else { 2048 }
         ),
         is_relative: false,
+        samples_are: "positions in a pixel",
         methods: vec![
             method("independent", "independent"),
             method("stratified", "stratified"),
@@ -111,6 +114,7 @@ fn direct_light(quick: bool, title: &'static str, scene: &'static str) -> Experi
             if quick { 512 } else { 2048 }
         ),
         is_relative: false,
+        samples_are: "camera rays per pixel, one light sample each",
         methods: vec![
             method("uniform hemisphere", "-H --sampler independent"),
             method("light sampling", "--sampler independent"),
@@ -147,6 +151,7 @@ fn depth(quick: bool) -> ExperimentPlan {
             if quick { 256 } else { 1024 }
         ),
         is_relative: false,
+        samples_are: "camera rays per pixel",
         methods: depths.iter().map(method).collect(),
     }
 }
@@ -172,6 +177,7 @@ fn adaptive(quick: bool) -> ExperimentPlan {
             if quick { 2048 } else { 4096 }
         ),
         is_relative: true,
+        samples_are: "mean camera rays per pixel",
         methods: vec![
             RenderMethod::new(
                 "fixed",

@@ -13,6 +13,10 @@ const VISIBLE_ANGLE: f64 = 0.05;
 /// Half of the width and of the height of the drawing. Its centre is the centre of the shape.
 const HALF: [f64; 2] = [160.0, 100.0];
 
+/// What the marks mean.
+const KEY: &str = "<p class=\"key\"><span class=\"good\">○ expected</span> · <span class=\"bad\">× yours</span> · lines from the hit: normals · \
+     dashed: outside of the ray's range</p>";
+
 /// The shape of a drawing.
 enum Shape {
     Triangle(Triangle),
@@ -144,7 +148,7 @@ impl Scene {
         for t in self.yours.iter().filter(within) {
             cross(&mut svg, view.at(&self.ray, *t));
         }
-        svg + "</svg>"
+        svg + "</svg>" + KEY
     }
 
     fn draw_shape(&self, view: &View, svg: &mut String) {

@@ -1,10 +1,11 @@
 //! `grader look`: a page for students, with what is wrong in one task, and where.
 //!
 //! [`Look::of`] runs the cases of the task and compares its pictures, [`page`] formats them,
-//! `figure` draws the worst ray of a case, [`browser`] opens the page.
+//! `figure` draws the worst ray of a case, `lit_point` those of an estimate of light, [`browser`] opens the page.
 
 pub mod browser;
 mod figure;
+mod lit_point;
 pub mod page;
 
 use crate::case::Case;
@@ -39,7 +40,8 @@ pub struct Look {
 pub struct FailedCase {
     /// Its score and findings.
     pub result: CaseResult,
-    /// The worst ray, drawn as SVG, if the case is about single shapes.
+    /// The worst call, drawn as SVG with its key, if it is about a ray and a shape, or about the light at
+    /// a point.
     pub figure: Option<String>,
     /// The comparison with the golden picture, if the case makes a picture.
     pub picture: Option<Case>,
@@ -113,5 +115,6 @@ fn worst_ray(case: &CaseResult, spec: &Spec, answer: &Answer) -> Option<String> 
     let wrong = case.findings.iter().filter(|finding| !finding.passed());
     let worst = wrong.filter_map(|finding: &Finding| finding.worst.as_ref());
     let call = worst.map(|worst| worst.call).next()?;
-    figure::draw(&spec.work, answer, call as usize)
+    let call = call as usize;
+    figure::draw(&spec.work, answer, call).or_else(|| lit_point::draw(&spec.work, answer, call))
 }

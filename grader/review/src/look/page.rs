@@ -169,11 +169,10 @@ fn one_case(failed: &FailedCase) -> String {
             panels(case, picture, &LOOK)
         );
     }
-    let figure = failed.figure.as_ref().map(|svg| {
-        format!(
-            "<div class=\"figure\">{svg}<p class=\"key\"><span class=\"good\">○ expected</span> · <span class=\"bad\">× yours</span> · lines from the hit: normals · dashed: outside of the ray's range</p></div>"
-        )
-    });
+    let figure = failed
+        .figure
+        .as_ref()
+        .map(|svg| format!("<div class=\"figure\">{svg}</div>"));
     format!(
         "<article class=\"case failed\"><div><h3>{}</h3>\n{about}</div>{}</article>\n",
         escape(&case.name),

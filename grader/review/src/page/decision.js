@@ -48,7 +48,7 @@ function byTask(how) {
 function summarize() {
   const count = (how) => [...decisions.values()].filter((decision) => decision === how).length;
   const at = current < 0 ? `${changes.length} changed` : `${current + 1} of ${changes.length}`;
-  const output = document.querySelector(".bar output");
+  const output = document.querySelector(".topbar output");
   if (output) output.textContent = `${at} · ${count("accept")} accepted, ${count("refuse")} refused`;
   const write = (name, text, none) => {
     const out = document.querySelector(`[data-out=${name}]`);

@@ -13,7 +13,7 @@ pub(super) fn buttons(is_refuted: bool) -> String {
 }
 
 /// The bar at the top of the page, with the keys.
-pub(super) const BAR: &str = "<nav class=\"bar\" aria-label=\"changed cases\">\
+pub(super) const BAR: &str = "<nav class=\"topbar\" aria-label=\"changed cases\">\
     <button type=\"button\" data-go=\"-1\">previous <kbd>p</kbd></button>\
     <button type=\"button\" data-go=\"1\">next <kbd>n</kbd></button>\
     <output></output><a href=\"#decision\">decision</a></nav>\n";

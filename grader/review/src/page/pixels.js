@@ -71,8 +71,10 @@ class Pixels {
     const record = element("div");
     record.innerHTML = this.data.html[row];
     record.querySelector("h4").after(swatches);
-    this.inspector.replaceChildren(record, this.walk(walk));
-    this.draw(walk, walk.length - 1);
+    const { panel, go } = this.walk(walk);
+    this.inspector.replaceChildren(record, panel);
+    if (walk.length) go(walk.length - 1);
+    else this.draw(walk, -1);
   }
 
   /** A square in the pixel's colour, cut out of the picture, and whose it is. */
@@ -109,9 +111,9 @@ class Pixels {
     }
   }
 
-  /** The box tests, with a slider that steps through them. */
+  /** The box tests, with a slider that steps through them: the element, and how to go to a step. */
   walk(walk) {
-    if (!this.data.walks) return element("div", {}, element("p", { class: "note" }, "Box tests: none in this task."));
+    if (!walk.length) return { panel: element("p", { class: "note" }, "Box tests: none in this task.") };
     const [golden, actual] = this.data.names;
     const count = (side) => walk.filter((step) => step[side] < 2).length;
     const items = walk.map((step) => {
@@ -142,8 +144,7 @@ class Pixels {
     const note = element("p", { class: "note" },
       `Left the tests that the ${golden} hit needs (the nearer child first, no box beyond the hit), right the ${actual} ones; ● is a hit, ○ a miss, – no test.`);
     const controls = element("p", { class: "steps" }, step(-1, "‹"), slider, step(1, "›"), label);
-    requestAnimationFrame(() => walk.length && go(walk.length - 1));
-    return element("div", { class: "walk" }, head, note, controls, list);
+    return { panel: element("div", { class: "walk" }, head, note, controls, list), go };
   }
 }
 

@@ -46,7 +46,7 @@ fn a_click_on_a_pixel_shows_its_ray_records_and_box_tests() {
     // The address and the arrow keys also select pixels.
     browser.open("about:blank");
     browser.open(&format!("{address}#part2.task2/picture/32,24"));
-    assert_eq!(browser.text(&format!("{PICTURE} .inspector")), shown);
+    browser.wait_for_text(&format!("{PICTURE} .inspector"), &shown);
     browser.press(&format!("{PICTURE} .screen"), "\u{e014}");
     let shown = browser.text(&format!("{PICTURE} .inspector h4"));
     assert_eq!(
@@ -80,7 +80,7 @@ fn accepted_changes_become_a_command_and_a_line_for_the_changelog() {
     browser.press("body", "n");
     assert!(
         browser
-            .text(".bar output")
+            .text(".topbar output")
             .starts_with("1 of 1 · 0 accepted")
     );
     browser.press("body", "y");

@@ -5,7 +5,7 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A browser without a window. It is closed when this is dropped.
 pub(crate) struct Browser {
@@ -73,6 +73,18 @@ impl Browser {
     pub(crate) fn text(&mut self, selector: &str) -> String {
         let element = self.element(selector);
         self.read(&format!("/element/{element}/text"))
+    }
+
+    /// Waits until the first element of `selector` shows `text`: the page's data is unpacked after it
+    /// has loaded.
+    pub(crate) fn wait_for_text(&mut self, selector: &str, text: &str) {
+        let start = Instant::now();
+        let mut shown = self.text(selector);
+        while shown != text {
+            assert!(start.elapsed() < TIMEOUT, "{selector} shows {shown:?}");
+            std::thread::sleep(Duration::from_millis(50));
+            shown = self.text(selector);
+        }
     }
 
     /// Presses a key on an element.

@@ -1,0 +1,59 @@
+//! A figure of the page: what it shows in a heading, the drawing, and its numbers.
+
+use super::formatting::capital;
+use pages::html::escape;
+use std::fmt::Write;
+
+/// A figure. All texts but the drawing are plain text.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Figure {
+    /// What the figure shows, as a heading: a finding, computed from the numbers.
+    pub(crate) finding: String,
+    /// The drawing, as HTML.
+    pub(crate) drawing: String,
+    /// One sentence: what is drawn.
+    pub(crate) caption: String,
+    /// More sentences, shown on demand.
+    pub(crate) notes: String,
+    /// The heads of the columns of the table, shown on demand.
+    pub(crate) head: Vec<String>,
+    /// The rows of the table; the first cell is the name of the row.
+    pub(crate) rows: Vec<Vec<String>>,
+}
+
+impl Figure {
+    /// Formats the figure with its heading.
+    pub(crate) fn html(&self) -> String {
+        let mut html = format!(
+            "<h3>{}</h3>\n<figure>\n<div class=\"wide\" tabindex=\"0\">{}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
+            escape(&capital(&self.finding)),
+            self.drawing,
+            escape(&self.caption)
+        );
+        let _ = write!(
+            html,
+            "<details><summary>Numbers</summary>\n<p>{}</p>\n<div class=\"wide\" tabindex=\"0\"><table>\n<thead><tr>",
+            escape(self.notes.trim_end())
+        );
+        for head in &self.head {
+            let _ = write!(html, "<th scope=\"col\">{}</th>", escape(head));
+        }
+        html.push_str("</tr></thead>\n<tbody>\n");
+        for row in &self.rows {
+            html.push_str("<tr>");
+            for (i, cell) in row.iter().enumerate() {
+                let _ = match i {
+                    0 => write!(html, "<th scope=\"row\">{}</th>", escape(cell)),
+                    _ => write!(html, "<td>{}</td>", escape(cell)),
+                };
+            }
+            html.push_str("</tr>\n");
+        }
+        html + "</tbody></table></div></details>\n"
+    }
+}
+
+/// The heads of a table.
+pub(crate) fn heads(heads: &[&str]) -> Vec<String> {
+    heads.iter().map(ToString::to_string).collect()
+}

@@ -1,0 +1,103 @@
+//! Names beside points, so that none covers another one.
+
+use super::canvas::{Canvas, DrawResult, Label, Position};
+use super::style::INK;
+
+/// Left, top, right, bottom.
+type Rect = [f64; 4];
+
+/// The places that are taken.
+pub(crate) struct Labels {
+    inner: Rect,
+    taken: Vec<Rect>,
+}
+
+impl Labels {
+    /// Labels in the rectangle `inner`.
+    pub(crate) fn new(inner: Rect) -> Labels {
+        Labels {
+            inner,
+            taken: Vec::new(),
+        }
+    }
+
+    /// Keeps a disc free, such as a marker.
+    pub(crate) fn keep_free(&mut self, (x, y): Position, radius: f64) {
+        self.taken
+            .push([x - radius, y - radius, x + radius, y + radius]);
+    }
+
+    /// Keeps a rectangle free.
+    pub(crate) fn keep_box_free(&mut self, rect: Rect) {
+        self.taken.push(rect);
+    }
+
+    /// Draws a name at the free place that is nearest to a point, with a thin line if that is not
+    /// beside it. If nothing is free, the name is drawn over the others.
+    pub(crate) fn place(
+        &mut self,
+        canvas: &Canvas,
+        text: &str,
+        (x, y): Position,
+        label: Label,
+    ) -> DrawResult {
+        let size = [label.width(text), 1.15 * label.size];
+        let rect = self.free((x, y), size);
+        self.taken.push(rect);
+        let [left, top, right, bottom] = rect;
+        let nearest = (x.clamp(left, right), y.clamp(top, bottom));
+        if (nearest.0 - x).hypot(nearest.1 - y) > 14.0 {
+            canvas.line(&[(x, y), nearest], INK, 0.4)?;
+        }
+        canvas.text(text, (left, 0.5 * (top + bottom)), label)
+    }
+
+    /// The nearest free rectangle of a size.
+    fn free(&self, (x, y): Position, [w, h]: [f64; 2]) -> Rect {
+        let at = |gap: f64, angle: f64| {
+            let (dx, dy) = (angle.cos(), angle.sin());
+            let middle = (x + dx * (gap + 0.5 * w), y + dy * (gap + 0.5 * h));
+            [
+                middle.0 - 0.5 * w,
+                middle.1 - 0.5 * h,
+                middle.0 + 0.5 * w,
+                middle.1 + 0.5 * h,
+            ]
+        };
+        let around = (0..30).flat_map(|ring| {
+            let gap = 7.0 + 7.0 * f64::from(ring);
+            (0..16).map(move |k| at(gap, f64::from(k) * std::f64::consts::PI / 8.0))
+        });
+        let fits = |rect: &Rect| {
+            rect[0] >= self.inner[0]
+                && rect[1] >= self.inner[1]
+                && rect[2] <= self.inner[2]
+                && rect[3] <= self.inner[3]
+                && !self.taken.iter().any(|other| overlap(rect, other))
+        };
+        let mut around = around;
+        around.find(fits).unwrap_or(at(7.0, 0.0))
+    }
+}
+
+fn overlap(a: &Rect, b: &Rect) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_one_point_do_not_overlap_and_stay_inside() {
+        let inner = [0.0, 0.0, 400.0, 300.0];
+        let mut labels = Labels::new(inner);
+        labels.keep_free((395.0, 150.0), 5.0);
+        for _ in 0..12 {
+            let rect = labels.free((395.0, 150.0), [80.0, 11.0]);
+            assert!(rect[0] >= 0.0 && rect[2] <= 400.0, "{rect:?}");
+            assert!(!labels.taken.iter().any(|other| overlap(&rect, other)));
+            labels.taken.push(rect);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Draws the rays of an estimate of direct light, in the hemisphere above the point, as SVG.
+
+use grader::explain::hemisphere::{Hemisphere, shines};
+use std::fmt::Write;
+use wire::direct::{DirectAnswer, DirectWork, RecordedRay};
+use wire::{Answer, Work};
+
+/// The radius of the hemisphere in the drawing.
+const RADIUS: f64 = 92.0;
+
+/// Half of the width and of the height of the drawing.
+const HALF: [f64; 2] = [160.0, 100.0];
+
+/// The most rays that are drawn: those of a few samples.
+const RAYS: usize = 256;
+
+/// Draws call number `call` of `work`; `None` if it is not an estimate of direct light.
+pub(super) fn draw(work: &Work, answer: &Answer, call: usize) -> Option<String> {
+    let (Work::Direct(work), Answer::Direct(answers)) = (work, answer) else {
+        return None;
+    };
+    Some(of_point(work, answers.get(call)?, call)?)
+}
+
+fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<String> {
+    let point = work.points.get(call)?;
+    let above = Hemisphere::above(point);
+    let at = |[x, y]: [f64; 2]| [RADIUS * x, -RADIUS * y];
+    let [w, h] = HALF;
+    let mut svg = format!(
+        "<svg class=\"ray lit\" viewBox=\"{} {} {} {}\" role=\"img\" aria-label=\"the hemisphere above the point\">\
+         <circle class=\"edge\" r=\"{RADIUS}\"/>",
+        -w,
+        -h,
+        2.0 * w,
+        2.0 * h
+    );
+    let mut dot = |class: &str, place: [f64; 2], r: f64| {
+        let [x, y] = at(place);
+        let _ = write!(
+            svg,
+            "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r}\"/>"
+        );
+    };
+    for emits in [false, true] {
+        let class = if emits { "light" } else { "surface" };
+        for panel in &work.world.panels {
+            if shines(&above, panel) == emits {
+                for place in above.panel(panel) {
+                    dot(class, place, 2.6);
+                }
+            }
+        }
+    }
+    for place in above.lights(&work.world) {
+        dot("light", place, 5.0);
+    }
+    let mut below = 0;
+    for traced in answer.rays.iter().take(RAYS) {
+        match above.place(traced.ray.d) {
+            Some(place) => dot(class_of(traced), place, 2.4),
+            None => below += 1,
+        }
+    }
+    if let Some(place) = above.place(point.wo) {
+        dot("origin", place, 4.0);
+    }
+    svg.push_str("</svg>");
+    let _ = write!(
+        svg,
+        "<p class=\"key\">The hemisphere above the point; the normal is in the middle. {} of yours, {below} of them below the horizon: \
+         <span class=\"good\">● light arrives or the way is free</span> · <span class=\"bad\">● dark or blocked</span> · large: to the viewer</p>",
+        judge::plural(answer.rays.len(), "ray", "rays")
+    );
+    Some(svg)
+}
+
+/// A ray that sees light, or a shadow ray that reaches it.
+fn class_of(traced: &RecordedRay) -> &'static str {
+    let sees_light = traced.seen.iter().any(|channel| *channel > 0.0);
+    match sees_light || !traced.hit {
+        true => "free",
+        false => "dark",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wire::direct::{ShadedPoint, Strategy};
+    use wire::light::{LitWorld, Material, Panel};
+    use wire::work::Ray;
+
+    #[test]
+    fn the_rays_of_an_estimate_are_drawn_where_they_go() {
+        let light = Panel {
+            axis: 2,
+            at: 1.0,
+            min: [-0.2; 2],
+            max: [0.2; 2],
+            faces: -1.0,
+            material: Material::Emission([1.0; 3]),
+        };
+        let work = Work::Direct(DirectWork {
+            world: LitWorld {
+                panels: vec![light],
+                ..LitWorld::default()
+            },
+            strategy: Strategy::Hemisphere,
+            points: vec![ShadedPoint {
+                p: [0.0; 3],
+                n: [0.0, 0.0, 1.0],
+                error: 0.0,
+                material: Material::Diffuse([0.5; 3]),
+                wo: [0.0, 0.6, 0.8],
+            }],
+            samples: 3,
+            seed: 0,
+        });
+        let ray = |d: [f64; 3], seen: f64, hit: bool| RecordedRay {
+            ray: Ray {
+                o: [0.0; 3],
+                d,
+                min_t: 0.0,
+                max_t: f64::INFINITY,
+            },
+            seen: [seen; 3],
+            hit,
+        };
+        let answer = Answer::Direct(vec![DirectAnswer {
+            radiance: [0.0; 3],
+            rays: vec![
+                ray([0.0, 0.0, 1.0], 1.0, true),
+                ray([0.8, 0.0, 0.6], 0.0, true),
+                ray([0.0, 0.0, -1.0], 0.0, false),
+            ],
+        }]);
+        let svg = draw(&work, &answer, 0).expect("it can be drawn");
+        assert!(
+            svg.contains("<circle class=\"free\" cx=\"0.0\" cy=\"-0.0\""),
+            "{svg}"
+        );
+        assert!(svg.contains("<circle class=\"dark\" cx=\"73.6\""), "{svg}");
+        assert!(svg.contains("3 rays of yours, 1 of them below the horizon"));
+        assert!(svg.contains("class=\"light\"") && svg.contains("class=\"origin\""));
+        assert_eq!(draw(&work, &answer, 1), None);
+    }
+}

@@ -1,0 +1,239 @@
+//! The hemisphere above a point of a surface, seen from above: lights, other surfaces, the viewer,
+//! rays.
+//!
+//! A unit direction `w` is drawn at `(w.x, w.y)` of the local space in which the normal is +z. So
+//! the normal is in the middle, the horizon is the unit circle, and the area of a light in the disc
+//! is proportional to what a diffuse surface receives from it (Nusselt's analogue).
+
+use super::legend;
+use super::plot::Plot;
+use judge::plural;
+use kit::{Frame, Vec3};
+use wire::direct::{DirectWork, LambertProbe, ShadedPoint, Strategy};
+use wire::light::{Light, LitWorld, Material, Panel};
+use wire::work::Xyz;
+
+/// The points of a panel that are drawn, along each side.
+const GRID: u32 = 24;
+
+/// The side of the surface that the viewer is on.
+#[derive(Clone, Copy, Debug)]
+pub struct Hemisphere {
+    p: Vec3,
+    frame: Frame,
+}
+
+impl Hemisphere {
+    /// The hemisphere above `point`, on the side of the viewer.
+    pub fn above(point: &ShadedPoint) -> Hemisphere {
+        let (n, wo) = (Vec3::from(point.n), Vec3::from(point.wo));
+        Hemisphere {
+            p: point.p.into(),
+            frame: Frame::around(if n.dot(wo) < 0.0 { -n } else { n }),
+        }
+    }
+
+    /// Where a world direction is drawn; `None` below the horizon.
+    pub fn place(&self, direction: Xyz) -> Option<[f64; 2]> {
+        let w = self.frame.to_local(Vec3::from(direction).try_normalize()?);
+        (w.z > 0.0).then_some([w.x, w.y])
+    }
+
+    fn towards(&self, target: Xyz) -> Option<[f64; 2]> {
+        self.place((Vec3::from(target) - self.p).into())
+    }
+
+    /// Where the points of a panel are drawn.
+    pub fn panel(&self, panel: &Panel) -> Vec<[f64; 2]> {
+        let share = |i: u32| (f64::from(i) + 0.5) / f64::from(GRID);
+        let along =
+            |axis: usize, i: u32| panel.min[axis] + share(i) * (panel.max[axis] - panel.min[axis]);
+        let points = (0..GRID).flat_map(|i| (0..GRID).map(move |j| [i, j]));
+        points
+            .filter_map(|[i, j]| self.towards(panel.point([along(0, i), along(1, j)])))
+            .collect()
+    }
+
+    /// Whether the front of a panel is seen from the point.
+    pub fn sees_front(&self, panel: &Panel) -> bool {
+        let middle = [0, 1].map(|axis| 0.5 * (panel.min[axis] + panel.max[axis]));
+        let from = self.p - Vec3::from(panel.point(middle));
+        from.dot(panel.front().into()) > 0.0
+    }
+
+    /// Where the lights of the world that are points or directions are drawn.
+    pub fn lights(&self, world: &LitWorld) -> Vec<[f64; 2]> {
+        let lights = world.lights.iter();
+        lights
+            .filter_map(|light| match light {
+                Light::Point { position, .. } | Light::Spot { position, .. } => {
+                    self.towards(*position)
+                }
+                Light::Directional { direction, .. } => self.place(direction.map(|x| -x)),
+                Light::Sky(_) => None,
+            })
+            .collect()
+    }
+}
+
+/// Whether a panel is a light that shines towards the point.
+pub fn shines(hemisphere: &Hemisphere, panel: &Panel) -> bool {
+    matches!(panel.material, Material::Emission(_)) && hemisphere.sees_front(panel)
+}
+
+/// An empty disc.
+fn disc() -> Plot {
+    let mut plot = Plot::new([-1.9, -1.05], [1.9, 1.05]);
+    for step in 0..90 {
+        let around = |step: i32| {
+            let angle = f64::from(step) / 90.0 * std::f64::consts::TAU;
+            [angle.cos(), angle.sin()]
+        };
+        plot.line(around(step), around(step + 1));
+    }
+    plot
+}
+
+/// The world above the first point.
+pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
+    let function = match work.strategy {
+        Strategy::ZeroBounce => "zero_bounce_radiance",
+        Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
+        Strategy::Lights => "estimate_direct_lighting_importance",
+    };
+    let words = format!(
+        "{} with {}: {} in a world of {}, {}{}.",
+        function,
+        plural(work.samples as usize, "sample", "samples"),
+        plural(work.points.len(), "point", "points"),
+        plural(work.world.panels.len(), "rectangle", "rectangles"),
+        plural(work.world.lights.len(), "further light", "further lights"),
+        match work.world.environment {
+            Some(_) => ", an environment",
+            None => "",
+        }
+    );
+    let Some(point) = work.points.first() else {
+        return (words, Vec::new());
+    };
+    let hemisphere = Hemisphere::above(point);
+    let mut plot = disc();
+    // A cell has one mark: lights are drawn after what may cover them.
+    for emits in [false, true] {
+        for panel in &work.world.panels {
+            if shines(&hemisphere, panel) == emits {
+                for place in hemisphere.panel(panel) {
+                    plot.set(place, if emits { 'L' } else { '.' });
+                }
+            }
+        }
+    }
+    for place in hemisphere.lights(&work.world) {
+        plot.set(place, 'L');
+    }
+    if let Some(place) = hemisphere.place(point.wo) {
+        plot.set(place, 'v');
+    }
+    let mut lines = plot.lines();
+    lines.push(legend(
+        "above the first point, seen along its normal, which is in the middle",
+    ));
+    lines.push(legend(
+        "L light, . other surface, v viewer; circle: horizon",
+    ));
+    (words, lines)
+}
+
+/// The directions of all probes, in local space.
+pub(super) fn lambert(probes: &[LambertProbe]) -> (String, Vec<String>) {
+    let mut plot = disc();
+    let mut below = 0;
+    for probe in probes {
+        for (w, mark) in [(probe.wi, 'i'), (probe.wo, 'v')] {
+            match w[2] > 0.0 {
+                true => {
+                    plot.mark([w[0], w[1]], mark);
+                }
+                false => below += 1,
+            }
+        }
+    }
+    let mut lines = plot.lines();
+    lines.push(legend("local space, seen along the normal"));
+    lines.push(legend(
+        "v to the viewer, i to the light, * both; circle: horizon",
+    ));
+    if below > 0 {
+        let directions = plural(below, "direction is", "directions are");
+        lines.push(legend(&format!("{directions} below the horizon")));
+    }
+    (
+        format!(
+            "{}.",
+            plural(probes.len(), "pair", "pairs") + " of directions"
+        ),
+        lines,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(wo: Xyz) -> ShadedPoint {
+        ShadedPoint {
+            p: [0.0; 3],
+            n: [0.0, 0.0, 1.0],
+            error: 0.0,
+            material: Material::Diffuse([0.5; 3]),
+            wo,
+        }
+    }
+
+    #[test]
+    fn the_normal_is_in_the_middle_and_the_horizon_is_the_circle() {
+        let above = Hemisphere::above(&point([0.0, 0.6, 0.8]));
+        assert_eq!(above.place([0.0, 0.0, 2.0]), Some([0.0, 0.0]));
+        assert_eq!(above.place([0.0, 0.0, -1.0]), None);
+        let near = above.place([1.0, 0.0, 1e-9]).expect("it is above");
+        assert!((near[0].hypot(near[1]) - 1.0).abs() < 1e-6);
+        // The viewer is below: so is the hemisphere.
+        let below = Hemisphere::above(&point([0.0, 0.6, -0.8]));
+        assert_eq!(below.place([0.0, 0.0, -1.0]), Some([0.0, 0.0]));
+    }
+
+    #[test]
+    fn a_light_above_the_point_is_drawn_and_one_that_faces_away_does_not_shine() {
+        let panel = |faces| Panel {
+            axis: 2,
+            at: 1.0,
+            min: [-0.5; 2],
+            max: [0.5; 2],
+            faces,
+            material: Material::Emission([1.0; 3]),
+        };
+        let above = Hemisphere::above(&point([0.0, 0.0, 1.0]));
+        assert!(shines(&above, &panel(-1.0)) && !shines(&above, &panel(1.0)));
+        assert_eq!(above.panel(&panel(-1.0)).len(), (GRID * GRID) as usize);
+        let work = DirectWork {
+            world: LitWorld {
+                panels: vec![panel(-1.0)],
+                ..LitWorld::default()
+            },
+            strategy: Strategy::Lights,
+            points: vec![point([0.0, 0.9, 0.1])],
+            samples: 4,
+            seed: 0,
+        };
+        let (words, lines) = direct(&work);
+        assert!(
+            words.contains("4 samples") && words.contains("1 rectangle"),
+            "{words}"
+        );
+        let drawing = lines.join("\n");
+        assert!(
+            drawing.matches('L').count() > 20 && drawing.contains('v'),
+            "{drawing}"
+        );
+    }
+}

@@ -20,6 +20,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("book", &["kit"]),
     ("meshes", &["kit"]),
     ("scenes", &["kit", "meshes"]),
+    ("showcase", &["kit", "meshes", "bvh"]),
     (
         "pathtracer",
         &[

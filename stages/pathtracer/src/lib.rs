@@ -6,7 +6,8 @@
 //! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
 //! [`layers`] (albedo, normal, depth), [`tone`], [`rate_picture`], [`output`] and [`part_file`]
 //! (picture files),
-//! [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
+//! [`passes`] and [`progressive`] (rendering that can be stopped), [`exact_sum`], [`sums_file`] and
+//! [`merge`] (parts of a picture), [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
 
 pub mod accel;
 pub mod args;
@@ -17,6 +18,7 @@ pub mod layers;
 pub mod lens;
 pub mod lit;
 mod materials;
+pub mod merge;
 pub mod mitsuba;
 pub mod normals;
 pub mod output;
@@ -28,6 +30,7 @@ pub mod progressive;
 pub mod rate_picture;
 pub mod rendered;
 pub mod replay;
+pub mod sums_file;
 pub mod textures;
 mod tiles;
 pub mod tone;
@@ -40,6 +43,7 @@ pub use environment_file::{EnvironmentFileError, load_environment};
 pub use exact_sum::{ExactSum, PixelSum};
 pub use lens::Lens;
 pub use lit::{DirectSampling, LightSettings, render_lit};
+pub use merge::merge;
 pub use mitsuba::to_mitsuba;
 pub use normals::render_normals;
 pub use output::{Output, OutputError};
@@ -50,6 +54,7 @@ pub use progressive::ProgressiveRender;
 pub use rate_picture::{RateScale, rate_picture};
 pub use rendered::{Job, Rendered, RenderedTile};
 pub use replay::replay_pixel;
+pub use sums_file::SumsFile;
 pub use textures::Textures;
 pub use tone::{Tone, ToneCurve};
 pub use tracer::RayRole;

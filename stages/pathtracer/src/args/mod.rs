@@ -1,7 +1,7 @@
 //! The command line: the assignment's flags with its short names, and long names.
 
 use self::values::{
-    depth, edge, length, pixels, positive, positive_length, samples, seed, stops, threads,
+    depth, edge, first_sample, length, pixels, positive, positive_length, samples, seed, threads,
 };
 use clap::{Parser, ValueEnum};
 mod settings;
@@ -11,9 +11,10 @@ mod view;
 use crate::{AccelKind, RateScale, ToneCurve};
 use std::path::PathBuf;
 
+pub use values::stops;
 pub use view::ViewError;
 
-/// Renders a scene file.
+/// Renders a scene file. `pathtracer merge --help` tells how to merge parts of a picture.
 #[derive(Clone, Debug, Parser)]
 #[command(
     name = "pathtracer",
@@ -44,7 +45,8 @@ pub struct Args {
     #[arg(short = 'm', long, value_name = "INT", value_parser = depth)]
     pub max_depth: Option<u32>,
 
-    /// The picture to write: .png (tone-mapped), .exr or .hdr (linear radiance)
+    /// The picture to write: .png (tone-mapped), .exr or .hdr (linear radiance); or .sums, a part of
+    /// a picture for `pathtracer merge`
     #[arg(short = 'f', long = "file", value_name = "FILENAME")]
     pub file: Option<PathBuf>,
 
@@ -64,6 +66,12 @@ pub struct Args {
     /// the picture, and its size, which is also the size of the written picture
     #[arg(short = 'p', long = "cell", num_args = 4, value_names = ["X", "Y", "DX", "DY"], value_parser = pixels)]
     pub cell: Option<Vec<u32>>,
+
+    /// Index of the first sample of each pixel: with -s a range of the samples of a picture, whose
+    /// other samples other runs render
+    #[arg(long, value_name = "INT", value_parser = first_sample,
+        conflicts_with_all = ["adaptive", "time", "error"])]
+    pub first_sample: Option<u32>,
 
     /// Camera file [default: the scene's camera, else one that shows the whole scene]
     #[arg(short = 'c', long, value_name = "FILENAME")]

@@ -122,6 +122,39 @@ impl Args {
         }
     }
 
+    /// Checks that the samples from `--first-sample` on are those of one larger run.
+    pub fn check_part(&self) -> Result<(), String> {
+        let Some(first) = self.first_sample else {
+            return Ok(());
+        };
+        if self.sampler == SamplerName::Stratified {
+            return Err(format!(
+                "--first-sample {first}: the cells of --sampler stratified depend on the number of samples: use sobol or independent"
+            ));
+        }
+        if self.samples == 1 {
+            return Err(format!(
+                "--first-sample {first} -s 1: a single sample goes through the centre of the pixel: use at least -s 2"
+            ));
+        }
+        Ok(())
+    }
+
+    /// Checks that the number of samples in a `.sums` file is known in advance.
+    pub fn check_sums(&self) -> Result<(), String> {
+        let limits = given(&[
+            (self.time.is_some(), "--time"),
+            (self.error.is_some(), "--error"),
+        ]);
+        if limits.is_empty() {
+            return Ok(());
+        }
+        Err(format!(
+            "{}: a .sums file needs a fixed number of samples: use -s",
+            limits.join(" ")
+        ))
+    }
+
     /// The source of random numbers for `samples` samples per pixel.
     pub fn sampling(&self, samples: u32) -> Sampling {
         Sampling {
@@ -131,7 +164,7 @@ impl Args {
                 SamplerName::Sobol => Pattern::Sobol,
             },
             seed: self.seed,
-            first_sample: 0,
+            first_sample: self.first_sample.unwrap_or(0),
         }
     }
 

@@ -21,6 +21,11 @@ pub(crate) fn samples(value: &str) -> Result<u32, String> {
     in_range(value, 1, 1_048_576)
 }
 
+/// With the most samples of a run, sample numbers still have 30 bits.
+pub(crate) fn first_sample(value: &str) -> Result<u32, String> {
+    in_range(value, 0, (1 << 30) - 1_048_576)
+}
+
 pub(crate) fn threads(value: &str) -> Result<usize, String> {
     in_range(value, 1, 1024)
 }
@@ -37,7 +42,7 @@ pub(crate) fn positive(value: &str) -> Result<f64, String> {
 }
 
 /// Exposure in stops. The limit keeps every radiance of a picture finite.
-pub(crate) fn stops(value: &str) -> Result<f64, String> {
+pub fn stops(value: &str) -> Result<f64, String> {
     match value.parse::<f64>() {
         Ok(v) if v.abs() <= 64.0 => Ok(v),
         _ => Err("expected a number of stops from -64 to 64, such as 1.5".to_owned()),

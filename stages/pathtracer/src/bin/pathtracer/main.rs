@@ -4,7 +4,9 @@ mod budget;
 mod explain;
 mod export;
 mod failure;
+mod merge;
 mod outputs;
+mod part;
 mod pixel;
 mod progress;
 mod run;
@@ -15,11 +17,21 @@ mod window;
 use clap::Parser;
 use failure::Failure;
 use kit::hole::Hole;
+use merge::MergeArgs;
 use pathtracer::args::Args;
+use std::env;
+use std::ffi::OsString;
 use std::panic;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    let mut arguments: Vec<OsString> = env::args_os().collect();
+    // A scene file of this name is `./merge`.
+    if arguments.get(1).is_some_and(|first| first == "merge") {
+        arguments.remove(1);
+        let args = MergeArgs::parse_from(arguments);
+        return merge::run(&args).unwrap_or_else(|failure| failure.report(false));
+    }
     let args = Args::parse();
     // A hole is reported in one line, at the end; another panic as usual, with its location.
     let print_panic = panic::take_hook();

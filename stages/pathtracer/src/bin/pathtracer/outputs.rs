@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use pathtracer::args::Args;
-use pathtracer::{Output, Tone};
+use pathtracer::{Output, OutputError, PartFile, Tone};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -13,18 +13,43 @@ pub(crate) struct NamedOutput {
 }
 
 impl NamedOutput {
-    fn create(path: &Path, tone: Tone) -> Result<NamedOutput, Failure> {
+    fn create(path: &Path) -> Result<NamedOutput, Failure> {
         Ok(NamedOutput {
             path: path.to_owned(),
-            file: Output::create(path)?.with_tone(tone),
+            file: Output::create(path)?,
         })
     }
 }
 
+/// The file of `-f`.
+pub(crate) enum PictureFile {
+    /// A picture.
+    Picture(Output),
+    /// The exact sums of a part of a picture.
+    Sums(PartFile),
+}
+
+impl PictureFile {
+    /// Creates the file, before any rendering. Its extension selects the format.
+    pub(crate) fn create(path: &Path, tone: Tone) -> Result<PictureFile, Failure> {
+        if !is_sums(path) {
+            return Ok(PictureFile::Picture(Output::create(path)?.with_tone(tone)));
+        }
+        PartFile::create(path)
+            .map(PictureFile::Sums)
+            .map_err(|why| OutputError::NotWritable(path.to_owned(), why).into())
+    }
+}
+
+/// Whether `path` is a file of sums.
+pub(crate) fn is_sums(path: &Path) -> bool {
+    path.extension().is_some_and(|end| end == "sums")
+}
+
 /// All files that a run writes.
 pub(crate) struct Outputs {
-    /// The picture of `-f`.
-    pub(crate) picture: NamedOutput,
+    /// The file of `-f`.
+    pub(crate) picture: PictureFile,
     /// The sample counts of the pixels, with `-a`.
     pub(crate) rate: Option<NamedOutput>,
     /// The file of `--layers`.
@@ -41,7 +66,8 @@ impl Outputs {
                 path.display()
             )));
         }
-        let rate = args.adaptive.is_some().then(|| rate_path(picture));
+        let has_rate = args.adaptive.is_some() && !is_sums(picture);
+        let rate = has_rate.then(|| rate_path(picture));
         let mut taken = inputs(args);
         refuse_taken("-f", picture, &taken)?;
         taken.push(("the picture", picture));
@@ -52,11 +78,10 @@ impl Outputs {
         if let Some(layers) = layers {
             refuse_taken("--layers", layers, &taken)?;
         }
-        let create = |path: &Path| NamedOutput::create(path, Tone::default());
         Ok(Outputs {
-            picture: NamedOutput::create(picture, args.tone())?,
-            rate: rate.as_deref().map(create).transpose()?,
-            layers: layers.map(create).transpose()?,
+            picture: PictureFile::create(picture, args.tone())?,
+            rate: rate.as_deref().map(NamedOutput::create).transpose()?,
+            layers: layers.map(NamedOutput::create).transpose()?,
         })
     }
 }
@@ -110,7 +135,7 @@ fn resolved(path: &Path) -> PathBuf {
 }
 
 /// The path of the sample counts: `picture_rate.png` for `picture.png`.
-fn rate_path(picture: &Path) -> PathBuf {
+pub(crate) fn rate_path(picture: &Path) -> PathBuf {
     let stem = picture.file_stem().unwrap_or_default().to_string_lossy();
     picture.with_file_name(format!("{stem}_rate.png"))
 }

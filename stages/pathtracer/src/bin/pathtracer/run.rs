@@ -4,9 +4,9 @@ use crate::budget::{Budget, SAMPLES_PER_PASS};
 use crate::explain;
 use crate::export;
 use crate::failure::Failure;
-use crate::outputs::Outputs;
+use crate::outputs::{Outputs, PictureFile, is_sums};
 use crate::progress::Progress;
-use crate::{pixel, summary, view, window};
+use crate::{part, pixel, summary, view, window};
 use kit::effects::EffectCounts;
 use kit::hole;
 use kit::{Emitter, LitScene};
@@ -27,6 +27,7 @@ const INTERRUPTED: u8 = 130;
 /// Renders the scene of `args`. Invalid input is reported before rendering.
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let light = args.light()?;
+    args.check_part()?;
     if let Some([renderer, path]) = args.export.as_deref() {
         note_unused(&args.unused_without_picture(), "--export writes no picture");
         return export::run(args, &light, renderer, Path::new(path));
@@ -50,6 +51,9 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         .is_none_or(|e| !e.eq_ignore_ascii_case("png"))
     {
         note_unused(&args.unused_by_radiance(), "only a .png is tone-mapped");
+    }
+    if is_sums(path) {
+        args.check_sums()?;
     }
     let environment = view::load_environment(args)?;
     let picture = Picture::new(args.shade, scene, environment);
@@ -112,7 +116,17 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         "{}",
         summary::rendering(&job, &rendered, thread_count, time)
     );
-    outputs.picture.file.write(&rendered.film, cell)?;
+    match outputs.picture {
+        PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
+        PictureFile::Sums(_) if stop.is_interrupted() => {
+            eprintln!(
+                "error: interrupted: {} is not written, because a part needs all its samples",
+                path.display()
+            );
+            return Ok(ExitCode::from(INTERRUPTED));
+        }
+        PictureFile::Sums(file) => part::write(&file, args, &job, &light, &prepared, &rendered)?,
+    }
     println!("Wrote       {}", path.display());
     if let (Some(rate), Picture::Lit(_)) = (outputs.rate, &prepared.picture) {
         let scale = args.rate_scale.into();

@@ -1,0 +1,182 @@
+//! Writes a scene of diffuse meshes as COLLADA.
+
+use kit::{Triangle, Vec3};
+use std::io::{self, Write};
+
+/// A mesh of one diffuse colour.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// Its name in the file: letters, digits and `-`.
+    pub name: String,
+    /// Its reflectance.
+    pub color: [f64; 3],
+    /// Its triangles.
+    pub triangles: Vec<Triangle>,
+}
+
+/// An area light: the unit square in the plane z = 0, emitting to -z, after `placement`.
+#[derive(Clone, Debug)]
+pub struct AreaLight {
+    /// Its name in the file.
+    pub name: String,
+    /// Its radiance.
+    pub radiance: [f64; 3],
+    /// `<translate>`, `<rotate>` and `<scale>` elements.
+    pub placement: String,
+}
+
+/// A scene.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// Vertical angle of view in degrees.
+    pub yfov: f64,
+    /// Width of the picture divided by its height.
+    pub aspect: f64,
+    /// Camera position and the point that it looks at.
+    pub camera: [Vec3; 2],
+    /// Radiance from every direction.
+    pub ambient: [f64; 3],
+    /// The area lights.
+    pub lights: Vec<AreaLight>,
+    /// The meshes.
+    pub meshes: Vec<Mesh>,
+}
+
+impl Document {
+    /// Writes the file. Numbers have all their digits.
+    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        writeln!(out, "{HEAD}")?;
+        write!(
+            out,
+            "<library_cameras><camera id=\"camera\"><optics><technique_common><perspective>\
+             <yfov>{}</yfov><aspect_ratio>{}</aspect_ratio><znear>0.01</znear><zfar>1000</zfar>\
+             </perspective></technique_common></optics></camera></library_cameras>\n\
+             <library_lights>\n<light id=\"ambient\"><technique_common><ambient><color>{}</color>\
+             </ambient></technique_common></light>\n",
+            self.yfov,
+            self.aspect,
+            numbers(self.ambient)
+        )?;
+        for light in &self.lights {
+            let color = numbers(light.radiance);
+            writeln!(
+                out,
+                "<light id=\"{}\"><technique_common><point><color>{color}</color></point>\
+                 </technique_common><extra><technique profile=\"CGL\"><area><color>{color}</color>\
+                 </area></technique></extra></light>",
+                light.name
+            )?;
+        }
+        writeln!(out, "</library_lights>\n<library_effects>")?;
+        for mesh in &self.meshes {
+            writeln!(
+                out,
+                "<effect id=\"{}-effect\"><profile_COMMON><technique sid=\"common\"><lambert>\
+                 <diffuse><color>{} 1</color></diffuse></lambert></technique></profile_COMMON>\
+                 </effect>",
+                mesh.name,
+                numbers(mesh.color)
+            )?;
+        }
+        writeln!(out, "</library_effects>\n<library_materials>")?;
+        for Mesh { name, .. } in &self.meshes {
+            writeln!(
+                out,
+                "<material id=\"{name}-paint\"><instance_effect url=\"#{name}-effect\"/></material>"
+            )?;
+        }
+        writeln!(out, "</library_materials>\n<library_geometries>")?;
+        for mesh in &self.meshes {
+            mesh.write(out)?;
+        }
+        self.write_nodes(out)
+    }
+
+    fn write_nodes(&self, out: &mut impl Write) -> io::Result<()> {
+        let [position, target] = self.camera.map(|p| numbers(p.to_array()));
+        writeln!(
+            out,
+            "</library_geometries>\n<library_visual_scenes><visual_scene id=\"scene\">\n\
+             <node id=\"camera-node\"><lookat>{position} {target} 0 1 0</lookat>\
+             <instance_camera url=\"#camera\"/></node>\n\
+             <node id=\"ambient-node\"><instance_light url=\"#ambient\"/></node>"
+        )?;
+        for AreaLight {
+            name, placement, ..
+        } in &self.lights
+        {
+            writeln!(
+                out,
+                "<node id=\"{name}-node\">{placement}<instance_light url=\"#{name}\"/></node>"
+            )?;
+        }
+        for Mesh { name, .. } in &self.meshes {
+            writeln!(
+                out,
+                "<node id=\"{name}\"><instance_geometry url=\"#{name}-mesh\"><bind_material>\
+                 <technique_common><instance_material symbol=\"paint\" target=\"#{name}-paint\"/>\
+                 </technique_common></bind_material></instance_geometry></node>"
+            )?;
+        }
+        writeln!(
+            out,
+            "</visual_scene></library_visual_scenes>\n\
+             <scene><instance_visual_scene url=\"#scene\"/></scene>\n</COLLADA>"
+        )
+    }
+}
+
+impl Mesh {
+    /// Three vertices for each triangle, with their normals.
+    fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        let Mesh {
+            name, triangles, ..
+        } = self;
+        let count = 3 * triangles.len();
+        writeln!(out, "<geometry id=\"{name}-mesh\"><mesh>")?;
+        for source in ["positions", "normals"] {
+            writeln!(
+                out,
+                "<source id=\"{name}-{source}\"><float_array id=\"{name}-{source}-array\" \
+                 count=\"{}\">",
+                3 * count
+            )?;
+            for t in triangles {
+                let corners = match source {
+                    "positions" => [t.p0, t.p1, t.p2],
+                    _ => [t.n0, t.n1, t.n2],
+                };
+                let [a, b, c] = corners.map(|corner| numbers(corner.to_array()));
+                writeln!(out, "{a} {b} {c}")?;
+            }
+            writeln!(
+                out,
+                "</float_array><technique_common><accessor source=\"#{name}-{source}-array\" \
+                 count=\"{count}\" stride=\"3\"><param name=\"X\" type=\"float\"/>\
+                 <param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>\
+                 </technique_common></source>"
+            )?;
+        }
+        writeln!(
+            out,
+            "<vertices id=\"{name}-vertices\"><input semantic=\"POSITION\" \
+             source=\"#{name}-positions\"/><input semantic=\"NORMAL\" source=\"#{name}-normals\"/>\
+             </vertices><triangles count=\"{}\" material=\"paint\"><input semantic=\"VERTEX\" \
+             source=\"#{name}-vertices\" offset=\"0\"/><p>",
+            triangles.len()
+        )?;
+        for i in 0..triangles.len() {
+            writeln!(out, "{} {} {}", 3 * i, 3 * i + 1, 3 * i + 2)?;
+        }
+        writeln!(out, "</p></triangles></mesh></geometry>")
+    }
+}
+
+const HEAD: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
+    <COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">\n\
+    <asset><created>2026-01-01T00:00:00</created><modified>2026-01-01T00:00:00</modified>\
+    <up_axis>Y_UP</up_axis></asset>";
+
+fn numbers([x, y, z]: [f64; 3]) -> String {
+    format!("{x} {y} {z}")
+}

@@ -1,0 +1,73 @@
+//! The program `showcase`: makes the inputs of the front-page pictures.
+
+use image::RgbImage;
+use showcase::{sky, strip, tree};
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+const USAGE: &str = "usage: showcase sky OUT.exr\n       showcase tree OUT.dae\n       \
+                     showcase strip OUT.png A.png B.png ...";
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let made = match args.as_slice() {
+        ["sky", out] => whole(out, "exr", |part| {
+            sky::map().save(part).map_err(|why| why.to_string())
+        }),
+        ["tree", out] => whole(out, "dae", |part| {
+            let mut file = BufWriter::new(File::create(part).map_err(|why| why.to_string())?);
+            let written = tree::document(tree::TRIANGLES).write(&mut file);
+            written
+                .and_then(|()| file.flush())
+                .map_err(|why| why.to_string())
+        }),
+        ["strip", out, pictures @ ..] if !pictures.is_empty() => {
+            whole(out, "png", |part| save_strip(part, pictures))
+        }
+        _ => Err(USAGE.to_owned()),
+    };
+    match made {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("error: {why}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Calls `write` with a temporary path, which is renamed to `out` if it succeeds. Creates the
+/// folder. `out` has to end in `extension`.
+fn whole(
+    out: &str,
+    extension: &str,
+    write: impl FnOnce(&Path) -> Result<(), String>,
+) -> Result<(), String> {
+    let out = Path::new(out);
+    let shown = out.display();
+    if out.extension().is_none_or(|end| end != extension) {
+        return Err(format!("{shown}: use a name that ends in .{extension}"));
+    }
+    if let Some(folder) = out.parent() {
+        fs::create_dir_all(folder)
+            .map_err(|why| format!("cannot create {}: {why}", folder.display()))?;
+    }
+    let part = out.with_extension(format!("part.{extension}"));
+    let renamed = write(&part).and_then(|()| fs::rename(&part, out).map_err(|why| why.to_string()));
+    renamed.map_err(|why| format!("cannot write {shown}: {why}"))?;
+    println!("Wrote       {shown}");
+    Ok(())
+}
+
+fn save_strip(part: &Path, paths: &[&str]) -> Result<(), String> {
+    let mut pictures: Vec<RgbImage> = Vec::new();
+    for path in paths {
+        let picture = image::open(path).map_err(|why| format!("cannot read {path}: {why}"))?;
+        pictures.push(picture.to_rgb8());
+    }
+    let strip = strip::side_by_side(&pictures)
+        .ok_or("the pictures have different heights: render all with the same -r")?;
+    strip.save(part).map_err(|why| why.to_string())
+}

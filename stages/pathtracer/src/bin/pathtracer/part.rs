@@ -1,0 +1,76 @@
+//! Parts of a picture: what they have in common, and their files.
+
+use crate::failure::Failure;
+use pathtracer::args::Args;
+use pathtracer::sums_file::Fingerprint;
+use pathtracer::{Job, LightSettings, PartFile, PreparedScene, Rendered, SumsFile};
+use std::fs;
+use std::path::Path;
+
+/// Writes the rendered sums of the part that `job` describes.
+pub(crate) fn write(
+    part: &PartFile,
+    args: &Args,
+    job: &Job,
+    light: &LightSettings,
+    scene: &PreparedScene,
+    rendered: &Rendered,
+) -> Result<(), Failure> {
+    let picture = fingerprint(args, job, light, scene)?;
+    let is_adaptive = light.adaptive.is_some() && scene.picture.is_lit();
+    SumsFile::of_cell(rendered, job, is_adaptive, picture)
+        .write(part)
+        .map_err(|why| Failure::Input(format!("cannot write {}: {why}", part.path().display())))
+}
+
+/// Identifies what the samples depend on: the files that are read, the camera, the size of the
+/// picture, the random numbers and the settings. Neither the part nor the threads, nor how
+/// intersections are found.
+fn fingerprint(
+    args: &Args,
+    job: &Job,
+    light: &LightSettings,
+    scene: &PreparedScene,
+) -> Result<u64, Failure> {
+    let mut picture = Fingerprint::default();
+    for path in [Some(&args.scene), args.environment.as_ref()]
+        .into_iter()
+        .flatten()
+    {
+        let bytes = fs::read(path).map_err(|why| {
+            Failure::Input(format!("cannot read {} again: {why}", path.display()))
+        })?;
+        add_file(&mut picture, &bytes);
+    }
+    let folder = args.scene.parent().unwrap_or(Path::new(""));
+    for texture in &scene.scene().textures.files {
+        // One that cannot be read is grey, as if it were empty.
+        add_file(
+            &mut picture,
+            &fs::read(folder.join(texture)).unwrap_or_default(),
+        );
+    }
+    let settings = LightSettings {
+        force_effects: false,
+        ..*light
+    };
+    let sampling = &job.sampling;
+    picture.add(
+        format!(
+            "{:?} {:?} {:?} {} {settings:?} lit {} centred {}",
+            job.camera,
+            job.film,
+            sampling.pattern,
+            sampling.seed,
+            scene.picture.is_lit(),
+            job.samples == 1
+        )
+        .as_bytes(),
+    );
+    Ok(picture.value())
+}
+
+fn add_file(picture: &mut Fingerprint, bytes: &[u8]) {
+    picture.add(&(bytes.len() as u64).to_le_bytes());
+    picture.add(bytes);
+}

@@ -1,30 +1,32 @@
 // BEGIN SOLUTION(part6.task1)
-//! Ray/box tests: which boxes of a node a ray hits.
+//! Ray/box tests: which boxes of a node a ray hits. They are conservative: they never miss a box
+//! with a primitive that the ray hits.
 
 use crate::node::Node;
+use crate::sah::LANES;
 use crate::space::{LocalRay, TreeSpace};
 use kit::{Ray, Vec3};
 
 /// The boxes of a node that a ray hits.
 pub(crate) struct BoxHits {
-    /// The lanes of the boxes, one bit each.
+    /// Their lanes, one bit each.
     pub(crate) lanes: u32,
-    /// For these lanes: integers in the order of the entry `t`, each rounded down.
-    pub(crate) entries: [u32; 8],
+    /// One key for each, in the order of the lanes; then zeros.
+    pub(crate) keys: [Key; LANES],
 }
 
-/// One ray, in the tree's space. The test is conservative: it never misses a box with a primitive
-/// that the ray hits.
-pub(crate) trait BoxTest {
-    /// The boxes of `node` that the ray hits in its range.
-    fn test(&self, node: &Node) -> BoxHits;
+/// A number that orders the boxes of a node by the `t` at which the ray enters: the bits of `t`,
+/// rounded down to a multiple of 16, plus 8, so that no key is 0, plus the lane.
+pub(crate) type Key = u32;
 
-    /// Shortens the range to `max_t` of the ray in world space.
-    fn shorten(&mut self, max_t: f64);
+/// The bits of a key that are its lane.
+pub(crate) const LANE_BITS: Key = LANES as Key - 1;
 
-    /// Whether `entry`, from [`BoxHits::entries`], is still in the range.
-    fn is_within(&self, entry: u32) -> bool;
-}
+/// The bits of a key that are not from `t`.
+pub(crate) const LOW_BITS: Key = 15;
+
+/// The bit that is set in every key.
+pub(crate) const KEY_BIT: Key = 8;
 
 /// Tests one box after the other in double precision. For any ray.
 pub(crate) struct ScalarBoxTest {
@@ -85,31 +87,37 @@ impl ScalarBoxTest {
     }
 }
 
-impl BoxTest for ScalarBoxTest {
-    fn test(&self, node: &Node) -> BoxHits {
+impl ScalarBoxTest {
+    /// The boxes of `node` that the ray hits in its range.
+    pub(crate) fn test(&self, node: &Node) -> BoxHits {
         let mut hits = BoxHits {
             lanes: 0,
-            entries: [0; 8],
+            keys: [0; LANES],
         };
+        let mut count = 0;
         for lane in 0..node.count as usize {
             let bounds = node.bounds(lane);
             if let Some(entry) = self.entry(bounds.min, bounds.max) {
                 hits.lanes |= 1 << lane;
-                hits.entries[lane] = ordered((entry as f32).next_down());
+                let entry = ordered((entry as f32).next_down());
+                hits.keys[count] = entry & !LOW_BITS | KEY_BIT | lane as Key;
+                count += 1;
             }
         }
         hits
     }
 
-    fn shorten(&mut self, max_t: f64) {
+    /// Shortens the range to `max_t` of the ray in world space.
+    pub(crate) fn shorten(&mut self, max_t: f64) {
         self.max_t = max_t * self.local.speed;
         if self.max_t.is_nan() {
             self.max_t = f64::INFINITY;
         }
     }
 
-    fn is_within(&self, entry: u32) -> bool {
-        entry <= ordered((self.max_t as f32).next_up())
+    /// Whether `key`, from [`BoxHits::keys`], is still in the range.
+    pub(crate) fn is_within(&self, key: Key) -> bool {
+        key & !LOW_BITS <= ordered((self.max_t as f32).next_up())
     }
 }
 

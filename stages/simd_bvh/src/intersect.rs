@@ -39,9 +39,7 @@ impl WideBvh {
     ) -> Option<(PrimId, TriangleHit)> {
         // BEGIN SOLUTION(part6.task1)
         dispatch!(self.level, simd => {
-            let mut traversal = Traversal::<_, false>::new(simd, self, ray, skip, exact);
-            traversal.run(counts);
-            traversal.found
+            Traversal::<_, false>::new(simd, self, ray, skip, exact).closest(counts)
         })
         // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
         // END SOLUTION(part6.task1)
@@ -58,9 +56,7 @@ impl WideBvh {
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
         dispatch!(self.level, simd => {
-            let mut traversal = Traversal::<_, true>::new(simd, self, ray, skip, exact);
-            traversal.run(counts);
-            traversal.found.is_some()
+            Traversal::<_, true>::new(simd, self, ray, skip, exact).any(counts)
         })
         // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
         // END SOLUTION(part6.task1)

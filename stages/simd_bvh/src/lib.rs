@@ -8,14 +8,18 @@
 // BEGIN SOLUTION(part6.task1)
 //! Reading order: `sah` and `binary` (the binary tree of least cost), `collapse` and `wide` (from
 //! two to eight children per node), `space`, `node`, `triangle_block` and `sphere_block` (the
-//! memory layout of boxes, triangles and spheres), `box_test` and `simd_box_test` (one box, eight
-//! boxes at a time), `stack`, `traversal` and `intersect` (the traversal).
+//! memory layout of boxes, triangles and spheres), `ray_in_tree`, `box_test` and `simd_box_test`
+//! (one box, eight boxes at a time), `triangle_filter` (eight triangles at a time) and `woop` (one
+//! triangle, in double precision), `ray_tests`, `stack`, `traversal` and `intersect` (the
+//! traversal).
 //!
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles are
-//! double precision, and each lane repeats the scalar kernel's arithmetic; where that kernel
-//! switches to its careful variant, it is called. So the hits are those of brute force, bit for
-//! bit. The source is the same for every machine: `fearless_simd` compiles it for each instruction
-//! set, and the best one that the machine has is chosen once per ray.
+//! tested in single precision, too, with a bound on the rounding errors, which `triangle_filter`
+//! proves: a triangle is missed for certain, hit for certain, or undecided. Only the hits are
+//! computed in double precision, with the scalar kernel's arithmetic; where that kernel switches to
+//! its careful variant, it is called. So the hits are those of brute force, bit for bit. The source
+//! is the same for every machine: `fearless_simd` compiles it for each instruction set, and the best
+//! one that the machine has is chosen once per ray.
 // STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a ray.
 // END SOLUTION(part6.task1)
 
@@ -24,6 +28,9 @@ mod binary;
 mod box_test;
 mod collapse;
 mod node;
+mod prefetch;
+mod ray_in_tree;
+mod ray_tests;
 mod sah;
 mod simd_box_test;
 mod space;
@@ -31,6 +38,8 @@ mod sphere_block;
 mod stack;
 mod traversal;
 mod triangle_block;
+mod triangle_filter;
+mod woop;
 // END SOLUTION(part6.task1)
 
 mod intersect;

@@ -75,19 +75,20 @@ fn above(x: f64) -> f32 {
     (x as f32).next_up()
 }
 
-/// A child of a node: its index and, in the two highest bits, its kind.
+/// A child of a node: its index, in the two highest bits its kind, and for blocks in the three bits
+/// below the number of primitives less one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Child(pub(crate) u32);
 
-/// The kind and the index of a [`Child`].
+/// The kind, the index and the number of primitives of a [`Child`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ChildKind {
-    /// The index of a node.
-    Node(u32),
-    /// The index of a block of triangles.
-    Triangles(u32),
-    /// The index of a block of spheres.
-    Spheres(u32),
+    /// A node.
+    Node { index: usize },
+    /// A block of triangles.
+    Triangles { index: usize, count: u32 },
+    /// A block of spheres.
+    Spheres { index: usize, count: u32 },
 }
 
 impl Child {
@@ -95,37 +96,48 @@ impl Child {
     pub(crate) const ROOT: Child = Child(0);
     const TRIANGLES: u32 = 1 << 30;
     const SPHERES: u32 = 1 << 31;
-    const INDEX: u32 = Child::TRIANGLES - 1;
+    const LAST_NODE: u32 = Child::TRIANGLES - 1;
+    const COUNT_BIT: u32 = 27;
+    const LAST_BLOCK: u32 = (1 << Child::COUNT_BIT) - 1;
 
-    pub(crate) fn node(index: u32) -> Child {
-        Child(Child::checked(index))
-    }
-
-    pub(crate) fn triangles(index: u32) -> Child {
-        Child(Child::checked(index) | Child::TRIANGLES)
-    }
-
-    pub(crate) fn spheres(index: u32) -> Child {
-        Child(Child::checked(index) | Child::SPHERES)
-    }
-
-    fn checked(index: u32) -> u32 {
+    pub(crate) fn node(index: usize) -> Child {
         assert!(
-            index <= Child::INDEX,
-            "a tree has at most 2^30 nodes and 2^30 blocks of each kind"
+            index <= Child::LAST_NODE as usize,
+            "a tree has at most 2^30 nodes"
         );
-        index
+        Child(index as u32)
+    }
+
+    /// A block of `count` triangles, one to eight.
+    pub(crate) fn triangles(index: usize, count: usize) -> Child {
+        Child(Child::block(index, count) | Child::TRIANGLES)
+    }
+
+    /// A block of `count` spheres, one to eight.
+    pub(crate) fn spheres(index: usize, count: usize) -> Child {
+        Child(Child::block(index, count) | Child::SPHERES)
+    }
+
+    fn block(index: usize, count: usize) -> u32 {
+        assert!(
+            index <= Child::LAST_BLOCK as usize,
+            "a tree has at most 2^27 blocks of each kind"
+        );
+        index as u32 | (count as u32 - 1) << Child::COUNT_BIT
     }
 
     #[inline(always)]
     pub(crate) fn kind(self) -> ChildKind {
-        let index = self.0 & Child::INDEX;
-        if self.0 <= Child::INDEX {
-            ChildKind::Node(index)
-        } else if self.0 & Child::TRIANGLES != 0 {
-            ChildKind::Triangles(index)
+        if self.0 <= Child::LAST_NODE {
+            let index = self.0 as usize;
+            return ChildKind::Node { index };
+        }
+        let index = (self.0 & Child::LAST_BLOCK) as usize;
+        let count = (self.0 >> Child::COUNT_BIT & 7) + 1;
+        if self.0 & Child::TRIANGLES != 0 {
+            ChildKind::Triangles { index, count }
         } else {
-            ChildKind::Spheres(index)
+            ChildKind::Spheres { index, count }
         }
     }
 }
@@ -148,9 +160,17 @@ mod tests {
 
     #[test]
     fn children_keep_their_kind_and_index() {
-        assert_eq!(Child::node(7).kind(), ChildKind::Node(7));
-        assert_eq!(Child::triangles(0).kind(), ChildKind::Triangles(0));
-        assert_eq!(Child::spheres(9).kind(), ChildKind::Spheres(9));
+        let kinds = [
+            Child::node(7).kind(),
+            Child::triangles(0, 8).kind(),
+            Child::spheres(9, 1).kind(),
+        ];
+        let expected = [
+            ChildKind::Node { index: 7 },
+            ChildKind::Triangles { index: 0, count: 8 },
+            ChildKind::Spheres { index: 9, count: 1 },
+        ];
+        assert_eq!(kinds, expected);
     }
 }
 // END SOLUTION(part6.task1)

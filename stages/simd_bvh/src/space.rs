@@ -15,6 +15,9 @@ pub(crate) struct TreeSpace {
     /// `center·scale`.
     shift: Vec3,
     scale: f64,
+    /// At least the absolute value of every coordinate of a primitive's box, and at least 1. It is
+    /// above 4 only for scenes of extreme scale.
+    pub(crate) size: f64,
 }
 
 impl TreeSpace {
@@ -41,10 +44,14 @@ impl TreeSpace {
         // have few digits, whatever the scale.
         let size = extent.max(SMALLEST_SHARE * center.abs().max_element());
         let scale = power_of_two(-exponent(size));
-        TreeSpace {
+        let mut space = TreeSpace {
             shift: center * scale,
             scale,
-        }
+            size: 1.0,
+        };
+        let Aabb { min, max } = space.bounds(all);
+        space.size = min.abs().max(max.abs()).max_element().max(1.0);
+        space
     }
 
     /// Transforms a point from world space.

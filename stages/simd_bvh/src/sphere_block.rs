@@ -43,12 +43,6 @@ impl SphereBlock {
         }
     }
 
-    /// The number of spheres.
-    #[inline(always)]
-    pub(crate) fn len(&self) -> u32 {
-        self.count
-    }
-
     #[inline(always)]
     pub(crate) fn id(&self, lane: usize) -> PrimId {
         PrimId(self.ids[lane])

@@ -1,35 +1,32 @@
 // BEGIN SOLUTION(part6.task1)
 //! The stack of children that a traversal has still to visit.
 
-use crate::box_test::BoxTest;
+use crate::box_test::Key;
 use crate::node::Child;
 
-/// A child and the entry of the ray into its box, which is in the upper half, so that entries are
-/// ordered by it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// A child and the key of its box, in one integer: two stores and a load of both would wait for
+/// each other.
+#[derive(Clone, Copy)]
 pub(crate) struct StackEntry(u64);
 
 impl StackEntry {
-    /// Less than all others.
-    pub(crate) const NONE: StackEntry = StackEntry(0);
+    #[inline(always)]
+    pub(crate) fn new(key: Key, child: Child) -> StackEntry {
+        StackEntry(u64::from(key) << 32 | u64::from(child.0))
+    }
 
     #[inline(always)]
-    pub(crate) fn new(entry: u32, child: Child) -> StackEntry {
-        StackEntry(u64::from(entry) << 32 | u64::from(child.0))
+    pub(crate) fn key(self) -> Key {
+        (self.0 >> 32) as Key
     }
 
     #[inline(always)]
     pub(crate) fn child(self) -> Child {
         Child(self.0 as u32)
     }
-
-    #[inline(always)]
-    fn entry(self) -> u32 {
-        (self.0 >> 32) as u32
-    }
 }
 
-/// A entry with its first entries in an array. Few trees are deep enough to need more.
+/// A stack with its first entries in an array. Few trees are deep enough to need more.
 pub(crate) struct Stack {
     inline: [StackEntry; Stack::INLINE],
     len: usize,
@@ -43,7 +40,7 @@ impl Stack {
     #[inline(always)]
     pub(crate) fn new() -> Stack {
         Stack {
-            inline: [StackEntry::NONE; Stack::INLINE],
+            inline: [StackEntry(0); Stack::INLINE],
             len: 0,
             overflow: Vec::new(),
         }
@@ -60,26 +57,31 @@ impl Stack {
         }
     }
 
+    /// Pushes the first `count` of three entries. All are written, because a branch for each would
+    /// be mispredicted.
     #[inline(always)]
-    fn pop(&mut self) -> Option<StackEntry> {
+    pub(crate) fn push_up_to_3(&mut self, entries: [StackEntry; 3], count: usize) {
+        if let Some([a, b, c]) = self.inline.get_mut(self.len..self.len + 3) {
+            *a = entries[0];
+            *b = entries[1];
+            *c = entries[2];
+            self.len += count;
+        } else {
+            for &entry in &entries[..count] {
+                self.push(entry);
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn pop(&mut self) -> Option<StackEntry> {
         if self.len == Stack::INLINE
             && let Some(entry) = self.overflow.pop()
         {
             return Some(entry);
         }
         self.len = self.len.checked_sub(1)?;
-        Some(self.inline[self.len])
-    }
-
-    /// Pops entries until one is still in the range.
-    #[inline(always)]
-    pub(crate) fn pop_within(&mut self, box_test: &impl BoxTest) -> Option<Child> {
-        while let Some(entry) = self.pop() {
-            if box_test.is_within(entry.entry()) {
-                return Some(entry.child());
-            }
-        }
-        None
+        Some(self.inline[self.len % Stack::INLINE])
     }
 }
 // END SOLUTION(part6.task1)

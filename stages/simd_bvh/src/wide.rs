@@ -7,8 +7,8 @@ use crate::node::{Child, ChildKind, Node};
 use crate::sah::LANES;
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
-use crate::triangle_block::TriangleBlock;
-use kit::{Bvh, BvhNode, NodeKind, PrimId};
+use crate::triangle_block::{ExactBlock, TriangleBlock};
+use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
 
@@ -17,15 +17,19 @@ use kit::{Aabb, Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
-/// It copies the vertices of triangles, the centres and the squared radii. Primitives are numbered
+/// It copies what its boxes and its filters need, in single precision. Primitives are numbered
 /// as in a [`kit::Scene`]: triangles first, then spheres.
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)
-    /// The nodes, the root first. Empty for a scene of a few blocks, which are all tested.
+    /// Where a traversal starts: at the root node, or in a scene of a few blocks at each of them.
+    pub(crate) roots: Vec<Child>,
+    /// The nodes, the root first.
     pub(crate) nodes: Vec<Node>,
     /// The triangles, in blocks of eight.
     pub(crate) blocks: Vec<TriangleBlock>,
+    /// The same triangles in double precision.
+    pub(crate) exact_blocks: Vec<ExactBlock>,
     /// The spheres, in blocks of eight.
     pub(crate) spheres: Vec<SphereBlock>,
     /// The space of the boxes. Triangles and spheres are in world space.
@@ -62,8 +66,10 @@ impl WideBvh {
             triangles,
             spheres,
             tree: WideBvh {
+                roots: Vec::new(),
                 nodes: Vec::new(),
                 blocks: Vec::new(),
+                exact_blocks: Vec::new(),
                 spheres: Vec::new(),
                 space,
                 level: Level::new(),
@@ -72,13 +78,15 @@ impl WideBvh {
         let (triangles, spheres) = builder.by_kind(&prims);
         if triangles.len() <= MAX_TRIANGLES_WITHOUT_NODES && spheres.len() <= LANES {
             for block in triangles.chunks(LANES).chain(spheres.chunks(LANES)) {
-                builder.block(block);
+                let child = builder.block(block);
+                builder.tree.roots.push(child);
             }
         } else {
             let binary_tree = binary::build(&bounds);
             let is_mixed = |node: &BvhNode| builder.kinds(&binary_tree, node).is_some();
             let collapse = Collapse::cheapest(&binary_tree, is_mixed);
             builder.widen(&binary_tree, &collapse, 0);
+            builder.tree.roots.push(Child::ROOT);
         }
         builder.tree
         // STUB: kit::hole!("part6.task1", triangles, spheres)
@@ -150,7 +158,7 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     /// Adds the wide node for node `root` of `binary` and the nodes below it. Returns its index.
-    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> u32 {
+    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> usize {
         let number = self.tree.nodes.len();
         self.tree.nodes.push(Node::EMPTY);
         let mut node = Node::EMPTY;
@@ -176,7 +184,7 @@ impl Builder<'_> {
             }
         }
         self.tree.nodes[number] = node;
-        number as u32
+        number
     }
 
     /// The triangles and the spheres of a mixed leaf; `None` for other nodes.
@@ -202,14 +210,15 @@ impl Builder<'_> {
     fn block(&mut self, prims: &[PrimId]) -> Child {
         let first = self.triangles.len();
         if (prims[0].0 as usize) < first {
-            self.tree
-                .blocks
-                .push(TriangleBlock::of(self.triangles, prims));
-            Child::triangles(self.tree.blocks.len() as u32 - 1)
+            let block = TriangleBlock::of(self.triangles, prims, &self.tree.space);
+            self.tree.blocks.push(block);
+            let exact = TriangleBlock::exact(self.triangles, prims);
+            self.tree.exact_blocks.push(exact);
+            Child::triangles(self.tree.blocks.len() - 1, prims.len())
         } else {
             let block = SphereBlock::of(self.spheres, first, prims);
             self.tree.spheres.push(block);
-            Child::spheres(self.tree.spheres.len() as u32 - 1)
+            Child::spheres(self.tree.spheres.len() - 1, prims.len())
         }
     }
 }

@@ -125,6 +125,38 @@ fn on_every_scale_and_far_away() {
     }
 }
 
+/// Rays that pass an edge, a vertex or the end of the range at distances from far above to far below
+/// the rounding errors of single precision: the borders between hit, miss and undecided.
+#[test]
+fn at_every_distance_from_a_border() {
+    let mut random = Random::new(11);
+    for size in [1e-3, 0.05, 1.0] {
+        for flatness in [1.0, 1e-4] {
+            let mut triangles = soup(&mut random, 60, size);
+            for t in &mut triangles {
+                *t = Triangle::flat(t.p0, t.p1, t.p1 + flatness * (t.p2 - t.p1));
+            }
+            let mut checker = Checker::new(triangles, Vec::new());
+            for i in 0..6000 {
+                let t = checker.scene.triangles[random.below(60)];
+                let near = 0.5_f64.powi(8 + (i % 44) as i32);
+                let target = random.on(&t) + size * near * random.direction();
+                let o = target + [0.001, 0.3, 4.0][i % 3] * random.direction();
+                let mut ray = Ray::new(o, target - o);
+                match i % 5 {
+                    0 => ray.max_t = 1.0 + near,
+                    1 => ray.max_t = 1.0 - near,
+                    2 => ray.min_t = 1.0 - near,
+                    3 => ray.min_t = 1.0 + near,
+                    _ => {}
+                }
+                checker.check(&ray, None);
+            }
+            assert!(checker.hits > 1000, "{} rays hit", checker.hits);
+        }
+    }
+}
+
 /// From so far away that a rounding error of the origin is as large as a triangle.
 #[test]
 fn from_very_far_away() {

@@ -6,7 +6,9 @@ use pathtracer::args::has_display;
 use std::env;
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use viewer::app::App;
+use viewer::bench::OrbitBench;
 use viewer::cli::ViewerArgs;
 use viewer::command::Command;
 use viewer::report::OpenReport;
@@ -50,6 +52,9 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
             session.set_report(report);
             session.apply(Command::OpenCase(0));
         }
+        for picture in &args.compare {
+            session.apply(Command::CompareWith(picture.clone()));
+        }
         if args.light {
             session.apply(Command::ToggleTheme);
         }
@@ -66,12 +71,19 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
         viewport: ViewportBuilder::default()
             .with_inner_size([width, height])
             .with_min_inner_size([480.0, 360.0]),
+        // Without a graphics card every fragment is computed by the processor, and the window has no
+        // gradients that would show steps.
+        dithering: false,
         ..NativeOptions::default()
     };
     let create = |creation: &CreationContext<'_>| {
         let ctx = creation.egui_ctx.clone();
         let session = start(Arc::new(move || ctx.request_repaint()));
-        let window: Box<dyn eframe::App> = Box::new(Window(App::new(session)));
+        let window: Box<dyn eframe::App> = Box::new(Window {
+            app: App::new(session),
+            bench: args.bench_orbit.map(OrbitBench::new),
+            content: Duration::ZERO,
+        });
         Ok(window)
     };
     eframe::run_native("First Light", options, Box::new(create))
@@ -79,10 +91,25 @@ fn run(args: &ViewerArgs) -> Result<(), String> {
 }
 
 /// The window, as eframe sees it.
-struct Window(App);
+struct Window {
+    app: App,
+    bench: Option<OrbitBench>,
+    /// What the content of the last frame took.
+    content: Duration,
+}
 
 impl eframe::App for Window {
     fn ui(&mut self, ui: &mut Ui, _: &mut Frame) {
-        self.0.ui(ui);
+        if let Some(bench) = &mut self.bench {
+            ui.ctx().request_repaint();
+            if bench.next(&mut self.app.session, self.content) {
+                println!("{bench}");
+                self.app.session.apply(Command::Quit);
+                self.bench = None;
+            }
+        }
+        let start = Instant::now();
+        self.app.ui(ui);
+        self.content = start.elapsed();
     }
 }

@@ -1,18 +1,17 @@
 //! Keeps the picture of a 3D view up to date, in the background.
 
+use crate::pace::Pace;
 use crate::scene_data::SceneData;
 use crate::task::{StageFailure, Task, Wake};
 use crate::view_picture::{ViewPicture, ViewRequest, trace};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// How long the window waits for pictures.
+/// How long the window waits for pictures. [`Pace`] shortens it while the view moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patience {
     /// How long one update may wait for a picture: then it is that of this very frame.
     pub per_frame: Duration,
-    /// The time that a picture of a moving camera may take.
-    pub per_picture: Duration,
     /// Whether the first picture has the full resolution already.
     pub always_sharp: bool,
 }
@@ -20,15 +19,13 @@ pub struct Patience {
 impl Patience {
     /// For a window: 60 frames a second.
     pub const WINDOW: Patience = Patience {
-        per_frame: Duration::from_millis(13),
-        per_picture: Duration::from_millis(10),
+        per_frame: Duration::from_millis(14),
         always_sharp: false,
     };
 
     /// For tests and snapshots: every picture is complete.
     pub const COMPLETE: Patience = Patience {
         per_frame: Duration::from_secs(600),
-        per_picture: Duration::from_secs(600),
         always_sharp: true,
     };
 }
@@ -41,6 +38,9 @@ pub struct View3d {
     version: u64,
     running: Option<Running>,
     wanted: Option<ViewRequest>,
+    /// Whether the newest picture that was asked for is a quick one.
+    is_moving: bool,
+    pace: Pace,
     /// Rays per second of the last picture.
     rate: f64,
     /// Why a stage traced nothing, and of which scene.
@@ -57,6 +57,8 @@ struct Running {
 
 /// The rate that is assumed before the first picture.
 const FIRST_RATE: f64 = 5e5;
+/// How much longer than its budget a quick picture is waited for.
+const LATE_BY: u32 = 2;
 /// The smallest share of the resolution in each direction.
 const MIN_SCALE: f64 = 1.0 / 16.0;
 
@@ -86,6 +88,13 @@ impl View3d {
                 .is_some_and(|p| p.request == *request && p.size == request.size)
     }
 
+    /// A frame took this many seconds, from its start to the next one's.
+    pub fn frame(&mut self, seconds: f64) {
+        if self.is_moving {
+            self.pace.frame(seconds);
+        }
+    }
+
     /// Asks for a picture, and takes the one that is ready. Returns whether more is to come.
     pub fn update(
         &mut self,
@@ -101,6 +110,7 @@ impl View3d {
         let is_still = self.wanted == Some(request);
         self.wanted = Some(request);
         if self.is_settled(scene, &request) {
+            self.is_moving = false;
             return false;
         }
         let shown_scale = self
@@ -108,10 +118,18 @@ impl View3d {
             .filter(|picture| picture.request == request)
             .map(|picture| picture.size);
         let sharp = patience.always_sharp || (is_still && shown_scale.is_some());
+        self.is_moving = !sharp;
         let size = if sharp {
             request.size
         } else {
-            self.quick_size(request.size, patience.per_picture)
+            self.quick_size(request.size, self.pace.budget())
+        };
+        // A quick picture that is late is shown in the next frame.
+        let wait = match sharp {
+            true if patience.always_sharp => patience.per_frame,
+            // A sharp picture takes many frames: waiting for it would only keep the window busy.
+            true => Duration::ZERO,
+            false => patience.per_frame.min(LATE_BY * self.pace.budget()),
         };
         let is_useful = self.running.as_ref().is_some_and(|running| {
             let is_wanted = Arc::ptr_eq(&running.scene, scene) && running.request == request;
@@ -131,7 +149,7 @@ impl View3d {
                 }),
             });
         }
-        self.take(patience.per_frame);
+        self.take(wait);
         !self.is_settled(scene, &request)
     }
 

@@ -3,6 +3,7 @@
 use crate::project::Projection;
 use crate::scene_data::SceneData;
 use crate::tree_walk;
+use kit::camera::half_tan;
 use kit::{Camera, Hit, PrimId, Primitive, Spectrum, Vec2, Vec3};
 use pathtracer::{Accel, Counters, layers, tone};
 use raygen::generate_ray;
@@ -126,6 +127,8 @@ struct Surfaces<'a> {
     projection: Projection,
     /// Width and height in pixels.
     size: Vec2,
+    /// The height of a pixel at a distance of 1.
+    pixel_at_one: f64,
 }
 
 /// The tree below a node, and the colours of its primitives.
@@ -164,6 +167,7 @@ impl<'a> Surfaces<'a> {
             },
             projection: Projection::new(&request.camera),
             size: Vec2::new(f64::from(size.0), f64::from(size.1)),
+            pixel_at_one: 2.0 * half_tan(request.camera.v_fov) / f64::from(size.1),
         }
     }
 
@@ -181,7 +185,7 @@ impl<'a> Surfaces<'a> {
         let facing = AMBIENT + (1.0 - AMBIENT) * hit.n.dot(d).abs();
         let mut color = self.color(&hit) * facing;
         if self.edges {
-            color = color * (1.0 - EDGE_OPACITY * self.edge_strength(sensor, hit.prim));
+            color = color * (1.0 - EDGE_OPACITY * self.edge_strength(sensor, hit.prim, hit.t));
         }
         let [r, g, b] = tone::to_bytes(color * std::f64::consts::FRAC_1_SQRT_2);
         let hit = ViewHit {
@@ -210,11 +214,18 @@ impl<'a> Surfaces<'a> {
     /// How strongly the edges of a triangle show at a position on the film, from 0 to 1: fully
     /// within half a pixel of an edge, and not at all for triangles of a few pixels, which would be
     /// all edge.
-    fn edge_strength(&self, sensor: Vec2, prim: PrimId) -> f64 {
+    fn edge_strength(&self, sensor: Vec2, prim: PrimId, t: f64) -> f64 {
         let Primitive::Triangle(triangle) = self.data.scene().primitive(prim) else {
             return 0.0;
         };
         let p = [triangle.p0, triangle.p1, triangle.p2];
+        // A triangle that is smaller than that is not projected at all.
+        let longest = (p[1] - p[0])
+            .length_squared()
+            .max((p[2] - p[0]).length_squared());
+        if longest < (MIN_HEIGHT * self.pixel_at_one * t).powi(2) {
+            return 0.0;
+        }
         let pixel = |p: Vec3| Some(self.projection.point(p)? * self.size);
         let at = sensor * self.size;
         let (mut nearest, mut smallest) = (f64::INFINITY, f64::INFINITY);

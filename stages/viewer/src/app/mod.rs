@@ -72,7 +72,9 @@ impl App {
         };
         ctx.set_theme(theme);
         colors::set_style(&ctx);
-        self.frames.next(ctx.input(|input| input.time));
+        if let Some(seconds) = self.frames.next(ctx.input(|input| input.time)) {
+            self.session.view.frame(seconds);
+        }
         let mut commands = input::commands(&ctx, self.session.mode());
         commands
             .drain(..)
@@ -86,7 +88,7 @@ impl App {
             side_panel::show(ui, &mut self.session, &mut commands);
         });
         egui::CentralPanel::default()
-            .frame(egui::Frame::new().fill(colors::backdrop(ui)))
+            .frame(egui::Frame::new())
             .show(ui, |ui| is_busy |= self.central(ui, &mut commands));
         sheets::show(&ctx, &mut self.session, &mut commands);
         commands
@@ -104,6 +106,10 @@ impl App {
         let is_timed = !self.session.patience.always_sharp;
         let fps = if is_timed { self.frames.rate() } else { 0.0 };
         let rect = ui.available_rect_before_wrap();
+        let shows_view = matches!(self.session.mode(), Mode::Edit | Mode::Bvh);
+        if !shows_view {
+            ui.painter().rect_filled(rect, 0.0, colors::backdrop(ui));
+        }
         if self.session.mode() == Mode::Report {
             self.case.show(ui, rect, &mut self.session, commands);
             return false;
@@ -249,15 +255,15 @@ struct FrameRate {
 }
 
 impl FrameRate {
-    fn next(&mut self, time: f64) {
-        if let Some(last) = self.last {
-            let seconds = (time - last).max(1e-4);
-            // A pause is no slow frame.
-            if seconds < 0.5 {
-                self.seconds += 0.1 * (seconds - self.seconds);
-            }
+    /// A frame starts at this time. Returns the seconds since the last one started.
+    fn next(&mut self, time: f64) -> Option<f64> {
+        let seconds = self.last.map(|last| (time - last).max(1e-4));
+        // A pause is no slow frame.
+        if let Some(seconds) = seconds.filter(|seconds| *seconds < 0.5) {
+            self.seconds += 0.1 * (seconds - self.seconds);
         }
         self.last = Some(time);
+        seconds
     }
 
     fn rate(&self) -> f64 {

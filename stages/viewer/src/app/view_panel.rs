@@ -14,7 +14,8 @@ use kit::Vec2;
 /// The view and its texture.
 #[derive(Default)]
 pub(super) struct ViewPanel {
-    texture: Option<(u64, TextureHandle)>,
+    /// The picture, which version it is, and the background behind it.
+    texture: Option<((u64, Color32), TextureHandle)>,
     /// Whether the drag in progress moves the selected vertex.
     moves_vertex: bool,
 }
@@ -100,9 +101,13 @@ impl ViewPanel {
             .scene()
             .and_then(|scene| session.view.picture(scene))
         else {
+            ui.painter_at(rect)
+                .rect_filled(rect, 0.0, colors::backdrop(ui));
             return;
         };
-        let version = session.view.version();
+        // The background is part of the picture: painting it below would take as long again.
+        let background = colors::backdrop(ui);
+        let version = (session.view.version(), background);
         if self
             .texture
             .as_ref()
@@ -113,7 +118,10 @@ impl ViewPanel {
             let image = ColorImage::new(
                 [w as usize, h as usize],
                 pixels
-                    .map(|&[r, g, b, a]| Color32::from_rgba_unmultiplied(r, g, b, a))
+                    .map(|&[r, g, b, a]| match a {
+                        0 => background,
+                        _ => Color32::from_rgb(r, g, b),
+                    })
                     .collect(),
             );
             match &mut self.texture {

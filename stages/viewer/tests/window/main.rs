@@ -5,7 +5,9 @@
 //! ones.
 
 mod common;
+mod comparisons;
 mod files;
+mod keyboard;
 mod keys;
 mod mouse;
 mod pictures;

@@ -1,0 +1,79 @@
+//! A and B: any two pictures.
+
+use super::common::{Window, session};
+use egui::Key;
+use image::RgbImage;
+use std::path::PathBuf;
+use viewer::command::Command;
+use viewer::picture_pair::PairView;
+use viewer::session::Mode;
+
+/// A grey picture file with a white corner of this size.
+fn picture(folder: &tempfile::TempDir, name: &str, corner: u32) -> PathBuf {
+    let path = folder.path().join(name);
+    let pixels = RgbImage::from_fn(32, 24, |x, y| match x < corner && y < corner {
+        true => image::Rgb([255; 3]),
+        false => image::Rgb([90; 3]),
+    });
+    pixels.save(&path).expect("a file");
+    path
+}
+
+#[test]
+fn two_files_are_compared_without_a_scene() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::with(session("", ""), [900.0, 600.0]);
+    for (name, corner) in [("a.png", 8), ("b.png", 0), ("c.png", 16)] {
+        let path = picture(&folder, name, corner);
+        window.session().apply(Command::CompareWith(path));
+    }
+    window
+        .session()
+        .apply(Command::CompareWith(folder.path().join("b.png")));
+    window.settle();
+    assert_eq!(window.session().mode(), Mode::Render);
+    let compared = window.session().compared().expect("two pictures").clone();
+    let errors = compared.errors.expect("one size");
+    assert_eq!((errors.pixels, errors.largest), (64, 165));
+    let pair = compared.pair.expect("one size");
+    // The white corner is a block of its own: brighter than any noise.
+    let [cause] = pair.legend.as_slice() else {
+        panic!("one cause: {:?}", pair.legend)
+    };
+    assert_eq!((cause.label, cause.pixels), ("too bright", 64));
+    window.press(Key::Num0);
+    let swapped = window
+        .session()
+        .compared()
+        .expect("two pictures")
+        .pair
+        .clone();
+    assert_eq!(swapped.expect("one size").legend[0].label, "too dark");
+    window.press(Key::J);
+    let view = window
+        .session()
+        .comparison()
+        .expect("two pictures")
+        .display
+        .view;
+    assert_eq!(view, PairView::Flicker);
+    let before = window.session().comparison().expect("two pictures").second;
+    window.press(Key::Num9);
+    let after = window.session().comparison().expect("two pictures").second;
+    assert_ne!(before, after);
+}
+
+#[test]
+fn a_picture_of_another_size_has_no_errors() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open("-r 40 30", "spheres.dae");
+    window.press(Key::R);
+    let path = picture(&folder, "a.png", 4);
+    window.session().apply(Command::CompareWith(path));
+    window.settle();
+    let compared = window.session().compared().expect("two pictures");
+    assert!(compared.errors.is_none() && compared.pair.is_none());
+    let missing = folder.path().join("none.png");
+    window.session().apply(Command::CompareWith(missing));
+    assert!(window.session().message().contains("none.png"));
+}

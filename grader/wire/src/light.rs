@@ -14,6 +14,19 @@ pub enum Material {
     Mirror(Xyz),
     /// White glass with this index of refraction.
     Glass(f64),
+    /// Emits this radiance on its front side. Neighbours in the list of panels that have this
+    /// material are one lamp together.
+    PartOfLamp(Xyz),
+}
+
+impl Material {
+    /// The radiance that it emits on its front side.
+    pub fn emitted(&self) -> Option<Xyz> {
+        match self {
+            Material::Emission(radiance) | Material::PartOfLamp(radiance) => Some(*radiance),
+            _ => None,
+        }
+    }
 }
 
 /// A light without extent, or a sky.
@@ -88,6 +101,11 @@ impl Panel {
         let mut front = [0.0; 3];
         front[self.axis] = self.faces;
         front
+    }
+
+    /// Whether it is part of a lamp of several panels.
+    pub fn is_part(&self) -> bool {
+        matches!(self.material, Material::PartOfLamp(_))
     }
 
     /// Its area.

@@ -9,9 +9,11 @@ pub(crate) fn material(m: &wire::light::Material) -> Material {
         wire::light::Material::Diffuse(reflectance) => Material::Diffuse {
             reflectance: reflectance.into(),
         },
-        wire::light::Material::Emission(radiance) => Material::Emission {
-            radiance: radiance.into(),
-        },
+        wire::light::Material::Emission(radiance) | wire::light::Material::PartOfLamp(radiance) => {
+            Material::Emission {
+                radiance: radiance.into(),
+            }
+        }
         wire::light::Material::Mirror(reflectance) => Material::Mirror {
             reflectance: reflectance.into(),
         },

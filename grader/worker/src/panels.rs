@@ -9,12 +9,17 @@ use kit::{Hit, LitScene, PrimId, Ray, Triangle, Vec2, Vec3};
 use wire::light::scripted_f;
 use wire::light::{Light, LitWorld, Panel};
 
-/// Converts the world to a scene with lights. Panel `i` becomes the triangles `2i` and `2i + 1`.
+/// Converts the world to a scene with lights. Panel `i` becomes the triangles `2i` and `2i + 1`, and
+/// an object of its own or with its neighbours.
 pub(crate) fn lit_scene(world: &LitWorld) -> LitScene {
-    let panels = world.panels.iter();
-    let objects: Vec<_> = panels
-        .map(|panel| (halves(panel).to_vec(), material(&panel.material)))
-        .collect();
+    let objects = world
+        .panels
+        .chunk_by(|a, b| a.is_part() && b.is_part())
+        .map(|panels| {
+            let triangles = panels.iter().flat_map(halves);
+            (triangles.collect(), material(&panels[0].material))
+        });
+    let objects: Vec<_> = objects.collect();
     let mut scene = scene(&objects);
     scene.lights = world
         .lights

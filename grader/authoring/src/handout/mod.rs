@@ -9,6 +9,7 @@ pub mod carve;
 mod file_selection;
 pub mod output_folder;
 pub mod readme;
+mod unit_tests;
 
 use carve::Carver;
 use file_selection::FileSelection;
@@ -79,6 +80,7 @@ impl Handout {
                 root.display()
             )));
         }
+        handout.remove_unit_tests(&selection)?;
         handout.remove_tests(&selection)?;
         handout.test_only_stages(&course, part)?;
         handout.pack_goldens();
@@ -148,6 +150,24 @@ impl Handout {
         if !text.is_empty() {
             self.files.insert(path, text.into_bytes());
         }
+        Ok(())
+    }
+
+    /// Removes the unit tests of the grader's crates.
+    fn remove_unit_tests(&mut self, selection: &FileSelection) -> Result<(), GraderError> {
+        let mut removed = BTreeSet::new();
+        for (path, contents) in &mut self.files {
+            let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+            let is_graders = selection
+                .owner(path)
+                .is_some_and(file_selection::is_grader_crate);
+            if is_rust && is_graders {
+                let without = unit_tests::remove(path, &text(path, contents.clone())?)?;
+                *contents = without.text.into_bytes();
+                removed.extend(without.files);
+            }
+        }
+        self.files.retain(|path, _| !removed.contains(path));
         Ok(())
     }
 

@@ -95,6 +95,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         )
         .only(&[Radiance, Mean]),
         case(
+            "lamp_with_two_sides",
+            "A lamp of two panels that face opposite ways. The samples on the side that faces \
+             away send nothing: they are None, and count as 0 in the mean. A bias of 16 % is \
+             always detected.",
+            same(two_sides(), Vec::new(), floor(), 2),
+        )
+        .only(&[Radiance, Mean]),
+        case(
             "sky",
             "A sky emits from the whole upper hemisphere. A bias of 7 % is always detected.",
             same(Vec::new(), vec![Light::Sky([1.0, 1.5, 2.0])], floor(), 3),
@@ -272,6 +280,22 @@ fn half_below() -> Panel {
         faces: 1.0,
         material: Material::Emission([5.0; 3]),
     }
+}
+
+/// One lamp: a panel that faces down, and behind it a larger one that faces up.
+fn two_sides() -> Vec<Panel> {
+    let material = Material::PartOfLamp([4.0; 3]);
+    let down = Panel {
+        material,
+        ..lamp(1.5, [0.0; 3])
+    };
+    let up = Panel {
+        at: 1.75,
+        max: [2.0; 2],
+        faces: 1.0,
+        ..down
+    };
+    vec![down, up]
 }
 
 fn below() -> Work {

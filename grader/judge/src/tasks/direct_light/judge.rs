@@ -170,10 +170,9 @@ impl Estimate<'_> {
     }
 
     fn zero_bounce(&self, tally: &mut Tally) {
-        let right = match self.point.material {
-            Material::Emission(radiance) if self.place.wo.z > 0.0 => radiance.into(),
-            _ => Vec3::ZERO,
-        };
+        let emitted = self.point.material.emitted();
+        let right = emitted.filter(|_| self.place.wo.z > 0.0);
+        let right = right.map_or(Vec3::ZERO, Vec3::from);
         self.radiance(tally, right, &[]);
     }
 
@@ -302,17 +301,11 @@ impl Estimate<'_> {
                 (None, _) => None,
             }
         });
-        let panels = world
-            .panels
-            .iter()
-            .filter_map(|panel| match panel.material {
-                Material::Emission(radiance)
-                    if self.place.visible_part(panel) != VisiblePart::None =>
-                {
-                    Some(Source::Lamp(*panel, radiance.into()))
-                }
-                _ => None,
-            });
+        let panels = world.panels.iter().filter_map(|panel| {
+            let radiance = panel.material.emitted()?;
+            let is_seen = self.place.visible_part(panel) != VisiblePart::None;
+            is_seen.then(|| Source::Lamp(*panel, radiance.into()))
+        });
         let around = environment_map(world).map(Source::Map);
         lights.chain(around).chain(panels).collect()
     }
@@ -326,7 +319,25 @@ impl Estimate<'_> {
             let (few, many) = self.rays_to(source);
             (least + few, most + many)
         };
-        sources.iter().fold((0, 0), add)
+        let (parts, whole): (Vec<&Source>, _) = sources.iter().partition(|source| source.is_part());
+        let of_parts = if parts.is_empty() {
+            0
+        } else {
+            self.work.samples
+        };
+        whole.into_iter().fold((0, of_parts), add)
+    }
+
+    /// The area from which the samples of a lamp are taken.
+    fn sampled_area(&self, panel: &Panel) -> f64 {
+        if !panel.is_part() {
+            return panel.area();
+        }
+        let panels = self.work.world.panels.iter();
+        panels
+            .filter(|other| other.is_part())
+            .map(Panel::area)
+            .sum()
     }
 
     /// The smallest and the largest number of shadow rays that a light may get.
@@ -357,7 +368,7 @@ impl Estimate<'_> {
             }
             Source::Lamp(panel, radiance) => {
                 let facing = (-d.dot(panel.front().into())).max(0.0);
-                scattered * *radiance * (share * facing * panel.area() / (far * far))
+                scattered * *radiance * (share * facing * self.sampled_area(panel) / (far * far))
             }
         }
     }
@@ -470,6 +481,13 @@ enum Source {
     Sky(Vec3),
     /// An environment map.
     Map(Environment),
+}
+
+impl Source {
+    /// Whether it is part of a lamp of several panels, of which a world has at most one.
+    fn is_part(&self) -> bool {
+        matches!(self, Source::Lamp(panel, _) if panel.is_part())
+    }
 }
 
 /// The light to which a shadow ray from `p` belongs, and its distance: of the lights along the ray,

@@ -120,7 +120,7 @@ impl ShadingPlace {
 
     /// `∫ f · L · cos θ · cos θ' / r² dA` over the lamp.
     fn lit_by_panel(&self, panel: &Panel) -> Vec3 {
-        let Material::Emission(radiance) = panel.material else {
+        let Some(radiance) = panel.material.emitted() else {
             return Vec3::ZERO;
         };
         let middle = |i: u32, side: usize| {

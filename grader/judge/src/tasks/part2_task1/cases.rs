@@ -10,7 +10,7 @@ pub(crate) fn cases() -> Vec<Spec> {
     vec![
         case(
             "no_primitives",
-            "An empty scene: a tree over no primitives, without a panic.",
+            "An empty scene: a tree over no primitives has no nodes, not even an empty leaf.",
             Vec::new(),
             4,
         ),

@@ -16,7 +16,7 @@ pub(super) fn judge(tally: &mut Tally, tree: &Tree, bounds: &[[Xyz; 2]], max_lea
         let NodeKind::Leaf { first, count } = node.kind else {
             continue;
         };
-        let is_empty = count == 0 && !bounds.is_empty();
+        let is_empty = count == 0;
         let class = match count {
             _ if is_empty => Some(Class::Named("empty")),
             _ if count == max_leaf_size + 1 => Some(Class::Named("one too many")),
@@ -25,6 +25,11 @@ pub(super) fn judge(tally: &mut Tally, tree: &Tree, bounds: &[[Xyz; 2]], max_lea
         };
         let badness = f64::from(count);
         tally.judge_class(Aspect::LeafSize, 0, class, badness, || {
+            if is_empty && bounds.is_empty() {
+                return format!(
+                    "leaf {at} is empty: expected a tree without nodes, since there are no primitives"
+                );
+            }
             if is_empty {
                 return format!("leaf {at} is empty: expected at least one primitive");
             }
@@ -81,6 +86,11 @@ mod tests {
             .worst
             .as_ref()
             .map(|worst| worst.message.clone())
+    }
+
+    #[test]
+    fn a_leaf_is_empty_in_no_tree() {
+        assert!(message(&[], 4).is_some_and(|text| text.contains("without nodes")));
     }
 
     #[test]

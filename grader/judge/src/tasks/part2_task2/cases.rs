@@ -45,8 +45,10 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         ),
         case(
             "clipped",
-            "Ranges that end before the box, start behind it or cut it: the interval is clipped \
-             to min_t..=max_t.",
+            "Ranges that end before the box, start behind it, cut it or have one point in common \
+             with it: the interval is clipped to min_t..=max_t, and both ends count. Pitfall: with \
+             `>=` for `>` between start and end, a ray that starts on the face through which it \
+             leaves misses.",
             clipped(),
         ),
         case(
@@ -288,6 +290,10 @@ fn clipped() -> Vec<(Aabb, Ray)> {
             (9.0, f64::INFINITY),
             (0.0, 20.0),
             (-20.0, 0.0),
+            // One point in common: at the entry, inside, at the exit.
+            (0.0, 7.5),
+            (8.0, 8.0),
+            (8.5, f64::INFINITY),
         ] {
             probes.push((
                 ROUND,

@@ -106,7 +106,8 @@ fn hand_written() -> Vec<Spec> {
         ),
         case(
             "one_leaf",
-            "The root is a leaf of three primitives.",
+            "The root is a leaf of three primitives, and its box is tested like that of every \
+             other node. Pitfall: a test of the children's boxes alone leaves out the root's.",
             one_leaf.closest(&through_blocks()),
         ),
         case(

@@ -5,7 +5,7 @@ use crate::tally::{Aspect, Class, Tally};
 use crate::tree_tests::{Tests, TracedRay};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
-use wire::work::{Ray, ScriptedRay, ScriptedWorld};
+use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
 
 /// A traversal may make this many times the tests of one that visits children in a fixed order,
 /// averaged over left to right and right to left. Half of the rays go one way and half the other.
@@ -41,12 +41,39 @@ pub(crate) fn traverse(
     } else {
         savings(tally, world, answers);
     }
+    if is_leaf(&world.tree) {
+        beside_the_root(tally, world, answers);
+    }
     if answers.iter().any(|answer| answer.repeated_prims > 0) {
         // The number of tests follows from it.
         repeated(tally, world, answers);
     } else if counts_work && tally.is_right(Aspect::HitOrMiss) {
         // A traversal that misses hits makes fewer tests.
         work(tally, world, answers);
+    }
+}
+
+/// Whether the root of the tree is a leaf.
+fn is_leaf(tree: &Tree) -> bool {
+    let root = tree.nodes.first();
+    root.is_some_and(|root| matches!(root.kind, NodeKind::Leaf { .. }))
+}
+
+/// Judges that the box of a root that is a leaf is tested before its primitives: a ray beside it
+/// tests none of them.
+fn beside_the_root(tally: &mut Tally, world: &ScriptedWorld, answers: &[TraverseAnswer]) {
+    tally.expect(Aspect::Work);
+    let function = function(world);
+    for (call, (scripted, answer)) in world.rays.iter().zip(answers).enumerate() {
+        let met = traced(world, scripted, |ray| ray.all_met());
+        let tests = answer.prim_tests;
+        let saves = met.prims > 0 || tests == 0;
+        tally.judge(Aspect::Work, call, saves, f64::from(tests), || {
+            format!(
+                "your result: {function} makes {tests} primitive tests; expected: none, since the ray misses the box of the root. Is it tested, too? {}",
+                hits::show_ray(&scripted.ray)
+            )
+        });
     }
 }
 
@@ -475,11 +502,24 @@ mod tests {
 
     #[test]
     fn savings_are_not_judged_where_a_tree_saves_little() {
-        for name in ["empty_tree", "one_leaf", "both_children"] {
+        for name in ["empty_tree", "both_children"] {
             let world = script(name);
             let all = world.rays[0].prims.len() as u32;
             assert_eq!(failed(&world, &right(&world, 9, all), false), [], "{name}");
         }
+    }
+
+    #[test]
+    fn a_ray_beside_a_root_that_is_a_leaf_tests_no_primitive() {
+        let world = script("one_leaf");
+        let mut answers = right(&world, 1, 3);
+        assert_eq!(failed(&world, &answers, false), [Aspect::Work]);
+        for (scripted, answer) in world.rays.iter().zip(&mut answers) {
+            if traced(&world, scripted, |ray| ray.all_met()).prims == 0 {
+                answer.prim_tests = 0;
+            }
+        }
+        assert_eq!(failed(&world, &answers, false), []);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use submission::arguments::{containment, seeded_request};
 use submission::clean_workspace::CleanWorkspace;
-use submission::{SubmissionReport, read};
+use submission::{SubmissionReport, read, visible};
 
 fn main() -> ExitCode {
     let command = arguments(Command::new("grader"), HintLevel::Remedy)
@@ -131,5 +131,6 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
             table::format_report(together, reveal)
         );
     }
-    text
+    // Messages of panics and names of files are the student's, too.
+    visible(&text)
 }

@@ -104,8 +104,8 @@ fn grade(mut command: Command) -> Option<String> {
 fn error_in(said: &str) -> &str {
     const ERROR: &str = "error: ";
     let starts = said.match_indices(ERROR).map(|(at, _)| at);
-    let mut starts = starts.filter(|at| *at == 0 || said[..*at].ends_with('\n'));
-    let start = starts.next_back().map_or(0, |at| at + ERROR.len());
+    let starts = starts.filter(|at| *at == 0 || said[..*at].ends_with('\n'));
+    let start = starts.last().map_or(0, |at| at + ERROR.len());
     said[start..].trim()
 }
 

@@ -9,7 +9,7 @@ use judge::tally::Finding;
 use std::collections::BTreeMap;
 use std::io::Cursor;
 use wire::answer::{HitsAnswer, VisitsAnswer};
-use wire::file::{FrameReader, Key, MAX_FRAME_BYTES, frame_bytes};
+use wire::file::{FrameReader, Key, MAX_FRAME_BYTES, body_of, with_header};
 use wire::picture::PictureAnswer;
 use wire::work::{Ray, SceneSource, Shapes, TestTiming, TimingWork, VisitsWork};
 use wire::{Answer, Case, Outcome, Record, RecordFrame, Work};
@@ -207,14 +207,17 @@ impl Change {
     }
 }
 
-fn bytes_of(frame: &RecordFrame) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    write_frame(&mut bytes, frame).expect("memory takes it");
-    bytes
+/// A frame without its header.
+fn body(frame: &RecordFrame) -> Vec<u8> {
+    body_of(frame).expect("memory takes it")
+}
+
+fn started(case: u32) -> Vec<u8> {
+    body(&RecordFrame::Started { case })
 }
 
 fn done(case: u32, answer: Answer) -> Vec<u8> {
-    bytes_of(&RecordFrame::Done(Record {
+    body(&RecordFrame::Done(Record {
         case,
         untouched: Vec::new(),
         holes: Vec::new(),
@@ -222,9 +225,23 @@ fn done(case: u32, answer: Answer) -> Vec<u8> {
     }))
 }
 
-fn read(bytes: Vec<u8>, cases: &[Case]) -> Vec<Ending> {
-    let frames = FrameReader::new(Box::new(Cursor::new(bytes)));
+/// Frames with these bodies, as somebody sends them who knows the key.
+fn send(bodies: &[Vec<u8>], key: Key) -> Vec<u8> {
+    let frames = (0..).zip(bodies);
+    let frames = frames.map(|(number, body)| with_header(body, key, number));
+    let frames = frames.map(|frame| frame.expect("it is not too long"));
+    frames.flatten().collect()
+}
+
+fn read(bytes: Vec<u8>, key: Key, cases: &[Case]) -> Vec<Ending> {
+    let frames = FrameReader::new(Box::new(Cursor::new(bytes)), key);
     records::read(frames, cases, 0).endings
+}
+
+/// What is read of frames with these bodies.
+fn read_bodies(bodies: &[Vec<u8>], cases: &[Case]) -> Vec<Ending> {
+    let key = Key::random();
+    read(send(bodies, key), key, cases)
 }
 
 /// The answer inside an ending.
@@ -263,11 +280,8 @@ fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
             "{name} has a record of {} bytes",
             written.len()
         );
-        let start = bytes_of(&RecordFrame::Started { case: 0 });
-        let right = read(
-            [start.clone(), written.clone()].concat(),
-            std::slice::from_ref(&case),
-        );
+        let only = std::slice::from_ref(&case);
+        let right = read_bodies(&[started(0), written.clone()], only);
         assert!(answer_of(&right[0]).is_some(), "{name}: {right:?}");
         for change in changes {
             for changed in change.of_answer(&answer) {
@@ -276,7 +290,7 @@ fn an_answer_that_lacks_or_repeats_entries_never_scores_in_full() {
                 if frame == written {
                     continue;
                 }
-                let endings = read([start.clone(), frame].concat(), std::slice::from_ref(&case));
+                let endings = read_bodies(&[started(0), frame], only);
                 let [ending] = endings.as_slice() else {
                     panic!("{name} {change:?}: {endings:?}")
                 };
@@ -315,17 +329,28 @@ fn three_of_each_kind() -> Vec<Vec<Answered>> {
     three.collect()
 }
 
-/// The frames in some other state than a sound worker leaves them in.
-fn spoil(frames: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
-    let mut frames = frames.to_vec();
-    let (some, other) = (random.below(frames.len()), random.below(frames.len()));
+/// Frames with these bodies in some other state than a sound worker leaves them in: mostly as
+/// somebody spoils them who knows the key.
+fn spoil(bodies: &[Vec<u8>], key: Key, random: &mut Random) -> Vec<u8> {
+    let mut bodies = bodies.to_vec();
+    let (some, other) = (random.below(bodies.len()), random.below(bodies.len()));
     match random.below(5) {
-        0 => frames.swap(some, other),
-        1 => frames.insert(some, frames[other].clone()),
-        2 => drop(frames.remove(some)),
+        0 => bodies.swap(some, other),
+        1 => bodies.insert(some, bodies[other].clone()),
+        2 => drop(bodies.remove(some)),
         _ => {}
     }
-    let mut bytes = frames.concat();
+    if random.below(4) == 0 {
+        let mut bytes = send(&bodies, key);
+        spoil_bytes(&mut bytes, random);
+        return bytes;
+    }
+    let some = random.below(bodies.len());
+    spoil_bytes(&mut bodies[some], random);
+    send(&bodies, key)
+}
+
+fn spoil_bytes(bytes: &mut Vec<u8>, random: &mut Random) {
     let at = random.below(bytes.len());
     match random.below(4) {
         0 => bytes.truncate(at),
@@ -338,7 +363,6 @@ fn spoil(frames: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
             }
         }
     }
-    bytes
 }
 
 #[test]
@@ -354,14 +378,13 @@ fn spoilt_records_end_nothing_and_do_not_score() {
             let answers = of_kind.iter().cycle().skip(off).map(|a| a.answer.clone());
             let records = (0..).zip(answers).take(of_kind.len());
             records
-                .flat_map(|(case, answer)| {
-                    [bytes_of(&RecordFrame::Started { case }), done(case, answer)]
-                })
+                .flat_map(|(case, answer)| [started(case), done(case, answer)])
                 .collect()
         });
         for _ in 0..FILES {
             let frames = &in_order[usize::from(random.below(4) == 0)];
-            let endings = read(spoil(frames, &mut random), &cases);
+            let key = Key::random();
+            let endings = read(spoil(frames, key, &mut random), key, &cases);
             assert!(endings.len() <= cases.len());
             for (ending, right) in endings.iter().zip(&of_kind) {
                 let Some(answer) = answer_of(ending) else {

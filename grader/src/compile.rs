@@ -459,3 +459,72 @@ fn copy_under_own_name(program: PathBuf, features: &[&str]) -> Result<PathBuf, G
     })?;
     Ok(copy)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_are_too_long_are_skipped() {
+        let long = "x".repeat(MOST_OF_LINE as usize + 7);
+        let text = format!("a\n{long}\nb");
+        let mut input = text.as_bytes();
+        let mut lines = Vec::new();
+        while let Some(line) = read_line(&mut input).unwrap() {
+            lines.push(line);
+        }
+        assert_eq!(lines, ["a\n", "", "b"]);
+    }
+
+    #[test]
+    fn messages_are_kept_up_to_a_limit() {
+        let mut messages = String::new();
+        for _ in 0..10_000 {
+            push_message(&mut messages, "error: é\n");
+        }
+        assert!(messages.len() < MOST_OF_MESSAGES + 100);
+        assert!(messages.ends_with("other messages are left out.)\n"));
+    }
+
+    #[test]
+    fn a_compiler_that_ends_without_a_message_is_an_error_of_its_crate() {
+        let ended = |how: &str, before: &str| {
+            let says = format!(
+                "{before}error: could not compile `bvh` (lib)\n\nCaused by:\n  process didn't exit successfully: `rustc --crate-name bvh` ({how})\n"
+            );
+            let mut errors = CompileErrors::default();
+            errors.add_crashes(&says, false);
+            assert!(errors.failed_crates.contains("bvh"));
+            errors.limit
+        };
+        let (time, memory) = (Some(BuildLimit::Time), Some(BuildLimit::Memory));
+        assert_eq!(
+            ended("signal: 24, SIGXCPU: CPU time limit exceeded", ""),
+            time
+        );
+        assert_eq!(
+            ended("signal: 25, SIGXFSZ: file size limit exceeded", ""),
+            memory
+        );
+        assert_eq!(ended("signal: 9, SIGKILL: kill", ""), memory);
+        let no_memory = "memory allocation of 77 bytes failed\n";
+        assert_eq!(
+            ended("signal: 6, SIGABRT: process abort signal", no_memory),
+            memory
+        );
+        assert_eq!(
+            ended("signal: 11, SIGSEGV: invalid memory reference", ""),
+            None
+        );
+    }
+
+    #[test]
+    fn a_crate_with_a_message_of_the_compiler_is_not_a_crash() {
+        let mut errors = CompileErrors::default();
+        errors.failed_crates.insert("bvh".into());
+        errors.add_crashes("error: could not compile `bvh` (lib) due to 1 error", false);
+        assert_eq!((errors.messages.as_str(), errors.limit), ("", None));
+        errors.add_crashes("", true);
+        assert_eq!(errors.limit, Some(BuildLimit::Time));
+    }
+}

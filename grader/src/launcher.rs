@@ -11,6 +11,9 @@ pub trait Launcher: fmt::Debug + Send + Sync {
 
     /// The command that runs a worker. Its arguments are to be added.
     fn worker(&self, program: &Path, limits: WorkerLimits) -> Command;
+
+    /// Whether the thread of the student's code in a worker is to give up all rights.
+    fn seals(&self) -> bool;
 }
 
 /// Limits on a worker beyond those on its cases: they hold even if the worker does not enforce the

@@ -233,7 +233,7 @@ impl Process<'_> {
             .arg(first.to_string())
             .arg(memory_mb(self.cases).to_string())
             .args(write_calls.then_some("calls"))
-            .args(self.worker.launcher.is_some().then_some("sealed"))
+            .args(self.is_sealed().then_some("sealed"))
             .current_dir(self.folder)
             .stdin(stdin)
             .stdout(stdout)
@@ -264,6 +264,11 @@ impl Process<'_> {
                 has_stalled,
             })
         })
+    }
+
+    fn is_sealed(self) -> bool {
+        let launcher = self.worker.launcher.as_ref();
+        launcher.is_some_and(|launcher| launcher.seals())
     }
 
     /// The command that runs the worker, without its arguments.

@@ -59,9 +59,15 @@ pub fn of_this_machine() -> Support {
     }
     let socket = std::net::UdpSocket::bind("127.0.0.1:0");
     let is_denied = |e: std::io::Error| e.kind() == std::io::ErrorKind::PermissionDenied;
+    let files = std::fs::read_dir("/").is_err_and(is_denied);
+    let sealed = crate::confine::seal_thread();
+    // Landlock says nothing about whether a file exists: only a denied call does not.
+    let exists = std::fs::metadata("/");
     Support {
-        files: std::fs::read_dir("/").is_err_and(is_denied),
-        system_calls: socket.is_err_and(is_denied),
+        files,
+        system_calls: socket.is_err_and(is_denied)
+            && sealed.is_ok()
+            && exists.is_err_and(is_denied),
         other_user: is_superuser,
     }
 }

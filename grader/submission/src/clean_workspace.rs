@@ -17,6 +17,7 @@ use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 /// What all submissions share. It is made once for each version of the course and the compiler, and
 /// then never written again: each submission is built in a folder of its own. Threads may share it.
@@ -83,6 +84,8 @@ impl CleanWorkspace {
         if !clean.top.join(COMPLETE).is_file() {
             clean.make(&files)?;
         }
+        remove_unused(&all, &clean.top);
+        remove_unused(&clean.top, &clean.target);
         Ok(clean)
     }
 
@@ -230,6 +233,26 @@ impl CleanWorkspace {
     }
 }
 
+/// How long something may stay unused.
+const UNUSED: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// Removes what is in `folder` for another version of the course, or for a submission whose grader
+/// was killed: folders with the names of such that nothing was written to for a day, but not
+/// `kept`. What cannot be removed stays.
+fn remove_unused(folder: &Path, kept: &Path) {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    for entry in entries {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        let is_ours = name.starts_with("course-") || name.starts_with(".grader-");
+        let modified = entry.metadata().and_then(|metadata| metadata.modified());
+        let age = modified.ok().and_then(|time| time.elapsed().ok());
+        if is_ours && entry.path() != kept && age.is_some_and(|age| age > UNUSED) {
+            let _ = std::fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
 /// `path` as a string of TOML.
 fn toml_string(path: &Path) -> String {
     let text = path.to_string_lossy();
@@ -319,6 +342,31 @@ mod tests {
         let strong = without_unsafe(manifest).unwrap();
         assert_eq!(strong, "[workspace.lints.rust]\nunsafe_code = \"forbid\"\n");
         assert!(without_unsafe("[workspace.lints.rust]\n").is_err());
+    }
+
+    #[test]
+    fn only_folders_that_nobody_uses_are_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let long_ago = std::time::SystemTime::now() - 2 * UNUSED;
+        let make = |name: &str, is_old: bool| {
+            let path = folder.path().join(name);
+            file_tree::write(&path.join("file"), b"").unwrap();
+            if is_old {
+                let times = std::fs::FileTimes::new().set_modified(long_ago);
+                File::open(&path).unwrap().set_times(times).unwrap();
+            }
+            path
+        };
+        let kept = make("course-1", true);
+        let all = [
+            make("course-2", true),
+            make("course-3", false),
+            make(".grader-x", true),
+            make("other", true),
+        ];
+        remove_unused(folder.path(), &kept);
+        assert!(kept.exists());
+        assert_eq!(all.map(|path| path.exists()), [false, true, false, true]);
     }
 
     #[test]

@@ -83,16 +83,20 @@ impl FrameWriter {
 
     /// Appends one frame and flushes it to the operating system.
     pub fn write(&mut self, frame: &RecordFrame) -> io::Result<()> {
-        let bytes = frame_bytes(frame, self.key, self.number)?;
+        let bytes = with_header(&body_of(frame)?, self.key, self.number)?;
         self.number += 1;
         self.out.write_all(&bytes)?;
         self.out.flush()
     }
 }
 
-/// The bytes of frame number `number`.
-pub fn frame_bytes(frame: &RecordFrame, key: Key, number: u64) -> io::Result<Vec<u8>> {
-    let body = postcard::to_stdvec(frame).map_err(io::Error::other)?;
+/// A frame without its header.
+pub fn body_of(frame: &RecordFrame) -> io::Result<Vec<u8>> {
+    postcard::to_stdvec(frame).map_err(io::Error::other)
+}
+
+/// Frame number `number`: its header and `body`.
+pub fn with_header(body: &[u8], key: Key, number: u64) -> io::Result<Vec<u8>> {
     let length = u32::try_from(body.len()).map_err(io::Error::other)?;
     let mut bytes = header(length, key, number).to_vec();
     bytes.extend(body);
@@ -188,8 +192,14 @@ mod tests {
 
     /// Frame number `number`, about the case of this number.
     fn started(number: u32) -> Vec<u8> {
-        let frame = RecordFrame::Started { case: number };
-        frame_bytes(&frame, KEY, number.into()).expect("writing to memory succeeds")
+        numbered(number, KEY, number.into())
+    }
+
+    /// A frame about `case` with this key and number.
+    fn numbered(case: u32, key: Key, number: u64) -> Vec<u8> {
+        let body = body_of(&RecordFrame::Started { case });
+        let frame = body.and_then(|body| with_header(&body, key, number));
+        frame.expect("writing to memory succeeds")
     }
 
     fn written() -> Vec<u8> {
@@ -245,10 +255,7 @@ mod tests {
 
     #[test]
     fn a_frame_without_the_key_or_its_number_is_forged() {
-        let of = |key, number| {
-            let frame = RecordFrame::Started { case: 2 };
-            frame_bytes(&frame, key, number).expect("writing to memory succeeds")
-        };
+        let of = |key, number| numbered(2, key, number);
         let [valid, guessed, replayed] = [of(KEY, 2), of(Key::random(), 2), of(KEY, 1)];
         let is_read = |frame: Vec<u8>| frames(&[written(), frame].concat())[2].is_ok();
         assert!(is_read(valid));

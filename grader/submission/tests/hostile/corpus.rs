@@ -177,13 +177,32 @@ impl Case {
     }
 }
 
+/// The strongest containment of this machine, those with less, and none.
+pub(crate) fn levels() -> Vec<Containment> {
+    let workspace = Workspace::above(&root()).expect("this is the course");
+    let strongest = Containment::choose(&workspace, false).expect("there is one");
+    let mut levels = vec![strongest.clone(), Containment::None];
+    if let Containment::Sandbox { launcher, .. } = strongest {
+        levels.push(Containment::Sandbox {
+            launcher,
+            user: None,
+            own_network: None,
+        });
+    }
+    levels
+}
+
 /// The course that all submissions are graded against.
 pub(crate) struct Class(GradingCourse);
 
 impl Class {
     pub(crate) fn open() -> Class {
         let workspace = Workspace::above(&root()).expect("this is the course");
-        let containment = Containment::choose(&workspace, false).expect("there is one");
+        Class::with(Containment::choose(&workspace, false).expect("there is one"))
+    }
+
+    pub(crate) fn with(containment: Containment) -> Class {
+        let workspace = Workspace::above(&root()).expect("this is the course");
         Class(GradingCourse::open(&workspace, containment).expect("it can be built"))
     }
 

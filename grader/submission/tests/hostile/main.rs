@@ -52,51 +52,55 @@ fn the_reference_has_no_forbidden_code() {
     }
 }
 
-/// What the scan refuses, the compiler's limits hold, too.
+/// Fails the test with all of `wrong`, if there is any: a corpus takes too long to stop at the first.
+#[track_caller]
+fn assert_none(wrong: &[String]) {
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+/// What the scan refuses, the compiler and its limits refuse, too.
 #[test]
 #[ignore = "builds each submission: minutes"]
 fn forbidden_code_that_is_not_scanned_does_not_compile() {
     let class = Class::open();
+    let mut wrong = Vec::new();
     for case in cases("scan") {
         let Some(unscanned) = &case.unscanned else {
             continue;
         };
-        let built = class.build(&case.files());
-        match built {
-            BuildOutcome::Worker(_) => panic!("{}: it compiles", case.name),
-            BuildOutcome::DoesNotCompile(errors) => assert!(
-                errors.messages.contains(unscanned.as_str()),
-                "{}: {}",
-                case.name,
-                errors.messages
-            ),
+        match class.build(&case.files()) {
+            BuildOutcome::Worker(_) => wrong.push(format!("{}: it compiles", case.name)),
+            BuildOutcome::DoesNotCompile(errors) => {
+                if !errors.messages.contains(unscanned.as_str()) {
+                    wrong.push(format!("{}: {}", case.name, errors.messages));
+                }
+            }
         }
     }
+    assert_none(&wrong);
 }
 
 #[test]
 #[ignore = "builds each submission: minutes"]
 fn code_that_is_too_much_for_the_compiler_is_ended() {
     let class = Class::open();
+    let mut wrong = Vec::new();
     for case in cases("compile") {
         let graded = class.grade(&case.files(), 1).expect(&case.name);
-        let says = case.says.as_deref().unwrap_or_default();
         let report = &graded.report;
-        assert!(
-            report.compiler.contains(says),
-            "{}: {}",
-            case.name,
-            report.compiler
-        );
-        let expected = match case.limit.as_deref() {
-            Some("time") => Outcome::OverLimit(BuildLimit::Time),
-            Some(_) => Outcome::OverLimit(BuildLimit::Memory),
-            None => graded.outcome,
+        let says = case.says.as_deref().unwrap_or_default();
+        let has_outcome = match (case.limit.as_deref(), graded.outcome) {
+            (Some("time"), outcome) => outcome == Outcome::OverLimit(BuildLimit::Time),
+            (Some(_), outcome) => outcome == Outcome::OverLimit(BuildLimit::Memory),
+            (None, outcome) => outcome != Outcome::Graded,
         };
-        assert_ne!(graded.outcome, Outcome::Graded, "{}", case.name);
-        assert_eq!(graded.outcome, expected, "{}", case.name);
-        assert_eq!(report.scores.score, 0.0, "{}", case.name);
+        println!("{}: {:?}", case.name, graded.outcome);
+        if !has_outcome || !report.compiler.contains(says) || report.scores.score > 0.0 {
+            let start: String = report.compiler.chars().take(2000).collect();
+            wrong.push(format!("{}: {:?}: {start}", case.name, graded.outcome));
+        }
     }
+    assert_none(&wrong);
     class.still_grades_the_reference();
 }
 
@@ -104,24 +108,20 @@ fn code_that_is_too_much_for_the_compiler_is_ended() {
 #[ignore = "builds submissions: a minute"]
 fn no_attempt_gets_out() {
     let class = Class::open();
-    let all = cases("attempts");
-    for some in all.chunks(MOST_ATTEMPTS) {
+    let mut wrong = Vec::new();
+    for some in cases("attempts").chunks(MOST_ATTEMPTS) {
         let code = attempts_code(some);
         let files = Case::with_code(&code).files();
         let graded = class.grade(&files, 1).expect("it is graded");
         let report = &graded.report;
-        let printed = &report.printed;
-        for case in some {
-            let held = format!("{}: held", case.name);
-            assert!(
-                printed.contains(&held),
-                "{}: {printed}{}",
-                case.name,
-                report.compiler
-            );
+        let is_held = |case: &&Case| !report.printed.contains(&format!("{}: held", case.name));
+        wrong.extend(some.iter().filter(is_held).map(|case| case.name.clone()));
+        if report.scores.score < report.scores.max_score {
+            wrong.push(format!("it spoils its run: {}", report.printed));
         }
-        assert_eq!(report.scores.score, report.scores.max_score, "{printed}");
+        wrong.extend((!report.compiler.is_empty()).then(|| report.compiler.clone()));
     }
+    assert_none(&wrong);
     class.still_grades_the_reference();
 }
 
@@ -129,21 +129,39 @@ fn no_attempt_gets_out() {
 #[ignore = "builds each submission: minutes"]
 fn code_that_spoils_its_run_loses_only_its_own_points() {
     let class = Class::open();
+    let mut wrong = Vec::new();
     for case in cases("run") {
-        let started = std::time::Instant::now();
         let graded = class.grade(&case.files(), 1).expect(&case.name);
-        let report = &graded.report;
-        assert_eq!(report.compiler, "", "{}", case.name);
-        let scores = &report.scores;
-        println!("{}: {} in {:?}", case.name, scores.score, started.elapsed());
-        match case.score.as_deref() {
-            Some("less") => assert!(scores.score < scores.max_score, "{}", case.name),
-            Some("all") => assert_eq!(scores.score, scores.max_score, "{}", case.name),
-            _ => {}
-        }
+        let (report, scores) = (&graded.report, &graded.report.scores);
+        println!("{}: {} of {}", case.name, scores.score, scores.max_score);
+        let has_score = match case.score.as_deref() {
+            Some("less") => scores.score < scores.max_score,
+            Some("all") => scores.score == scores.max_score,
+            _ => true,
+        };
         let json = grader::report::json(report).expect("a report is JSON");
         let says = case.says.as_deref().unwrap_or_default();
-        assert!(json.contains(says), "{}: {json}", case.name);
+        if !has_score || !json.contains(says) || !report.compiler.is_empty() {
+            let start: String = json.chars().take(2000).collect();
+            wrong.push(format!("{}: {}{start}", case.name, report.compiler));
+        }
     }
+    assert_none(&wrong);
     class.still_grades_the_reference();
+}
+
+/// What keeps code in its folder changes no answer and no point.
+#[test]
+#[ignore = "builds submissions: a minute"]
+fn honest_code_has_the_same_score_at_every_level() {
+    let files = corpus::reference("intersect");
+    let scores = corpus::levels().into_iter().map(|containment| {
+        let class = Class::with(containment.clone());
+        let graded = class.grade(&files, 7).expect("it is graded");
+        assert_eq!(graded.report.containment, containment.to_string());
+        graded.report.scores
+    });
+    let scores: Vec<_> = scores.collect();
+    assert!(scores[0].score > 0.0);
+    assert!(scores.iter().all(|other| *other == scores[0]));
 }

@@ -4,6 +4,8 @@
 #   COURSE=~/first-light CLASS=~/submissions OUT=~/graded PART=1 \
 #       sbatch --array=1-17 --export=ALL slurm.sh
 #
+# OPTIONS holds more options of `grader class`, such as --before 2026-11-20.
+#
 #SBATCH --job-name=first-light
 #SBATCH --cpus-per-task=2
 #SBATCH --mem=6G
@@ -16,4 +18,4 @@ set -euo pipefail
 : "${OUT:?the folder for the results}" "${PART:?the number of the part}"
 cd "$COURSE"
 exec target/release/class class "$CLASS" --out "$OUT" --part "$PART" \
-    --shard "$SLURM_ARRAY_TASK_ID/${SHARDS:-$SLURM_ARRAY_TASK_COUNT}" --jobs "${SLURM_CPUS_PER_TASK:-1}"
+    ${OPTIONS:-} --shard "$SLURM_ARRAY_TASK_ID/${SHARDS:-$SLURM_ARRAY_TASK_COUNT}" --jobs "${SLURM_CPUS_PER_TASK:-1}"

@@ -87,7 +87,7 @@ fn grade(mut command: Command) -> Option<String> {
     let stderr = std::thread::spawn(move || pipe.map(runner::tail).unwrap_or_default());
     let ended = wait(&mut child);
     let said = stderr.join().unwrap_or_default();
-    let said = said.trim().trim_start_matches("error: ");
+    let said = error_in(&said);
     match ended {
         Ok(Some(status)) if status.success() => None,
         Ok(Some(_)) if !said.is_empty() => Some(said.to_string()),
@@ -98,6 +98,15 @@ fn grade(mut command: Command) -> Option<String> {
         )),
         Err(e) => Some(format!("cannot wait for a process: {e}")),
     }
+}
+
+/// The error that a process printed last, without what cargo printed before it.
+fn error_in(said: &str) -> &str {
+    const ERROR: &str = "error: ";
+    let starts = said.match_indices(ERROR).map(|(at, _)| at);
+    let starts = starts.filter(|at| *at == 0 || said[..*at].ends_with('\n'));
+    let start = starts.last().map_or(0, |at| at + ERROR.len());
+    said[start..].trim()
 }
 
 /// Waits for the end of a process; `None` if it took too long and was killed.
@@ -129,4 +138,20 @@ pub fn end_with_the_pool() {
             .args(["-TERM", &std::process::id().to_string()])
             .status();
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reason_is_the_last_error() {
+        let said = "    Finished `release` profile\nerror: cannot write a: the disk is full\n";
+        assert_eq!(error_in(said), "cannot write a: the disk is full");
+        assert_eq!(
+            error_in("error: a: error: b\nand more\n"),
+            "a: error: b\nand more"
+        );
+        assert_eq!(error_in("  killed\n"), "killed");
+    }
 }

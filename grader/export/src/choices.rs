@@ -17,6 +17,8 @@ pub struct Choices {
     pub add_extra: bool,
     /// The seed of the random inputs, if it is the same for everyone.
     pub seed: Option<u64>,
+    /// Whether to grade where code cannot be contained.
+    pub unsandboxed: bool,
     /// The repository of the handout on GitHub, `OWNER/NAME`.
     pub course: Option<String>,
     /// The branch or tag of that repository.

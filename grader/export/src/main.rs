@@ -71,6 +71,12 @@ fn command() -> Command {
                 .help("Seed of the random inputs, the same for everyone"),
         )
         .arg(
+            Arg::new("unsandboxed")
+                .long("unsandboxed")
+                .action(ArgAction::SetTrue)
+                .help("Grade where the container has no Landlock, too: code can read the solutions then"),
+        )
+        .arg(
             Arg::new("course")
                 .long("course")
                 .value_name("OWNER/NAME")
@@ -136,6 +142,7 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         visibility: text("visibility").unwrap_or_default(),
         add_extra: matches.get_flag("add-extra"),
         seed: matches.get_one("seed").copied(),
+        unsandboxed: matches.get_flag("unsandboxed"),
         course: text("course"),
         reference: text("ref").unwrap_or_default(),
     };

@@ -130,6 +130,13 @@ impl System {
         let packages = programs.iter().map(|name| format!("--package {name}"));
         let packages: Vec<String> = packages.collect();
         let mut options = choices.options();
+        let unsandboxed = match choices.unsandboxed {
+            true => " --unsandboxed",
+            false => "",
+        };
+        if self.course_folder().is_some() {
+            options.push_str(unsandboxed);
+        }
         if self == System::Gradescope {
             options.push_str(&format!(" --visibility {}", choices.visibility));
         }
@@ -148,6 +155,7 @@ impl System {
             ("what", choices.what.clone()),
             ("title", choices.title.clone()),
             ("options", options),
+            ("unsandboxed", unsandboxed.to_owned()),
             ("packages", packages.join(" ")),
             ("stages", course.stages().join(" ")),
             ("toolchain", toolchain()?),

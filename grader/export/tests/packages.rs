@@ -21,6 +21,7 @@ fn choices() -> Choices {
         visibility: "after_due_date".into(),
         add_extra: true,
         seed: Some(7),
+        unsandboxed: true,
         course: Some("cs184/first-light".into()),
         reference: "v1".into(),
     }
@@ -49,6 +50,7 @@ fn unfilled(text: &str) -> Vec<&str> {
         "course",
         "reference",
         "uuid",
+        "unsandboxed",
     ];
     let in_braces = |name: &&str| text.contains(&format!("{{{name}}}"));
     names.into_iter().filter(in_braces).collect()
@@ -81,7 +83,7 @@ fn every_template_is_filled_with_what_was_chosen() {
     let run = text(&gradescope, "run_autograder");
     assert!(run.contains("part2 --submission"), "{run}");
     assert!(
-        run.contains("--hint 3 --seed 7 --add-extra --visibility after_due_date"),
+        run.contains("--hint 3 --seed 7 --add-extra --unsandboxed --visibility after_due_date"),
         "{run}"
     );
     let classroom = files(System::Classroom50);
@@ -221,6 +223,7 @@ fn the_package_grades_a_submission_without_a_network() {
     let choices = Choices {
         what: "part1".into(),
         part: 1,
+        unsandboxed: false,
         ..choices()
     };
     let files = System::Gradescope

@@ -145,6 +145,7 @@ fn files(submission: &Submission, tasks: &[&Task]) -> Vec<SourceFile> {
 fn notes(report: &SubmissionReport) -> String {
     let mut text = String::new();
     let _ = writeln!(text, "seed of the random inputs: {}", report.seed);
+    let _ = writeln!(text, "containment: {}", report.containment);
     for stage in &report.missing {
         let _ = writeln!(text, "not handed in: stages/{stage}/src");
     }

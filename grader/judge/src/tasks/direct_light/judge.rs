@@ -5,12 +5,13 @@
 //! separately.
 
 use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, environment_map, sample_of_delta_light};
+use super::shadow_targets::{Source, Target, target};
 
 use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers;
 use crate::tally::{Aspect, Class, Tally};
-use kit::{Environment, LightSample, Tally as SampleTally, Vec3};
+use kit::{Tally as SampleTally, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 use wire::direct::{DirectAnswer, DirectWork, RecordedRay, ShadedPoint, Strategy};
@@ -24,13 +25,10 @@ const SUM_BOUND: f64 = 1e-9;
 const ORIGIN_BOUND: f64 = 2e-13;
 
 /// How far a direction may be off.
-const DIRECTION_BOUND: f64 = 1e-6;
+pub(super) const DIRECTION_BOUND: f64 = 1e-6;
 
 /// The largest gap between the end of a shadow ray and its light, relative to the distance.
 const LONGEST_GAP: f64 = 1e-6;
-
-/// A shadow ray belongs to a light if its range ends this close to it, relative to the distance.
-const TARGET_BOUND: f64 = 1e-2;
 
 /// The aspects of estimates.
 const OF_AN_ESTIMATE: [Aspect; 7] = [
@@ -262,33 +260,61 @@ impl Estimate<'_> {
 
     fn lights(&self, tally: &mut Tally) {
         let sources = self.sources();
-        let targets: Vec<Option<(usize, f64)>> = self
-            .answer
-            .rays
-            .iter()
-            .map(|recorded| target(&sources, self.place.p, recorded))
-            .collect();
         let (least, most) = self.right_rays(&sources);
         self.count(tally, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
-        for (recorded, target) in self.answer.rays.iter().zip(&targets) {
+        let mut with_wrong_ends = Vec3::ZERO;
+        let mut first_wrong_end = None;
+        for recorded in &self.answer.rays {
+            let target = target(&sources, self.place.p, recorded);
             self.start(tally, recorded);
-            self.shadow_ray(tally, recorded, target.map(|(_, far)| far));
-            if let (Some((source, far)), false) = (target, recorded.hit) {
-                let light = self.contribution(&sources[*source], *far, recorded.ray.d.into());
-                sum += light;
-                with_distance_twice += if far.is_finite() {
-                    light / (far * far)
-                } else {
-                    light
-                };
+            self.shadow_ray(tally, recorded, &target);
+            let (source, far) = match target {
+                Target::Light { source, far } | Target::WrongEnd { source, far } => (source, far),
+                Target::None => continue,
+            };
+            let light = match recorded.hit {
+                true => Vec3::ZERO,
+                false => self.contribution(&sources[source], far, recorded.ray.d.into()),
+            };
+            with_wrong_ends += light;
+            if let Target::WrongEnd { .. } = target {
+                first_wrong_end.get_or_insert((recorded, far));
+                continue;
             }
+            sum += light;
+            with_distance_twice += match far.is_finite() {
+                true => light / (far * far),
+                false => light,
+            };
         }
         self.distinct(tally);
         if self.lacks_rays(tally, least) {
             return;
         }
+        let is = |sum: Vec3| numbers::same_colour(self.answer.radiance, sum.into(), SUM_BOUND);
+        if let Some((recorded, far)) = first_wrong_end
+            && !is(sum)
+            && is(with_wrong_ends)
+        {
+            return self.ends_are_wrong(tally, recorded, far);
+        }
         self.radiance(tally, sum, &[("distance twice", with_distance_twice)]);
+    }
+
+    /// Judges a sum as wrong that is the right one for what the shadow rays returned, because they
+    /// end elsewhere. `recorded` is the first of them, and its light is at the distance `far`.
+    fn ends_are_wrong(&self, tally: &mut Tally, recorded: &RecordedRay, far: f64) {
+        tally.expect(Aspect::Radiance);
+        let class = Some(Class::Named("wrong ends"));
+        tally.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
+            format!(
+                "your result: a shadow ray with max_t = {:?}; expected: it ends just before its light, at t = {far:?}. The sum {:?} is right for these rays. {}",
+                recorded.ray.max_t,
+                self.answer.radiance,
+                self.about()
+            )
+        });
     }
 
     /// The lights whose light can arrive at the point.
@@ -374,14 +400,14 @@ impl Estimate<'_> {
     }
 
     /// Judges a shadow ray: it goes to a light that can contribute, and ends just before it.
-    fn shadow_ray(&self, tally: &mut Tally, recorded: &RecordedRay, far: Option<f64>) {
+    fn shadow_ray(&self, tally: &mut Tally, recorded: &RecordedRay, target: &Target) {
         tally.expect(Aspect::Direction);
         tally.expect(Aspect::Range);
-        tally.judge(Aspect::Direction, self.call, far.is_some(), 1.0, || {
+        let goes_to_light = !matches!(target, Target::None);
+        tally.judge(Aspect::Direction, self.call, goes_to_light, 1.0, || {
             format!(
-                "your result: a shadow ray with d = {:?} and max_t = {:?}; expected: it ends just before a light that contributes here. {}",
+                "your result: a shadow ray with d = {:?}; expected: it goes to a light that contributes here. {}",
                 recorded.ray.d,
-                recorded.ray.max_t,
                 self.about()
             )
         });
@@ -393,7 +419,9 @@ impl Estimate<'_> {
                 self.about()
             )
         });
-        let Some(far) = far else { return };
+        let (Target::Light { far, .. } | Target::WrongEnd { far, .. }) = *target else {
+            return;
+        };
         let gap = (far - recorded.ray.max_t) / far;
         let ends_right =
             far == f64::INFINITY && recorded.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
@@ -469,48 +497,4 @@ impl Estimate<'_> {
             )
         });
     }
-}
-
-/// A light whose light can arrive at the point.
-enum Source {
-    /// A light without extent, with its sample.
-    Point(LightSample),
-    /// A panel and its radiance.
-    Lamp(Panel, Vec3),
-    /// A sky and its radiance.
-    Sky(Vec3),
-    /// An environment map.
-    Map(Environment),
-}
-
-impl Source {
-    /// Whether it is part of a lamp of several panels, of which a world has at most one.
-    fn is_part(&self) -> bool {
-        matches!(self, Source::Lamp(panel, _) if panel.is_part())
-    }
-}
-
-/// The light to which a shadow ray from `p` belongs, and its distance: of the lights along the ray,
-/// the one closest to the end of its range.
-fn target(sources: &[Source], p: Vec3, recorded: &RecordedRay) -> Option<(usize, f64)> {
-    let (d, max_t) = (Vec3::from(recorded.ray.d), recorded.ray.max_t);
-    let along = |source: &Source| match source {
-        Source::Point(light) => {
-            ((d - light.wi).length() < DIRECTION_BOUND).then_some(light.distance)
-        }
-        Source::Lamp(panel, _) => Some(panel.meets(p.into(), recorded.ray.d)?.0),
-        Source::Sky(_) => (d.y >= 0.0).then_some(f64::INFINITY),
-        Source::Map(picture) => (picture.pdf(d) > 0.0).then_some(f64::INFINITY),
-    };
-    let off = |far: f64| {
-        if far == max_t {
-            0.0
-        } else {
-            ((far - max_t) / far).abs()
-        }
-    };
-    let ways = sources.iter().enumerate();
-    ways.filter_map(|(i, source)| Some((i, along(source)?)))
-        .filter(|(_, far)| *far > 0.0 && off(*far) <= TARGET_BOUND)
-        .min_by(|a, b| off(a.1).total_cmp(&off(b.1)))
 }

@@ -3,6 +3,7 @@
 mod judge;
 mod lamps;
 mod mistakes;
+mod shadow_targets;
 pub(crate) mod worlds;
 
 use crate::Tier;

@@ -131,7 +131,7 @@ pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
         for panel in &work.world.panels {
             if shines(&hemisphere, panel) == emits {
                 for place in hemisphere.panel(panel) {
-                    plot.set(place, if emits { 'L' } else { '.' });
+                    plot.set(place, if emits { 'L' } else { '#' });
                 }
             }
         }
@@ -147,7 +147,7 @@ pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
         "above the first point, seen along its normal, which is in the middle",
     ));
     lines.push(legend(
-        "L light, . other surface, v viewer; circle: horizon",
+        "L light, # other surface, v viewer; circle: horizon",
     ));
     (words, lines)
 }

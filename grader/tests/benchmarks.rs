@@ -56,7 +56,7 @@ fn no_library_and_no_program_is_benchmarked_with_the_test_harness() {
             checked += 1;
         }
     }
-    assert!(checked > 30, "only {checked} targets were found");
+    assert!(checked > 15, "only {checked} targets were found");
 }
 
 #[test]
@@ -95,5 +95,5 @@ fn every_benchmark_is_criterions_and_reports_throughput() {
             checked += 1;
         }
     }
-    assert!(checked >= 4, "only {checked} benchmarks were found");
+    assert!(checked >= 3, "only {checked} benchmarks were found");
 }

@@ -39,6 +39,14 @@ impl Hemisphere {
         (w.z > 0.0).then_some([w.x, w.y])
     }
 
+    /// The point of the horizon below which a world direction points; `None` above the horizon and
+    /// straight down.
+    pub fn below(&self, direction: Xyz) -> Option<[f64; 2]> {
+        let w = self.frame.to_local(direction.into());
+        let across = w.x.hypot(w.y);
+        (w.z <= 0.0 && across > 0.0).then(|| [w.x / across, w.y / across])
+    }
+
     fn towards(&self, target: Xyz) -> Option<[f64; 2]> {
         self.place((Vec3::from(target) - self.p).into())
     }
@@ -123,7 +131,7 @@ pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
         for panel in &work.world.panels {
             if shines(&hemisphere, panel) == emits {
                 for place in hemisphere.panel(panel) {
-                    plot.set(place, if emits { 'L' } else { '.' });
+                    plot.set(place, if emits { 'L' } else { '#' });
                 }
             }
         }
@@ -139,7 +147,7 @@ pub(super) fn direct(work: &DirectWork) -> (String, Vec<String>) {
         "above the first point, seen along its normal, which is in the middle",
     ));
     lines.push(legend(
-        "L light, . other surface, v viewer; circle: horizon",
+        "L light, # other surface, v viewer; circle: horizon",
     ));
     (words, lines)
 }
@@ -195,6 +203,8 @@ mod tests {
         let above = Hemisphere::above(&point([0.0, 0.6, 0.8]));
         assert_eq!(above.place([0.0, 0.0, 2.0]), Some([0.0, 0.0]));
         assert_eq!(above.place([0.0, 0.0, -1.0]), None);
+        assert_eq!(above.below([0.0, -2.0, -1.0]), Some([0.0, -1.0]));
+        assert_eq!(above.below([0.0, 0.0, -1.0]), None);
         let near = above.place([1.0, 0.0, 1e-9]).expect("it is above");
         assert!((near[0].hypot(near[1]) - 1.0).abs() < 1e-6);
         // The viewer is below: so is the hemisphere.

@@ -139,9 +139,9 @@ impl Canvas<'_> {
     /// Shows `text` when the pointer is within `radius` of `center`.
     pub(crate) fn tip(&self, center: Position, radius: f64, text: &str) {
         let (x, y) = units(center);
-        let _ = write!(
+        let _ = writeln!(
             self.tips.borrow_mut(),
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"transparent\"><title>{}</title></circle>\n",
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"transparent\"><title>{}</title></circle>",
             (radius * UNITS).round(),
             escape(text)
         );
@@ -150,9 +150,9 @@ impl Canvas<'_> {
     /// Shows `text` when the pointer is over the rectangle between two corners.
     pub(crate) fn tip_over(&self, from: Position, to: Position, text: &str) {
         let ((x, y), (right, bottom)) = (units(from), units(to));
-        let _ = write!(
+        let _ = writeln!(
             self.tips.borrow_mut(),
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"transparent\"><title>{}</title></rect>\n",
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"transparent\"><title>{}</title></rect>",
             right - x,
             bottom - y,
             escape(text)

@@ -11,6 +11,9 @@ const RADIUS: f64 = 92.0;
 /// Half of the width and of the height of the drawing.
 const HALF: [f64; 2] = [160.0, 100.0];
 
+/// The distance from the middle at which rays below the horizon are drawn, in radii.
+const OUTSIDE: f64 = 1.05;
+
 /// The most rays that are drawn: those of a few samples.
 const RAYS: usize = 256;
 
@@ -19,7 +22,7 @@ pub(super) fn draw(work: &Work, answer: &Answer, call: usize) -> Option<String> 
     let (Work::Direct(work), Answer::Direct(answers)) = (work, answer) else {
         return None;
     };
-    Some(of_point(work, answers.get(call)?, call)?)
+    of_point(work, answers.get(call)?, call)
 }
 
 fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<String> {
@@ -59,7 +62,13 @@ fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<Str
     for traced in answer.rays.iter().take(RAYS) {
         match above.place(traced.ray.d) {
             Some(place) => dot(class_of(traced), place, 2.4),
-            None => below += 1,
+            None => {
+                below += 1;
+                // Beside the circle, where the ray leaves the hemisphere.
+                if let Some([x, y]) = above.below(traced.ray.d) {
+                    dot("below", [OUTSIDE * x, OUTSIDE * y], 2.4);
+                }
+            }
         }
     }
     if let Some(place) = above.place(point.wo) {
@@ -68,7 +77,7 @@ fn of_point(work: &DirectWork, answer: &DirectAnswer, call: usize) -> Option<Str
     svg.push_str("</svg>");
     let _ = write!(
         svg,
-        "<p class=\"key\">The hemisphere above the point; the normal is in the middle. {} of yours, {below} of them below the horizon: \
+        "<p class=\"key\">The hemisphere above the point; the normal is in the middle. {} of yours, {below} of them below the horizon (rings): \
          <span class=\"good\">● light arrives or the way is free</span> · <span class=\"bad\">● dark or blocked</span> · large: to the viewer</p>",
         judge::plural(answer.rays.len(), "ray", "rays")
     );
@@ -132,7 +141,7 @@ mod tests {
             rays: vec![
                 ray([0.0, 0.0, 1.0], 1.0, true),
                 ray([0.8, 0.0, 0.6], 0.0, true),
-                ray([0.0, 0.0, -1.0], 0.0, false),
+                ray([0.6, 0.0, -0.8], 0.0, false),
             ],
         }]);
         let svg = draw(&work, &answer, 0).expect("it can be drawn");
@@ -141,7 +150,8 @@ mod tests {
             "{svg}"
         );
         assert!(svg.contains("<circle class=\"dark\" cx=\"73.6\""), "{svg}");
-        assert!(svg.contains("3 rays of yours, 1 of them below the horizon"));
+        assert!(svg.contains("3 rays of yours, 1 of them below the horizon (rings)"));
+        assert!(svg.contains("<circle class=\"below\" cx=\"96.6\""), "{svg}");
         assert!(svg.contains("class=\"light\"") && svg.contains("class=\"origin\""));
         assert_eq!(draw(&work, &answer, 1), None);
     }

@@ -174,6 +174,8 @@ impl Args {
         given(&[
             (self.file.is_some(), "-f"),
             (self.cell.is_some(), "-p"),
+            (self.exposure != 0.0, "--exposure"),
+            (self.tone != ToneName::Assignment, "--tone"),
             (self.layers.is_some(), "--layers"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),

@@ -17,16 +17,19 @@ fn load(name: &str) -> Scene {
 }
 
 /// File name and the numbers of triangles, spheres, lights, materials.
-const EXPECTED: [(&str, [usize; 4]); 9] = [
+const EXPECTED: [(&str, [usize; 4]); 12] = [
     ("cornell_mirror_glass", [12, 2, 1, 6]),
     ("cornell_spheres", [12, 2, 1, 6]),
     ("cornell_whale", [162, 0, 1, 6]),
+    ("dusk", [60, 6, 0, 6]),
     ("gallery", [24, 1, 0, 10]),
     ("gems", [260, 0, 2, 8]),
+    ("materials", [2, 41, 3, 13]),
     ("sphereflake", [2, 825, 3, 7]),
     ("spheres", [0, 22, 2, 9]),
     ("stairs_sky", [240, 2, 1, 4]),
     ("stones_sun", [278, 0, 1, 2]),
+    ("window_room", [408, 6, 2, 11]),
 ];
 
 #[test]

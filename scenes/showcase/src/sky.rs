@@ -72,8 +72,8 @@ mod tests {
             sun_direction(),
             Vec3::Y,
             -Vec3::Y,
-            Vec3::X,
-            -Vec3::Z,
+            Vec3::new(1.0, 0.2, 0.0).normalize(),
+            Vec3::new(0.0, 0.1, -1.0).normalize(),
             Vec3::new(0.3, 0.2, 0.9).normalize(),
         ] {
             let (a, b) = (map.radiance(w).luminance(), radiance(w).luminance());

@@ -55,9 +55,9 @@ pub fn document(triangles: usize) -> Document {
         placement: placement.to_owned(),
     };
     Document {
-        yfov: 20.0,
+        yfov: 22.5,
         aspect: 2.0,
-        camera: [Vec3::new(0.35, 1.75, 4.9), Vec3::new(0.0, -0.1, 0.0)],
+        camera: [Vec3::new(0.35, 1.75, 4.9), Vec3::new(0.0, -0.04, 0.0)],
         ambient: [0.32, 0.36, 0.42],
         lights: vec![light(
             "key",

@@ -10,8 +10,8 @@ use kit::sampler::{Pattern, Sampling};
 /// The size of the picture without `-r` and without a camera file.
 const DEFAULT_SIZE: FilmSize = FilmSize { w: 480, h: 360 };
 
-/// The largest number of pixels, so that a typing error does not use up all memory: two times 32
-/// bytes each.
+/// The largest number of pixels, so that a typing error does not use up all memory: 136 bytes each,
+/// and with `-a` twice as many.
 const MAX_PIXELS: u64 = 100_000_000;
 
 impl Args {
@@ -174,6 +174,8 @@ impl Args {
         given(&[
             (self.file.is_some(), "-f"),
             (self.cell.is_some(), "-p"),
+            (self.exposure != 0.0, "--exposure"),
+            (self.tone != ToneName::Assignment, "--tone"),
             (self.layers.is_some(), "--layers"),
             (self.time.is_some(), "--time"),
             (self.error.is_some(), "--error"),

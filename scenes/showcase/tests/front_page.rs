@@ -1,0 +1,177 @@
+//! The commands in `scenes/pictures/README.md` make the pictures beside it.
+//!
+//! A few pixels of each picture are rendered again with the flags of its command, and have to be
+//! those of the file.
+
+use clap::Parser;
+use image::RgbImage;
+use kit::film::Cell;
+use pathtracer::args::Args;
+use pathtracer::{Job, Passes, Picture, PreparedScene, Textures};
+use showcase::{sky, tree};
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+/// Where commands put what is not in the repository.
+const MADE: &str = "target/showcase";
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The commands of `pathtracer` and the others, as words, with continued lines joined.
+fn commands() -> Vec<Vec<String>> {
+    let text = fs::read_to_string(root().join("scenes/pictures/README.md")).expect("the list");
+    let joined = text.replace("\\\n", " ");
+    let lines = joined.lines().filter(|line| line.contains("cargo run"));
+    let words = |line: &str| line.split_whitespace().map(str::to_owned).collect();
+    lines.map(words).collect()
+}
+
+/// The flags of the commands of `program`.
+fn flags_of(program: &str) -> Vec<Vec<String>> {
+    let flags = |words: Vec<String>| {
+        let start = words.iter().position(|word| word == "--")?;
+        (words[start - 1] == program).then(|| words[start + 1..].to_vec())
+    };
+    commands().into_iter().filter_map(flags).collect()
+}
+
+/// Renders the pixels of `cell` with the flags, whose paths are relative to the root. `made` is the
+/// folder with what the other commands make. Returns the bytes, row by row from the bottom left.
+fn pixels(flags: &[String], made: &Path, cell: Cell) -> (Args, Vec<[u8; 3]>) {
+    let path = |word: &String| match word.strip_prefix(MADE) {
+        Some(name) => made.join(name.trim_start_matches('/')).into(),
+        None if word.starts_with("scenes/") => root().join(word).into_os_string(),
+        None => word.into(),
+    };
+    let words = std::iter::once("pathtracer".into()).chain(flags.iter().map(path));
+    let args = Args::try_parse_from(words).unwrap_or_else(|why| panic!("{flags:?}: {why}"));
+    let loaded = scenes::load(&args.scene).unwrap_or_else(|why| panic!("{why}"));
+    let (view, film) = args.view(&loaded.scene).expect("a view");
+    let environment = args
+        .environment
+        .as_ref()
+        .map(|map| pathtracer::load_environment(map).unwrap_or_else(|why| panic!("{why}")));
+    let picture = Picture::new(args.shade, loaded.scene, environment);
+    let (textures, missing) =
+        Textures::load(picture.scene(), args.scene.parent().expect("a folder"));
+    assert!(missing.is_empty(), "{missing:?}");
+    let scene = PreparedScene::new(picture, textures, args.accel.into());
+    let passes = Passes {
+        scene: &scene,
+        job: Job {
+            camera: view.camera,
+            film,
+            cell,
+            samples: args.samples,
+            sampling: args.sampling(args.samples),
+        },
+        settings: args.light().expect("settings"),
+    };
+    let rendered = passes.render(&AtomicBool::new(false), &|_| (), &mut |_| true);
+    let tone = args.tone();
+    let bytes = |(x, y)| tone.to_bytes(rendered.film.get(x, y).radiance);
+    let bytes = cell.pixels().map(bytes).collect();
+    (args, bytes)
+}
+
+fn open(name: &str) -> RgbImage {
+    let path = root().join("scenes/pictures").join(name);
+    image::open(&path)
+        .unwrap_or_else(|why| panic!("{}: {why}", path.display()))
+        .to_rgb8()
+}
+
+/// A few pixels somewhat below the middle, where something is to be seen.
+fn cell(w: u32, h: u32) -> Cell {
+    let (x0, y0) = (w / 2 - 3, h / 3);
+    Cell {
+        x0,
+        y0,
+        x1: x0 + 5,
+        y1: y0 + 3,
+    }
+}
+
+/// Asserts that `picture`, from column `left` on, has the `bytes` of `cell`.
+fn assert_same(picture: &RgbImage, left: u32, cell: Cell, bytes: &[[u8; 3]], name: &str) {
+    for ((x, y), expected) in cell.pixels().zip(bytes) {
+        let found = picture.get_pixel(left + x, picture.height() - 1 - y).0;
+        assert_eq!(
+            found, *expected,
+            "{name}: column {x}, row {y} from the bottom"
+        );
+    }
+}
+
+#[test]
+fn every_picture_has_the_pixels_of_its_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    sky::map()
+        .save(folder.path().join("dusk.exr"))
+        .expect("a sky");
+    let file = File::create(folder.path().join("tree.dae")).expect("a file");
+    tree::document(tree::TRIANGLES)
+        .write(&mut BufWriter::new(file))
+        .expect("a tree");
+
+    let strip = open("parts.png");
+    let mut parts = 0;
+    let mut checked = BTreeSet::new();
+    for flags in flags_of("pathtracer") {
+        let output = flags.iter().position(|flag| flag == "-f").expect("-f") + 1;
+        let name = flags[output].clone();
+        let size = flags.iter().position(|flag| flag == "-r").expect("-r") + 1;
+        let [w, h]: [u32; 2] = [0, 1].map(|i| flags[size + i].parse().expect("a number"));
+        let cell = cell(w, h);
+        let (_, bytes) = pixels(&flags, folder.path(), cell);
+        match name.strip_prefix("scenes/pictures/") {
+            Some(name) => {
+                let picture = open(name);
+                assert_eq!(picture.dimensions(), (w, h), "{name}");
+                assert_same(&picture, 0, cell, &bytes, name);
+                checked.insert(name.to_owned());
+            }
+            None => {
+                let left = parts * (strip.width() + 5) / 5;
+                assert_same(&strip, left, cell, &bytes, &name);
+                parts += 1;
+            }
+        }
+    }
+    assert_eq!((parts, strip.dimensions()), (5, (1200, 236)));
+    checked.insert("parts.png".to_owned());
+    let files = fs::read_dir(root().join("scenes/pictures")).expect("a folder");
+    let files = files.map(|file| {
+        file.expect("a file")
+            .file_name()
+            .to_string_lossy()
+            .into_owned()
+    });
+    let pictures: BTreeSet<String> = files.filter(|name| name.ends_with(".png")).collect();
+    assert_eq!(checked, pictures, "each picture has its command");
+}
+
+/// What a reader of the front page sees at first.
+#[test]
+fn front_page_pictures_are_wide_and_have_no_broken_pixels() {
+    for name in ["dusk", "window_room", "materials", "tree", "parts"] {
+        let picture = open(&format!("{name}.png"));
+        assert_eq!(picture.width(), 1200, "{name}");
+        let nan = pathtracer::tone::NAN_COLOR;
+        assert!(
+            picture.pixels().all(|pixel| pixel.0 != nan),
+            "{name} has NaN"
+        );
+        let black = picture.pixels().filter(|pixel| pixel.0 == [0; 3]).count();
+        let all = picture.pixels().count();
+        assert!(black < all / 4, "{name}: {black} of {all} pixels are black");
+        let path = root().join("scenes/pictures").join(format!("{name}.png"));
+        let size = fs::metadata(path).expect("it exists").len();
+        assert!(size <= 1_500_000, "{name} has {size} bytes");
+    }
+}

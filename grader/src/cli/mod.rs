@@ -27,7 +27,7 @@ use std::str::FromStr;
 pub const EXIT_CODES: &str = "Exit code: 0 if every core point is earned, 1 if points are lost, 2 after an error in the grader or its input.";
 
 /// The commands that are separate programs: name, package, description.
-const SUBPROGRAMS: [(&str, &str, &str); 7] = [
+const SUBPROGRAMS: [(&str, &str, &str); 8] = [
     (
         "look",
         "review",
@@ -37,6 +37,11 @@ const SUBPROGRAMS: [(&str, &str, &str); 7] = [
         "cost",
         "cost",
         "Measures what accuracy costs in time: compares your kernels with well-known ones",
+    ),
+    (
+        "speedup",
+        "ladder",
+        "Measures what each step from brute force to a wide tree gains in speed: yours are among them",
     ),
     (
         "bless",

@@ -9,12 +9,13 @@ use submission::packages::members::{self, Member};
 
 /// The programs of a handout. It contains their crates and what these depend on, and no other
 /// crates.
-const PROGRAMS: [&str; 7] = [
+const PROGRAMS: [&str; 8] = [
     "grader",
     "worker",
     "pathtracer",
     "viewer",
     "cost",
+    "ladder",
     "review",
     "submission",
 ];

@@ -107,6 +107,21 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures", "wire",
         ],
     ),
+    // It measures the stages side by side and judges nothing.
+    (
+        "ladder",
+        &[
+            "kit",
+            "intersect",
+            "bbox",
+            "bvh",
+            "simd_bvh",
+            "grader",
+            "judge",
+            "kernels",
+            "meshes",
+        ],
+    ),
     ("golden", &[]),
 ];
 

@@ -229,4 +229,15 @@ fn traversal_needs_slack_to_equal_brute_force() {
             .all(|tree| tree.trace.crafted.is_some_and(|hits| hits.wrong == 0))
     );
     assert!(trees.by_build.iter().all(|tree| tree.nodes > Some(500)));
+    // What others build misses: plain tests lose hits at edges, single precision loses more.
+    let lost: Vec<usize> = trees
+        .by_precision
+        .iter()
+        .map(|row| row.missed + row.wrong)
+        .collect();
+    let [exact, plain, single, plain_single] = lost[..] else {
+        panic!("{lost:?}");
+    };
+    assert_eq!(exact, 0);
+    assert!(plain > 0 && single > 0 && plain_single > plain, "{lost:?}");
 }

@@ -165,6 +165,7 @@ fn trees() -> TreeReport {
             tree("SAH", 15e-3, 300.0, after),
             tree("median", 6e-3, 404.0, BreakEven::WithinNoise),
         ],
+        by_precision: Vec::new(),
         student_missing: None,
     }
 }

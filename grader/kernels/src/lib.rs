@@ -13,6 +13,7 @@
 //! - `bbox`: naive slabs, NaN-safe slabs, Williams, Ize
 //! - `build`: trees split at the midpoint, at the median, and by the surface area heuristic
 //! - `traversal`: closest hits through a tree, with a choice of pruning slack
+//! - `rounded_tree`: the same in single and double precision, with the tests that others use
 //!
 //! A handout does not contain the kernels that solve one of its tasks.
 
@@ -41,6 +42,7 @@ mod build;
 // END SOLUTION(part2.task1)
 
 // BEGIN SOLUTION(part2.task3)
+mod rounded_tree;
 mod traversal;
 // END SOLUTION(part2.task3)
 
@@ -48,7 +50,7 @@ pub use counting::{CountingF64, OperationCounts};
 pub use instructions::Instructions;
 pub use kernel::{HitF64, Kernel, Pass, RayAndShapes};
 pub use scalar::{Precision, Scalar};
-pub use tree::{Builder, ClosestHit, Traversal, brute_force};
+pub use tree::{Builder, ClosestHit, RoundedTree, Traversal, brute_force, rounded_trees};
 
 /// Returns the triangle tests, the textbook's in `f64` first; empty in a handout in which they
 /// would be a solution.

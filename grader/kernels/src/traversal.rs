@@ -8,62 +8,83 @@
 
 use crate::bbox::BoxTest;
 use crate::bbox::ize::Ize;
+use crate::scalar::Scalar;
 use crate::shapes::{Ray, Shape};
 use crate::tree::{ClosestHit, Traversal};
 use crate::triangle::TriangleTest;
 use crate::triangle::woop::Woop;
 use kit::{Bvh, NodeKind, PrimId, Triangle};
 
-/// Returns the closest hit through the tree. The nearer of two children is visited first.
+/// Returns the closest hit through the tree.
 pub(crate) fn closest(
     traversal: &mut Traversal,
     bvh: &Bvh,
     triangles: &[Triangle],
     ray: &kit::Ray,
 ) -> ClosestHit {
-    let mut shortened_ray: Ray<f64> = Ray::from_kit(ray);
     let slack = 1.0 + f64::from(traversal.slack_ulp) * f64::EPSILON;
-    let mut closest: ClosestHit = None;
+    let Traversal {
+        box_tests,
+        prim_tests,
+        stack,
+        ..
+    } = traversal;
+    let entry = |node: usize, ray: &Ray<f64>| {
+        *box_tests += 1;
+        Some(Ize::intersect(&bvh.nodes[node].bounds.rounded(), ray)?.near)
+    };
+    let hit = |id: PrimId, ray: &Ray<f64>| {
+        *prim_tests += 1;
+        hit(&triangles[id.0 as usize], id, ray)
+    };
+    walk(bvh, Ray::from_kit(ray), slack, stack, entry, hit)
+}
+
+/// Returns the closest hit through the tree, in any precision. The nearer of two children is
+/// visited first. `entry` returns the `t` at which a ray enters the box of a node, `hit` the hit
+/// with a primitive. `stack` is empty before and after.
+#[inline(always)]
+pub(crate) fn walk<R: Scalar>(
+    bvh: &Bvh,
+    mut ray: Ray<R>,
+    slack: R,
+    stack: &mut Vec<(u32, R)>,
+    mut entry: impl FnMut(usize, &Ray<R>) -> Option<R>,
+    mut hit: impl FnMut(PrimId, &Ray<R>) -> Option<(R, PrimId)>,
+) -> Option<(R, PrimId)> {
+    let end = ray.max_t;
+    let mut closest = None;
     if !bvh.nodes.is_empty()
-        && let Some(entry) = entry_t(traversal, bvh, 0, &shortened_ray)
+        && let Some(t) = entry(0, &ray)
     {
-        traversal.stack.push((0, entry));
+        stack.push((0, t));
     }
-    while let Some((node, entry)) = traversal.stack.pop() {
-        if entry > shortened_ray.max_t {
+    while let Some((node, t)) = stack.pop() {
+        if t > ray.max_t {
             continue;
         }
         match bvh.nodes[node as usize].kind {
             NodeKind::Leaf { first, count } => {
-                for id in bvh.leaf(first, count) {
-                    traversal.prim_tests += 1;
-                    closest = nearer(closest, hit(&triangles[id.0 as usize], *id, &shortened_ray));
+                for &id in bvh.leaf(first, count) {
+                    closest = nearer(closest, hit(id, &ray));
                 }
                 if let Some((t, _)) = closest {
-                    shortened_ray.max_t = (t * slack).min(ray.max_t);
+                    ray.max_t = (t * slack).select_min(end);
                 }
             }
             NodeKind::Interior { left, right } => {
-                let [left, right] = [left, right]
-                    .map(|node| Some((node, entry_t(traversal, bvh, node, &shortened_ray)?)));
+                let [left, right] =
+                    [left, right].map(|node| Some((node, entry(node as usize, &ray)?)));
                 // The nearer child is pushed last.
                 let (far, near) = match (left, right) {
                     (Some(l), Some(r)) if l.1 > r.1 => (left, right),
                     _ => (right, left),
                 };
-                traversal.stack.extend(far.into_iter().chain(near));
+                stack.extend(far.into_iter().chain(near));
             }
         }
     }
     closest
-}
-
-/// Tests the box of a node; returns the `t` at which the ray enters it.
-#[inline(always)]
-fn entry_t(traversal: &mut Traversal, bvh: &Bvh, node: u32, ray: &Ray<f64>) -> Option<f64> {
-    traversal.box_tests += 1;
-    let bounds = bvh.nodes[node as usize].bounds.rounded();
-    Some(Ize::intersect(&bounds, ray)?.near)
 }
 
 /// Returns the closest hit by testing every triangle.
@@ -81,7 +102,7 @@ fn hit(tri: &Triangle, id: PrimId, ray: &Ray<f64>) -> ClosestHit {
 }
 
 #[inline(always)]
-fn nearer(a: ClosestHit, b: ClosestHit) -> ClosestHit {
+fn nearer<R: Scalar>(a: Option<(R, PrimId)>, b: Option<(R, PrimId)>) -> Option<(R, PrimId)> {
     match (a, b) {
         (Some(a), Some(b)) => Some(if b < a { b } else { a }),
         (a, b) => a.or(b),

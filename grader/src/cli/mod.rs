@@ -41,6 +41,11 @@ const SUBPROGRAMS: &[(&str, &str, &str)] = &[
         "Measures what accuracy costs in time: compares your kernels with well-known ones",
     ),
     (
+        "speedup",
+        "ladder",
+        "Measures what each step from brute force to a wide tree gains in speed: yours are among them",
+    ),
+    (
         "bless",
         "review",
         "For instructors: shows how the reference's results differ from the goldens, then stores them as new goldens",

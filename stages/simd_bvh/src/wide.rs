@@ -111,6 +111,17 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
+    /// The memory of the tree in bytes, without unused capacity.
+    pub fn byte_count(&self) -> usize {
+        // BEGIN SOLUTION(part6.task1)
+        size_of_val(&*self.nodes)
+            + size_of_val(&*self.blocks)
+            + size_of_val(&*self.exact_blocks)
+            + size_of_val(&*self.spheres)
+        // STUB: kit::hole!("part6.task1", self)
+        // END SOLUTION(part6.task1)
+    }
+
     /// The number of blocks of up to eight triangles or spheres.
     pub fn block_count(&self) -> usize {
         // BEGIN SOLUTION(part6.task1)

@@ -15,6 +15,7 @@ const PROGRAMS: [&str; 8] = [
     "pathtracer",
     "viewer",
     "cost",
+    "ladder",
     "review",
     "submission",
     "formats",

@@ -1,6 +1,7 @@
 //! Measurements of tree construction and traversal, in turns.
 
 use super::coplanar::CoplanarScenes;
+use super::exactness;
 use super::{BreakEven, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
 use crate::measure::SampleCounts;
 use crate::quartiles::Quartiles;
@@ -12,7 +13,7 @@ use grader::error::GraderError;
 use grader::speedup;
 use grader::workspace::Workspace;
 use judge::convert;
-use kernels::{Builder, ClosestHit, Traversal, brute_force};
+use kernels::{Builder, ClosestHit, RoundedTree, Traversal, brute_force};
 use kit::{Bvh, Ray, Triangle};
 use meshes::{MeshKind, generate};
 use std::cell::RefCell;
@@ -33,6 +34,10 @@ const SLACKS: [u32; 3] = [0, 2, 16];
 /// Each round times another part of the rays, one ray in this many: a pass is short, so that most
 /// passes are not interrupted. Odd, so that a part has rays in all columns of the speedup's grid.
 const PARTS: usize = 17;
+
+/// How many rays are aimed at the mesh for each ray of a family, to count what a precision loses: a
+/// million in a full run.
+const AIMED_RAYS_PER_RAY: usize = 17;
 
 /// Number of rays that are compared with brute force.
 const CHECKED_RAYS: usize = 256;
@@ -77,6 +82,13 @@ pub(crate) fn measure(
             .iter()
             .map(|tree| scene.contender(tree, safe_slack)),
     );
+    let first_rounded = contenders.len();
+    contenders.extend(
+        kernels::rounded_trees(&trees[0], &scene.triangles)
+            .into_iter()
+            .map(|tree| scene.rounded_contender(tree)),
+    );
+    let student_place = contenders.len();
     if let Ok(student) = &student {
         contenders.push(Contender::elsewhere(|round| student.turn(round)));
     }
@@ -112,8 +124,25 @@ pub(crate) fn measure(
             break_even: BreakEven::Base,
         });
     }
+    let aimed = exactness::rays(&scene.triangles, seed, AIMED_RAYS_PER_RAY * size.rays);
+    let mut rounded = kernels::rounded_trees(&trees[0], &scene.triangles);
+    // Brute force takes too long for all of them.
+    let (by_brute, by_tree) = aimed.split_at(CHECKED_RAYS.min(aimed.len()));
+    let mut truth: Vec<ClosestHit> = by_brute
+        .iter()
+        .map(|ray| brute_force(&scene.triangles, ray))
+        .collect();
+    if let Some(exact) = rounded.first_mut() {
+        truth.extend(by_tree.iter().map(|ray| (exact.closest)(ray)));
+    }
+    let mut by_precision = Vec::new();
+    for (i, tree) in rounded.iter_mut().enumerate() {
+        let time = rounds.timing(first_rounded + i, first_rounded);
+        let time = time.map_err(in_process)?;
+        by_precision.push(exactness::compare(tree, &aimed, &truth, time));
+    }
     let student_time = student.and_then(|student| {
-        let time = rounds.timing(first_tree + trees.len(), first_tree)?;
+        let time = rounds.timing(student_place, first_tree)?;
         Ok(student.row(time))
     });
     let student_missing = student_time.map(|row| by_build.push(row)).err();
@@ -128,6 +157,7 @@ pub(crate) fn measure(
         triangles: scene.triangles.len(),
         by_slack,
         by_build,
+        by_precision,
         student_missing,
     }))
 }
@@ -160,6 +190,15 @@ impl Scene {
         Contender::here(self.rays.len() / PARTS, move |round| {
             let closest = |ray| traversal.closest(tree, &self.triangles, ray);
             part(&self.rays, round).filter_map(closest).count()
+        })
+    }
+
+    /// The traversal of a tree with other tests by a part of the rays.
+    fn rounded_contender<'a>(&'a self, mut tree: RoundedTree<'a>) -> Contender<'a> {
+        Contender::here(self.rays.len() / PARTS, move |round| {
+            part(&self.rays, round)
+                .filter_map(|ray| (tree.closest)(ray))
+                .count()
         })
     }
 

@@ -1,14 +1,16 @@
 //! The results of `grader cost bvh`, and their measurement.
 //!
-//! Read the types here, then `measure` (one run), `coplanar` (crafted rays), [`BreakEven`] and
-//! `table`.
+//! Read the types here, then `measure` (one run), `coplanar` (crafted rays), `exactness` (what
+//! single precision loses), [`BreakEven`] and `table`.
 
 mod break_even;
 mod coplanar;
+mod exactness;
 mod measure;
 pub(crate) mod table;
 
 pub use break_even::BreakEven;
+pub use exactness::ExactnessRow;
 pub(crate) use measure::measure;
 
 use crate::quartiles::Quartiles;
@@ -26,6 +28,8 @@ pub struct TreeReport {
     pub by_slack: Vec<SlackRow>,
     /// Trees from different builders, with the same traversal.
     pub by_build: Vec<TreeRow>,
+    /// One tree with different tests and precisions, the exact one first.
+    pub by_precision: Vec<ExactnessRow>,
     /// Why there is no row for the student's tree, if there is none.
     pub student_missing: Option<String>,
 }

@@ -1,7 +1,7 @@
 //! The results for trees as text tables.
 
 use super::{BreakEven, TraversalCost, TreeReport, WrongHits};
-use crate::table::{figures, nanoseconds, narrow, number, plus_minus, ratio};
+use crate::table::{count, figures, nanoseconds, narrow, number, plus_minus, ratio};
 use comfy_table::{Cell, Table};
 use std::fmt::Write;
 
@@ -10,7 +10,8 @@ const LEGEND: &str = "\
 Times are medians of interleaved rounds, each pass after an untimed one with the same rays; ± reaches the farther quartile;\n\
 ~ marks a tie. Wrong: hits that differ from brute force, for some of the timed rays and for crafted rays, which are aimed at\n\
 triangles that overlap in one plane. Break-even: rays after which the tracing time saved equals the additional build time,\n\
-against the first tree; in brackets for the quartiles of both times.\n";
+against the first tree; in brackets for the quartiles of both times. Missed and wrong in a million: rays at random triangles\n\
+and edges that pass through the surface, or hit where nothing is; the first row is exact, and is compared with brute force for some.\n";
 
 /// Formats both tables.
 pub(crate) fn show(trees: &TreeReport) -> String {
@@ -19,6 +20,9 @@ pub(crate) fn show(trees: &TreeReport) -> String {
         trees.mesh, trees.triangles
     );
     let _ = writeln!(text, "{}\n{}", by_slack(trees), by_build(trees));
+    if !trees.by_precision.is_empty() {
+        let _ = writeln!(text, "{}", by_precision(trees));
+    }
     if let Some(missing) = &trees.student_missing {
         let _ = writeln!(text, "Your code is not measured: {missing}.");
     }
@@ -68,6 +72,31 @@ fn by_build(trees: &TreeReport) -> Table {
                 .chain(cells(&tree.trace))
                 .chain([number(pays)]),
         );
+    }
+    table
+}
+
+/// What exactness costs: the same tree with other tests, in other precisions.
+fn by_precision(trees: &TreeReport) -> Table {
+    let mut table = narrow([
+        "tests of the first tree",
+        "slack,\nulp",
+        "ns/ray",
+        "vs. exact",
+        "missed in\na million",
+        "wrong in\na million",
+    ]);
+    for row in &trees.by_precision {
+        let in_a_million = |hits: usize| count(1e6 * hits as f64 / row.rays.max(1) as f64);
+        let cells = [
+            row.slack_ulp.to_string(),
+            nanoseconds(&row.time),
+            ratio(&row.time),
+            in_a_million(row.missed),
+            in_a_million(row.wrong),
+        ];
+        let name = Cell::new(&row.name);
+        table.add_row([name].into_iter().chain(cells.map(number)));
     }
     table
 }

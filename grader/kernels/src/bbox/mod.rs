@@ -4,7 +4,7 @@
 pub(crate) mod ize;
 mod kay_kajiya;
 mod nan_safe;
-mod williams;
+pub(crate) mod williams;
 
 use crate::kernel::{Kernel, KernelInfo, Test, ToF64};
 use crate::scalar::Scalar;

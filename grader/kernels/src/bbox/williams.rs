@@ -10,7 +10,7 @@ use crate::kernel::KernelInfo;
 use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
 
-pub(super) struct Williams;
+pub(crate) struct Williams;
 
 impl BoxTest for Williams {
     const INFO: KernelInfo = KernelInfo {

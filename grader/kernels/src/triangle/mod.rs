@@ -8,7 +8,7 @@
 
 mod baldwin_weber;
 mod filtered;
-mod moller_trumbore;
+pub(crate) mod moller_trumbore;
 mod plane;
 mod plucker;
 pub(crate) mod woop;

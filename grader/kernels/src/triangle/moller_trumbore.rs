@@ -12,7 +12,7 @@ use crate::shapes::{Ray, Triangle};
 const PAPER: &str = "Möller, Trumbore 1997";
 
 /// The common form today: only a determinant of 0 is rejected.
-pub(super) struct MollerTrumbore;
+pub(crate) struct MollerTrumbore;
 
 impl TriangleTest for MollerTrumbore {
     const INFO: KernelInfo = KernelInfo {

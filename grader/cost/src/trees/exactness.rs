@@ -1,0 +1,82 @@
+//! What exactness costs a tree: time, missed and false hits of the same tree with the tests and the
+//! precision that others use.
+
+use crate::timing::Timing;
+use judge::cases::probes::{ProbeRng, through};
+use kernels::{ClosestHit, RoundedTree};
+use kit::{Ray, Triangle};
+use serde::{Deserialize, Serialize};
+
+/// Results for one pair of tests in one precision.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ExactnessRow {
+    /// The box test, the triangle test and the precision.
+    pub name: String,
+    /// Slack of the pruning, in units in the last place of the precision.
+    pub slack_ulp: u32,
+    /// Time per ray. Its ratio is to the time of the first row, which is exact.
+    pub time: Timing,
+    /// Rays that were compared with brute force, or with the exact tree. Half of them are aimed at
+    /// an edge.
+    pub rays: usize,
+    /// Rays that pass through the surface that they hit: a miss, or a hit farther away.
+    pub missed: usize,
+    /// Rays with a hit where there is none, or nearer than the closest.
+    pub wrong: usize,
+}
+
+/// A `t` that differs by less than this share is the same hit: a ray that is aimed at an edge may
+/// hit either triangle, and single precision rounds the vertices.
+const SAME_T: f64 = 1e-4;
+
+/// The distance of the origins, which is outside of the mesh.
+const DISTANCE: f64 = 3.0;
+
+/// Rays at random triangles from all directions: at their insides and, every other one, at an edge.
+pub(super) fn rays(triangles: &[Triangle], seed: u64, count: usize) -> Vec<Ray> {
+    let mut dice = ProbeRng::new("cost exactness", seed);
+    let rays = (0..count).map(|i| {
+        let triangle = &triangles[dice.below(triangles.len())];
+        let (mut b1, mut b2) = (dice.range(0.0, 1.0), dice.range(0.0, 1.0));
+        if b1 + b2 > 1.0 {
+            (b1, b2) = (1.0 - b1, 1.0 - b2);
+        }
+        if i % 2 == 1 {
+            b2 = 0.0;
+        }
+        let [e1, e2] = [triangle.p1 - triangle.p0, triangle.p2 - triangle.p0];
+        let target = triangle.p0 + b1 * e1 + b2 * e2;
+        through(target + DISTANCE * dice.direction(), target)
+    });
+    rays.collect()
+}
+
+/// Compares the hits of `tree` with the true ones.
+pub(super) fn compare(
+    tree: &mut RoundedTree,
+    rays: &[Ray],
+    truth: &[ClosestHit],
+    time: Timing,
+) -> ExactnessRow {
+    let mut row = ExactnessRow {
+        name: tree.name.clone(),
+        slack_ulp: tree.slack_ulp,
+        time,
+        rays: rays.len(),
+        missed: 0,
+        wrong: 0,
+    };
+    for (ray, truth) in rays.iter().zip(truth) {
+        match ((tree.closest)(ray), truth) {
+            (Some((t, _)), Some((truth, _))) => {
+                let share = t / truth - 1.0;
+                row.missed += usize::from(share > SAME_T);
+                row.wrong += usize::from(share < -SAME_T);
+            }
+            (None, Some(_)) => row.missed += 1,
+            (Some(_), None) => row.wrong += 1,
+            (None, None) => {}
+        }
+    }
+    row
+}

@@ -1,0 +1,54 @@
+//! `grader speedup`: the ladder from brute force to a wide tree.
+
+use clap::{Arg, ArgMatches, Command};
+use grader::cli::{
+    Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command, whole_number,
+};
+use grader::error::GraderError;
+use grader::report;
+use ladder::{LadderRequest, measure, table};
+use meshes::MeshKind;
+use std::process::ExitCode;
+
+fn command() -> Command {
+    Command::new("speedup")
+        .about("Measures what each step from brute force to a wide tree gains in speed")
+        .arg(
+            Arg::new("mesh")
+                .value_parser(MeshKind::ALL.map(MeshKind::name))
+                .default_value(MeshKind::Terrain.name())
+                .help("The generated mesh"),
+        )
+        .arg(
+            Arg::new("largest")
+                .long("largest")
+                .value_name("TRIANGLES")
+                .value_parser(|value: &str| whole_number(value, 1000, 10_000_000_usize))
+                .default_value("1000000")
+                .help("The largest mesh; the others are powers of ten from 1000 on"),
+        )
+        .arg(Format::argument())
+        .arg(seed_argument())
+}
+
+fn main() -> ExitCode {
+    let matches = subprogram_command([command()]).get_matches();
+    run_to_exit_code(|| match matches.subcommand() {
+        Some((_, matches)) => run(matches),
+        None => unreachable!("clap requires a subcommand"),
+    })
+}
+
+fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let mesh: &String = matches.get_one("mesh").expect("a default value");
+    let ladder = measure(&LadderRequest {
+        mesh: mesh.parse().map_err(|why: String| GraderError::new(why))?,
+        largest: *matches.get_one("largest").expect("a default value"),
+        seed: seed_of(matches),
+    });
+    match Format::of(matches) {
+        Format::Json => println!("{}", report::json(&ladder)?),
+        Format::Table => print!("{}", table::show(&ladder)),
+    }
+    Ok(Verdict::Passed)
+}

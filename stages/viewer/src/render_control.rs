@@ -22,6 +22,8 @@ pub struct Shown {
     pub pass: u32,
     /// Grows with every change.
     pub version: u64,
+    /// The time from the start of the render to the first picture.
+    pub first_after: Option<Duration>,
 }
 
 /// A render: its scene, its job and its state.
@@ -42,8 +44,10 @@ pub struct RenderControl {
     wake: Wake,
 }
 
-/// The divisor of the preview's resolution in each direction.
+/// The smallest divisor of the preview's resolution in each direction.
 const PREVIEW_SCALE: u32 = 8;
+/// The most pixels of a preview: one is there within 0.2 s whatever the size of the picture.
+const PREVIEW_PIXELS: u32 = 16_000;
 /// The time between two changes of the picture that the window shows.
 const BATCH_TIME: Duration = Duration::from_millis(60);
 
@@ -68,6 +72,7 @@ impl RenderControl {
                 progress: 0.0,
                 pass: 1,
                 version: 0,
+                first_after: None,
             })),
             task: None,
             idle: Some(render),
@@ -185,9 +190,11 @@ fn run(
     wake: &Wake,
     stop: &AtomicBool,
 ) {
+    let start = Instant::now();
     let show = |change: &mut dyn FnMut(&mut Shown)| {
         let mut shown = shown.lock().expect("no thread panics while it shows");
         change(&mut shown);
+        shown.first_after.get_or_insert_with(|| start.elapsed());
         shown.version += 1;
         drop(shown);
         wake();
@@ -217,27 +224,31 @@ fn run(
     }
 }
 
-/// A picture with an eighth of the resolution and one sample per pixel.
+/// A picture with an eighth of the resolution or less, one sample per pixel and one per light.
 fn preview(render: &ProgressiveRender, scene: &SceneData, stop: &AtomicBool) -> Film {
     let FilmSize { w, h } = render.job().film;
+    let pixels = u64::from(w) * u64::from(h);
+    let scale = (pixels.div_ceil(u64::from(PREVIEW_PIXELS)) as f64).sqrt();
+    let scale = (scale.ceil() as u32).max(PREVIEW_SCALE);
     let film = FilmSize {
-        w: w.div_ceil(PREVIEW_SCALE),
-        h: h.div_ceil(PREVIEW_SCALE),
+        w: w.div_ceil(scale),
+        h: h.div_ceil(scale),
     };
     let cell = render.job().cell;
     let job = Job {
         film,
         cell: Cell {
-            x0: cell.x0 / PREVIEW_SCALE,
-            y0: cell.y0 / PREVIEW_SCALE,
-            x1: cell.x1.div_ceil(PREVIEW_SCALE),
-            y1: cell.y1.div_ceil(PREVIEW_SCALE),
+            x0: cell.x0 / scale,
+            y0: cell.y0 / scale,
+            x1: cell.x1.div_ceil(scale),
+            y1: cell.y1.div_ceil(scale),
         },
         samples: 1,
         ..*render.job()
     };
     let settings = LightSettings {
         adaptive: None,
+        light_samples: 1,
         ..*render.settings()
     };
     let mut preview = ProgressiveRender::new(&scene.prepared, job, settings);

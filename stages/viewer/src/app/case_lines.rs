@@ -41,7 +41,7 @@ pub(super) fn legend(view: &CaseView) -> Vec<(Color32, &'static str)> {
             (colors::HOVERED, "behind a hit, or the walked test"),
         ],
         CaseView::Light(_) => vec![
-            (colors::ray(RayRole::Shadow), "your rays that hit nothing"),
+            (colors::ray(RayRole::Bounce), "your rays that hit nothing"),
             (colors::WRONG, "your rays that hit something"),
             (colors::RIGHT, "right directions, where there is one"),
             (colors::HOVERED, "lights"),
@@ -175,6 +175,8 @@ fn visits(lines: &Lines<'_>, ui: &Ui, case: &VisitCase, step: usize) {
         stroke,
         Hidden::Shown,
     );
+    let before = Stroke::new(1.0, stroke.color.gamma_multiply(0.4));
+    lines.line(ray.o, ray.at(ray.min_t.max(-reach)), before, Hidden::Shown);
     lines.disc(ray.o, 4.0, stroke.color);
     hits(lines, ray, &right, &student);
 }
@@ -208,7 +210,7 @@ fn light(lines: &Lines<'_>, ui: &Ui, case: &LightCase) {
     for traced in case.rays.iter().take(MAX_RAYS) {
         let color = match traced.is_hit {
             true => colors::WRONG,
-            false => colors::ray(RayRole::Shadow),
+            false => colors::ray(RayRole::Bounce),
         };
         let ray = &traced.ray;
         let end = ray.max_t.min(0.5 * size / ray.d.length());

@@ -62,7 +62,7 @@ impl CasePanel {
         if self.shown.0 != key {
             self.shown = (key, self.shown.1 + 1);
         }
-        let pair = match opened.content().and_then(|content| content.pair(part)) {
+        let pair = match opened.pictures().pair(part) {
             Some(Ok(pair)) => pair,
             Some(Err(why)) => return hint(ui, rect, why),
             None => return,
@@ -91,15 +91,17 @@ fn nothing_to_see(opened: &OpenCase) -> String {
 
 /// The buttons of the parts.
 fn tabs(ui: &mut Ui, rect: Rect, opened: &OpenCase, part: CasePart, commands: &mut Vec<Command>) {
-    let parts = opened.content().map(|content| content.parts());
     let inner = egui::UiBuilder::new().max_rect(rect.shrink2(egui::vec2(8.0, 3.0)));
     ui.new_child(inner).horizontal_centered(|ui| {
-        for one in parts.unwrap_or_default() {
+        for one in opened.parts() {
             if ui.selectable_label(one == part, one.name()).clicked() {
                 commands.push(Command::ShowPart(one));
             }
         }
-        ui.weak("Y: next");
+        match opened.is_running() {
+            true => ui.weak("rendering pictures"),
+            false => ui.weak("Y: next"),
+        };
     });
 }
 

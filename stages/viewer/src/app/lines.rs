@@ -142,12 +142,19 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// A filled triangle.
+    /// A filled triangle. Its edges are lines of their own: an outline would have long spikes at sharp
+    /// corners.
     pub(super) fn triangle(&self, points: [Vec3; 3], fill: Color32, stroke: Stroke) {
-        let points: Option<Vec<Pos2>> = points.iter().map(|p| self.point(*p)).collect();
-        if let Some(points) = points {
+        let at: Option<Vec<Pos2>> = points.iter().map(|p| self.point(*p)).collect();
+        if let Some(at) = at {
             self.painter
-                .add(Shape::convex_polygon(points, fill, stroke));
+                .add(Shape::convex_polygon(at, fill, Stroke::NONE));
+        }
+        if stroke.width > 0.0 {
+            let [a, b, c] = points;
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                self.line(from, to, stroke, Hidden::Shown);
+            }
         }
     }
 

@@ -101,7 +101,7 @@ fn about(ui: &mut Ui, case: &FailedCase) {
 
 /// What the stages of this program answer now.
 fn now(ui: &mut Ui, opened: &OpenCase) {
-    if opened.is_running() {
+    if opened.content().is_none() && opened.is_running() {
         ui.horizontal(|ui| {
             ui.spinner();
             ui.label("Running the case with your code");
@@ -246,8 +246,9 @@ fn visit_facts(ui: &mut Ui, opened: &OpenCase, case: &VisitCase, commands: &mut 
 
 /// What a picture shows, how it is shown, and the causes of differences.
 fn picture_facts(ui: &mut Ui, opened: &OpenCase, part: CasePart, commands: &mut Vec<Command>) {
-    let pair = opened.content().and_then(|content| content.pair(part));
-    let Some(Ok(pair)) = pair else { return };
+    let Some(Ok(pair)) = opened.pictures().pair(part) else {
+        return;
+    };
     ui.separator();
     for about in &pair.about {
         ui.weak(about);

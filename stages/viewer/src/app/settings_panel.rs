@@ -200,6 +200,9 @@ pub(super) fn progress(ui: &mut Ui, session: &mut Session, commands: &mut Vec<Co
     let is_timed = !session.patience.always_sharp;
     if is_timed {
         rows.push(("time", format!("{seconds:.1} s")));
+        if let Some(first) = render.shown().first_after {
+            rows.push(("first picture", format!("{:.2} s", first.as_secs_f64())));
+        }
     }
     if let Some(rendered) = render.render().map(|render| render.rendered()) {
         let rays = rendered.counters.rays;

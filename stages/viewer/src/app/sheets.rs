@@ -1,7 +1,7 @@
 //! Windows over everything: the list of keys, and the question before a render is lost.
 
 use crate::command::Command;
-use crate::keys;
+use crate::keys::{self, Binding};
 use crate::session::{Mode, Session};
 use egui::{Context, Grid, Id, Modal, RichText, ScrollArea, Ui};
 
@@ -30,7 +30,7 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
                 ui.weak("? or Esc closes this sheet");
             });
             let height = ctx.content_rect().height() - 110.0;
-            ScrollArea::vertical()
+            ScrollArea::both()
                 .max_height(height)
                 .min_scrolled_height(height)
                 .show(ui, help);
@@ -42,7 +42,11 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
 }
 
 fn help(ui: &mut Ui) {
-    let bindings = keys::bindings();
+    // Keys that differ only in their direction have one line.
+    let bindings: Vec<Binding> = keys::bindings()
+        .into_iter()
+        .filter(|binding| !binding.label.is_empty())
+        .collect();
     let half = bindings.len().div_ceil(2);
     ui.horizontal_top(|ui| {
         for (i, column) in bindings.chunks(half).enumerate() {
@@ -68,7 +72,7 @@ fn help(ui: &mut Ui) {
             for (mouse, help) in [
                 (
                     "Left drag",
-                    "rotate the view; move a selected vertex; draw a cell; wipe",
+                    "rotate the view; move a selected vertex; draw a cell; wipe two pictures",
                 ),
                 ("Right drag", "move the view"),
                 ("Wheel", "zoom"),

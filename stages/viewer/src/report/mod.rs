@@ -17,7 +17,7 @@ pub mod visit_case;
 
 pub use case_view::CaseView;
 pub use file::{FailedCase, read};
-pub use open_case::{CaseContent, CasePart, OpenCase};
+pub use open_case::{CaseContent, CasePart, CasePictures, OpenCase};
 pub use ray_case::{RayCase, Row};
 
 use crate::task::Wake;

@@ -8,9 +8,11 @@ use crate::orbit::Orbit;
 use crate::picture_pair::{PairDisplay, PicturePair};
 use crate::task::{StageFailure, Task, Wake};
 use crate::tree_walk::TreeWalk;
-use std::path::Path;
+use judge::tally::Finding;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
+use wire::Answer;
 
 /// The parts of a case that can be looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,66 +47,70 @@ pub struct CaseContent {
     pub wrong_now: Option<Vec<String>>,
     /// The case in 3D.
     pub view: Option<CaseView>,
+    /// The answer that all this is about.
+    pub answer: Option<Arc<Answer>>,
+}
+
+/// The pictures of a case, rendered with the stages of this program.
+#[derive(Clone, Debug, Default)]
+pub struct CasePictures {
     /// Golden, actual and difference of the case; the error is a sentence.
-    pub case_picture: Option<Result<PicturePair, String>>,
+    pub of_case: Option<Result<PicturePair, String>>,
     /// Golden, actual and difference of the task's picture; the error is a sentence.
-    pub task_picture: Option<Result<PicturePair, String>>,
+    pub of_task: Option<Result<PicturePair, String>>,
 }
 
 impl CaseContent {
-    /// Runs the case and renders its pictures. `report` is the path of the report.
-    pub fn of(case: &FailedCase, report: &Path) -> CaseContent {
+    /// Runs the case.
+    pub fn of(case: &FailedCase) -> CaseContent {
         let mut content = CaseContent::default();
-        let answer = match &case.spec {
-            Some(spec) if !is_timed(&spec.work) => match answer_of(spec) {
-                Ok(answer) => Some(answer),
-                Err(why) => {
-                    content.silent = Some(why);
-                    None
+        if let Some(spec) = case.spec.as_ref().filter(|spec| !is_timed(&spec.work)) {
+            match answer_of(spec) {
+                Ok(answer) => {
+                    let findings = judge::judge(spec, case.tier, &answer.answer);
+                    let wrong = findings.iter().filter(|finding| !finding.passed());
+                    content.wrong_now = Some(wrong.map(sentence).collect());
+                    content.is_untouched = answer.is_untouched;
+                    content.answer = Some(Arc::new(answer.answer));
                 }
-            },
-            _ => None,
-        };
-        if let (Some(answer), Some(spec)) = (&answer, &case.spec) {
-            let findings = judge::judge(spec, case.tier, &answer.answer);
-            let wrong = findings.iter().filter(|finding| !finding.passed());
-            let sentence = |finding: &judge::tally::Finding| match &finding.worst {
-                Some(worst) => worst.message.clone(),
-                None => format!("{} is missing", finding.aspect.label()),
-            };
-            content.wrong_now = Some(wrong.map(sentence).collect());
-            content.is_untouched = answer.is_untouched;
+                Err(why) => content.silent = Some(why),
+            }
         }
-        content.view = CaseView::of(case, answer.as_ref().map(|answer| &answer.answer));
-        let Some(goldens) = golden_folder(report) else {
-            return content;
-        };
-        if let (Some(answer), Some(spec)) = (&answer, &case.spec) {
-            content.case_picture = of_case(&goldens, spec, case.tier, &answer.answer);
-        }
-        if judge::pictures::of(&case.task).is_some() {
-            content.task_picture = Some(of_task(&goldens, &case.task));
-        }
+        content.view = CaseView::of(case, content.answer.as_deref());
         content
     }
+}
 
-    /// The parts that there are, in order.
-    pub fn parts(&self) -> Vec<CasePart> {
-        let parts = [
-            (CasePart::View, self.view.is_some()),
-            (CasePart::CasePicture, self.case_picture.is_some()),
-            (CasePart::TaskPicture, self.task_picture.is_some()),
-        ];
-        let present = parts.into_iter().filter(|(_, is_there)| *is_there);
-        present.map(|(part, _)| part).collect()
+/// What is wrong in an aspect.
+fn sentence(finding: &Finding) -> String {
+    match &finding.worst {
+        Some(worst) => worst.message.clone(),
+        None => format!("{} is missing", finding.aspect.label()),
+    }
+}
+
+impl CasePictures {
+    /// Makes the pictures of a case and its task. `answer` is that of the stages, if they have one;
+    /// `report` is the path of the report, near which the goldens are.
+    pub fn of(case: &FailedCase, answer: Option<&Answer>, report: &Path) -> CasePictures {
+        let Some(goldens) = golden_folder(report) else {
+            return CasePictures::default();
+        };
+        let spec = case.spec.as_ref();
+        CasePictures {
+            of_case: answer
+                .zip(spec)
+                .and_then(|(answer, spec)| of_case(&goldens, spec, case.tier, answer)),
+            of_task: judge::pictures::of(&case.task).map(|_| of_task(&goldens, &case.task)),
+        }
     }
 
     /// The two pictures of a part; the error is a sentence.
     pub fn pair(&self, part: CasePart) -> Option<Result<&PicturePair, &str>> {
         let pair = match part {
             CasePart::View => None,
-            CasePart::CasePicture => self.case_picture.as_ref(),
-            CasePart::TaskPicture => self.task_picture.as_ref(),
+            CasePart::CasePicture => self.of_case.as_ref(),
+            CasePart::TaskPicture => self.of_task.as_ref(),
         };
         pair.map(|pair| pair.as_ref().map_err(String::as_str))
     }
@@ -114,8 +120,14 @@ impl CaseContent {
 pub struct OpenCase {
     /// Its index in the report.
     pub index: usize,
+    case: Arc<FailedCase>,
+    report: PathBuf,
     running: Option<Task<CaseContent>>,
     content: Option<CaseContent>,
+    rendering: Option<Task<CasePictures>>,
+    pictures: CasePictures,
+    /// Whether its pictures were asked for.
+    is_rendered: bool,
     failure: Option<StageFailure>,
     chosen: Option<CasePart>,
     /// How its pictures are shown.
@@ -131,12 +143,18 @@ pub struct OpenCase {
 impl OpenCase {
     /// Starts to compute what there is to see of `case`, in the background.
     pub fn start(index: usize, case: &Arc<FailedCase>, report: &Path, wake: &Wake) -> OpenCase {
-        let (case, report) = (Arc::clone(case), report.to_owned());
-        let task = Task::spawn(Arc::clone(wake), move |_| CaseContent::of(&case, &report));
+        let run = Arc::clone(case);
         OpenCase {
             index,
-            running: Some(task),
+            case: Arc::clone(case),
+            report: report.to_owned(),
+            running: Some(Task::spawn(Arc::clone(wake), move |_| {
+                CaseContent::of(&run)
+            })),
             content: None,
+            rendering: None,
+            pictures: CasePictures::default(),
+            is_rendered: false,
             failure: None,
             chosen: None,
             display: PairDisplay::default(),
@@ -147,7 +165,26 @@ impl OpenCase {
     }
 
     /// Takes what was computed. Waits for it at most `wait`.
-    pub fn update(&mut self, wait: Duration) {
+    pub fn update(&mut self, wait: Duration, wake: &Wake) {
+        self.update_content(wait);
+        if let (Some(content), None, false) = (&self.content, &self.rendering, self.is_rendered) {
+            let (case, answer) = (Arc::clone(&self.case), content.answer.clone());
+            let report = self.report.clone();
+            self.is_rendered = true;
+            self.rendering = Some(Task::spawn(Arc::clone(wake), move |_| {
+                CasePictures::of(&case, answer.as_deref(), &report)
+            }));
+        }
+        if let Some(result) = self.rendering.as_ref().and_then(|task| task.wait(wait)) {
+            self.rendering = None;
+            match result {
+                Ok(pictures) => self.pictures = pictures,
+                Err(failure) => self.failure = Some(failure),
+            }
+        }
+    }
+
+    fn update_content(&mut self, wait: Duration) {
         let Some(result) = self.running.as_ref().and_then(|task| task.wait(wait)) else {
             return;
         };
@@ -173,7 +210,23 @@ impl OpenCase {
 
     /// Whether something is being computed.
     pub fn is_running(&self) -> bool {
-        self.running.is_some()
+        self.running.is_some() || self.rendering.is_some()
+    }
+
+    /// The parts that there are so far, in order.
+    pub fn parts(&self) -> Vec<CasePart> {
+        let parts = [
+            (CasePart::View, self.view().is_some()),
+            (CasePart::CasePicture, self.pictures.of_case.is_some()),
+            (CasePart::TaskPicture, self.pictures.of_task.is_some()),
+        ];
+        let present = parts.into_iter().filter(|(_, is_there)| *is_there);
+        present.map(|(part, _)| part).collect()
+    }
+
+    /// Its pictures so far.
+    pub fn pictures(&self) -> &CasePictures {
+        &self.pictures
     }
 
     /// What was computed.
@@ -193,7 +246,7 @@ impl OpenCase {
 
     /// The visible part; `None` if there is none.
     pub fn part(&self) -> Option<CasePart> {
-        let parts = self.content()?.parts();
+        let parts = self.parts();
         let chosen = self.chosen.filter(|part| parts.contains(part));
         chosen.or(parts.first().copied())
     }
@@ -205,9 +258,7 @@ impl OpenCase {
 
     /// Shows the next part.
     pub fn show_next(&mut self) {
-        let Some(parts) = self.content().map(CaseContent::parts) else {
-            return;
-        };
+        let parts = self.parts();
         let at = parts.iter().position(|part| Some(*part) == self.part());
         if let Some(at) = at {
             self.chosen = Some(parts[(at + 1) % parts.len()]);

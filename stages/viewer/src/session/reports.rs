@@ -81,8 +81,9 @@ impl Session {
 
     /// Takes what was computed about the shown case. Returns whether more is to come.
     pub(super) fn update_case(&mut self, wait: Duration) -> bool {
+        let wake = Arc::clone(&self.wake);
         self.opened_case_mut().is_some_and(|opened| {
-            opened.update(wait);
+            opened.update(wait, &wake);
             opened.is_running()
         })
     }

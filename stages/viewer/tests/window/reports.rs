@@ -7,7 +7,9 @@ use viewer::command::Command;
 use viewer::picture_pair::PairView;
 use viewer::report::case_pictures::{golden_folder, of_case};
 use viewer::report::stage_answer::answer_of;
-use viewer::report::{CaseContent, CasePart, CaseView, FailedCase, OpenCase, OpenReport};
+use viewer::report::{
+    CaseContent, CasePart, CasePictures, CaseView, FailedCase, OpenCase, OpenReport,
+};
 use viewer::session::Mode;
 
 /// A report in which the case `back_face` of `part1.task3` failed, and another case without a ray.
@@ -59,7 +61,7 @@ fn report(folder: &tempfile::TempDir) -> PathBuf {
 
 /// What is computed about a case of a report.
 fn content(open: &OpenReport, index: usize) -> CaseContent {
-    CaseContent::of(&open.cases[index], &open.path)
+    CaseContent::of(&open.cases[index])
 }
 
 #[test]
@@ -141,7 +143,8 @@ fn cases_of_every_part_are_shown_in_3d_and_as_pictures() {
             "" => judge::cases::of(task, 0)[0].name,
             name => name,
         };
-        let content = CaseContent::of(&failed(task, name), here);
+        let case = failed(task, name);
+        let content = CaseContent::of(&case);
         let wrong = match &content.view {
             Some(CaseView::Ray(case)) => ("Ray", case.rows.iter().any(|row| !row.is_right)),
             Some(CaseView::Tree(case)) => ("Tree", !case.wrong.is_empty()),
@@ -155,8 +158,9 @@ fn cases_of_every_part_are_shown_in_3d_and_as_pictures() {
             (CasePart::CasePicture, has_picture),
             (CasePart::TaskPicture, true),
         ];
+        let of_case = CasePictures::of(&case, content.answer.as_deref(), here);
         for (part, is_there) in pictures {
-            let legend = content
+            let legend = of_case
                 .pair(part)
                 .map(|pair| pair.map(|pair| pair.legend.len()));
             let expected = is_there.then_some(Ok(0));

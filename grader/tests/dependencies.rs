@@ -91,7 +91,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ),
     (
         "authoring",
-        &["kit", "grader", "judge", "submission", "wire"],
+        &["kit", "grader", "judge", "pictures", "submission", "wire"],
     ),
     (
         "cost",

@@ -98,7 +98,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ),
     (
         "authoring",
-        &["kit", "grader", "judge", "submission", "wire"],
+        &["kit", "grader", "judge", "pictures", "submission", "wire"],
     ),
     ("class", &["grader", "judge", "pages", "submission"]),
     (

@@ -4,6 +4,9 @@ use pictures::Image;
 use pictures::image::Rgb;
 use std::collections::BTreeMap;
 
+/// Colours and how many pixels have each.
+type Group = Vec<(Rgb, u64)>;
+
 /// The picture with at most `most` colours: median cut (Heckbert, "Color Image Quantization for
 /// Frame Buffer Display", 1982). A picture that has no more stays as it is. The same picture always
 /// gives the same colours.
@@ -12,10 +15,10 @@ pub(super) fn few_colours(picture: &Image, most: usize) -> Image {
     for pixel in picture.pixels() {
         *counts.entry(*pixel).or_default() += 1;
     }
-    let mut groups: Vec<Vec<(Rgb, u64)>> = vec![counts.into_iter().collect()];
+    let mut groups: Vec<Group> = vec![counts.into_iter().collect()];
     while groups.len() < most {
         // The group whose error is largest: its spread, times the number of its pixels.
-        let cost = |group: &Vec<(Rgb, u64)>| {
+        let cost = |group: &Group| {
             let (_, spread) = widest(group);
             u64::from(spread) * pixels(group)
         };
@@ -60,7 +63,7 @@ fn widest(group: &[(Rgb, u64)]) -> (usize, u8) {
 
 /// Cuts a group of at least two colours where half of its pixels are on each side, in the channel
 /// of its spread. Neither side is empty.
-fn halves(mut group: Vec<(Rgb, u64)>) -> (Vec<(Rgb, u64)>, Vec<(Rgb, u64)>) {
+fn halves(mut group: Group) -> (Group, Group) {
     let (channel, _) = widest(&group);
     group.sort_by_key(|(colour, _)| (colour[channel], *colour));
     let half = pixels(&group) / 2;

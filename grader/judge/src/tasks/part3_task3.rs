@@ -97,7 +97,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "lamp_with_two_sides",
             "A lamp of two panels that face opposite ways. The samples on the side that faces \
-             away send nothing: they are None, and count as 0 in the mean. A bias of 16 % is \
+             away send nothing: they are None, and count as 0 in the mean. A bias of 21 % is \
              always detected.",
             same(two_sides(), Vec::new(), floor(), 2),
         )

@@ -8,7 +8,7 @@ use crate::sah::LANES;
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
 use crate::triangle_block::{ExactBlock, TriangleBlock};
-use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
+use kit::{Bvh, BvhNode, NodeKind, PrimId};
 use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
 
@@ -137,7 +137,7 @@ impl WideBvh {
         let mut boxes = Vec::new();
         let mut pending = VecDeque::from([(0, 0)]);
         while let Some((index, depth)) = pending.pop_front() {
-            let Some(node) = self.nodes.get(index as usize) else {
+            let Some(node) = self.nodes.get(index) else {
                 continue;
             };
             for lane in 0..node.count as usize {
@@ -145,7 +145,7 @@ impl WideBvh {
                     return boxes;
                 }
                 boxes.push((self.space.world_bounds(node.bounds(lane)), depth));
-                if let ChildKind::Node(child) = node.children[lane].kind() {
+                if let ChildKind::Node { index: child } = node.children[lane].kind() {
                     pending.push_back((child, depth + 1));
                 }
             }

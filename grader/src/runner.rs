@@ -403,7 +403,11 @@ mod tests {
 
     #[test]
     fn what_is_written_into_the_channel_without_the_key_fails_the_case() {
-        let endings = endings("printf 'a record of thirty bytes and more' >&0", 2).unwrap();
+        let endings = endings(
+            "cat > /dev/null; printf 'a record of thirty bytes and more' >&0",
+            2,
+        )
+        .unwrap();
         let is_malformed = |ending: &Ending| matches!(ending, Ending::Malformed(why) if why.contains("something else than the worker"));
         assert_eq!(endings.len(), 2);
         assert!(endings.iter().all(is_malformed), "{endings:?}");

@@ -1,11 +1,11 @@
-//! The table `gradebook.csv`: one line for each submission.
+//! The table `gradebook.csv`: one line for each submission. `id` is the name of its folder or archive.
 
 use crate::collect::{Class, Row, points};
 use std::fmt::Write;
 
 /// Writes the table (RFC 4180). A submission without a score has empty cells, never a zero.
 pub fn write(class: &Class) -> String {
-    let mut table = String::from("submission,status,score,max_score,extra,max_extra");
+    let mut table = String::from("id,status,score,max_score,extra,max_extra");
     for task in &class.plan.tasks {
         let _ = write!(table, ",{0},{0} extra", field(&task.key));
     }

@@ -77,7 +77,7 @@ impl FakeClass {
             echo >> \"$3.tries\"
             if [ $(wc -l < \"$3.tries\") -le $5 ]; then echo 'error: the disk is full' >&2; exit 2; fi
             sleep $4
-            cp \"$1\" \"$2.new\"; mv \"$2.new\" \"$2\"";
+            cp \"$1\" \"$2.$$\"; mv \"$2.$$\" \"$2\"";
         let mut command = Command::new("sh");
         command
             .args(["-c", script, "sh"])

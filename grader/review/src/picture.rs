@@ -1,7 +1,7 @@
 //! Compares a golden picture with the actual one, pixel by pixel.
 
 use super::box_tests::BoxTests;
-use super::case::Row;
+use super::calls::Row;
 use ::pictures::cause::Cause;
 use judge::cases::Spec;
 use judge::snapshot::{Line, Snapshot};

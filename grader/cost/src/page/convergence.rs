@@ -1,12 +1,12 @@
 //! The error of pictures against samples and against time.
 
 use super::canvas::{DrawResult, Label, svg};
+use super::convergence_caption::{caption, finding};
 use super::figure::{Figure, heads};
-use super::formatting::{figures, list, percent, tick};
+use super::formatting::{figures, percent, tick};
 use super::plot::{Axis, Plot, legend};
 use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
-use crate::quartiles::Quartiles;
 use crate::table::factor;
 use grader::error::GraderError;
 use pages::html::{escape, png_data_uri};
@@ -138,7 +138,7 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
     })
 }
 
-fn error_of(point: &CurvePoint, is_relative: bool) -> f64 {
+pub(super) fn error_of(point: &CurvePoint, is_relative: bool) -> f64 {
     point.error(is_relative).value
 }
 
@@ -151,47 +151,6 @@ fn tip(curve: &Curve, point: &CurvePoint, is_relative: bool) -> String {
         figures(point.seconds.median)
     )
 }
-
-/// What the plot shows: the method that reaches an equal error in the least time.
-fn finding(experiment: &Experiment) -> String {
-    let title = &experiment.title;
-    let Some((base, others)) = experiment.curves.split_first() else {
-        return title.clone();
-    };
-    let compared = others
-        .iter()
-        .filter_map(|curve| Some((curve, to_equal_error(experiment, base, curve)?)));
-    let faster = compared.filter(|(_, to)| !to.ties && to.speedup > 1.0);
-    if let Some((curve, to)) = faster.max_by(|a, b| a.1.speedup.total_cmp(&b.1.speedup)) {
-        return format!(
-            "{title}: {} reaches the same error as {} {} times as fast",
-            curve.name,
-            base.name,
-            figures(to.speedup)
-        );
-    }
-    // Errors that have nothing in common are compared where the times are alike.
-    let at_equal_time = |curve: &Curve| {
-        let (point, _) = curve.at_equal_time.as_ref()?;
-        Some(error_of(curve.points.get(*point)?, experiment.is_relative))
-    };
-    let smallest = others
-        .iter()
-        .filter_map(|curve| Some((curve, at_equal_time(curve)?)))
-        .min_by(|a, b| a.1.total_cmp(&b.1));
-    match smallest.zip(at_equal_time(base)) {
-        Some(((curve, error), of_base)) if of_base > CLEARLY * error => format!(
-            "{title}: {} has {} of the error of {} after about the same time",
-            curve.name,
-            percent(error / of_base),
-            base.name
-        ),
-        _ => format!("{title}: no method is clearly better than {}", base.name),
-    }
-}
-
-/// Errors that differ by less than this factor are not told apart in a heading.
-const CLEARLY: f64 = 1.5;
 
 /// The converged picture, and one of each method: those whose times are most alike.
 fn thumbnails(experiment: &Experiment) -> String {
@@ -249,159 +208,4 @@ fn half_slope_line(plot: &Plot, experiment: &Experiment, of: fn(&CurvePoint) -> 
     let ends = [from.max(x_at(high)), to.min(x_at(low))];
     let line = ends.map(|x| (x, error * (of(last) / x).sqrt()));
     plot.line(HALF_SLOPE, &line, 1.0)
-}
-
-/// Returns the caption, computed from the numbers.
-fn caption(experiment: &Experiment) -> String {
-    let Experiment { seeds, .. } = experiment;
-    let mut text = format!(
-        "Each point is the mean over {seeds} pictures of {} with independent random numbers; error bars are 95 % confidence \
-         intervals of the mean error, and quartiles of the times. The reference picture has a remaining error of {}. ",
-        experiment.scene,
-        percent(experiment.converged_rmse),
-    );
-    let slopes: Vec<String> = experiment
-        .curves
-        .iter()
-        .filter_map(|curve| {
-            let slope = curve.slope?;
-            Some(format!("{slope:.2} ({})", curve.name))
-        })
-        .collect();
-    if !slopes.is_empty() {
-        text += &format!(
-            "The slope of log(error) against log(samples) is {}. ",
-            list(&slopes)
-        );
-    }
-    text += &times_to_equal_error(experiment);
-    text += &efficiencies(experiment);
-    text += &biases(experiment);
-    text
-}
-
-/// Returns the sentence about efficiency at the largest number of samples, relative to the first
-/// curve.
-fn efficiencies(experiment: &Experiment) -> String {
-    let [first, others @ ..] = experiment.curves.as_slice() else {
-        return String::new();
-    };
-    let each = others.iter().filter_map(|curve| {
-        let ratio = curve.points.last()?.relative_efficiency?;
-        Some(format!("{} ({})", factor(&ratio), curve.name))
-    });
-    let each: Vec<String> = each.collect();
-    if each.is_empty() {
-        return String::new();
-    }
-    format!(
-        "Efficiency, 1/(MSE · seconds) with the squared bias as a part of the MSE, at the largest number of samples, relative to {}: {}. ",
-        first.name,
-        list(&each)
-    )
-}
-
-/// Returns the sentence that compares the times in which the curves reach an equal error, relative
-/// to the first curve.
-fn times_to_equal_error(experiment: &Experiment) -> String {
-    let [first, others @ ..] = experiment.curves.as_slice() else {
-        return String::new();
-    };
-    let mut text = Vec::new();
-    for curve in others {
-        let to = to_equal_error(experiment, first, curve);
-        if let Some(EqualError {
-            error,
-            speedup,
-            ties,
-        }) = to
-        {
-            text.push(if ties {
-                format!(
-                    "{} reaches an error of {} in the same time within the error bars",
-                    curve.name,
-                    percent(error)
-                )
-            } else if speedup > 1.0 {
-                format!(
-                    "{} reaches an error of {} {} times as fast",
-                    curve.name,
-                    percent(error),
-                    figures(speedup)
-                )
-            } else {
-                format!(
-                    "{} takes {} times as long to reach an error of {}",
-                    curve.name,
-                    figures(1.0 / speedup),
-                    percent(error)
-                )
-            });
-        }
-    }
-    if text.is_empty() {
-        return String::new();
-    }
-    format!("Compared with {}: {}. ", first.name, text.join("; "))
-}
-
-/// The times of two methods to an equal error.
-struct EqualError {
-    error: f64,
-    /// The time of the first over that of the other.
-    speedup: f64,
-    /// Whether the times are equal within their errors.
-    ties: bool,
-}
-
-/// Compares a curve with the first one at the last point of the first whose error the other also
-/// reaches.
-fn to_equal_error(experiment: &Experiment, first: &Curve, curve: &Curve) -> Option<EqualError> {
-    let error = |p: &CurvePoint| error_of(p, experiment.is_relative);
-    first.points.iter().rev().find_map(|p| {
-        let at = |x: fn(&CurvePoint) -> f64| curve.at_error(error(p), error, x);
-        let own = Quartiles {
-            lower: at(|p| p.seconds.lower)?,
-            median: at(|p| p.seconds.median)?,
-            upper: at(|p| p.seconds.upper)?,
-        };
-        Some(EqualError {
-            error: error(p),
-            speedup: p.seconds.median / own.median,
-            ties: own.lower <= p.seconds.upper && p.seconds.lower <= own.upper,
-        })
-    })
-}
-
-/// Returns the sentences about bias.
-fn biases(experiment: &Experiment) -> String {
-    let biased: Vec<String> = experiment
-        .curves
-        .iter()
-        .filter_map(|curve| {
-            let longest = curve
-                .points
-                .iter()
-                .max_by(|a, b| a.samples.total_cmp(&b.samples))?;
-            Some(format!("{} ({})", percent(longest.bias?), curve.name))
-        })
-        .collect();
-    let centred = experiment.curves.iter().flat_map(|curve| &curve.points);
-    let mut text = match centred.filter(|p| !p.is_random()).find_map(|p| p.bias) {
-        Some(bias) => format!(
-            "A single sample is taken at the centre of the pixel and is not random; its bias is {}. ",
-            percent(bias)
-        ),
-        None => String::new(),
-    };
-    text += &if biased.is_empty() {
-        "No curve has a significant bias at its largest number of samples.".to_string()
-    } else {
-        format!(
-            "The bias is the part of the error that more samples do not reduce. At the largest number of samples of a curve it is {}. \
-             The other curves have no significant bias.",
-            list(&biased)
-        )
-    };
-    text
 }

@@ -5,18 +5,21 @@
 //! table below it has. The colours can be distinguished by colour-blind readers; shapes, signs and
 //! dashes show the same information.
 //!
-//! Read `document` (the page) and `figure`, then the figures: `pareto` (with `front` and `pareto_caption`),
-//! `heatmap`, `cdf`, `leaks`, `trees`, `convergence`; they are drawn with `plot`, `style` and
-//! `canvas`; `labels` places names beside points. `formatting` formats numbers and lists.
+//! Read `document` (the page) and `figure`, then the figures: `pareto` (with `front` and
+//! `pareto_caption`), `heatmap` (with `heatmap_cell`), `cdf`, `leaks`, `trees`, `convergence` (with
+//! `convergence_caption`); they are drawn with `plot`, `style` and `canvas`; `labels` places names
+//! beside points. `formatting` formats numbers and lists.
 
 mod canvas;
 mod cdf;
 mod convergence;
+mod convergence_caption;
 mod document;
 mod figure;
 mod formatting;
 mod front;
 mod heatmap;
+mod heatmap_cell;
 mod labels;
 mod leaks;
 mod pareto;

@@ -1,7 +1,7 @@
 //! One call on the page: the question, and golden, actual and exact answer field by field.
 
 use super::words::Words;
-use crate::case::Row;
+use crate::calls::Row;
 use crate::delta;
 use judge::snapshot::{Line, Value};
 use judge::tally::Aspect;

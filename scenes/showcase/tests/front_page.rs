@@ -175,3 +175,62 @@ fn front_page_pictures_are_wide_and_have_no_broken_pixels() {
         assert!(size <= 1_500_000, "{name} has {size} bytes");
     }
 }
+
+/// Columns of a code block or a table that a page shows without cutting or scrolling.
+const COLUMNS: usize = 88;
+
+#[test]
+fn no_line_of_code_or_of_a_table_is_cut() {
+    for name in [
+        "README.md",
+        "scenes/pictures/README.md",
+        "stages/pathtracer/cluster/README.md",
+    ] {
+        let text = fs::read_to_string(root().join(name)).expect(name);
+        let mut is_code = false;
+        for line in text.lines() {
+            if line.starts_with("```") {
+                is_code = !is_code;
+            }
+            let is_fixed = is_code || line.starts_with('|');
+            let columns = line.chars().count();
+            assert!(
+                !is_fixed || columns <= COLUMNS,
+                "{name}: {columns} columns: {line}"
+            );
+        }
+        assert!(!is_code, "{name}: a code block is open at the end");
+    }
+}
+
+/// Every picture and every page that the README links to exists.
+#[test]
+fn links_of_the_readme_lead_somewhere() {
+    let text = fs::read_to_string(root().join("README.md")).expect("README.md");
+    let links: Vec<&str> = text
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split([')', '#']).next())
+        .filter(|link| !link.contains("://"))
+        .collect();
+    assert!(links.len() > 20, "{links:?}");
+    for link in links {
+        assert!(root().join(link).exists(), "README.md links to {link}");
+    }
+}
+
+#[test]
+fn the_badge_names_the_required_rust_version() {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("Cargo.toml");
+    let version = manifest
+        .lines()
+        .find_map(|line| line.strip_prefix("rust-version = \""))
+        .and_then(|rest| rest.strip_suffix('"'))
+        .expect("a rust-version");
+    let badge = fs::read_to_string(root().join("scenes/pictures/badges/rust.svg"));
+    assert!(
+        badge
+            .expect("a badge")
+            .contains(&format!(">{version} or later<"))
+    );
+}

@@ -32,7 +32,8 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
             let height = ctx.content_rect().height() - 110.0;
             let width = ctx.content_rect().width() - 60.0;
             ScrollArea::both()
-                .max_size([width, height])
+                .max_width(width)
+                .max_height(height)
                 .min_scrolled_width(width)
                 .min_scrolled_height(height)
                 .show(ui, help);

@@ -30,8 +30,11 @@ pub(super) fn show(ctx: &Context, session: &mut Session, commands: &mut Vec<Comm
                 ui.weak("? or Esc closes this sheet");
             });
             let height = ctx.content_rect().height() - 110.0;
+            let width = ctx.content_rect().width() - 60.0;
             ScrollArea::both()
+                .max_width(width)
                 .max_height(height)
+                .min_scrolled_width(width)
                 .min_scrolled_height(height)
                 .show(ui, help);
         });

@@ -3,7 +3,7 @@
 use super::case_pictures::{golden_folder, of_case, of_task};
 use super::case_view::CaseView;
 use super::file::FailedCase;
-use super::stage_answer::{answer_of, is_timed};
+use super::stage_answer::{StageAnswer, answer_of, is_timed};
 use crate::orbit::Orbit;
 use crate::picture_pair::{PairDisplay, PicturePair};
 use crate::task::{StageFailure, Task, Wake};
@@ -67,11 +67,23 @@ impl CaseContent {
         if let Some(spec) = case.spec.as_ref().filter(|spec| !is_timed(&spec.work)) {
             match answer_of(spec) {
                 Ok(answer) => {
-                    let findings = judge::judge(spec, case.tier, &answer.answer);
+                    let StageAnswer {
+                        answer,
+                        is_untouched,
+                        not_written,
+                    } = answer;
+                    let findings = judge::judge_written(spec, case.tier, &answer, &not_written);
+                    let is_judged =
+                        |finding: &&Finding| finding.judged > 0 || not_written.is_empty();
                     let wrong = findings.iter().filter(|finding| !finding.passed());
-                    content.wrong_now = Some(wrong.map(sentence).collect());
-                    content.is_untouched = answer.is_untouched;
-                    content.answer = Some(Arc::new(answer.answer));
+                    let wrong = wrong.filter(is_judged).map(sentence);
+                    content.wrong_now = Some(wrong.collect());
+                    if !not_written.is_empty() {
+                        let names = not_written.join(", ");
+                        content.silent = Some(format!("{}: not written yet: {names}", spec.task));
+                    }
+                    content.is_untouched = is_untouched;
+                    content.answer = Some(Arc::new(answer));
                 }
                 Err(why) => content.silent = Some(why),
             }

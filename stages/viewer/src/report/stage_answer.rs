@@ -10,6 +10,8 @@ pub struct StageAnswer {
     pub answer: Answer,
     /// Whether the task still has the start that the course provides.
     pub is_untouched: bool,
+    /// The functions of the task that are not written yet: their answers mean nothing.
+    pub not_written: Vec<String>,
 }
 
 /// Whether a case only measures times: its answer shows nothing but numbers.
@@ -49,5 +51,6 @@ pub fn answer_of(spec: &Spec) -> Result<StageAnswer, String> {
     Ok(StageAnswer {
         answer,
         is_untouched: record.untouched.iter().any(|task| task == spec.task),
+        not_written: record.holes.into_iter().map(|hole| hole.called).collect(),
     })
 }

@@ -350,7 +350,9 @@ fn push_message(messages: &mut String, text: &str) {
     }
     messages.push_str(text);
     if messages.len() >= MOST_OF_MESSAGES {
-        messages.truncate(messages.floor_char_boundary(MOST_OF_MESSAGES));
+        let mut ends = (0..=MOST_OF_MESSAGES).rev();
+        let end = ends.find(|end| messages.is_char_boundary(*end));
+        messages.truncate(end.unwrap_or(0));
         messages.push_str("\n(The compiler's other messages are left out.)\n");
     }
 }

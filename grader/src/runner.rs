@@ -379,3 +379,51 @@ impl Ending {
         }
     }
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::PermissionsExt;
+
+    /// The endings of `count` cases in a worker that is a shell script.
+    fn endings(script: &str, count: usize) -> Result<Vec<Ending>, GraderError> {
+        let folder = tempfile::tempdir().unwrap();
+        let program = folder.path().join("worker");
+        std::fs::write(&program, format!("#!/bin/sh\n{script}\n")).unwrap();
+        std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).unwrap();
+        let case = Case {
+            task: "part5.task1".into(),
+            name: "a".into(),
+            limit_ms: 10,
+            work: Work::Stop(Vec::new()),
+        };
+        let run = run(&Worker::from(program), &vec![case; count])?;
+        Ok(run.endings)
+    }
+
+    #[test]
+    fn what_is_written_into_the_channel_without_the_key_fails_the_case() {
+        let endings = endings("printf 'a record of thirty bytes and more' >&0", 2).unwrap();
+        let is_malformed = |ending: &Ending| matches!(ending, Ending::Malformed(why) if why.contains("something else than the worker"));
+        assert_eq!(endings.len(), 2);
+        assert!(endings.iter().all(is_malformed), "{endings:?}");
+    }
+
+    #[test]
+    fn a_worker_that_says_nothing_did_not_start() {
+        let why = endings("cat > /dev/null; echo out of order; exit 7", 1).unwrap_err();
+        assert!(why.to_string().contains("did not start"), "{why}");
+        assert!(why.to_string().contains("out of order"), "{why}");
+    }
+
+    #[test]
+    #[ignore = "waits until a worker counts as stalled: a minute"]
+    fn a_worker_that_stops_itself_is_ended() {
+        let endings = endings("kill -STOP $$", 1).unwrap();
+        let late = Ending::TimedOut {
+            call: 0,
+            limit_ms: 10,
+        };
+        assert_eq!(endings, [late]);
+    }
+}

@@ -132,8 +132,7 @@ pub fn to_text(changes: &[Change], submissions: usize) -> String {
 
 /// Formats the changes as a table.
 pub fn to_csv(changes: &[Change]) -> String {
-    let mut table =
-        String::from("id,task,old score,old extra,new score,new extra,old,new,why\r\n");
+    let mut table = String::from("id,task,old score,old extra,new score,new extra,old,new,why\r\n");
     for change in changes {
         let name = field(&change.name);
         let [old, new] = change.results.each_ref().map(|result| field(result));

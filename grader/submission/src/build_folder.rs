@@ -3,6 +3,7 @@
 
 use crate::clean_workspace::CleanWorkspace;
 use crate::file_tree::{self, Files};
+use crate::visible::visible;
 use grader::compile::BuildRoot;
 use grader::error::GraderError;
 use grader::interrupt::{self, TempFolder};
@@ -68,10 +69,12 @@ impl BuildFolder {
         })
     }
 
-    /// `text` without the path of this folder, which contains the name of the person who grades.
-    pub(crate) fn without_its_path(&self, text: &str) -> String {
+    /// `text`, which the submission or its compiler printed, as it may be shown: without the path of
+    /// this folder, which contains the name of the person who grades, and with visible control
+    /// characters.
+    pub(crate) fn for_report(&self, text: &str) -> String {
         let folder = self.root.parent().unwrap_or(&self.root);
-        text.replace(&*folder.to_string_lossy(), "")
+        visible(&text.replace(&*folder.to_string_lossy(), ""))
     }
 
     /// How to build the worker here.

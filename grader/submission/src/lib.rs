@@ -23,6 +23,9 @@ pub mod read;
 pub mod scan;
 mod source_file;
 mod toolchain;
+mod visible;
+
+pub use visible::visible;
 
 use crate::file_tree::Files;
 use clean_workspace::CleanWorkspace;
@@ -118,8 +121,8 @@ impl SubmissionReport {
             let printed = printed::format(&graded.printed);
             report
                 .compiler
-                .push_str(&folder.without_its_path(&graded.compiler));
-            report.printed.push_str(&folder.without_its_path(&printed));
+                .push_str(&folder.for_report(&graded.compiler));
+            report.printed.push_str(&folder.for_report(&printed));
             let mut judged = graded.report.tasks;
             let is_suspicious = |task: &TaskReport| by_heart::is_suspicious(&task.result);
             if request.seed != by_heart::KNOWN_SEED && judged.iter().any(is_suspicious) {

@@ -15,7 +15,7 @@ use std::process::ExitCode;
 use submission::clean_workspace::CleanWorkspace;
 use submission::containment::Containment;
 use submission::one::random_seed;
-use submission::{SubmissionReport, read};
+use submission::{SubmissionReport, read, visible};
 
 fn main() -> ExitCode {
     let command = arguments(Command::new("grader"), HintLevel::Remedy)
@@ -148,5 +148,6 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
             table::format_report(together, reveal)
         );
     }
-    text
+    // Messages of panics and names of files are the student's, too.
+    visible(&text)
 }

@@ -49,11 +49,14 @@ fn file_of(bytes: u64) -> impl Fn(&Path) {
     }
 }
 
+/// Makes what is at a path.
+type Maker<'a> = &'a dyn Fn(&Path);
+
 const TERABYTE: u64 = 1 << 40;
 
 #[test]
 fn sources_that_are_no_files_are_refused() {
-    let makers: [(&dyn Fn(&Path), &str); 6] = [
+    let makers: [(Maker, &str); 6] = [
         (&pipe, "is not a regular file"),
         (&link("/dev/zero"), "is a link to a file outside"),
         (&link("/etc/passwd"), "is a link to a file outside"),
@@ -96,7 +99,7 @@ fn folders_that_are_links_or_endless_are_refused() {
 fn what_is_not_a_source_is_listed_and_not_read() {
     // Files of this name exist in the course, too, and are compared with it.
     let other = "stages/kit/src/lib.rs";
-    let makers: [&dyn Fn(&Path); 3] = [&pipe, &link("/dev/zero"), &file_of(TERABYTE)];
+    let makers: [Maker; 3] = [&pipe, &link("/dev/zero"), &file_of(TERABYTE)];
     for make in makers {
         let read = read(|folder| replace(&folder.join(other), make)).expect("it is read");
         assert_eq!(read.ignored, [Path::new(other)]);

@@ -73,10 +73,8 @@ const TIMING_MEMORY_MB: u32 = 4096;
 /// For this many cases of a task that end the worker, a second run finds out in which call.
 const TRACED_DEATHS: u32 = 2;
 
-/// A worker ends a case that waits for this many times its limit ([`harness`] says so), so its next
-/// frame is due then at the latest, and [`GRACE`].
-///
-/// [`harness`]: ../../harness/index.html
+/// A worker ends a case that waits for this many times its limit (`harness/src/clock.rs`), so its
+/// next frame is due then at the latest, and [`GRACE`].
 const WAITING: u64 = 8;
 
 /// The time for what is not the case's own: starting, and printing up to the most that is read.

@@ -45,6 +45,12 @@ impl ExactSum {
             fraction | 1 << 52
         };
         let shift = exponent.max(1) - 1075 + FRACTION_BITS;
+        // Most radiances, those from 2⁻⁴⁸ to 2¹⁶: without an index that is known only at run time.
+        if (0..64).contains(&shift) {
+            let wide = u128::from(mantissa) << shift;
+            self.add_words([wide as u64, (wide >> 64) as u64, 0], x.is_sign_negative());
+            return true;
+        }
         let mut term = [0; WORDS];
         if shift < 0 {
             term[0] = mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0);

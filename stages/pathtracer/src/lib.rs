@@ -4,10 +4,10 @@
 //! or a tree), [`normals`] and [`lit`] (from pixel to radiance), `integrator` and `packet` (scalar
 //! paths, and paths in packets of eight), `materials` (scattering), [`textures`], [`lens`] and
 //! [`environment_file`] (what flags add to a scene), [`rendered`] (a job and its result),
-//! [`layers`] (albedo, normal, depth), [`tone`], [`rate_picture`], [`output`] and [`part_file`]
-//! (picture files),
-//! [`passes`] and [`progressive`] (rendering that can be stopped), [`exact_sum`], [`sums_file`] and
-//! [`merge`] (parts of a picture), [`mitsuba`] (export for another renderer). The program is in `src/bin/pathtracer`.
+//! [`layers`] (albedo, normal, depth), [`passes`] and [`progressive`] (rendering that can be
+//! stopped), [`tone`], [`rate_picture`](mod@rate_picture), [`output`] and [`part_file`] (picture
+//! files), [`exact_sum`], [`sums_file`] and [`merge`](mod@merge) (parts of a picture), [`mitsuba`]
+//! (export for another renderer). The program is in `src/bin/pathtracer`.
 
 pub mod accel;
 pub mod args;

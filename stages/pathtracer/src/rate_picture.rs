@@ -81,7 +81,7 @@ const VIRIDIS: [[u8; 3]; 9] = [
     [253, 231, 37],
 ];
 
-/// The colour of a share of the samples, in [0, 1]: interpolated linearly between [`VIRIDIS`].
+/// The colour of a share of the samples, in [0, 1]: interpolated linearly between nine steps.
 pub fn viridis(share: f64) -> [u8; 3] {
     let steps = VIRIDIS.len() - 1;
     let place = share.clamp(0.0, 1.0) * steps as f64;

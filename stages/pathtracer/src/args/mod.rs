@@ -45,8 +45,8 @@ pub struct Args {
     #[arg(short = 'm', long, value_name = "INT", value_parser = depth)]
     pub max_depth: Option<u32>,
 
-    /// The picture to write: .png (tone-mapped), .exr or .hdr (linear radiance); or .sums, a part of
-    /// a picture for `pathtracer merge`
+    /// The picture to write: .png (tone-mapped), .exr or .hdr (linear radiance); or .sums, a part
+    /// of a picture for `pathtracer merge`
     #[arg(short = 'f', long = "file", value_name = "FILENAME")]
     pub file: Option<PathBuf>,
 

@@ -13,7 +13,7 @@
 //! pair is listed if less than [`EXPECTED`] pairs would be expected to agree so by chance.
 //!
 //! Equal files are listed, too: those of a stage that was written and that equal those of at most
-//! [`SHARED_FILES`] students, so that a handout or an example of the lecture is not listed.
+//! four students, so that a handout or an example of the lecture is not listed.
 
 use crate::collect::{Class, Row};
 use std::collections::BTreeMap;

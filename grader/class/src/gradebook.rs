@@ -1,4 +1,5 @@
-//! The table `gradebook.csv`: one line for each submission. `id` is the name of its folder or archive.
+//! The table `gradebook.csv`: one line for each submission. `id` is the name of its folder or
+//! archive.
 
 use crate::collect::{Class, Row, points};
 use std::fmt::Write;

@@ -11,7 +11,7 @@
 //! - [`entries`] and [`intake`]: the folder of the class; archives, clones and odd layouts
 //! - [`course_hash`]: what scores depend on
 //! - [`plan`]: which units a class needs; `OUT/class.json`
-//! - [`unit`]: the result of one unit, and how it is graded
+//! - [`mod@unit`]: the result of one unit, and how it is graded
 //! - [`pool`]: grades units on this machine, several at a time
 //! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
 //! - [`regrade`]: old and new scores, before they are replaced

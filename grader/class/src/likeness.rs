@@ -13,14 +13,14 @@
 //! pair is listed if less than [`EXPECTED`] pairs would be expected to agree so by chance.
 //!
 //! Equal files are listed, too: those of a stage that was written and that equal those of at most
-//! [`SHARED_FILES`] students, so that a handout or an example of the lecture is not listed.
+//! four students, so that a handout or an example of the lecture is not listed.
 
 use crate::collect::{Class, Row};
 use std::collections::BTreeMap;
 
 /// A pair is listed if fewer than this many pairs of the class are expected to agree so by chance:
-/// at most one needless question in five classes. Two tasks with mistakes that nobody else makes are
-/// just enough (0.125 in a large class), one is not.
+/// at most one needless question in five classes. Two tasks with mistakes that nobody else makes
+/// are just enough (0.125 in a large class), one is not.
 pub const EXPECTED: f64 = 0.2;
 
 /// Files that more students share come from the course, not from each other.

@@ -17,3 +17,5 @@ mod text_file;
 pub use camera_file::CameraFile;
 pub use collada::{Loaded, load, parse};
 pub use diagnostic::{SceneError, Warning};
+/// Generators of large meshes, for programs outside this workspace.
+pub use meshes as generate;

@@ -48,3 +48,6 @@ mod wide;
 pub use fearless_simd::Level;
 pub use intersect::{ExactTest, TestCounts};
 pub use wide::WideBvh;
+
+/// The earlier name of [`TestCounts`], which programs outside this workspace use.
+pub use intersect::TestCounts as Work;

@@ -30,8 +30,14 @@ const PLOT_IN_BOOK: &str = "grader/pictures/triangles.svg";
 /// Files in the root folder that a handout contains.
 const ROOT_FILES: [&str; 4] = ["Cargo.lock", ".gitignore", "clippy.toml", "rustfmt.toml"];
 
-/// Folders that students do not need: pictures of the README, and tests of given code.
-const LEFT_OUT: [&str; 2] = ["scenes/pictures", "scenes/tests"];
+/// What students do not need: the README's pictures and their scenes, and tests of given code.
+const LEFT_OUT: [&str; 5] = [
+    "scenes/pictures",
+    "scenes/tests",
+    "scenes/dae/dusk.dae",
+    "scenes/dae/materials.dae",
+    "scenes/dae/window_room.dae",
+];
 
 /// Selects the files and crates of a handout.
 #[derive(Clone, Debug)]

@@ -179,6 +179,10 @@ fn pixel(tally: &mut Tally, call: usize, work: &AdaptivePixel, answer: &Adaptive
 /// What the rule received for each sample instead of the luminance, such as the red channel; `None`
 /// if it is none of those that are checked.
 fn another_number(work: &AdaptivePixel, rule_call: &(u64, f64, f64, f64)) -> Option<&'static str> {
+    // An answer may state any count: a pixel does not have that many samples.
+    if rule_call.0 > u64::from(work.ns_aa) {
+        return None;
+    }
     type Number = fn(&Xyz) -> f64;
     const NUMBERS: [(&str, Number); 6] = [
         ("red", |light| light[0]),

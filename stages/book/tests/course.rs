@@ -251,11 +251,21 @@ fn what_is_said_of_the_full_checkout_is_true_there() {
         .lines()
         .filter(|line| line.starts_with("| ") && line.contains("f"));
     for row in rows {
-        assert!(readme.contains(row), "the README has no row {row}");
+        // The README leaves out the columns of operations and of wrong hits.
+        let cells: Vec<&str> = row.split(" | ").collect();
+        let [test, _, leaks, ordinary, slivers, mean, ..] = cells[..] else {
+            panic!("{row}");
+        };
+        let row = format!("{test} | {leaks} | {ordinary} | {slivers} | {mean} |");
+        let is_header = test == "| test";
+        assert!(
+            is_header || readme.contains(&row),
+            "the README has no row {row}"
+        );
     }
     let leaks = readme
         .lines()
-        .find_map(|line| line.strip_prefix("| Möller-Trumbore, f64 | 51 | "));
+        .find_map(|line| line.strip_prefix("| Möller-Trumbore, f64 | "));
     let leaks = leaks
         .and_then(|rest| rest.split(' ').next())
         .expect("the number of leaks");

@@ -1,8 +1,8 @@
 //! Reads and validates a worker's records. The student's code runs in the worker, so they are
 //! untrusted.
 //!
-//! Everything is validated here, once: that the file consists of frames ([`FrameReader`]), that the
-//! cases start and end in order, that each answer has the form that its case requires
+//! Everything is validated here, once: that the bytes are frames with the key of this run
+//! ([`wire::file::FrameReader`]), that the cases start and end in order, that each answer has the form that its case requires
 //! ([`judge::fits`]). An invalid record fails the case that was running and ends the reading; the
 //! records before it count.
 

@@ -5,13 +5,14 @@
 //! [`session`] (the state, and what commands do to it). What the state consists of: [`scene_data`],
 //! [`settings`], [`orbit`] (the camera), [`topology`] (vertices and edges), [`element_walk`], [`tree_walk`],
 //! [`view_picture`], [`view3d`] and [`pace`] (the ray-traced view), [`render_control`] (the picture),
-//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`] and [`picture_pair`] (A and B), [`features`]
-//! (what waits for a task), [`report`] (a report of the grader), [`ray_test`]. [`task`] runs work
-//! in the background and catches the holes of stages that are not written yet; [`project`] is the
-//! projection of lines.
+//! [`inspector`] (the replay of a pixel), [`truth`] (the exact answers), [`compare`] and
+//! [`picture_pair`] (A and B), [`features`] (what waits for a task), [`report`] (a report of the
+//! grader), [`ray_test`]. [`task`] runs work in the background and catches the holes of stages that
+//! are not written yet; [`project`] is the projection of lines.
 //!
 //! [`app`] draws it with egui. [`snapshot`] writes pictures of it without a display, with
-//! [`raster`], which draws egui's shapes without a GPU. [`bench`] measures frames. [`cli`] has the flags of the program.
+//! [`raster`], which draws egui's shapes without a GPU. [`mod@bench`] measures frames. [`cli`] has
+//! the flags of the program.
 
 pub mod app;
 pub mod bench;

@@ -2,9 +2,9 @@
 //! untrusted.
 //!
 //! Everything is validated here, once: that the bytes are frames with the key of this run
-//! ([`wire::file::FrameReader`]), that the cases start and end in order, that each answer has the form that its case requires
-//! ([`judge::fits`]). An invalid record fails the case that was running and ends the reading; the
-//! records before it count.
+//! ([`wire::file::FrameReader`]), that the cases start and end in order, that each answer has the
+//! form that its case requires ([`judge::fits`]). An invalid record fails the case that was running
+//! and ends the reading; the records before it count.
 
 use crate::runner::Ending;
 use wire::{Case, Outcome, Record, RecordFrame};

@@ -25,9 +25,38 @@ impl ThreadFiles {
         }
     }
 
-    /// The processor time of the thread since its start, if the system reports it.
-    fn time(&mut self) -> Option<Duration> {
-        nanoseconds(&text(self.schedstat.as_mut()?)?)
+    /// The times of the thread since its start, if the system reports them.
+    fn times(&mut self) -> Option<ThreadTimes> {
+        ThreadTimes::parse(&text(self.schedstat.as_mut()?)?)
+    }
+}
+
+/// What a thread did with its time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct ThreadTimes {
+    /// It ran.
+    worked: Duration,
+    /// It could have run, but no processor was free.
+    queued: Duration,
+}
+
+impl ThreadTimes {
+    /// Reads the text of a file `schedstat`: its first two numbers, in nanoseconds.
+    fn parse(schedstat: &str) -> Option<ThreadTimes> {
+        let mut numbers = schedstat.split_whitespace();
+        let mut next = || Some(Duration::from_nanos(numbers.next()?.parse().ok()?));
+        Some(ThreadTimes {
+            worked: next()?,
+            queued: next()?,
+        })
+    }
+
+    /// The times since `before`.
+    fn since(self, before: ThreadTimes) -> ThreadTimes {
+        ThreadTimes {
+            worked: self.worked.saturating_sub(before.worked),
+            queued: self.queued.saturating_sub(before.queued),
+        }
     }
 }
 
@@ -55,7 +84,8 @@ const TIME_OF_WRITE: Duration = Duration::from_micros(3);
 /// The same for each byte that is written.
 const TIME_OF_BYTE: Duration = Duration::from_nanos(25);
 
-/// Code that sleeps or waits may take this many times its limit in elapsed time.
+/// Code that sleeps or waits may take this many times its limit in elapsed time, not counting the
+/// time in which a busy machine has no processor for it.
 const WAITING: u32 = 8;
 
 /// Makes the current thread the one whose time is measured.
@@ -70,13 +100,14 @@ pub fn thread_time() -> Duration {
     static START: OnceLock<Instant> = OnceLock::new();
     // The system updates the time of a thread when it gives up the processor.
     std::thread::yield_now();
-    let time = THIS_THREAD.with_borrow_mut(ThreadFiles::time);
-    time.unwrap_or_else(|| START.get_or_init(Instant::now).elapsed())
+    let times = THIS_THREAD.with_borrow_mut(ThreadFiles::times);
+    let worked = times.map(|times| times.worked);
+    worked.unwrap_or_else(|| START.get_or_init(Instant::now).elapsed())
 }
 
 /// Measures the time of one case.
 pub(crate) struct Stopwatch {
-    worked_before: Duration,
+    times_before: ThreadTimes,
     output_before: Output,
     started: Instant,
 }
@@ -85,8 +116,8 @@ impl Stopwatch {
     /// Starts a stopwatch.
     pub(crate) fn start() -> Stopwatch {
         Stopwatch {
-            // A thread that has not started has used no processor time.
-            worked_before: worked().unwrap_or_default(),
+            // A thread that has not started has used no time.
+            times_before: times().unwrap_or_default(),
             output_before: Output::of_student(),
             started: Instant::now(),
         }
@@ -94,13 +125,13 @@ impl Stopwatch {
 
     /// How much of `limit` is left; `None` if it is used up.
     pub(crate) fn left(&self, limit: Duration) -> Option<Duration> {
-        let worked = worked().map(|now| now.saturating_sub(self.worked_before));
+        let times = times().map(|now| now.since(self.times_before));
+        let queued = times.unwrap_or_default().queued;
         let printing = Output::of_student().since(self.output_before).time();
-        let passed = self.started.elapsed().saturating_sub(printing);
         left(
             limit,
-            passed,
-            worked.map(|worked| worked.saturating_sub(printing)),
+            self.started.elapsed().saturating_sub(printing + queued),
+            times.map(|times| times.worked.saturating_sub(printing)),
         )
     }
 }
@@ -152,22 +183,17 @@ impl Output {
     }
 }
 
-/// The rest of `limit` after `passed` elapsed time and `worked` processor time; `None` if it is
-/// used up. Where the system does not report processor time, elapsed time counts.
+/// The rest of `limit` after `worked` processor time and `passed` elapsed time in which the thread
+/// had a processor or waited for something else; `None` if it is used up. Where the system does not
+/// report processor time, elapsed time counts.
 fn left(limit: Duration, passed: Duration, worked: Option<Duration>) -> Option<Duration> {
     let left = limit.checked_sub(worked.unwrap_or(passed))?;
     (passed < limit * WAITING && !left.is_zero()).then_some(left)
 }
 
-/// The processor time of the student's thread since its start, if the system reports it.
-fn worked() -> Option<Duration> {
-    STUDENT.get()?.lock().ok()?.time()
-}
-
-/// The processor time in the text of a file `schedstat`: its first number.
-fn nanoseconds(times: &str) -> Option<Duration> {
-    let nanoseconds = times.split_whitespace().next()?.parse().ok()?;
-    Some(Duration::from_nanos(nanoseconds))
+/// The times of the student's thread since its start, if the system reports them.
+fn times() -> Option<ThreadTimes> {
+    STUDENT.get()?.lock().ok()?.times()
 }
 
 #[cfg(test)]
@@ -175,10 +201,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_first_number_of_schedstat_is_the_processor_time() {
-        let times = "11223344 556677 89\n";
-        assert_eq!(nanoseconds(times), Some(Duration::from_nanos(11_223_344)));
-        assert_eq!(nanoseconds(""), None);
+    fn schedstat_has_the_time_of_running_and_of_waiting_for_a_processor() {
+        let times = ThreadTimes {
+            worked: Duration::from_nanos(11_223_344),
+            queued: Duration::from_nanos(556_677),
+        };
+        assert_eq!(ThreadTimes::parse("11223344 556677 89\n"), Some(times));
+        assert_eq!(ThreadTimes::parse("11223344"), None);
     }
 
     #[test]

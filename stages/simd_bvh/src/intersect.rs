@@ -1,7 +1,9 @@
 //! The closest hit and any hit of a ray, equal to those of brute force.
 
 // BEGIN SOLUTION(part6.task1)
+use crate::ray_in_tree::RayInTree;
 use crate::traversal::Traversal;
+use crate::unusual_ray;
 use fearless_simd::dispatch;
 // END SOLUTION(part6.task1)
 
@@ -38,8 +40,11 @@ impl WideBvh {
         counts: &mut TestCounts,
     ) -> Option<(PrimId, TriangleHit)> {
         // BEGIN SOLUTION(part6.task1)
-        dispatch!(self.level, simd => {
-            Traversal::<_, false>::new(simd, self, ray, skip, exact).closest(counts)
+        dispatch!(self.level, simd => match RayInTree::new(ray, &self.space) {
+            Some(in_tree) => {
+                Traversal::<_, false>::new(simd, self, ray, in_tree, skip, exact).closest(counts)
+            }
+            None => unusual_ray::closest(self, ray, skip, false, exact, counts),
         })
         // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
         // END SOLUTION(part6.task1)
@@ -55,8 +60,11 @@ impl WideBvh {
         counts: &mut TestCounts,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
-        dispatch!(self.level, simd => {
-            Traversal::<_, true>::new(simd, self, ray, skip, exact).any(counts)
+        dispatch!(self.level, simd => match RayInTree::new(ray, &self.space) {
+            Some(in_tree) => {
+                Traversal::<_, true>::new(simd, self, ray, in_tree, skip, exact).any(counts)
+            }
+            None => unusual_ray::closest(self, ray, skip, true, exact, counts).is_some(),
         })
         // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
         // END SOLUTION(part6.task1)

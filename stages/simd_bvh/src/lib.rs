@@ -26,11 +26,12 @@
 // BEGIN SOLUTION(part6.task1)
 mod binary;
 mod box_test;
+mod candidates;
 mod collapse;
+mod found;
 mod node;
-mod prefetch;
 mod ray_in_tree;
-mod ray_tests;
+mod rounding;
 mod sah;
 mod simd_box_test;
 mod space;
@@ -39,7 +40,7 @@ mod stack;
 mod traversal;
 mod triangle_block;
 mod triangle_filter;
-mod woop;
+mod unusual_ray;
 // END SOLUTION(part6.task1)
 
 mod intersect;

@@ -1,5 +1,6 @@
 // BEGIN SOLUTION(part6.task1)
-//! A node: the boxes of up to eight children in single precision, and the children.
+//! A node: the boxes of up to eight children in single precision, the children, and their orders
+//! from near to far.
 
 use crate::sah::LANES;
 use kit::{Aabb, Vec3};
@@ -14,9 +15,27 @@ use kit::{Aabb, Vec3};
 pub(crate) struct Node {
     /// For each axis the lower and the upper planes. Lanes without a child have an empty box.
     pub(crate) planes: [[[f32; LANES]; 2]; 3],
-    pub(crate) children: [Child; LANES],
-    /// The number of children.
-    pub(crate) count: u32,
+    /// The bits of the children.
+    pub(crate) children: [u32; LANES],
+    /// For each of [`ORDER_DIRECTIONS`] four times the numbers of the lanes, the nearest first.
+    pub(crate) orders: [[u8; LANES]; 4],
+}
+
+/// The directions for which a node orders its children: one for each pair of opposite octants. For
+/// the opposite direction the order is reversed.
+const ORDER_DIRECTIONS: [Vec3; 4] = [
+    Vec3::new(1.0, 1.0, 1.0),
+    Vec3::new(-1.0, 1.0, 1.0),
+    Vec3::new(1.0, -1.0, 1.0),
+    Vec3::new(-1.0, -1.0, 1.0),
+];
+
+/// The number of the order for rays along `d`, and whether it is reversed.
+#[inline(always)]
+pub(crate) fn order_along(d: Vec3) -> (usize, bool) {
+    let sign = |x: f64| (x.to_bits() >> 63) as usize;
+    let z = sign(d.z);
+    ((sign(d.x) ^ z) | (sign(d.y) ^ z) << 1, z == 1)
 }
 
 /// The margin of a box as a share of its largest edge, added before rounding.
@@ -31,24 +50,32 @@ const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 const MIN_MARGIN: f64 = 1.0 / (1_u64 << 60) as f64;
 
 impl Node {
-    /// A node without children.
-    pub(crate) const EMPTY: Node = Node {
-        planes: [[[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]]; 3],
-        children: [Child(0); LANES],
-        count: 0,
-    };
-
-    /// Adds a child. The node must have fewer than eight children.
-    pub(crate) fn push(&mut self, bounds: &Aabb, child: Child) {
-        let lane = self.count as usize;
-        let margin = MARGIN * bounds.extent().max_element() + MIN_MARGIN;
-        for axis in 0..3 {
-            let [lower, upper] = &mut self.planes[axis];
-            lower[lane] = below(bounds.min[axis] - margin);
-            upper[lane] = above(bounds.max[axis] + margin);
+    /// A node with these children, one to eight, and their boxes.
+    pub(crate) fn new(children: &[(Aabb, Child)]) -> Node {
+        let mut node = Node {
+            planes: [[[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]]; 3],
+            children: [0; LANES],
+            orders: [[0; LANES]; 4],
+        };
+        for (lane, (bounds, child)) in children.iter().enumerate() {
+            let margin = MARGIN * bounds.extent().max_element() + MIN_MARGIN;
+            for axis in 0..3 {
+                let [lower, upper] = &mut node.planes[axis];
+                lower[lane] = below(bounds.min[axis] - margin);
+                upper[lane] = above(bounds.max[axis] + margin);
+            }
+            node.children[lane] = child.0;
         }
-        self.children[lane] = child;
-        self.count += 1;
+        for (order, direction) in node.orders.iter_mut().zip(ORDER_DIRECTIONS) {
+            let mut lanes: [usize; LANES] = std::array::from_fn(|lane| lane);
+            let distance = |lane: usize| match children.get(lane) {
+                Some((bounds, _)) => bounds.centroid().dot(direction),
+                None => f64::INFINITY,
+            };
+            lanes.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+            *order = lanes.map(|lane| 4 * lane as u8);
+        }
+        node
     }
 
     /// The box of a child, with its margin.
@@ -75,16 +102,16 @@ fn above(x: f64) -> f32 {
     (x as f32).next_up()
 }
 
-/// A child of a node: its index, in the two highest bits its kind, and for blocks in the three bits
-/// below the number of primitives less one.
+/// A child of a node: its index, in the two highest bits its kind, and in the three bits below the
+/// number of its children or primitives less one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Child(pub(crate) u32);
 
-/// The kind, the index and the number of primitives of a [`Child`].
+/// The kind, the index and the number of children or primitives, one to eight, of a [`Child`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ChildKind {
     /// A node.
-    Node { index: usize },
+    Node { index: usize, count: u32 },
     /// A block of triangles.
     Triangles { index: usize, count: u32 },
     /// A block of spheres.
@@ -92,49 +119,38 @@ pub(crate) enum ChildKind {
 }
 
 impl Child {
-    /// The root node.
-    pub(crate) const ROOT: Child = Child(0);
     const TRIANGLES: u32 = 1 << 30;
     const SPHERES: u32 = 1 << 31;
-    const LAST_NODE: u32 = Child::TRIANGLES - 1;
     const COUNT_BIT: u32 = 27;
-    const LAST_BLOCK: u32 = (1 << Child::COUNT_BIT) - 1;
+    const LAST: u32 = (1 << Child::COUNT_BIT) - 1;
 
-    pub(crate) fn node(index: usize) -> Child {
-        assert!(
-            index <= Child::LAST_NODE as usize,
-            "a tree has at most 2^30 nodes"
-        );
-        Child(index as u32)
+    pub(crate) fn node(index: usize, count: usize) -> Child {
+        Child(Child::numbered(index, count))
     }
 
-    /// A block of `count` triangles, one to eight.
     pub(crate) fn triangles(index: usize, count: usize) -> Child {
-        Child(Child::block(index, count) | Child::TRIANGLES)
+        Child(Child::numbered(index, count) | Child::TRIANGLES)
     }
 
-    /// A block of `count` spheres, one to eight.
     pub(crate) fn spheres(index: usize, count: usize) -> Child {
-        Child(Child::block(index, count) | Child::SPHERES)
+        Child(Child::numbered(index, count) | Child::SPHERES)
     }
 
-    fn block(index: usize, count: usize) -> u32 {
+    fn numbered(index: usize, count: usize) -> u32 {
         assert!(
-            index <= Child::LAST_BLOCK as usize,
-            "a tree has at most 2^27 blocks of each kind"
+            index <= Child::LAST as usize,
+            "a tree has at most 2^27 nodes and blocks of each kind"
         );
         index as u32 | (count as u32 - 1) << Child::COUNT_BIT
     }
 
     #[inline(always)]
     pub(crate) fn kind(self) -> ChildKind {
-        if self.0 <= Child::LAST_NODE {
-            let index = self.0 as usize;
-            return ChildKind::Node { index };
-        }
-        let index = (self.0 & Child::LAST_BLOCK) as usize;
+        let index = (self.0 & Child::LAST) as usize;
         let count = (self.0 >> Child::COUNT_BIT & 7) + 1;
-        if self.0 & Child::TRIANGLES != 0 {
+        if self.0 < Child::TRIANGLES {
+            ChildKind::Node { index, count }
+        } else if self.0 < Child::SPHERES {
             ChildKind::Triangles { index, count }
         } else {
             ChildKind::Spheres { index, count }
@@ -159,14 +175,45 @@ mod tests {
     }
 
     #[test]
+    fn children_are_ordered_from_near_to_far() {
+        let at = |x: f64, y: f64, z: f64| {
+            let min = Vec3::new(x, y, z);
+            let max = min + 0.1;
+            (Aabb { min, max }, Child::node(0, 1))
+        };
+        let children = [at(1.0, 0.0, 0.0), at(0.0, 2.0, 0.0), at(0.0, 0.0, -3.0)];
+        let node = Node::new(&children);
+        for d in [
+            Vec3::new(0.1, 0.2, 0.3),
+            Vec3::new(-0.1, 0.2, 0.3),
+            Vec3::new(0.1, -0.2, 0.3),
+            Vec3::new(0.1, -0.2, -0.3),
+            Vec3::new(-0.1, -0.2, -0.3),
+        ] {
+            let (order, is_reversed) = order_along(d);
+            let mut lanes = node.orders[order].map(|byte| usize::from(byte) / 4);
+            if is_reversed {
+                lanes.reverse();
+            }
+            let octant = d.signum();
+            let present = lanes.into_iter().filter(|&lane| lane < children.len());
+            let along: Vec<f64> = present
+                .map(|lane| node.bounds(lane).centroid().dot(octant))
+                .collect();
+            assert_eq!(along.len(), 3);
+            assert!(along.is_sorted(), "{d}: {along:?}");
+        }
+    }
+
+    #[test]
     fn children_keep_their_kind_and_index() {
         let kinds = [
-            Child::node(7).kind(),
+            Child::node(7, 2).kind(),
             Child::triangles(0, 8).kind(),
             Child::spheres(9, 1).kind(),
         ];
         let expected = [
-            ChildKind::Node { index: 7 },
+            ChildKind::Node { index: 7, count: 2 },
             ChildKind::Triangles { index: 0, count: 8 },
             ChildKind::Spheres { index: 9, count: 1 },
         ];

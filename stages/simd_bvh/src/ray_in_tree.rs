@@ -13,8 +13,9 @@ pub(crate) struct RayInTree {
     /// The range. `min_t` may be negative if the origin was moved, but no hit has a negative `t`.
     pub(crate) min_t: f64,
     pub(crate) max_t: f64,
-    /// [`TreeSpace::size`].
-    pub(crate) size: f64,
+    /// At least the distance from the origin of the world's ray to any point of the tree, in the
+    /// tree's space.
+    reach: f64,
     /// A point at `t` on the world's ray is at `t·speed - start` on this one.
     speed: f64,
     start: f64,
@@ -54,7 +55,7 @@ impl RayInTree {
             d,
             min_t: ray.min_t * speed,
             max_t: ray.max_t * speed,
-            size: space.size,
+            reach: distance + 3.0 * space.size,
             speed,
             start: 0.0,
         };
@@ -74,6 +75,14 @@ impl RayInTree {
             self.min_t -= start;
             self.max_t -= start;
         }
+    }
+
+    /// At least the error in double precision of a point on the ray, or of a vertex projected along
+    /// it, in the tree's space.
+    #[inline(always)]
+    pub(crate) fn noise(&self) -> f32 {
+        const NOISE: f64 = 1.0 / (1_u64 << 48) as f64;
+        (self.reach * NOISE) as f32
     }
 
     /// The `t` on this ray of a point at `t` on the world's ray.

@@ -1,11 +1,12 @@
 // BEGIN SOLUTION(part6.task1)
 //! Tests a ray against the eight boxes of a node at once.
 
-use crate::box_test::{BoxHits, Key, LOW_BITS};
-use crate::node::Node;
+use crate::node::{Node, order_along};
 use crate::ray_in_tree::RayInTree;
 use crate::sah::LANES;
-use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
+use crate::stack::{Key, StackMemory};
+use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x8, prelude::*, u8x32, u32x8};
+use kit::Vec3;
 
 /// Tests eight boxes at once in single precision, for rays of ordinary size.
 ///
@@ -15,62 +16,32 @@ use fearless_simd::{Simd, f32x8, prelude::*, u32x8};
 /// however far the origin is from the box and the box from 0.
 pub(crate) struct SimdBoxTest<S: Simd> {
     simd: S,
-    /// One for each axis.
-    slabs: [Slabs; 3],
-    min_t: f32,
-    /// The end of the range, enlarged, and its bits.
-    max_t: f32,
-    end: u32,
+    /// By axis: the plane that the ray crosses first, 0 for the lower one, 1 for the upper one.
+    first: [usize; 3],
+    entering: Lines,
+    leaving: Lines,
+    /// The bits of the ends of the range, enlarged. They are not negative.
+    min_t: Key,
+    max_t: Key,
+    /// The order of the children, and which of its bytes go where: the farthest child first.
+    order: usize,
+    places: [u8; 32],
 }
 
-/// How the ray crosses the planes of one axis. The fields are scalars: broadcasting them from
-/// memory costs nothing.
-struct Slabs {
-    /// The plane that the ray crosses first: 0 for the lower one, 1 for the upper one.
-    first: usize,
-    entering: Line,
-    leaving: Line,
+/// For each axis `t = b·slope + start` for a plane at `b`. The fourth numbers have no meaning.
+struct Lines {
+    slope: [f32; 4],
+    start: [f32; 4],
 }
 
-/// `t = b·slope + start` for a plane at `b`.
-struct Line {
-    slope: f32,
-    start: f32,
-}
-
-impl Slabs {
+impl Lines {
+    /// The bits of the `t` at which the ray crosses eight planes, as signed integers.
     #[inline(always)]
-    fn new(o: f64, d: f64) -> Slabs {
-        let (o, d) = (o as f32, d as f32);
-        let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
-        // The exits are enlarged.
-        let outwards = inverse * RELATIVE;
-        let (offset, outer_offset) = (-o * inverse, -o * outwards);
-        // Two units in the last place: more than the rounding errors of the origin and the product.
-        let margin = |offset: f32| 2.0 * f32::EPSILON * offset.abs() + ABSOLUTE;
-        Slabs {
-            first: usize::from(inverse < 0.0),
-            entering: Line {
-                slope: inverse,
-                start: offset - margin(offset),
-            },
-            leaving: Line {
-                slope: outwards,
-                start: outer_offset + margin(outer_offset),
-            },
-        }
-    }
-
-    #[inline(always)]
-    fn enter<S: Simd>(&self, simd: S, node: &Node, axis: usize) -> f32x8<S> {
-        let planes = f32x8::load_array_ref(simd, &node.planes[axis][self.first & 1]);
-        planes.mul_add_precise(self.entering.slope, self.entering.start)
-    }
-
-    #[inline(always)]
-    fn leave<S: Simd>(&self, simd: S, node: &Node, axis: usize) -> f32x8<S> {
-        let planes = f32x8::load_array_ref(simd, &node.planes[axis][(1 - self.first) & 1]);
-        planes.mul_add_precise(self.leaving.slope, self.leaving.start)
+    fn at<S: Simd>(&self, simd: S, node: &Node, axis: usize, side: usize) -> i32x8<S> {
+        let planes = f32x8::load_array_ref(simd, &node.planes[axis][side & 1]);
+        planes
+            .mul_add_precise(self.slope[axis], self.start[axis])
+            .bitcast()
     }
 }
 
@@ -92,54 +63,105 @@ const SLOWEST: f32 = 1.0 / (1_u128 << 84) as f32;
 impl<S: Simd> SimdBoxTest<S> {
     #[inline(always)]
     pub(crate) fn new(simd: S, ray: &RayInTree) -> SimdBoxTest<S> {
-        let (o, d) = (ray.o, ray.d);
+        let (order, is_reversed) = order_along(ray.d);
+        let d = rounded(simd, ray.d);
+        let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
+        // The exits are enlarged.
+        let outwards = inverse * RELATIVE;
+        let back = -rounded(simd, ray.o);
+        let (offset, outer_offset) = (back * inverse, back * outwards);
+        // Two units in the last place: more than the rounding errors of the origin and the product.
+        let entering_start = offset - (offset.abs() * (2.0 * f32::EPSILON) + ABSOLUTE);
+        let leaving_start = outer_offset + (outer_offset.abs() * (2.0 * f32::EPSILON) + ABSOLUTE);
         SimdBoxTest {
             simd,
-            slabs: [
-                Slabs::new(o.x, d.x),
-                Slabs::new(o.y, d.y),
-                Slabs::new(o.z, d.z),
-            ],
+            first: ray.d.to_array().map(|d| (d.to_bits() >> 63) as usize),
+            entering: Lines {
+                slope: inverse.to_array(),
+                start: entering_start.to_array(),
+            },
+            leaving: Lines {
+                slope: outwards.to_array(),
+                start: leaving_start.to_array(),
+            },
             // No part of the tree has a negative `t`.
-            min_t: ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE),
-            max_t: 0.0,
-            end: 0,
+            min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE)).to_bits(),
+            max_t: 0,
+            order,
+            places: PLACES[usize::from(is_reversed)],
         }
     }
 
     /// Shortens the range to `max_t` of the local ray.
     #[inline(always)]
     pub(crate) fn shorten(&mut self, max_t: f32) {
-        self.max_t = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
-        self.end = self.max_t.max(0.0).to_bits();
+        let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
+        self.max_t = end.max(0.0).to_bits();
     }
 
-    /// The boxes of `node` that the ray hits in its range.
+    /// Pushes the children of `node` whose boxes the ray hits in its range, the nearest on top.
+    /// Returns how many entries are now in the memory's arrays.
     #[inline(always)]
-    pub(crate) fn test(&self, node: &Node) -> BoxHits {
+    pub(crate) fn push_hits(&self, node: &Node, stack: &mut StackMemory, len: usize) -> usize {
         let simd = self.simd;
-        let [x, y, z] = &self.slabs;
-        let entry = x.enter(simd, node, 0).max(y.enter(simd, node, 1));
-        let entry = entry.max(z.enter(simd, node, 2).max(self.min_t));
-        let exit = x.leave(simd, node, 0).min(y.leave(simd, node, 1));
-        let exit = exit.min(z.leave(simd, node, 2).min(self.max_t));
+        // The bits of two numbers compare like the numbers unless both are negative. The smallest `t`
+        // is not negative, so the latest entry is right, and an exit before it is right or negative.
+        // Comparing integers takes a cycle, comparing numbers four.
+        let [x, y, z] = self.first;
+        let (entering, leaving) = (&self.entering, &self.leaving);
+        let entry = entering.at(simd, node, 0, x).max(entering.at(simd, node, 1, y));
+        let entry = entry.max(entering.at(simd, node, 2, z).max(self.min_t as i32));
+        let exit = leaving.at(simd, node, 0, 1 ^ x).min(leaving.at(simd, node, 1, 1 ^ y));
+        let exit = exit.min(leaving.at(simd, node, 2, 1 ^ z).min(self.max_t as i32));
+        // Every lane of an order is one byte: the first of the four bytes of a number.
+        let order = f64x4::splat(simd, f64::from_bits(u64::from_le_bytes(node.orders[self.order & 3])));
+        let order = order.bitcast::<u8x32<S>>();
+        let order = order.swizzle_dyn_within_blocks(u8x32::load_array_ref(simd, &self.places))
+            | u8x32::load_array_ref(simd, &BYTES);
+        let (entry, exit) = (entry.swizzle_dyn(order), exit.swizzle_dyn(order));
+        let children = u32x8::load_array_ref(simd, &node.children).swizzle_dyn(order);
         let hit = entry.simd_le(exit);
-        // The entries are not negative, so their bits have the same order.
-        let keys =
-            entry.bitcast::<u32x8<S>>() & !LOW_BITS | u32x8::load_array_ref(simd, &LANE_KEYS);
-        BoxHits {
-            lanes: hit.to_bitmask() as u32,
-            keys: keys.compress(hit).to_array(),
-        }
+        let keys = entry.bitcast::<u32x8<S>>().compress(hit);
+        stack.write(len, keys, children.compress(hit));
+        len + hit.to_bitmask().count_ones() as usize
     }
 
-    /// Whether `key`, from [`BoxHits::keys`], is still in the range.
+    /// Whether a box with this key is still in the range.
     #[inline(always)]
     pub(crate) fn is_within(&self, key: Key) -> bool {
-        key & !LOW_BITS <= self.end
+        key <= self.max_t
     }
 }
 
-/// The low bits of the keys.
-const LANE_KEYS: [Key; LANES] = [8, 9, 10, 11, 12, 13, 14, 15];
+/// A vector in single precision, with a 0 behind it.
+#[inline(always)]
+fn rounded<S: Simd>(simd: S, v: Vec3) -> f32x4<S> {
+    f32x4::load_array(simd, [v.x as f32, v.y as f32, v.z as f32, 0.0])
+}
+
+/// Which of the eight bytes of an order become which numbers, from the farthest child to the
+/// nearest: for an order from near to far, and for a reversed one.
+const PLACES: [[u8; 4 * LANES]; 2] = [places(true), places(false)];
+
+const fn places(reversed: bool) -> [u8; 4 * LANES] {
+    let mut places = [0; 4 * LANES];
+    let mut i = 0;
+    while i < places.len() {
+        let place = i / 4;
+        places[i] = if reversed { LANES - 1 - place } else { place } as u8;
+        i += 1;
+    }
+    places
+}
+
+/// The number of each byte in its lane.
+const BYTES: [u8; 4 * LANES] = {
+    let mut bytes = [0; 4 * LANES];
+    let mut i = 0;
+    while i < bytes.len() {
+        bytes[i] = (i % 4) as u8;
+        i += 1;
+    }
+    bytes
+};
 // END SOLUTION(part6.task1)

@@ -1,87 +1,114 @@
 // BEGIN SOLUTION(part6.task1)
 //! The stack of children that a traversal has still to visit.
 
-use crate::box_test::Key;
 use crate::node::Child;
+use crate::sah::LANES;
+use fearless_simd::{Simd, prelude::*, u32x8};
 
-/// A child and the key of its box, in one integer: two stores and a load of both would wait for
-/// each other.
-#[derive(Clone, Copy)]
-pub(crate) struct StackEntry(u64);
+/// The `t` at which a ray enters a box, as the bits of a number that is not negative: they have the
+/// same order.
+pub(crate) type Key = u32;
 
-impl StackEntry {
-    #[inline(always)]
-    pub(crate) fn new(key: Key, child: Child) -> StackEntry {
-        StackEntry(u64::from(key) << 32 | u64::from(child.0))
-    }
-
-    #[inline(always)]
-    pub(crate) fn key(self) -> Key {
-        (self.0 >> 32) as Key
-    }
-
-    #[inline(always)]
-    pub(crate) fn child(self) -> Child {
-        Child(self.0 as u32)
-    }
+/// The memory of a stack of children and their keys. The last entries are in arrays; few trees are
+/// deep enough to need more.
+///
+/// The number of entries in the arrays is the caller's: next to arrays with variable indices it
+/// would be loaded and stored at every step.
+pub(crate) struct StackMemory {
+    keys: [Key; StackMemory::INLINE],
+    children: [u32; StackMemory::INLINE],
+    overflow: Vec<(Key, u32)>,
 }
 
-/// A stack with its first entries in an array. Few trees are deep enough to need more.
-pub(crate) struct Stack {
-    inline: [StackEntry; Stack::INLINE],
-    len: usize,
-    overflow: Vec<StackEntry>,
-}
-
-impl Stack {
+impl StackMemory {
     /// The number of entries that need no heap memory.
-    const INLINE: usize = 32;
+    const INLINE: usize = 64;
 
     #[inline(always)]
-    pub(crate) fn new() -> Stack {
-        Stack {
-            inline: [StackEntry(0); Stack::INLINE],
-            len: 0,
+    pub(crate) fn new() -> StackMemory {
+        StackMemory {
+            keys: [0; StackMemory::INLINE],
+            children: [0; StackMemory::INLINE],
             overflow: Vec::new(),
         }
     }
 
+    /// Makes space for eight entries above `len`. Returns the new `len`.
+    ///
+    /// To be called before the entries are computed: a call in between would spill all registers.
     #[inline(always)]
-    pub(crate) fn push(&mut self, entry: StackEntry) {
-        match self.inline.get_mut(self.len) {
-            Some(slot) => {
-                *slot = entry;
-                self.len += 1;
-            }
-            None => self.overflow.push(entry),
+    pub(crate) fn reserve(&mut self, len: usize) -> usize {
+        if len + LANES <= StackMemory::INLINE {
+            return len;
         }
+        self.move_to_heap(len);
+        0
     }
 
-    /// Pushes the first `count` of three entries. All are written, because a branch for each would
-    /// be mispredicted.
+    /// Writes eight entries above `len`, after [`StackMemory::reserve`]. Those that count are the
+    /// first ones, the last of them on top; a branch for each would be mispredicted.
     #[inline(always)]
-    pub(crate) fn push_up_to_3(&mut self, entries: [StackEntry; 3], count: usize) {
-        if let Some([a, b, c]) = self.inline.get_mut(self.len..self.len + 3) {
-            *a = entries[0];
-            *b = entries[1];
-            *c = entries[2];
-            self.len += count;
-        } else {
-            for &entry in &entries[..count] {
-                self.push(entry);
-            }
-        }
+    pub(crate) fn write<S: Simd>(&mut self, len: usize, keys: u32x8<S>, children: u32x8<S>) {
+        let len = len.min(StackMemory::INLINE - LANES);
+        keys.store_slice(&mut self.keys[len..len + LANES]);
+        children.store_slice(&mut self.children[len..len + LANES]);
     }
 
+    /// Pushes one entry with the least key. Returns the new `len`.
     #[inline(always)]
-    pub(crate) fn pop(&mut self) -> Option<StackEntry> {
-        if self.len == Stack::INLINE
-            && let Some(entry) = self.overflow.pop()
-        {
-            return Some(entry);
+    pub(crate) fn push(&mut self, len: usize, child: Child) -> usize {
+        let len = self.reserve(len) % StackMemory::INLINE;
+        self.keys[len] = 0;
+        self.children[len] = child.0;
+        len + 1
+    }
+
+    /// The entry below `len`, if there is one, and the new `len`.
+    #[inline(always)]
+    pub(crate) fn pop(&mut self, len: usize) -> Option<(usize, Key, Child)> {
+        let Some(last) = len.checked_sub(1) else {
+            let (key, child) = self.overflow.pop()?;
+            return Some((0, key, Child(child)));
+        };
+        let slot = last % StackMemory::INLINE;
+        Some((last, self.keys[slot], Child(self.children[slot])))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn move_to_heap(&mut self, len: usize) {
+        let entries = self.keys.into_iter().zip(self.children);
+        self.overflow.extend(entries.take(len));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    #[test]
+    fn entries_come_back_in_reverse_however_many_there_are() {
+        let mut stack = StackMemory::new();
+        let mut len = 0;
+        let mut expected = Vec::new();
+        for first in 0..100 {
+            let count = first as usize % LANES + 1;
+            let entries: [u32; LANES] = std::array::from_fn(|i| 8 * first + i as u32);
+            len = stack.reserve(len);
+            dispatch!(Level::new(), simd => {
+                let lanes = u32x8::load_array(simd, entries);
+                stack.write(len, lanes, lanes);
+            });
+            len += count;
+            expected.extend(&entries[..count]);
         }
-        self.len = self.len.checked_sub(1)?;
-        Some(self.inline[self.len % Stack::INLINE])
+        while let Some(entry) = expected.pop() {
+            let (below, key, child) = stack.pop(len).expect("an entry");
+            assert_eq!((key, child), (entry, Child(entry)));
+            len = below;
+        }
+        assert_eq!(stack.pop(len), None);
     }
 }
 // END SOLUTION(part6.task1)

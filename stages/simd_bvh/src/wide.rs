@@ -7,7 +7,7 @@ use crate::node::{Child, ChildKind, Node};
 use crate::sah::LANES;
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
-use crate::triangle_block::{ExactBlock, TriangleBlock};
+use crate::triangle_block::TriangleBlock;
 use kit::{Bvh, BvhNode, NodeKind, PrimId};
 use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
@@ -17,8 +17,8 @@ use kit::{Aabb, Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
-/// It copies the vertices of triangles, in single and in double precision, the centres and the
-/// squared radii. Primitives are numbered as in a [`kit::Scene`]: triangles first, then spheres.
+/// It copies the vertices of triangles, rounded to 16 bits a coordinate, the centres and the squared
+/// radii. Primitives are numbered as in a [`kit::Scene`]: triangles first, then spheres.
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)
@@ -28,8 +28,6 @@ pub struct WideBvh {
     pub(crate) nodes: Vec<Node>,
     /// The triangles, in blocks of eight.
     pub(crate) blocks: Vec<TriangleBlock>,
-    /// The same triangles in double precision.
-    pub(crate) exact_blocks: Vec<ExactBlock>,
     /// The spheres, in blocks of eight.
     pub(crate) spheres: Vec<SphereBlock>,
     /// The space of the boxes. Triangles and spheres are in world space.
@@ -69,7 +67,6 @@ impl WideBvh {
                 roots: Vec::new(),
                 nodes: Vec::new(),
                 blocks: Vec::new(),
-                exact_blocks: Vec::new(),
                 spheres: Vec::new(),
                 space,
                 level: Level::new(),
@@ -85,8 +82,8 @@ impl WideBvh {
             let binary_tree = binary::build(&bounds);
             let is_mixed = |node: &BvhNode| builder.kinds(&binary_tree, node).is_some();
             let collapse = Collapse::cheapest(&binary_tree, is_mixed);
-            builder.widen(&binary_tree, &collapse, 0);
-            builder.tree.roots.push(Child::ROOT);
+            let root = builder.widen(&binary_tree, &collapse, 0);
+            builder.tree.roots.push(root);
         }
         builder.tree
         // STUB: kit::hole!("part6.task1", triangles, spheres)
@@ -116,7 +113,6 @@ impl WideBvh {
         // BEGIN SOLUTION(part6.task1)
         size_of_val(&*self.nodes)
             + size_of_val(&*self.blocks)
-            + size_of_val(&*self.exact_blocks)
             + size_of_val(&*self.spheres)
         // STUB: kit::hole!("part6.task1", self)
         // END SOLUTION(part6.task1)
@@ -135,19 +131,18 @@ impl WideBvh {
     pub fn boxes(&self, most: usize) -> Vec<(Aabb, usize)> {
         // BEGIN SOLUTION(part6.task1)
         let mut boxes = Vec::new();
-        let mut pending = VecDeque::from([(0, 0)]);
-        while let Some((index, depth)) = pending.pop_front() {
-            let Some(node) = self.nodes.get(index) else {
+        let mut pending: VecDeque<_> = self.roots.iter().map(|&root| (root, 0)).collect();
+        while let Some((child, depth)) = pending.pop_front() {
+            let ChildKind::Node { index, count } = child.kind() else {
                 continue;
             };
-            for lane in 0..node.count as usize {
+            let node = &self.nodes[index];
+            for lane in 0..count as usize {
                 if boxes.len() == most {
                     return boxes;
                 }
                 boxes.push((self.space.world_bounds(node.bounds(lane)), depth));
-                if let ChildKind::Node { index: child } = node.children[lane].kind() {
-                    pending.push_back((child, depth + 1));
-                }
+                pending.push_back((Child(node.children[lane]), depth + 1));
             }
         }
         boxes
@@ -168,34 +163,31 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    /// Adds the wide node for node `root` of `binary` and the nodes below it. Returns its index.
-    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> usize {
+    /// Adds the wide node for node `root` of `binary` and the nodes below it.
+    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> Child {
         let number = self.tree.nodes.len();
-        self.tree.nodes.push(Node::EMPTY);
-        let mut node = Node::EMPTY;
-        let children = collapse.children(binary, root);
+        self.tree.nodes.push(Node::new(&[]));
+        let parts = collapse.children(binary, root);
+        let mut children = Vec::with_capacity(LANES);
         // If lanes are free, the triangles and the spheres of a mixed leaf become two children.
-        let mut free = LANES - children.len();
-        for child in children {
-            let part = &binary.nodes[child as usize];
+        let mut free = LANES - parts.len();
+        for number in parts {
+            let part = &binary.nodes[number as usize];
             match (part.kind, self.kinds(binary, part)) {
-                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || child == root => {
+                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || number == root => {
                     free = free.saturating_sub(1);
                     for prims in kinds {
-                        node.push(&self.bounds_of(prims), self.block(prims));
+                        children.push((self.bounds_of(prims), self.block(prims)));
                     }
                 }
                 (NodeKind::Leaf { first, count }, None) => {
-                    node.push(&part.bounds, self.block(binary.leaf(first, count)));
+                    children.push((part.bounds, self.block(binary.leaf(first, count))));
                 }
-                _ => node.push(
-                    &part.bounds,
-                    Child::node(self.widen(binary, collapse, child)),
-                ),
+                _ => children.push((part.bounds, self.widen(binary, collapse, number))),
             }
         }
-        self.tree.nodes[number] = node;
-        number
+        self.tree.nodes[number] = Node::new(&children);
+        Child::node(number, children.len())
     }
 
     /// The triangles and the spheres of a mixed leaf; `None` for other nodes.
@@ -223,8 +215,6 @@ impl Builder<'_> {
         if (prims[0].0 as usize) < first {
             let block = TriangleBlock::of(self.triangles, prims, &self.tree.space);
             self.tree.blocks.push(block);
-            let exact = TriangleBlock::exact(self.triangles, prims);
-            self.tree.exact_blocks.push(exact);
             Child::triangles(self.tree.blocks.len() - 1, prims.len())
         } else {
             let block = SphereBlock::of(self.spheres, first, prims);

@@ -145,9 +145,23 @@ impl Child {
     }
 
     #[inline(always)]
+    pub(crate) fn is_node(self) -> bool {
+        self.0 < Child::TRIANGLES
+    }
+
+    #[inline(always)]
+    pub(crate) fn index(self) -> usize {
+        (self.0 & Child::LAST) as usize
+    }
+
+    #[inline(always)]
+    pub(crate) fn count(self) -> u32 {
+        (self.0 >> Child::COUNT_BIT & 7) + 1
+    }
+
+    #[inline(always)]
     pub(crate) fn kind(self) -> ChildKind {
-        let index = (self.0 & Child::LAST) as usize;
-        let count = (self.0 >> Child::COUNT_BIT & 7) + 1;
+        let (index, count) = (self.index(), self.count());
         if self.0 < Child::TRIANGLES {
             ChildKind::Node { index, count }
         } else if self.0 < Child::SPHERES {

@@ -4,7 +4,7 @@
 use crate::node::{Node, order_along};
 use crate::ray_in_tree::RayInTree;
 use crate::sah::LANES;
-use crate::stack::{Key, StackMemory};
+use crate::stack::Key;
 use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x8, prelude::*, u8x32, u32x8};
 use kit::Vec3;
 
@@ -26,6 +26,13 @@ pub(crate) struct SimdBoxTest<S: Simd> {
     /// The order of the children, and which of its bytes go where: the farthest child first.
     order: usize,
     places: [u8; 32],
+}
+
+/// Children of a node whose boxes a ray hits: the first `count` lanes.
+pub(crate) struct BoxHits<S: Simd> {
+    pub(crate) keys: u32x8<S>,
+    pub(crate) children: u32x8<S>,
+    pub(crate) count: usize,
 }
 
 /// For each axis `t = b·slope + start` for a plane at `b`. The fourth numbers have no meaning.
@@ -84,8 +91,8 @@ impl<S: Simd> SimdBoxTest<S> {
                 slope: outwards.to_array(),
                 start: leaving_start.to_array(),
             },
-            // No part of the tree has a negative `t`.
-            min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE)).to_bits(),
+            // No part of the tree has a negative `t`. The sum with 0 is not -0.
+            min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE) + 0.0).to_bits(),
             max_t: 0,
             order,
             places: PLACES[usize::from(is_reversed)],
@@ -96,13 +103,12 @@ impl<S: Simd> SimdBoxTest<S> {
     #[inline(always)]
     pub(crate) fn shorten(&mut self, max_t: f32) {
         let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
-        self.max_t = end.max(0.0).to_bits();
+        self.max_t = (end.max(0.0) + 0.0).to_bits();
     }
 
-    /// Pushes the children of `node` whose boxes the ray hits in its range, the nearest on top.
-    /// Returns how many entries are now in the memory's arrays.
+    /// The children of `node` whose boxes the ray hits in its range, the nearest last.
     #[inline(always)]
-    pub(crate) fn push_hits(&self, node: &Node, stack: &mut StackMemory, len: usize) -> usize {
+    pub(crate) fn hits(&self, node: &Node) -> BoxHits<S> {
         let simd = self.simd;
         // The bits of two numbers compare like the numbers unless both are negative. The smallest `t`
         // is not negative, so the latest entry is right, and an exit before it is right or negative.
@@ -121,9 +127,11 @@ impl<S: Simd> SimdBoxTest<S> {
         let (entry, exit) = (entry.swizzle_dyn(order), exit.swizzle_dyn(order));
         let children = u32x8::load_array_ref(simd, &node.children).swizzle_dyn(order);
         let hit = entry.simd_le(exit);
-        let keys = entry.bitcast::<u32x8<S>>().compress(hit);
-        stack.write(len, keys, children.compress(hit));
-        len + hit.to_bitmask().count_ones() as usize
+        BoxHits {
+            keys: entry.bitcast::<u32x8<S>>().compress(hit),
+            children: children.compress(hit),
+            count: hit.to_bitmask().count_ones() as usize,
+        }
     }
 
     /// Whether a box with this key is still in the range.

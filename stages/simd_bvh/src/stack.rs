@@ -33,12 +33,12 @@ impl StackMemory {
         }
     }
 
-    /// Makes space for eight entries above `len`. Returns the new `len`.
+    /// Makes space for two nodes' entries above `len`. Returns the new `len`.
     ///
     /// To be called before the entries are computed: a call in between would spill all registers.
     #[inline(always)]
     pub(crate) fn reserve(&mut self, len: usize) -> usize {
-        if len + LANES <= StackMemory::INLINE {
+        if len + 2 * LANES <= StackMemory::INLINE {
             return len;
         }
         self.move_to_heap(len);
@@ -72,6 +72,13 @@ impl StackMemory {
         };
         let slot = last % StackMemory::INLINE;
         Some((last, self.keys[slot], Child(self.children[slot])))
+    }
+
+    /// The entry below `len`, which stays where it is.
+    #[inline(always)]
+    pub(crate) fn peek(&self, len: usize) -> (Key, Child) {
+        let slot = len.wrapping_sub(1) % StackMemory::INLINE;
+        (self.keys[slot], Child(self.children[slot]))
     }
 
     #[cold]

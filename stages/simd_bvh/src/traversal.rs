@@ -99,8 +99,19 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 ChildKind::Node { index, count } => {
                     box_tests += u64::from(count);
                     len = stack.reserve(len);
-                    let node = &self.tree.nodes[index];
-                    len = self.boxes.push_hits(node, &mut stack, len);
+                    // The next entry, too, if it is a node: most often it is needed anyway, and two
+                    // nodes take hardly longer than one.
+                    let (key, second) = stack.peek(len);
+                    let both = len > 0 && second.is_node() && self.boxes.is_within(key);
+                    let second_index = if both { second.index() } else { index };
+                    box_tests += if both { u64::from(second.count()) } else { 0 };
+                    let hits = self.boxes.hits(&self.tree.nodes[index]);
+                    let second_hits = self.boxes.hits(&self.tree.nodes[second_index]);
+                    len -= usize::from(both);
+                    stack.write(len, second_hits.keys, second_hits.children);
+                    len += if both { second_hits.count } else { 0 };
+                    stack.write(len, hits.keys, hits.children);
+                    len += hits.count;
                     continue;
                 }
                 ChildKind::Triangles { index, count } => {

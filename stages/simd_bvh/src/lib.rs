@@ -26,10 +26,10 @@
 // BEGIN SOLUTION(part6.task1)
 mod binary;
 mod box_test;
-mod candidates;
 mod collapse;
 mod found;
 mod node;
+mod prefetch;
 mod ray_in_tree;
 mod rounding;
 mod sah;
@@ -41,6 +41,7 @@ mod traversal;
 mod triangle_block;
 mod triangle_filter;
 mod unusual_ray;
+mod woop;
 // END SOLUTION(part6.task1)
 
 mod intersect;

@@ -1,18 +1,18 @@
 // BEGIN SOLUTION(part6.task1)
 //! One traversal of the tree by an ordinary ray, for the closest hit or for any hit.
 
-use crate::candidates::Candidates;
 use crate::found::Found;
 use crate::intersect::{ExactTest, TestCounts};
 use crate::node::ChildKind;
+use crate::prefetch::prefetch;
 use crate::ray_in_tree::RayInTree;
 use crate::rounding::at_least;
 use crate::simd_box_test::SimdBoxTest;
 use crate::sphere_block::SphereBlock;
 use crate::stack::StackMemory;
-use crate::triangle_block::TriangleBlock;
 use crate::triangle_filter::TriangleFilter;
 use crate::wide::WideBvh;
+use crate::woop::{self, Decision, Vertices};
 use fearless_simd::Simd;
 use kit::{PrimId, Ray, TriangleHit};
 
@@ -66,22 +66,19 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     /// The closest hit. Adds to `counts`.
     #[inline(always)]
     pub(crate) fn closest(mut self, counts: &mut TestCounts) -> Option<(PrimId, TriangleHit)> {
-        // Not a field: next to an array with variable indices, the fields would not stay in registers.
-        let mut candidates = Candidates::default();
-        self.visit(counts, &mut candidates);
-        self.test_candidates(&mut candidates);
+        self.visit(counts);
         self.found.closest
     }
 
     /// Whether there is a hit. Adds to `counts`.
     #[inline(always)]
     pub(crate) fn any(mut self, counts: &mut TestCounts) -> bool {
-        self.visit(counts, &mut Candidates::default())
+        self.visit(counts)
     }
 
     /// Visits the nodes and blocks, nearer ones first. With `ANY` returns whether there is a hit.
     #[inline(always)]
-    fn visit(&mut self, counts: &mut TestCounts, candidates: &mut Candidates) -> bool {
+    fn visit(&mut self, counts: &mut TestCounts) -> bool {
         // Local copies: counters behind a reference would be loaded and stored at every step.
         let (mut box_tests, mut prim_tests) = (0, 0);
         let mut stack = StackMemory::new();
@@ -116,7 +113,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 }
                 ChildKind::Triangles { index, count } => {
                     prim_tests += u64::from(count);
-                    self.test_triangles(&self.tree.blocks[index], count, candidates)
+                    self.test_triangles(index, count)
                 }
                 ChildKind::Spheres { index, count } => {
                     prim_tests += u64::from(count);
@@ -133,14 +130,14 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         is_hit
     }
 
-    /// Tests a block of triangles. Returns whether there is a hit for certain.
+    /// Tests block number `index`, of `count` triangles. Returns whether there is a hit for certain.
     #[inline(always)]
-    fn test_triangles(
-        &mut self,
-        block: &TriangleBlock,
-        count: u32,
-        candidates: &mut Candidates,
-    ) -> bool {
+    fn test_triangles(&mut self, index: usize, count: u32) -> bool {
+        let block = &self.tree.blocks[index];
+        if !ANY {
+            // A hit needs them, and waiting for memory costs more than the rest of the test.
+            prefetch(&self.tree.exact_blocks[index]);
+        }
         if self.filter.is_none() {
             self.filter = Some(TriangleFilter::new(&self.in_tree));
         }
@@ -170,10 +167,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 is_hit = true;
                 if !ANY {
                     self.shorten(self.limit.min(farthest));
-                    if candidates.is_full() {
-                        self.test_candidates(candidates);
-                    }
-                    candidates.push(id, nearest);
+                    self.test_sure(id, &self.tree.exact_blocks[index][lane & 7]);
                 }
             }
             if ANY && is_hit {
@@ -198,11 +192,16 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         is_hit
     }
 
-    /// Computes the hits that are still in the range.
+    /// Computes a hit that the ray has for certain. The range is already shortened to it.
     #[inline(always)]
-    fn test_candidates(&mut self, candidates: &mut Candidates) {
-        while let Some((id, nearest)) = candidates.pop() {
-            if nearest <= self.limit {
+    fn test_sure(&mut self, id: PrimId, vertices: &Vertices) {
+        let Some(filter) = &self.filter else {
+            return;
+        };
+        match woop::test(vertices, self.ray, filter.axes) {
+            Decision::Hit(hit) => self.found.accept(id, hit),
+            Decision::Miss => {}
+            Decision::Undecided => {
                 self.test_scalar(id);
             }
         }

@@ -3,6 +3,7 @@
 
 use crate::sah::LANES;
 use crate::space::TreeSpace;
+use crate::woop::Vertices;
 use fearless_simd::{Simd, prelude::*, u32x8};
 use kit::{PrimId, Triangle, Vec3};
 
@@ -22,6 +23,20 @@ pub(crate) struct TriangleBlock {
     pub(crate) origin: [f32; 3],
     /// A power of two.
     pub(crate) unit: f32,
+}
+
+/// The vertices of the triangles of a [`TriangleBlock`] in world space and double precision. They
+/// are apart, because few blocks need them.
+pub(crate) type ExactBlock = [Vertices; LANES];
+
+/// The vertices of the triangles `prims`; 0 in lanes without one.
+pub(crate) fn exact_block(triangles: &[Triangle], prims: &[PrimId]) -> ExactBlock {
+    let mut block = [[[0.0; 3]; 3]; LANES];
+    for (vertices, &id) in block.iter_mut().zip(prims) {
+        let triangle = &triangles[id.0 as usize];
+        *vertices = [triangle.p0, triangle.p1, triangle.p2].map(|p| p.to_array());
+    }
+    block
 }
 
 /// The smallest unit. It is far above the rounding errors of double precision, relative to a tree

@@ -53,7 +53,7 @@ use fearless_simd::{Simd, f32x8, i32x8, prelude::*, u16x8};
 /// direction.
 pub(crate) struct TriangleFilter {
     /// The axes that become x, y and z.
-    axes: [usize; 3],
+    pub(crate) axes: [usize; 3],
     o: [f64; 3],
     /// `-d.x/d.z` and `-d.y/d.z`.
     shear: [f64; 2],

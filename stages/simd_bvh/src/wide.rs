@@ -7,7 +7,7 @@ use crate::node::{Child, ChildKind, Node};
 use crate::sah::LANES;
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
-use crate::triangle_block::TriangleBlock;
+use crate::triangle_block::{ExactBlock, TriangleBlock, exact_block};
 use kit::{Bvh, BvhNode, NodeKind, PrimId};
 use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
@@ -28,6 +28,8 @@ pub struct WideBvh {
     pub(crate) nodes: Vec<Node>,
     /// The triangles, in blocks of eight.
     pub(crate) blocks: Vec<TriangleBlock>,
+    /// The same triangles in double precision.
+    pub(crate) exact_blocks: Vec<ExactBlock>,
     /// The spheres, in blocks of eight.
     pub(crate) spheres: Vec<SphereBlock>,
     /// The space of the boxes. Triangles and spheres are in world space.
@@ -67,6 +69,7 @@ impl WideBvh {
                 roots: Vec::new(),
                 nodes: Vec::new(),
                 blocks: Vec::new(),
+                exact_blocks: Vec::new(),
                 spheres: Vec::new(),
                 space,
                 level: Level::new(),
@@ -113,6 +116,7 @@ impl WideBvh {
         // BEGIN SOLUTION(part6.task1)
         size_of_val(&*self.nodes)
             + size_of_val(&*self.blocks)
+            + size_of_val(&*self.exact_blocks)
             + size_of_val(&*self.spheres)
         // STUB: kit::hole!("part6.task1", self)
         // END SOLUTION(part6.task1)
@@ -215,6 +219,8 @@ impl Builder<'_> {
         if (prims[0].0 as usize) < first {
             let block = TriangleBlock::of(self.triangles, prims, &self.tree.space);
             self.tree.blocks.push(block);
+            let exact = exact_block(self.triangles, prims);
+            self.tree.exact_blocks.push(exact);
             Child::triangles(self.tree.blocks.len() - 1, prims.len())
         } else {
             let block = SphereBlock::of(self.spheres, first, prims);

@@ -20,9 +20,8 @@ pub(crate) struct SimdBoxTest<S: Simd> {
     first: [usize; 3],
     entering: Lines,
     leaving: Lines,
-    /// The bits of the ends of the range, enlarged. They are not negative.
+    /// The bits of the start of the range, moved down. It is not negative.
     min_t: Key,
-    max_t: Key,
     /// The order of the children, and which of its bytes go where: the farthest child first.
     order: usize,
     places: [u8; 32],
@@ -93,22 +92,15 @@ impl<S: Simd> SimdBoxTest<S> {
             },
             // No part of the tree has a negative `t`. The sum with 0 is not -0.
             min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE) + 0.0).to_bits(),
-            max_t: 0,
             order,
             places: PLACES[usize::from(is_reversed)],
         }
     }
 
-    /// Shortens the range to `max_t` of the local ray.
+    /// The children of `node` whose boxes the ray hits before `end`, a [`range_end`], the nearest
+    /// last.
     #[inline(always)]
-    pub(crate) fn shorten(&mut self, max_t: f32) {
-        let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
-        self.max_t = (end.max(0.0) + 0.0).to_bits();
-    }
-
-    /// The children of `node` whose boxes the ray hits in its range, the nearest last.
-    #[inline(always)]
-    pub(crate) fn hits(&self, node: &Node) -> BoxHits<S> {
+    pub(crate) fn hits(&self, node: &Node, end: Key) -> BoxHits<S> {
         let simd = self.simd;
         // The bits of two numbers compare like the numbers unless both are negative. The smallest `t`
         // is not negative, so the latest entry is right, and an exit before it is right or negative.
@@ -118,7 +110,7 @@ impl<S: Simd> SimdBoxTest<S> {
         let entry = entering.at(simd, node, 0, x).max(entering.at(simd, node, 1, y));
         let entry = entry.max(entering.at(simd, node, 2, z).max(self.min_t as i32));
         let exit = leaving.at(simd, node, 0, 1 ^ x).min(leaving.at(simd, node, 1, 1 ^ y));
-        let exit = exit.min(leaving.at(simd, node, 2, 1 ^ z).min(self.max_t as i32));
+        let exit = exit.min(leaving.at(simd, node, 2, 1 ^ z).min(end as i32));
         // Every lane of an order is one byte: the first of the four bytes of a number.
         let order = f64x4::splat(simd, f64::from_bits(u64::from_le_bytes(node.orders[self.order & 3])));
         let order = order.bitcast::<u8x32<S>>();
@@ -133,12 +125,14 @@ impl<S: Simd> SimdBoxTest<S> {
             count: hit.to_bitmask().count_ones() as usize,
         }
     }
+}
 
-    /// Whether a box with this key is still in the range.
-    #[inline(always)]
-    pub(crate) fn is_within(&self, key: Key) -> bool {
-        key <= self.max_t
-    }
+/// The bits of the end of the range up to `max_t` of the local ray, enlarged. It is not negative.
+#[inline(always)]
+pub(crate) fn range_end(max_t: f32) -> Key {
+    let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
+    // The sum with 0 is not -0.
+    (end.max(0.0) + 0.0).to_bits()
 }
 
 /// A vector in single precision, with a 0 behind it.

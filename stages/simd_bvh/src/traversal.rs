@@ -7,9 +7,9 @@ use crate::node::ChildKind;
 use crate::prefetch::prefetch;
 use crate::ray_in_tree::RayInTree;
 use crate::rounding::at_least;
-use crate::simd_box_test::SimdBoxTest;
+use crate::simd_box_test::{SimdBoxTest, range_end};
 use crate::sphere_block::SphereBlock;
-use crate::stack::StackMemory;
+use crate::stack::{Key, StackMemory};
 use crate::triangle_filter::TriangleFilter;
 use crate::wide::WideBvh;
 use crate::woop::{self, Decision, Vertices};
@@ -26,11 +26,12 @@ pub(crate) struct Traversal<'a, 'e, S: Simd, const ANY: bool> {
     /// a copy whose address is taken would not stay in registers.
     ray: &'a Ray,
     in_tree: RayInTree,
-    boxes: SimdBoxTest<S>,
     /// Computed at the first block: many rays reach none.
     filter: Option<TriangleFilter>,
     /// At least the end of the range, in the tree's space.
     limit: f32,
+    /// The same for boxes.
+    end: Key,
     /// The closest hit of the scalar kernel so far.
     found: Found,
 }
@@ -45,22 +46,19 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         skip: Option<PrimId>,
         exact: &'a mut ExactTest<'e>,
     ) -> Self {
-        let boxes = SimdBoxTest::new(simd, &in_tree);
         let limit = at_least(in_tree.max_t);
-        let mut traversal = Traversal {
+        Traversal {
             simd,
             tree,
             skip,
             exact,
             ray,
             in_tree,
-            boxes,
             filter: None,
-            limit: f32::INFINITY,
+            limit,
+            end: range_end(limit),
             found: Found::default(),
-        };
-        traversal.shorten(limit);
-        traversal
+        }
     }
 
     /// The closest hit. Adds to `counts`.
@@ -81,15 +79,19 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     fn visit(&mut self, counts: &mut TestCounts) -> bool {
         // Local copies: counters behind a reference would be loaded and stored at every step.
         let (mut box_tests, mut prim_tests) = (0, 0);
+        let boxes = SimdBoxTest::new(self.simd, &self.in_tree);
         let mut stack = StackMemory::new();
         let mut len = 0;
         for &root in &self.tree.roots {
             len = stack.push(len, root);
         }
+        // In memory: an operation can broadcast a number from there, while broadcasts before the loop
+        // would take more registers than there are.
+        let boxes = std::hint::black_box(&boxes);
         let mut is_hit = false;
         while let Some((below, key, child)) = stack.pop(len) {
             len = below;
-            if !self.boxes.is_within(key) {
+            if key > self.end {
                 continue;
             }
             let found = match child.kind() {
@@ -99,11 +101,11 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                     // The next entry, too, if it is a node: most often it is needed anyway, and two
                     // nodes take hardly longer than one.
                     let (key, second) = stack.peek(len);
-                    let both = len > 0 && second.is_node() && self.boxes.is_within(key);
+                    let both = len > 0 && second.is_node() && key <= self.end;
                     let second_index = if both { second.index() } else { index };
                     box_tests += if both { u64::from(second.count()) } else { 0 };
-                    let hits = self.boxes.hits(&self.tree.nodes[index]);
-                    let second_hits = self.boxes.hits(&self.tree.nodes[second_index]);
+                    let hits = boxes.hits(&self.tree.nodes[index], self.end);
+                    let second_hits = boxes.hits(&self.tree.nodes[second_index], self.end);
                     len -= usize::from(both);
                     stack.write(len, second_hits.keys, second_hits.children);
                     len += if both { second_hits.count } else { 0 };
@@ -224,7 +226,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     #[inline(always)]
     fn shorten(&mut self, limit: f32) {
         self.limit = limit;
-        self.boxes.shorten(limit);
+        self.end = range_end(limit);
     }
 }
 // END SOLUTION(part6.task1)

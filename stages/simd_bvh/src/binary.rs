@@ -9,14 +9,8 @@ use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId};
 /// recursion ends.
 const MAX_DEPTH: u32 = 64;
 
-/// Builds a tree over the primitives whose box is not empty, with at most [`LANES`] in a leaf. Ids
-/// in a leaf ascend.
-pub(crate) fn build(bounds: &[Aabb]) -> Bvh {
-    let mut prims: Vec<BuildPrimitive> = (0..)
-        .zip(bounds)
-        .filter(|(_, bounds)| !bounds.is_empty())
-        .map(|(id, &bounds)| BuildPrimitive::new(id, bounds))
-        .collect();
+/// Builds a tree over `prims`, with at most [`LANES`] in a leaf. Ids in a leaf ascend.
+pub(crate) fn build(mut prims: Vec<BuildPrimitive>) -> Bvh {
     if prims.is_empty() {
         return Bvh::default();
     }

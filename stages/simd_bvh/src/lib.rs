@@ -30,6 +30,7 @@ mod collapse;
 mod found;
 mod node;
 mod prefetch;
+mod presplit;
 mod ray_in_tree;
 mod rounding;
 mod sah;

@@ -3,7 +3,7 @@
 
 use crate::found::Found;
 use crate::intersect::{ExactTest, TestCounts};
-use crate::node::ChildKind;
+use crate::node::{Child, ChildKind};
 use crate::prefetch::prefetch;
 use crate::ray_in_tree::RayInTree;
 use crate::rounding::at_least;
@@ -114,6 +114,9 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                     continue;
                 }
                 ChildKind::Triangles { index, count } => {
+                    // Most often the ray misses all of them, and the next entry is needed.
+                    let (_, next) = stack.peek(len);
+                    self.prefetch(next);
                     prim_tests += u64::from(count);
                     self.test_triangles(index, count)
                 }
@@ -130,6 +133,18 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         counts.box_tests += box_tests;
         counts.prim_tests += prim_tests;
         is_hit
+    }
+
+    /// Starts to load a node or a block of triangles.
+    #[inline(always)]
+    fn prefetch(&self, child: Child) {
+        if child.is_node() {
+            if let Some(node) = self.tree.nodes.get(child.index()) {
+                prefetch(node);
+            }
+        } else if let Some(block) = self.tree.blocks.get(child.index()) {
+            prefetch(block);
+        }
     }
 
     /// Tests block number `index`, of `count` triangles. Returns whether there is a hit for certain.

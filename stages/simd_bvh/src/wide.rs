@@ -4,7 +4,8 @@
 use crate::binary;
 use crate::collapse::Collapse;
 use crate::node::{Child, ChildKind, Node};
-use crate::sah::LANES;
+use crate::presplit;
+use crate::sah::{BuildPrimitive, LANES};
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
 use crate::triangle_block::{ExactBlock, TriangleBlock, exact_block};
@@ -82,7 +83,7 @@ impl WideBvh {
                 builder.tree.roots.push(child);
             }
         } else {
-            let binary_tree = binary::build(&bounds);
+            let binary_tree = binary::build(builder.build_primitives(triangles, spheres));
             let is_mixed = |node: &BvhNode| builder.kinds(&binary_tree, node).is_some();
             let collapse = Collapse::cheapest(&binary_tree, is_mixed);
             let root = builder.widen(&binary_tree, &collapse, 0);
@@ -194,6 +195,19 @@ impl Builder<'_> {
         Child::node(number, children.len())
     }
 
+    /// The boxes that the tree is built over: of spheres, of triangles and of their parts.
+    fn build_primitives(&self, triangles: &[PrimId], spheres: &[PrimId]) -> Vec<BuildPrimitive> {
+        let mut prims = Vec::with_capacity(triangles.len() + spheres.len());
+        let vertices = triangles.iter().map(|id| {
+            let t = &self.triangles[id.0 as usize];
+            (id.0, [t.p0, t.p1, t.p2].map(|p| self.tree.space.point(p)))
+        });
+        presplit::add_triangles(&mut prims, vertices);
+        let spheres = spheres.iter();
+        prims.extend(spheres.map(|id| BuildPrimitive::new(id.0, self.bounds[id.0 as usize])));
+        prims
+    }
+
     /// The triangles and the spheres of a mixed leaf; `None` for other nodes.
     fn kinds<'b>(&self, binary: &'b Bvh, node: &BvhNode) -> Option<[&'b [PrimId]; 2]> {
         let NodeKind::Leaf { first, count } = node.kind else {
@@ -213,8 +227,12 @@ impl Builder<'_> {
         prims.split_at(prims.partition_point(|id| (id.0 as usize) < self.triangles.len()))
     }
 
-    /// Adds a block of up to eight primitives of one kind.
+    /// Adds a block of up to eight primitives of one kind, whose ids ascend. Parts of one triangle
+    /// become one triangle.
     fn block(&mut self, prims: &[PrimId]) -> Child {
+        let mut prims = prims.to_vec();
+        prims.dedup();
+        let prims = &*prims;
         let first = self.triangles.len();
         if (prims[0].0 as usize) < first {
             let block = TriangleBlock::of(self.triangles, prims, &self.tree.space);

@@ -26,6 +26,7 @@
 // BEGIN SOLUTION(part6.task1)
 mod binary;
 mod box_test;
+mod builder;
 mod collapse;
 mod found;
 mod node;

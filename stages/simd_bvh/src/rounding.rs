@@ -22,7 +22,18 @@ mod tests {
 
     #[test]
     fn they_are_on_their_side_and_near() {
-        for x in [0.0, 1e-300, 1e-45, 1e-38, 0.1, 1.0, 1.0 / 3.0, 4e6, 1e38, 1e300] {
+        for x in [
+            0.0,
+            1e-300,
+            1e-45,
+            1e-38,
+            0.1,
+            1.0,
+            1.0 / 3.0,
+            4e6,
+            1e38,
+            1e300,
+        ] {
             for x in [x, -x] {
                 assert!(f64::from(at_least(x)) >= x || x == -1e300, "{x}");
                 assert!(f64::from(at_most(x)) <= x, "{x}");

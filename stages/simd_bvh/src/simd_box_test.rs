@@ -107,12 +107,19 @@ impl<S: Simd> SimdBoxTest<S> {
         // Comparing integers takes a cycle, comparing numbers four.
         let [x, y, z] = self.first;
         let (entering, leaving) = (&self.entering, &self.leaving);
-        let entry = entering.at(simd, node, 0, x).max(entering.at(simd, node, 1, y));
+        let entry = entering
+            .at(simd, node, 0, x)
+            .max(entering.at(simd, node, 1, y));
         let entry = entry.max(entering.at(simd, node, 2, z).max(self.min_t as i32));
-        let exit = leaving.at(simd, node, 0, 1 ^ x).min(leaving.at(simd, node, 1, 1 ^ y));
+        let exit = leaving
+            .at(simd, node, 0, 1 ^ x)
+            .min(leaving.at(simd, node, 1, 1 ^ y));
         let exit = exit.min(leaving.at(simd, node, 2, 1 ^ z).min(end as i32));
         // Every lane of an order is one byte: the first of the four bytes of a number.
-        let order = f64x4::splat(simd, f64::from_bits(u64::from_le_bytes(node.orders[self.order & 3])));
+        let order = f64x4::splat(
+            simd,
+            f64::from_bits(u64::from_le_bytes(node.orders[self.order & 3])),
+        );
         let order = order.bitcast::<u8x32<S>>();
         let order = order.swizzle_dyn_within_blocks(u8x32::load_array_ref(simd, &self.places))
             | u8x32::load_array_ref(simd, &BYTES);

@@ -36,7 +36,8 @@ impl TreeSpace {
                 None => 0.0,
             }
         };
-        let center = Vec3::new(middle(0), middle(1), middle(2));
+        let (x, (y, z)) = rayon::join(|| middle(0), || rayon::join(|| middle(1), || middle(2)));
+        let center = Vec3::new(x, y, z);
         let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         // Half the extent, because the whole may overflow.
         let extent = (0.5 * all.max - 0.5 * all.min).max_element();

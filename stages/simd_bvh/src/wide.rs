@@ -1,15 +1,11 @@
 //! The wide tree: nodes of eight children and leaves of eight primitives, laid out for SIMD lanes.
 
 // BEGIN SOLUTION(part6.task1)
-use crate::binary;
-use crate::collapse::Collapse;
+use crate::builder;
 use crate::node::{Child, ChildKind, Node};
-use crate::presplit;
-use crate::sah::{BuildPrimitive, LANES};
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
-use crate::triangle_block::{ExactBlock, TriangleBlock, exact_block};
-use kit::{Bvh, BvhNode, NodeKind, PrimId};
+use crate::triangle_block::{ExactBlock, TriangleBlock};
 use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
 
@@ -46,50 +42,7 @@ impl WideBvh {
     /// omitted, because no ray hits it.
     pub fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)
-        let boxes = triangles.iter().map(Triangle::bounds);
-        let mut bounds: Vec<Aabb> = boxes.chain(spheres.iter().map(Sphere::bounds)).collect();
-        for b in &mut bounds {
-            if !(b.min.is_finite() && b.max.is_finite()) {
-                *b = Aabb::EMPTY;
-            }
-        }
-        let prims: Vec<PrimId> = (0..bounds.len() as u32)
-            .map(PrimId)
-            .filter(|id| !bounds[id.0 as usize].is_empty())
-            .collect();
-        let sound: Vec<Aabb> = prims.iter().map(|id| bounds[id.0 as usize]).collect();
-        let space = TreeSpace::around(&sound);
-        for b in bounds.iter_mut().filter(|b| !b.is_empty()) {
-            *b = space.bounds(*b);
-        }
-        let mut builder = Builder {
-            bounds: &bounds,
-            triangles,
-            spheres,
-            tree: WideBvh {
-                roots: Vec::new(),
-                nodes: Vec::new(),
-                blocks: Vec::new(),
-                exact_blocks: Vec::new(),
-                spheres: Vec::new(),
-                space,
-                level: Level::new(),
-            },
-        };
-        let (triangles, spheres) = builder.by_kind(&prims);
-        if triangles.len() <= MAX_TRIANGLES_WITHOUT_NODES && spheres.len() <= LANES {
-            for block in triangles.chunks(LANES).chain(spheres.chunks(LANES)) {
-                let child = builder.block(block);
-                builder.tree.roots.push(child);
-            }
-        } else {
-            let binary_tree = binary::build(builder.build_primitives(triangles, spheres));
-            let is_mixed = |node: &BvhNode| builder.kinds(&binary_tree, node).is_some();
-            let collapse = Collapse::cheapest(&binary_tree, is_mixed);
-            let root = builder.widen(&binary_tree, &collapse, 0);
-            builder.tree.roots.push(root);
-        }
-        builder.tree
+        builder::build(triangles, spheres)
         // STUB: kit::hole!("part6.task1", triangles, spheres)
         // END SOLUTION(part6.task1)
     }
@@ -155,96 +108,3 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 }
-
-// BEGIN SOLUTION(part6.task1)
-/// Up to this many triangles need no nodes: testing a node costs about as much as testing a block.
-const MAX_TRIANGLES_WITHOUT_NODES: usize = 2 * LANES;
-
-struct Builder<'a> {
-    bounds: &'a [Aabb],
-    triangles: &'a [Triangle],
-    spheres: &'a [Sphere],
-    tree: WideBvh,
-}
-
-impl Builder<'_> {
-    /// Adds the wide node for node `root` of `binary` and the nodes below it.
-    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> Child {
-        let number = self.tree.nodes.len();
-        self.tree.nodes.push(Node::new(&[]));
-        let parts = collapse.children(binary, root);
-        let mut children = Vec::with_capacity(LANES);
-        // If lanes are free, the triangles and the spheres of a mixed leaf become two children.
-        let mut free = LANES - parts.len();
-        for number in parts {
-            let part = &binary.nodes[number as usize];
-            match (part.kind, self.kinds(binary, part)) {
-                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || number == root => {
-                    free = free.saturating_sub(1);
-                    for prims in kinds {
-                        children.push((self.bounds_of(prims), self.block(prims)));
-                    }
-                }
-                (NodeKind::Leaf { first, count }, None) => {
-                    children.push((part.bounds, self.block(binary.leaf(first, count))));
-                }
-                _ => children.push((part.bounds, self.widen(binary, collapse, number))),
-            }
-        }
-        self.tree.nodes[number] = Node::new(&children);
-        Child::node(number, children.len())
-    }
-
-    /// The boxes that the tree is built over: of spheres, of triangles and of their parts.
-    fn build_primitives(&self, triangles: &[PrimId], spheres: &[PrimId]) -> Vec<BuildPrimitive> {
-        let mut prims = Vec::with_capacity(triangles.len() + spheres.len());
-        let vertices = triangles.iter().map(|id| {
-            let t = &self.triangles[id.0 as usize];
-            (id.0, [t.p0, t.p1, t.p2].map(|p| self.tree.space.point(p)))
-        });
-        presplit::add_triangles(&mut prims, vertices);
-        let spheres = spheres.iter();
-        prims.extend(spheres.map(|id| BuildPrimitive::new(id.0, self.bounds[id.0 as usize])));
-        prims
-    }
-
-    /// The triangles and the spheres of a mixed leaf; `None` for other nodes.
-    fn kinds<'b>(&self, binary: &'b Bvh, node: &BvhNode) -> Option<[&'b [PrimId]; 2]> {
-        let NodeKind::Leaf { first, count } = node.kind else {
-            return None;
-        };
-        let (triangles, spheres) = self.by_kind(binary.leaf(first, count));
-        (!triangles.is_empty() && !spheres.is_empty()).then_some([triangles, spheres])
-    }
-
-    fn bounds_of(&self, prims: &[PrimId]) -> Aabb {
-        let boxes = prims.iter().map(|id| self.bounds[id.0 as usize]);
-        boxes.fold(Aabb::EMPTY, Aabb::union)
-    }
-
-    /// Splits a list with ascending ids into triangles and spheres.
-    fn by_kind<'p>(&self, prims: &'p [PrimId]) -> (&'p [PrimId], &'p [PrimId]) {
-        prims.split_at(prims.partition_point(|id| (id.0 as usize) < self.triangles.len()))
-    }
-
-    /// Adds a block of up to eight primitives of one kind, whose ids ascend. Parts of one triangle
-    /// become one triangle.
-    fn block(&mut self, prims: &[PrimId]) -> Child {
-        let mut prims = prims.to_vec();
-        prims.dedup();
-        let prims = &*prims;
-        let first = self.triangles.len();
-        if (prims[0].0 as usize) < first {
-            let block = TriangleBlock::of(self.triangles, prims, &self.tree.space);
-            self.tree.blocks.push(block);
-            let exact = exact_block(self.triangles, prims);
-            self.tree.exact_blocks.push(exact);
-            Child::triangles(self.tree.blocks.len() - 1, prims.len())
-        } else {
-            let block = SphereBlock::of(self.spheres, first, prims);
-            self.tree.spheres.push(block);
-            Child::spheres(self.tree.spheres.len() - 1, prims.len())
-        }
-    }
-}
-// END SOLUTION(part6.task1)

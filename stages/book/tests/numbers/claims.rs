@@ -19,8 +19,22 @@ fn claims() -> Vec<Claim> {
         part4(),
         part5_task1(),
         part5_task2(),
+        part6_task1(),
     ]
     .concat()
+}
+
+fn part6_task1() -> Vec<Claim> {
+    let (coordinates, bytes) = (3 * 3, u16::BITS / 8);
+    vec![(
+        "part6/task1.md",
+        format!(
+            "16 bits a coordinate are a grid of {} steps: {} bytes a triangle instead of {}",
+            u32::from(u16::MAX) + 1,
+            coordinates * bytes,
+            coordinates * 8
+        ),
+    )]
 }
 
 /// Rounded to one digit, as powers of ten are in the text.

@@ -1,12 +1,13 @@
 //! The distribution of the errors of `t`, compared with the forward error bound.
 
-use super::canvas::{DrawResult, Label, svg};
-use super::figure::Figure;
-use super::formatting::{figures, list, name, rounded, tick};
-use super::plot::{Axis, Plot};
-use super::style::{self, BOUND, SeriesStyle};
+use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
 use grader::error::GraderError;
+use plots::canvas::{DrawResult, Label, svg};
+use plots::figure::Figure;
+use plots::numbers::{figures, list, rounded, tick};
+use plots::plot::{Axis, Plot};
+use plots::style::{self, BOUND, SeriesStyle};
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 330.0;

@@ -1,16 +1,16 @@
 //! The error of pictures against samples and against time.
 
-use super::canvas::{DrawResult, Label, svg};
 use super::convergence_caption::{caption, finding};
-use super::figure::{Figure, heads};
-use super::formatting::{figures, percent, tick};
-use super::plot::{Axis, Plot, legend};
-use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
 use crate::table::factor;
 use grader::error::GraderError;
 use pages::html::{escape, png_data_uri};
 use pictures::Image;
+use plots::canvas::{DrawResult, Label, svg};
+use plots::figure::{Figure, heads};
+use plots::numbers::{figures, percent, tick};
+use plots::plot::{Axis, Plot, legend};
+use plots::style::{self, INK, Marker, SeriesStyle};
 
 const WIDTH: f64 = 860.0;
 const HEIGHT: f64 = 300.0;

@@ -24,7 +24,7 @@ pub struct Document {
 }
 
 impl Document {
-    /// Formats the page. It lists the sections if there is more than one.
+    /// Formats the page. It has a list of the sections, and their titles, if there are several.
     pub fn html(&self) -> String {
         let title = escape(&self.title);
         let mut html = format!(
@@ -35,7 +35,8 @@ impl Document {
             self.style,
             escape(&self.about)
         );
-        if self.sections.len() > 1 {
+        let has_titles = self.sections.len() > 1;
+        if has_titles {
             html.push_str("<nav>");
             for (i, (title, _)) in self.sections.iter().enumerate() {
                 let _ = write!(html, "<a href=\"#s{i}\">{}</a>", escape(title));
@@ -43,7 +44,10 @@ impl Document {
             html.push_str("</nav>\n");
         }
         for (i, (title, content)) in self.sections.iter().enumerate() {
-            let _ = write!(html, "<h2 id=\"s{i}\">{}</h2>\n{content}", escape(title));
+            if has_titles {
+                let _ = writeln!(html, "<h2 id=\"s{i}\">{}</h2>", escape(title));
+            }
+            html.push_str(content);
         }
         let _ = write!(html, "<script>\n{SCRIPT}</script>\n</body>\n</html>\n");
         html

@@ -193,14 +193,13 @@ impl<'a, 'b> Plot<'a, 'b> {
         if let Some(y) = self.separator() {
             canvas.dashes(&[(left, y), (right, y)], INK, 0.6, [2.0, 3.0])?;
         }
-        for (value, number) in &self.x.ticks {
+        for (value, _) in &self.x.ticks {
             let (x, _) = self.at(*value, self.y.from);
             canvas.line(&[(x, top), (x, bottom)], GRID, 0.6)?;
-            canvas.text(
-                number,
-                (x, bottom + 9.0),
-                Label::centered(SMALL).in_color(INK),
-            )?;
+        }
+        let label = Label::centered(SMALL).in_color(INK);
+        for (x, number) in self.x_numbers(label) {
+            canvas.text(number, (x, bottom + 9.0), label)?;
         }
         for (value, number) in &self.y.ticks {
             let (_, y) = self.at(self.x.from, *value);
@@ -221,6 +220,27 @@ impl<'a, 'b> Plot<'a, 'b> {
             ..Label::centered(SMALL + 0.5)
         };
         canvas.text(&self.y.name, (left - 43.0, middle.1), upright)
+    }
+
+    /// The numbers below the x axis and their places, without those that would touch another one:
+    /// powers of ten go first.
+    fn x_numbers(&self, label: Label) -> Vec<(f64, &str)> {
+        let is_power =
+            |value: f64| value > 0.0 && (value.log10() - value.log10().round()).abs() < 1e-9;
+        let (powers, others): (Vec<_>, Vec<_>) =
+            self.x.ticks.iter().partition(|(value, _)| is_power(*value));
+        let mut numbers: Vec<(f64, &str)> = Vec::new();
+        for (value, number) in powers.into_iter().chain(others) {
+            let (x, _) = self.at(*value, self.y.from);
+            let room = |other: &str| 0.5 * (label.width(number) + label.width(other)) + 4.0;
+            if numbers
+                .iter()
+                .all(|(at, other)| (at - x).abs() >= room(other))
+            {
+                numbers.push((x, number));
+            }
+        }
+        numbers
     }
 
     /// Returns the position of a value on the canvas.

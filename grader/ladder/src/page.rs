@@ -28,7 +28,11 @@ const AREA: f64 = 30.0;
 /// Returns the HTML page of the results.
 pub fn page(ladder: &Ladder) -> Result<String, GraderError> {
     let mut steps = String::new();
-    for figure in [speed(ladder)?, tests(ladder)?, build(ladder)?] {
+    for figure in [
+        speed(ladder, "bounce rays")?,
+        tests(ladder)?,
+        build(ladder)?,
+    ] {
         steps.push_str(&figure.html());
     }
     let missing: Vec<String> = ladder.missing.iter().map(|why| format!("{why}.")).collect();
@@ -46,15 +50,16 @@ pub fn page(ladder: &Ladder) -> Result<String, GraderError> {
     Ok(document.html())
 }
 
-/// Returns the plot of speed as an SVG file.
+/// Returns the plot of speed, with the finding as its title, as an SVG file.
 pub fn plot(ladder: &Ladder) -> Result<String, GraderError> {
-    Ok(file(&speed(ladder)?.drawing))
+    let figure = speed(ladder, &speed_finding(ladder))?;
+    Ok(file(&figure.drawing))
 }
 
-/// Rays per second of each step.
-fn speed(ladder: &Ladder) -> Result<Figure, GraderError> {
+/// Rays per second of each step. `title_of_plot` stands above it.
+fn speed(ladder: &Ladder, title_of_plot: &str) -> Result<Figure, GraderError> {
     let lines = Lines {
-        title: "bounce rays",
+        title: title_of_plot,
         unit: "millions of rays per second",
         value: &|row| Some(rate(row, RayKind::Bounce)),
         note: &|kind| {

@@ -81,8 +81,8 @@ pub fn plot(report: &CostReport) -> Result<Option<String>, GraderError> {
     if let Some(family) = family {
         return Ok(Some(file(&pareto::figure(family)?.drawing)));
     }
-    let figure = report.bvh.as_ref().map(exactness::figure).transpose()?;
-    Ok(figure.flatten().map(|figure| file(&figure.drawing)))
+    let plot = report.bvh.as_ref().map(exactness::svg_file);
+    Ok(plot.transpose()?.flatten())
 }
 
 fn title(shape: Shape) -> &'static str {

@@ -5,7 +5,7 @@ use crate::report::Precision;
 use crate::table::plus_minus;
 use crate::trees::{ExactnessRow, TreeReport, in_a_million};
 use grader::error::GraderError;
-use plots::canvas::{Canvas, DrawResult, Label, Position, for_both_widths};
+use plots::canvas::{Canvas, DrawResult, Label, Position, file, for_both_widths, svg};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;
 use plots::numbers::{figures, grouped};
@@ -19,6 +19,9 @@ const NARROW: [f64; 2] = [300.0, 400.0];
 /// Area of the markers in square points.
 const AREA: f64 = 60.0;
 
+/// The text of the plot for screen readers.
+const LABEL: &str = "Lost hits against speed of trees with different tests and precisions";
+
 /// Font size of the names beside markers.
 const NAME: f64 = 9.5;
 
@@ -27,9 +30,8 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> 
     let Some(finding) = finding(&trees.by_precision) else {
         return Ok(None);
     };
-    let label = "Lost hits against speed of trees with different tests and precisions";
-    let drawing = for_both_widths(BROAD, NARROW, label, |canvas, size, _| {
-        draw(canvas, size, &trees.by_precision)
+    let drawing = for_both_widths(BROAD, NARROW, LABEL, |canvas, size, _| {
+        draw(canvas, size, "lost hits against speed", &trees.by_precision)
     })?;
     let rays = trees.by_precision.first().map_or(0, |row| row.rays);
     Ok(Some(Figure {
@@ -73,6 +75,19 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> 
             })
             .collect(),
     }))
+}
+
+/// Returns the plot alone, with the finding as its title, as an SVG file; `None` if nothing was
+/// measured.
+pub(crate) fn svg_file(trees: &TreeReport) -> Result<Option<String>, GraderError> {
+    let Some(finding) = finding(&trees.by_precision) else {
+        return Ok(None);
+    };
+    let [w, h] = BROAD;
+    let drawing = svg(w, h, LABEL, |canvas| {
+        draw(canvas, BROAD, &finding, &trees.by_precision)
+    })?;
+    Ok(Some(file(&drawing)))
 }
 
 /// Millions of rays per second.
@@ -125,12 +140,12 @@ fn finding(rows: &[ExactnessRow]) -> Option<String> {
     })
 }
 
-fn draw(canvas: &Canvas, size: [f64; 2], rows: &[ExactnessRow]) -> DrawResult {
+fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> DrawResult {
     let rates = rows.iter().map(rate).flat_map(|r| [r.lower, r.upper]);
     let x = Axis::around("millions of rays per second", rates, figures);
     let lost = rows.iter().map(ExactnessRow::lost_per_million);
     let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
-    let plot = Plot::new(canvas, "lost hits against speed", (0.0, 0.0), size, x, y)?;
+    let plot = Plot::new(canvas, title, (0.0, 0.0), size, x, y)?;
     let mut labels = Labels::new(plot.inner());
     if let Some(y) = plot.separator() {
         let [left, _, right, _] = plot.inner();

@@ -245,8 +245,8 @@ fn the_page_is_self_contained() {
     let page = html(&report(rows(0.0, 0.0), None));
     assert_eq!(
         plots(&page).len(),
-        8,
-        "pareto, heat map, distributions, exactness and trees for two widths, pictures"
+        10,
+        "pareto, heat map; distributions, exactness, trees and pictures for two widths"
     );
     for place in ["src=\"", "href=\""] {
         for (i, _) in page.match_indices(place) {

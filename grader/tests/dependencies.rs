@@ -80,6 +80,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("pictures", &["judge", "kit", "wire"]),
     ("grader", &["kit", "judge", "pictures", "wire"]),
     ("pages", &["grader", "pictures"]),
+    ("plots", &["grader", "pages"]),
     ("submission", &["grader", "judge", "sandbox"]),
     ("formats", &["grader", "judge", "submission"]),
     ("export", &["grader", "submission"]),
@@ -104,7 +105,8 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     (
         "cost",
         &[
-            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures", "wire",
+            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures", "plots",
+            "wire",
         ],
     ),
     // It measures the stages side by side and judges nothing.
@@ -120,6 +122,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
             "judge",
             "kernels",
             "meshes",
+            "plots",
         ],
     ),
     ("golden", &[]),

@@ -33,7 +33,7 @@ fn command() -> Command {
                 .long("svg")
                 .value_name("FILE")
                 .value_parser(value_parser!(PathBuf))
-                .help("Also write the plot of accuracy against time, of the first shape, as an SVG file"),
+                .help("Also write one plot as an SVG file: accuracy against time of the first shape, or of `bvh` alone what exactness costs"),
         )
         .arg(
             Arg::new("quick")
@@ -83,7 +83,7 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     }
     if let Some(path) = matches.get_one::<PathBuf>("svg") {
         let plot = plot(&cost)?.ok_or_else(|| {
-            GraderError::new("--svg: nothing to plot; name a shape: triangle, sphere or box")
+            GraderError::new("--svg: nothing to plot; name a shape (triangle, sphere, box) or bvh")
         })?;
         report::write_whole(path, plot.as_bytes())?;
     }

@@ -1,14 +1,16 @@
 //! Tests the page of `grader cost`: it is self-contained and legible, and its captions follow the
 //! numbers.
 
-use cost::page::page;
+use cost::page::{page, plot};
 use cost::picture::{ConfidenceInterval, Curve, CurvePoint, Experiment, PictureReport, Thumbnail};
 use cost::quartiles::Quartiles;
 use cost::report::{
     Accuracy, CostReport, Errors, KernelFamily, KernelRow, Machine, Precision, Quantiles,
     RayColumn, RayFamily, Shape, Timing,
 };
-use cost::trees::{BreakEven, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
+use cost::trees::{
+    BreakEven, ExactnessRow, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits,
+};
 
 /// A time of `ratio ± 0.02` times the base's `base_ns`.
 fn timing(base_ns: f64, ratio: f64) -> Timing {
@@ -127,6 +129,20 @@ fn curve(name: &str, slope: f64, bias: Option<f64>) -> Curve {
     }
 }
 
+/// A tree that loses some of 10,000 hits, half of them missed.
+fn exactness(box_test: &str, precision: Precision, ratio: f64, lost: usize) -> ExactnessRow {
+    ExactnessRow {
+        box_test: box_test.into(),
+        triangle_test: "Woop".into(),
+        precision,
+        slack_ulp: 16,
+        time: timing(400.0, ratio),
+        rays: 10_000,
+        missed: lost / 2,
+        wrong: lost - lost / 2,
+    }
+}
+
 /// The better tree takes 10 ms more to build and saves 100 ns per ray.
 fn trees() -> TreeReport {
     let trace = |ns: f64, wrong: usize| TraversalCost {
@@ -165,7 +181,11 @@ fn trees() -> TreeReport {
             tree("SAH", 15e-3, 300.0, after),
             tree("median", 6e-3, 404.0, BreakEven::WithinNoise),
         ],
-        by_precision: Vec::new(),
+        by_precision: vec![
+            exactness("Ize, 2 ulp", Precision::F64, 1.0, 0),
+            exactness("Ize, 2 ulp", Precision::F32, 0.9, 31),
+            exactness("Williams", Precision::F32, 0.8, 330),
+        ],
         student_missing: None,
     }
 }
@@ -225,8 +245,8 @@ fn the_page_is_self_contained() {
     let page = html(&report(rows(0.0, 0.0), None));
     assert_eq!(
         plots(&page).len(),
-        5,
-        "pareto, heat map, distributions, trees, pictures"
+        10,
+        "pareto, heat map; distributions, exactness, trees and pictures for two widths"
     );
     for place in ["src=\"", "href=\""] {
         for (i, _) in page.match_indices(place) {
@@ -234,7 +254,7 @@ fn the_page_is_self_contained() {
             assert!(address.starts_with("data:image/png;base64,") || address.starts_with('#'));
         }
     }
-    assert!(!page.contains("<script") && !page.contains("@import") && !page.contains("url("));
+    assert!(!page.contains("<script ") && !page.contains("@import") && !page.contains("url("));
     assert!(page.contains("a &lt;fast&gt; processor"));
     assert!(!page.contains("NaN") && !page.contains("inf "));
 }
@@ -330,6 +350,7 @@ fn headings_say_what_was_found() {
     for text in [
         "Woop never leaks and takes 1.5 times the textbook&#39;s time",
         "Only Woop f64 is never wrong",
+        "Exact hits cost 25 % more time than Woop in f32, which loses 33,000 in a million",
         "SAH is worth its build from 100,000 rays on",
         "Samples: stratified reaches the same error as independent 4.0 times as fast",
     ] {
@@ -340,6 +361,15 @@ fn headings_say_what_was_found() {
     assert!(heading(
         &html(&report(free, None)),
         "Woop never leaks and costs nothing"
+    ));
+    // The slower f32 tree alone: within the error bars it is not faster.
+    let mut tie = report(rows(0.0, 0.0), None);
+    let trees = tie.bvh.as_mut().expect("trees");
+    trees.by_precision.pop();
+    trees.by_precision[1].time = timing(400.0, 0.99);
+    assert!(heading(
+        &html(&tie),
+        "Exact hits cost no time: the fastest tree that loses hits, 3,100 in a million, is not faster"
     ));
     let leaking = html(&report(rows(5.0, 2000.0), None));
     assert!(heading(&leaking, "Every known test leaks"));
@@ -371,6 +401,43 @@ fn each_test_is_named_at_its_point_and_has_a_tooltip_and_a_row() {
     assert_eq!(tips.len(), 4);
     assert!(tips[0].contains("of the textbook's time, "), "{tips:?}");
     assert!(page.contains("<tr><th scope=\"row\">Woop f64</th><td>1.50 ±0.02</td>"));
+}
+
+/// The trees of the plot of exactness: further right is faster, further down loses less, and zero is
+/// apart.
+#[test]
+fn exactness_is_drawn_at_its_speed_and_its_losses() {
+    let mut report = report(rows(0.0, 0.0), None);
+    report.families.clear();
+    let file = plot(&report).expect("drawn").expect("trees are measured");
+    assert!(file.contains("Exact hits cost 25 % more time than Woop in f32"));
+    let file = roxmltree::Document::parse(&file).expect("a whole SVG file");
+    let points: Vec<(f64, f64, String)> = file
+        .descendants()
+        .filter(|node| node.attribute("class") == Some("tip"))
+        .map(|node| {
+            let number = |name| node.attribute(name).and_then(|n| n.parse().ok());
+            let title = node.first_element_child().and_then(|child| child.text());
+            (
+                number("cx").expect("cx"),
+                number("cy").expect("cy"),
+                title.expect("a title").into(),
+            )
+        })
+        .collect();
+    let [exact, slower, faster] = &points[..] else {
+        panic!("{points:?}");
+    };
+    assert!(exact.0 < slower.0 && slower.0 < faster.0, "{points:?}");
+    assert!(exact.1 > slower.1 && slower.1 > faster.1, "{points:?}");
+    // One decade lies between the two that lose hits, less between the lesser one and zero.
+    let decade = (slower.1 - faster.1) / (330.0_f64 / 31.0).log10();
+    assert!(exact.1 - slower.1 < decade && decade > 500.0, "{points:?}");
+    assert!(
+        faster
+            .2
+            .contains("16,500 of a million missed and 16,500 wrong")
+    );
 }
 
 #[test]

@@ -37,18 +37,20 @@ pub(crate) fn closest(
         *prim_tests += 1;
         hit(&triangles[id.0 as usize], id, ray)
     };
-    walk(bvh, Ray::from_kit(ray), slack, stack, entry, hit)
+    let kind = |node: usize| bvh.nodes[node].kind;
+    walk(bvh, Ray::from_kit(ray), slack, stack, kind, entry, hit)
 }
 
 /// Returns the closest hit through the tree, in any precision. The nearer of two children is
-/// visited first. `entry` returns the `t` at which a ray enters the box of a node, `hit` the hit
-/// with a primitive. `stack` is empty before and after.
+/// visited first. `kind` returns the kind of a node, `entry` the `t` at which a ray enters its box,
+/// `hit` the hit with a primitive. `stack` is empty before and after.
 #[inline(always)]
 pub(crate) fn walk<R: Scalar>(
     bvh: &Bvh,
     mut ray: Ray<R>,
     slack: R,
     stack: &mut Vec<(u32, R)>,
+    kind: impl Fn(usize) -> NodeKind,
     mut entry: impl FnMut(usize, &Ray<R>) -> Option<R>,
     mut hit: impl FnMut(PrimId, &Ray<R>) -> Option<(R, PrimId)>,
 ) -> Option<(R, PrimId)> {
@@ -63,7 +65,7 @@ pub(crate) fn walk<R: Scalar>(
         if t > ray.max_t {
             continue;
         }
-        match bvh.nodes[node as usize].kind {
+        match kind(node as usize) {
             NodeKind::Leaf { first, count } => {
                 for &id in bvh.leaf(first, count) {
                     closest = nearer(closest, hit(id, &ray));

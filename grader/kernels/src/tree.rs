@@ -1,5 +1,6 @@
 //! Tree builders and traversal: the public interface.
 
+use crate::scalar::Precision;
 use kit::{Aabb, Bvh, PrimId, Ray, Triangle};
 
 /// A tree builder.
@@ -62,8 +63,12 @@ pub fn brute_force(triangles: &[Triangle], ray: &Ray) -> ClosestHit {
 
 /// A tree whose boxes and triangles are stored and tested in one precision.
 pub struct RoundedTree<'a> {
-    /// The box test, the triangle test and the precision.
-    pub name: String,
+    /// Name of the box test.
+    pub box_test: &'static str,
+    /// Name of the triangle test.
+    pub triangle_test: &'static str,
+    /// What boxes, triangles and rays are stored and computed in.
+    pub precision: Precision,
     /// Slack of the pruning, in units in the last place of the precision.
     pub slack_ulp: u32,
     /// Returns the closest hit of a ray.

@@ -1,13 +1,14 @@
 //! `grader speedup`: the ladder from brute force to a wide tree.
 
-use clap::{Arg, ArgMatches, Command};
+use clap::{Arg, ArgMatches, Command, value_parser};
 use grader::cli::{
     Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command, whole_number,
 };
 use grader::error::GraderError;
 use grader::report;
-use ladder::{LadderRequest, measure, table};
+use ladder::{LadderRequest, measure, page, table};
 use meshes::MeshKind;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn command() -> Command {
@@ -28,6 +29,20 @@ fn command() -> Command {
                 .help("The largest mesh; the others are powers of ten from 1000 on"),
         )
         .arg(Format::argument())
+        .arg(
+            Arg::new("html")
+                .long("html")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help("Also write a self-contained HTML page of plots"),
+        )
+        .arg(
+            Arg::new("svg")
+                .long("svg")
+                .value_name("FILE")
+                .value_parser(value_parser!(PathBuf))
+                .help("Also write the plot of speed as an SVG file"),
+        )
         .arg(seed_argument())
 }
 
@@ -46,6 +61,12 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         largest: *matches.get_one("largest").expect("a default value"),
         seed: seed_of(matches),
     });
+    if let Some(path) = matches.get_one::<PathBuf>("html") {
+        report::write_whole(path, page::page(&ladder)?.as_bytes())?;
+    }
+    if let Some(path) = matches.get_one::<PathBuf>("svg") {
+        report::write_whole(path, page::plot(&ladder)?.as_bytes())?;
+    }
     match Format::of(matches) {
         Format::Json => println!("{}", report::json(&ladder)?),
         Format::Table => print!("{}", table::show(&ladder)),

@@ -5,7 +5,7 @@ use crate::rays::{RayKind, RaySets};
 use crate::rung::{Rung, RungKind};
 use grader::speedup::slope;
 use kit::hole::Hole;
-use kit::{Ray, Triangle, Vec3};
+use kit::{PrimId, Ray, Triangle};
 use meshes::{MeshKind, generate};
 use serde::Serialize;
 use simd_bvh::TestCounts;
@@ -66,8 +66,16 @@ pub struct RayCost {
     pub prim_tests: f64,
 }
 
-/// The number of rounds. Each times every step once, for each kind of ray.
+/// The number of rounds. Each builds and times every step once, for each kind of ray, with no other
+/// tree in memory.
 const ROUNDS: usize = 5;
+
+/// The number of rounds for meshes of more than [`LARGE`] triangles, whose trees take seconds to
+/// build.
+const ROUNDS_OF_LARGE: usize = 3;
+
+/// See [`ROUNDS_OF_LARGE`].
+const LARGE: usize = 1_000_000;
 
 /// At least how long a step is timed for one kind of ray in a round. Some systems report the processor
 /// time in steps of 4 ms.
@@ -92,70 +100,43 @@ pub fn measure(request: &LadderRequest) -> Ladder {
 
 fn measure_size(request: &LadderRequest, size: usize, ladder: &mut Ladder) {
     let triangles = generate(request.mesh, size);
-    let mut rungs = Vec::new();
-    for kind in RungKind::ALL {
-        match build(kind, &triangles) {
-            Ok(built) => rungs.extend(built),
-            Err(why) => drop(ladder.missing.insert(why)),
-        }
-    }
-    let (Some(brute), Some(fastest)) = (rungs.first(), rungs.last()) else {
+    // The fastest step that works finds the hits from which rays start.
+    let sets = RungKind::ALL.into_iter().rev().find_map(|kind| {
+        let sets = guarded(kind, || {
+            let rung = Rung::build(kind, &triangles)?;
+            Some(RaySets::new(&triangles, &rung, request.seed))
+        });
+        sets.unwrap_or_else(|why| {
+            ladder.missing.insert(why);
+            None
+        })
+    });
+    let Some(sets) = sets else {
         return;
     };
-    let sets = RaySets::new(&triangles, &fastest.rung, request.seed);
-    let mut turns: Vec<Turns> = rungs.iter().map(|built| Turns::new(built, &sets)).collect();
-    for _ in 0..ROUNDS {
-        turns.iter_mut().for_each(Turns::time);
-    }
-    let checked = turns[0].passes[0].rays;
-    let camera = sets.of(RayKind::Camera);
-    let checked: Vec<Ray> = (0..checked)
-        .map(|i| camera[i * camera.len() / checked])
-        .collect();
-    for (built, turns) in rungs.iter().zip(turns) {
-        let hit = |rung: &Rung, ray: &Ray| rung.closest(ray, &mut TestCounts::default());
-        let differs = |ray: &&Ray| hit(&built.rung, ray) != hit(&brute.rung, ray);
-        ladder.rows.push(RungCost {
-            kind: built.kind,
-            triangles: triangles.len(),
-            build_s: built.seconds,
-            bytes: built.rung.bytes(),
-            rays: turns.passes.map(Pass::cost),
-            checked_rays: checked.len(),
-            differing_hits: checked.iter().filter(differs).count(),
+    let rounds = if size > LARGE {
+        ROUNDS_OF_LARGE
+    } else {
+        ROUNDS
+    };
+    let mut truth = Vec::new();
+    let mut steps: Vec<Step> = RungKind::ALL.map(|kind| Step::new(kind, &sets)).into();
+    for _ in 0..rounds {
+        steps.retain_mut(|step| {
+            let measured = guarded(step.kind, || step.measure_round(&triangles, &mut truth));
+            measured.unwrap_or_else(|why| {
+                ladder.missing.insert(why);
+                false
+            })
         });
     }
+    let rows = steps.into_iter().map(|step| step.cost(triangles.len()));
+    ladder.rows.extend(rows);
 }
 
-/// A step that is built.
-struct Built<'a> {
-    kind: RungKind,
-    rung: Rung<'a>,
-    seconds: f64,
-}
-
-/// Builds a step twice and traces a ray. An error says why that is not possible.
-fn build(kind: RungKind, triangles: &[Triangle]) -> Result<Option<Built<'_>>, String> {
-    let attempt = || {
-        let mut best = f64::INFINITY;
-        let mut built = None;
-        for _ in 0..2 {
-            let start = Instant::now();
-            let rung = Rung::build(kind, triangles)?;
-            best = best.min(start.elapsed().as_secs_f64());
-            built = Some(rung);
-        }
-        let rung = built?;
-        let ray = Ray::new(Vec3::splat(3.0), -Vec3::ONE.normalize());
-        rung.closest(&ray, &mut TestCounts::default());
-        rung.occluded(&ray, &mut TestCounts::default());
-        Some(Built {
-            kind,
-            rung,
-            seconds: best,
-        })
-    };
-    panic::catch_unwind(AssertUnwindSafe(attempt)).map_err(|payload| {
+/// Runs code that may contain gaps. An error says why the step is not measured.
+fn guarded<T>(kind: RungKind, measure: impl FnOnce() -> T) -> Result<T, String> {
+    panic::catch_unwind(AssertUnwindSafe(measure)).map_err(|payload| {
         let why = match payload.downcast_ref::<Hole>() {
             Some(hole) => hole.to_string(),
             None => "the code panics".into(),
@@ -164,103 +145,154 @@ fn build(kind: RungKind, triangles: &[Triangle]) -> Result<Option<Built<'_>>, St
     })
 }
 
-/// The passes of one step over each kind of ray.
-struct Turns<'a> {
+fn hit(rung: &Rung, ray: &Ray) -> TrueHit {
+    rung.closest(ray, &mut TestCounts::default())
+}
+
+/// The hit of a ray, or a miss.
+type TrueHit = Option<(f64, PrimId)>;
+
+/// What is known about a step after some rounds.
+struct Step<'a> {
+    kind: RungKind,
+    build_s: f64,
+    bytes: usize,
     passes: [Pass<'a>; 3],
+    checked_rays: usize,
+    differing_hits: usize,
 }
 
-impl<'a> Turns<'a> {
-    fn new(built: &'a Built, sets: &'a RaySets) -> Turns<'a> {
-        Turns {
-            passes: RayKind::ALL.map(|kind| Pass::new(&built.rung, kind, sets.of(kind))),
+impl<'a> Step<'a> {
+    fn new(kind: RungKind, sets: &'a RaySets) -> Step<'a> {
+        Step {
+            kind,
+            build_s: f64::INFINITY,
+            bytes: 0,
+            passes: RayKind::ALL.map(|rays| Pass::new(rays, sets.of(rays))),
+            checked_rays: 0,
+            differing_hits: 0,
         }
     }
 
-    fn time(&mut self) {
+    /// Builds the step and times it. The first step to be measured fills `truth`. Returns whether
+    /// this checkout contains the step.
+    fn measure_round(&mut self, triangles: &[Triangle], truth: &mut Vec<(Ray, TrueHit)>) -> bool {
+        let start = Instant::now();
+        let Some(rung) = Rung::build(self.kind, triangles) else {
+            return false;
+        };
+        let is_first_round = self.build_s.is_infinite();
+        self.build_s = self.build_s.min(start.elapsed().as_secs_f64());
+        if is_first_round {
+            self.bytes = rung.bytes();
+            for pass in &mut self.passes {
+                pass.choose_rays(&rung);
+            }
+            // The first step is brute force, which can trace only a few rays of a large mesh.
+            if truth.is_empty() {
+                let rays = self.passes[RayKind::Camera as usize].rays();
+                truth.extend(rays.map(|ray| (*ray, hit(&rung, ray))));
+            }
+            let differs = |(ray, truth): &&(Ray, TrueHit)| hit(&rung, ray) != *truth;
+            self.checked_rays = truth.len();
+            self.differing_hits = truth.iter().filter(differs).count();
+        }
         for pass in &mut self.passes {
-            pass.time();
+            pass.time(&rung);
+        }
+        true
+    }
+
+    fn cost(self, triangles: usize) -> RungCost {
+        RungCost {
+            kind: self.kind,
+            triangles,
+            build_s: self.build_s,
+            bytes: self.bytes,
+            rays: self.passes.map(Pass::cost),
+            checked_rays: self.checked_rays,
+            differing_hits: self.differing_hits,
         }
     }
 }
 
-/// One step that traces rays of one kind again and again.
+/// Rays of one kind that a step traces again and again.
 struct Pass<'a> {
-    rung: &'a Rung<'a>,
     kind: RayKind,
     set: &'a [Ray],
     /// The number of rays: a regular part of the set, or all. A pass traces them several times.
-    rays: usize,
-    counts: TestCounts,
+    count: usize,
+    tests: TestCounts,
     /// Seconds per ray, by round.
     seconds: Vec<f64>,
 }
 
 impl<'a> Pass<'a> {
-    /// Chooses the number of rays so that tracing them once takes about as long as [`PASS`] at
-    /// most.
-    fn new(rung: &'a Rung, kind: RayKind, set: &'a [Ray]) -> Pass<'a> {
-        let mut pass = Pass {
-            rung,
+    fn new(kind: RayKind, set: &'a [Ray]) -> Pass<'a> {
+        Pass {
             kind,
             set,
-            rays: MIN_RAYS.min(set.len()),
-            counts: TestCounts::default(),
+            count: MIN_RAYS.min(set.len()),
+            tests: TestCounts::default(),
             seconds: Vec::new(),
-        };
-        loop {
-            pass.counts = TestCounts::default();
-            let start = Instant::now();
-            pass.trace();
-            let elapsed = start.elapsed();
-            let is_long = 4 * elapsed > PASS;
-            if pass.rays < set.len() && !is_long {
-                pass.rays = (4 * pass.rays).min(set.len());
-                continue;
-            }
-            return pass;
         }
     }
 
-    /// Traces the rays once.
-    fn trace(&mut self) {
-        let mut hits = 0;
-        for i in 0..self.rays {
-            let ray = &self.set[i * self.set.len() / self.rays];
-            hits += usize::from(match self.kind {
-                RayKind::Shadow => self.rung.occluded(ray, &mut self.counts),
-                _ => self.rung.closest(ray, &mut self.counts).is_some(),
-            });
+    /// Chooses the number of rays so that tracing them once takes about as long as [`PASS`] at
+    /// most.
+    fn choose_rays(&mut self, rung: &Rung) {
+        loop {
+            let start = Instant::now();
+            self.trace(rung);
+            let is_long = 4 * start.elapsed() > PASS;
+            if self.count == self.set.len() || is_long {
+                return;
+            }
+            self.count = (4 * self.count).min(self.set.len());
         }
-        black_box(hits);
+    }
+
+    /// The rays that are traced.
+    fn rays(&self) -> impl Iterator<Item = &'a Ray> {
+        let (set, count) = (self.set, self.count);
+        (0..count).map(move |i| &set[i * set.len() / count])
+    }
+
+    /// Traces the rays once and counts their tests.
+    fn trace(&mut self, rung: &Rung) {
+        let mut tests = TestCounts::default();
+        let hits = self.rays().filter(|ray| match self.kind {
+            RayKind::Shadow => rung.occluded(ray, &mut tests),
+            _ => rung.closest(ray, &mut tests).is_some(),
+        });
+        black_box(hits.count());
+        self.tests = tests;
     }
 
     /// Times a pass; the first repetition is not timed.
-    fn time(&mut self) {
-        self.counts = TestCounts::default();
-        self.trace();
-        let counts = self.counts;
+    fn time(&mut self, rung: &Rung) {
+        self.trace(rung);
         let start = Instant::now();
         let before = processor_time(start);
         let mut traced = 0;
         let elapsed = loop {
-            self.trace();
-            traced += self.rays.max(1);
+            self.trace(rung);
+            traced += self.count.max(1);
             let elapsed = processor_time(start) - before;
             if elapsed >= PASS {
                 break elapsed;
             }
         };
         self.seconds.push(elapsed.as_secs_f64() / traced as f64);
-        self.counts = counts;
     }
 
     fn cost(mut self) -> RayCost {
         self.seconds.sort_by(f64::total_cmp);
-        let rays = self.rays.max(1) as f64;
+        let rays = self.count.max(1) as f64;
         RayCost {
             seconds: self.seconds[self.seconds.len() / 2],
-            box_tests: self.counts.box_tests as f64 / rays,
-            prim_tests: self.counts.prim_tests as f64 / rays,
+            box_tests: self.tests.box_tests as f64 / rays,
+            prim_tests: self.tests.prim_tests as f64 / rays,
         }
     }
 }
@@ -273,6 +305,20 @@ impl Ladder {
             .map(|row| (row.triangles as f64, row.rays[rays as usize].seconds))
             .collect();
         slope(&points)
+    }
+
+    /// Says whether all steps find the hits of brute force.
+    pub fn agreement(&self) -> String {
+        let checked: usize = self.rows.iter().map(|row| row.checked_rays).sum();
+        match self.rows.iter().map(|row| row.differing_hits).sum() {
+            0_usize => format!("All steps find the hits of brute force, in {checked} comparisons."),
+            n => format!("{n} of {checked} hits differ from those of brute force."),
+        }
+    }
+
+    /// How many times the time of a ray is on a mesh with ten times the triangles.
+    pub fn tenfold(&self, kind: RungKind, rays: RayKind) -> Option<f64> {
+        Some(10.0_f64.powf(self.slope(kind, rays)?))
     }
 }
 

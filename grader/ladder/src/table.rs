@@ -20,26 +20,7 @@ pub fn show(ladder: &Ladder) -> String {
     let mut text = format!("The {} mesh, one thread\n{}\n", ladder.mesh, table(ladder));
     text.push_str(&plot::show(ladder));
     text.push_str(&growth(ladder));
-    let checked = ladder
-        .rows
-        .iter()
-        .map(|row| row.checked_rays)
-        .sum::<usize>();
-    let differing = ladder
-        .rows
-        .iter()
-        .map(|row| row.differing_hits)
-        .sum::<usize>();
-    let _ = match differing {
-        0 => writeln!(
-            text,
-            "All steps find the hits of brute force, in {checked} comparisons."
-        ),
-        _ => writeln!(
-            text,
-            "{differing} of {checked} hits differ from those of brute force."
-        ),
-    };
+    let _ = writeln!(text, "{}", ladder.agreement());
     for why in &ladder.missing {
         let _ = writeln!(text, "{why}.");
     }
@@ -108,16 +89,23 @@ fn figures(x: f64) -> String {
 
 /// How the time of a ray grows with the number of triangles.
 fn growth(ladder: &Ladder) -> String {
-    let mut text =
-        String::from("With n triangles, the time of a ray grows as (camera, bounce, shadow):\n");
+    let mut text = String::from(
+        "With ten times the triangles a ray takes this many times the time (camera,\nbounce, shadow), which grows as a power of their number n:\n",
+    );
     for kind in RungKind::ALL {
-        let slopes: Vec<String> = RayKind::ALL
-            .iter()
-            .filter_map(|&rays| ladder.slope(kind, rays))
-            .map(|slope| format!("n^{slope:.2}"))
-            .collect();
-        if !slopes.is_empty() {
-            let _ = writeln!(text, "  {:<12} {}", kind.name(), slopes.join("  "));
+        let all = |of: &dyn Fn(RayKind) -> Option<String>| -> Vec<String> {
+            RayKind::ALL.into_iter().filter_map(of).collect()
+        };
+        let factors = all(&|rays| Some(format!("{:5.2}", ladder.tenfold(kind, rays)?)));
+        let powers = all(&|rays| Some(format!("n^{:.2}", ladder.slope(kind, rays)?)));
+        if !factors.is_empty() {
+            let _ = writeln!(
+                text,
+                "  {:<12} {}   {}",
+                kind.name(),
+                factors.join(" "),
+                powers.join(" ")
+            );
         }
     }
     text

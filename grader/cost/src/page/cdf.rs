@@ -1,16 +1,20 @@
 //! The distribution of the errors of `t`, compared with the forward error bound.
 
-use super::canvas::{DrawResult, Label, svg};
-use super::figure::Figure;
-use super::formatting::{figures, list, name, rounded, tick};
-use super::plot::{Axis, Plot};
-use super::style::{self, BOUND, SeriesStyle};
+use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
 use grader::error::GraderError;
+use plots::canvas::{Label, for_both_widths};
+use plots::figure::Figure;
+use plots::numbers::{figures, list, rounded, tick};
+use plots::plot::{Axis, Plot};
+use plots::style::{self, BOUND, SeriesStyle};
 
 const WIDTH: f64 = 860.0;
-const HEIGHT: f64 = 330.0;
-const PLOT: f64 = 325.0;
+/// Size of each of the two plots, with the legend beside them.
+const PLOT: [f64; 2] = [325.0, 330.0];
+/// Size of each of the two plots on a telephone, one below the other, with the legend below them.
+const NARROW_PLOT: [f64; 2] = [300.0, 270.0];
+/// Distance of the lines of the legend.
 const LINE: f64 = 14.0;
 
 /// Smaller errors are drawn here.
@@ -20,20 +24,26 @@ const LEAST: f64 = 1e-18;
 pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
     let hard = most_different(family);
     let label = format!("Distribution of errors of t: {}", family.shape.name());
-    let drawing = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
-        for (i, rays) in [Some(RayFamily::Ordinary), hard]
-            .iter()
-            .flatten()
-            .enumerate()
-        {
+    let shown: Vec<RayFamily> = [Some(RayFamily::Ordinary), hard]
+        .into_iter()
+        .flatten()
+        .collect();
+    let below = NARROW_PLOT[1] * shown.len() as f64;
+    let entries = 2 + names(family).len();
+    let narrow = [NARROW_PLOT[0], below + LINE * (entries as f64 + 1.0)];
+    let drawing = for_both_widths([WIDTH, PLOT[1]], narrow, &label, |canvas, _, is_narrow| {
+        for (i, rays) in shown.iter().enumerate() {
             let x = Axis::log("relative error of t", [LEAST, 1.0], tick);
             let ticks = (0..=4)
                 .map(|i| f64::from(i) / 4.0)
                 .map(|v| (v, format!("{:.0} %", 100.0 * v)));
             let y = Axis::linear("hits with at most this error", 0.0, 1.02, ticks.collect());
-            let corner = (i as f64 * PLOT, 0.0);
+            let (corner, size) = match is_narrow {
+                false => ((i as f64 * PLOT[0], 0.0), PLOT),
+                true => ((0.0, i as f64 * NARROW_PLOT[1]), NARROW_PLOT),
+            };
             let title = format!("rays: {}", rays.name());
-            let plot = Plot::new(canvas, &title, corner, [PLOT, HEIGHT], x, y)?;
+            let plot = Plot::new(canvas, &title, corner, size, x, y)?;
             for precision in [Precision::F64, Precision::F32] {
                 let mut rows = family.rows.iter().filter(|row| row.precision == precision);
                 if let Some(bound) = rows
@@ -48,8 +58,10 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
                 }
             }
         }
-        let x = 2.0 * PLOT + 12.0;
-        let mut y = 26.0;
+        let (x, mut y) = match is_narrow {
+            false => (2.0 * PLOT[0] + 12.0, 26.0),
+            true => (12.0, below + LINE),
+        };
         for precision in [Precision::F64, Precision::F32] {
             let style = bound_style(precision);
             style::line(canvas, style, &[(x, y), (x + 26.0, y)], 2.6)?;
@@ -74,13 +86,12 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         }
         Ok(())
     })?;
-    let shown = || [Some(RayFamily::Ordinary), hard].into_iter().flatten();
     let mut head = vec!["test".to_string()];
-    head.extend(shown().flat_map(|rays| {
+    head.extend(shown.iter().flat_map(|&rays| {
         ["median", "99.9 %", "largest"].map(|quantile| format!("{}: {quantile}", rays.name()))
     }));
     let rows = family.rows.iter().map(|row| {
-        let errors = shown().flat_map(|rays| {
+        let errors = shown.iter().flat_map(|&rays| {
             let relative = accuracy(row, rays).and_then(|a| a.t).map(|t| t.relative);
             match relative {
                 Some(of) => [of.p50, of.p999, of.max].map(figures),

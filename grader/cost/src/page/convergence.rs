@@ -1,21 +1,25 @@
 //! The error of pictures against samples and against time.
 
-use super::canvas::{DrawResult, Label, svg};
 use super::convergence_caption::{caption, finding};
-use super::figure::{Figure, heads};
-use super::formatting::{figures, percent, tick};
-use super::plot::{Axis, Plot, legend};
-use super::style::{self, INK, Marker, SeriesStyle};
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
 use crate::table::factor;
 use grader::error::GraderError;
 use pages::html::{escape, png_data_uri};
 use pictures::Image;
+use plots::canvas::{DrawResult, Label, for_both_widths};
+use plots::figure::{Figure, heads};
+use plots::numbers::{figures, percent, tick};
+use plots::plot::{Axis, Plot, legend};
+use plots::style::{self, INK, Marker, SeriesStyle};
 
 const WIDTH: f64 = 860.0;
-const HEIGHT: f64 = 300.0;
-/// Width of each of the two plots; the rest is for the legend.
-const PLOT: f64 = 345.0;
+/// Size of each of the two plots, with the legend beside them.
+const PLOT: [f64; 2] = [345.0, 300.0];
+/// Size of each of the two plots on a telephone, one below the other, with the legend below them.
+const NARROW_PLOT: [f64; 2] = [300.0, 270.0];
+
+/// Distance of the lines of the legend.
+const LINE: f64 = 15.0;
 
 /// The index of the plot against time.
 const TIME: usize = 1;
@@ -31,7 +35,10 @@ const HALF_SLOPE: SeriesStyle = SeriesStyle {
 /// Draws the plots of one experiment, and pictures that took equal times.
 pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
     let label = format!("Error of pictures: {}", experiment.title);
-    let drawing = svg(WIDTH, HEIGHT, &label, |canvas| -> DrawResult {
+    let entries = experiment.curves.len() + 1;
+    let narrow_height = 2.0 * NARROW_PLOT[1] + LINE * (entries as f64 + 1.0);
+    let sizes = [[WIDTH, PLOT[1]], [NARROW_PLOT[0], narrow_height]];
+    let drawing = for_both_widths(sizes[0], sizes[1], &label, |canvas, _, is_narrow| {
         let points = || experiment.curves.iter().flat_map(|curve| &curve.points);
         let error = |p: &CurvePoint| p.error(experiment.is_relative);
         let errors: Vec<f64> = points()
@@ -57,7 +64,11 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
         ];
         for (i, (title, x, of)) in axes.into_iter().enumerate() {
             let y = Axis::log(y_name, errors.iter().copied(), tick);
-            let plot = Plot::new(canvas, title, (i as f64 * PLOT, 0.0), [PLOT, HEIGHT], x, y)?;
+            let (corner, size) = match is_narrow {
+                false => ((i as f64 * PLOT[0], 0.0), PLOT),
+                true => ((0.0, i as f64 * NARROW_PLOT[1]), NARROW_PLOT),
+            };
+            let plot = Plot::new(canvas, title, corner, size, x, y)?;
             half_slope_line(&plot, experiment, of)?;
             for (k, curve) in experiment.curves.iter().enumerate() {
                 let style = SeriesStyle::of(k);
@@ -82,9 +93,12 @@ pub(crate) fn figure(experiment: &Experiment) -> Result<Figure, GraderError> {
         }
         let of_curve = |(k, curve): (usize, &Curve)| (Some(SeriesStyle::of(k)), curve.name.clone());
         let entries: Vec<_> = experiment.curves.iter().enumerate().map(of_curve).collect();
-        let corner = (2.0 * PLOT + 8.0, 34.0);
+        let corner = match is_narrow {
+            false => (2.0 * PLOT[0] + 8.0, 34.0),
+            true => (12.0, 2.0 * NARROW_PLOT[1] + LINE),
+        };
         legend(canvas, corner, &entries)?;
-        let below = corner.1 + 15.0 * entries.len() as f64;
+        let below = corner.1 + LINE * entries.len() as f64;
         style::line(
             canvas,
             HALF_SLOPE,

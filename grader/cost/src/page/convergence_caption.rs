@@ -1,10 +1,10 @@
 //! The heading and the notes of the plots of the error of pictures.
 
 use super::convergence::error_of;
-use super::formatting::{figures, list, percent};
 use crate::picture::{Curve, CurvePoint, Experiment};
 use crate::quartiles::Quartiles;
 use crate::table::factor;
+use plots::numbers::{figures, list, percent};
 
 /// What the plot shows: the method that reaches an equal error in the least time.
 pub(super) fn finding(experiment: &Experiment) -> String {

@@ -1,12 +1,13 @@
 //! A heat map of accuracy: one column per family of rays, one row per kernel.
 
-use super::canvas::{DrawResult, Label, svg};
-use super::figure::Figure;
-use super::formatting::{list, name};
 use super::heatmap_cell::{Cell, CellClass, cells};
-use super::style::{self, text_color_on};
+use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow};
 use grader::error::GraderError;
+use plots::canvas::{DrawResult, Label, svg};
+use plots::figure::Figure;
+use plots::numbers::list;
+use plots::style::{self, text_color_on};
 
 /// Sizes of the kernel names, the family names and the cells, in points.
 const NAMES: f64 = 172.0;

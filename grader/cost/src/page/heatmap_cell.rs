@@ -1,9 +1,9 @@
 //! The cells of the heat map: what a kernel does on a family of rays, and how it is shaded.
 
-use super::formatting::percent;
-use super::style::{self, GREEN, PURPLE, SKY, VERMILION, YELLOW};
 use crate::report::{Accuracy, KernelRow};
-use plotters::style::RGBColor;
+use plots::numbers::percent;
+use plots::style::RGBColor;
+use plots::style::{self, GREEN, PURPLE, SKY, VERMILION, YELLOW};
 
 /// Largest median error of `t`, in units in the last place, of [`CellClass::Correct`].
 const LAST_PLACE: f64 = 1.0;

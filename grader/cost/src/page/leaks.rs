@@ -1,12 +1,13 @@
 //! A picture of a closed mesh, with leaks in magenta: see [`leak_view`](crate::leak_view).
 
-use super::figure::{Figure, heads};
-use super::formatting::{name, percent};
+use super::kernel_name::name;
 use crate::leak_view::{MeshView, NEAR, SIZE, TRIANGLES};
 use crate::report::{KernelFamily, KernelRow};
 use grader::error::GraderError;
 use judge::plural;
 use pages::html::{escape, png_data_uri};
+use plots::figure::{Figure, heads};
+use plots::numbers::percent;
 use std::fmt::Write;
 
 /// Draws the pictures: with a kernel that leaks (the textbook's if it leaks, else the worst), with

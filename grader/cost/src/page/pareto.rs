@@ -1,16 +1,17 @@
 //! Accuracy against time with its error, and the Pareto front of the kernels.
 
-use super::canvas::{Canvas, DrawResult, Label, Position, svg};
-use super::figure::{Figure, heads};
-use super::formatting::{name, percent, tick};
 use super::front::front;
-use super::labels::Labels;
+use super::kernel_name::name;
 use super::pareto_caption::{caption, finding};
-use super::plot::{Axis, Plot};
-use super::style::{self, INK, Marker, SeriesStyle};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
 use crate::table::plus_minus;
 use grader::error::GraderError;
+use plots::canvas::{Canvas, DrawResult, Label, Position, svg};
+use plots::figure::{Figure, heads};
+use plots::labels::Labels;
+use plots::numbers::{percent, tick};
+use plots::plot::{Axis, Plot};
+use plots::style::{self, INK, Marker, SeriesStyle};
 
 const PLOT: [f64; 2] = [860.0, 470.0];
 /// Height of the legend below the plot.
@@ -55,7 +56,6 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
             let position = place(&plot, row);
             let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
             style::marker(canvas, style_of(row), position, area(row))?;
-            canvas.tip(position, radius.max(6.0), &tip(family.shape, row));
             labels.keep_free(position, radius);
             let ratio = row.ranked_time().ratio;
             let [from, to] =
@@ -74,6 +74,8 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
         // The fastest first: the crowd is there, and they are what the plot is about.
         order.sort_by(|a, b| at(a).0.total_cmp(&at(b).0));
         for row in order {
+            let radius = (area(row) / std::f64::consts::PI).sqrt() + 1.0;
+            canvas.tip(place(&plot, row), radius.max(6.0), &tip(family.shape, row));
             let label = Label::left(NAME).in_color(style_of(row).color);
             let label = if row.student { label.bold() } else { label };
             let text = match (row.student, row.textbook) {
@@ -117,12 +119,6 @@ pub(crate) fn figure(family: &KernelFamily) -> Result<Figure, GraderError> {
             })
             .collect(),
     })
-}
-
-/// Returns the plot alone, as an SVG file.
-pub(crate) fn svg_file(family: &KernelFamily) -> Result<String, GraderError> {
-    let drawing = figure(family)?.drawing;
-    Ok(format!("{}\n", drawing.trim_end()))
 }
 
 /// The test that times are compared with.

@@ -1,11 +1,12 @@
 //! The heading and the notes of the plot of accuracy against time.
 
-use super::formatting::{figures, list, name, percent};
 use super::front::{beats, bits, front};
+use super::kernel_name::name;
 use super::pareto::failure_rate;
 use crate::report::{KernelFamily, KernelRow, Shape};
 use crate::table::plus_minus;
 use crate::timing::Timing;
+use plots::numbers::{figures, list, percent};
 
 /// Returns the caption, computed from the numbers.
 pub(super) fn caption(family: &KernelFamily) -> String {

@@ -1,17 +1,25 @@
 //! Build time against tracing time of trees.
 
-use super::canvas::{DrawResult, svg};
-use super::figure::{Figure, heads};
-use super::formatting::{figures, list, rounded, tick};
-use super::plot::{Axis, Plot, legend};
-use super::style::{Marker, SeriesStyle};
 use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
 use grader::error::GraderError;
+use plots::canvas::{Canvas, DrawResult, Label, for_both_widths};
+use plots::figure::{Figure, heads};
+use plots::line_names::{self, LineName};
+use plots::numbers::{figures, list, rounded, tick};
+use plots::plot::{Axis, Plot};
+use plots::style::{Marker, SeriesStyle};
 
-const WIDTH: f64 = 860.0;
-const PLOT: [f64; 2] = [560.0, 320.0];
+/// Sizes in points: the plot with its names, and on a telephone.
+const BROAD: [f64; 2] = [860.0, 340.0];
+const NARROW: [f64; 2] = [300.0, 320.0];
+
+/// Room for the names of lines, in both.
+const NAMES: [f64; 2] = [110.0, 74.0];
+
+/// Font size of the names.
+const NAME: f64 = 9.5;
 
 /// Range of the x axis: from the rays of a thumbnail to those of a film frame.
 const RAYS: [f64; 2] = [1e4, 1e9];
@@ -22,65 +30,9 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
         return Ok(Figure::default());
     };
     let label = "Time to build a tree and to trace rays, as a ratio";
-    let drawing = svg(WIDTH, PLOT[1], label, |canvas| -> DrawResult {
-        let x = Axis::log("rays", RAYS, tick);
-        let counts = || ray_counts().flat_map(|rays| trees.by_build.iter().map(move |t| (t, rays)));
-        let ratios = counts().flat_map(|(tree, rays)| {
-            let Quartiles { lower, upper, .. } = ratio(tree, base, rays);
-            [lower, upper]
-        });
-        let y_name = format!("time to build and trace / that of {}", base.name);
-        let y = Axis::log(&y_name, ratios, tick);
-        let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), PLOT, x, y)?;
-        let mut entries = Vec::new();
-        for (k, tree) in trees.by_build.iter().enumerate() {
-            let style = SeriesStyle::of(k);
-            let points: Vec<(f64, Quartiles)> = ray_counts()
-                .map(|rays| (rays, ratio(tree, base, rays)))
-                .collect();
-            let line: Vec<(f64, f64)> = points.iter().map(|(rays, r)| (*rays, r.median)).collect();
-            plot.line(style, &line, if tree.student { 2.2 } else { 1.4 })?;
-            for (i, (rays, r)) in points.iter().enumerate() {
-                if k > 0 {
-                    plot.error_bar(style, *rays, r.lower, r.upper)?;
-                }
-                // Two points per decade, a marker at each decade.
-                if i % 2 == 0 {
-                    plot.marker(style, (*rays, r.median), 26.0)?;
-                }
-                let text = format!(
-                    "{}: {} times the time of {} for {} rays",
-                    tree.name,
-                    plus_minus(r, 2),
-                    base.name,
-                    figures(*rays)
-                );
-                canvas.tip(plot.at(*rays, r.median), 6.0, &text);
-            }
-            entries.push((Some(style), tree.name.clone()));
-        }
-        for (k, tree) in trees.by_build.iter().enumerate() {
-            if let BreakEven::After {
-                rays,
-                at_least,
-                at_most,
-            } = tree.break_even
-                && (RAYS[0]..=RAYS[1]).contains(&rays)
-            {
-                let style = SeriesStyle::of(k);
-                plot.time_bar(style, [at_least, at_most], 1.0)?;
-                let ring = SeriesStyle {
-                    hollow: true,
-                    marker: Marker::Disc,
-                    ..style
-                };
-                plot.marker(ring, (rays, 1.0), 110.0)?;
-                let text = format!("{} breaks even after {} rays", tree.name, figures(rays));
-                canvas.tip(plot.at(rays, 1.0), 8.0, &text);
-            }
-        }
-        entries.push((None, format!("rings: break-even with {}", base.name)));
-        legend(canvas, (PLOT[0] + 10.0, 34.0), &entries)
+    let drawing = for_both_widths(BROAD, NARROW, label, |canvas, size, is_narrow| {
+        let size = [size[0] - NAMES[usize::from(is_narrow)], size[1]];
+        draw(canvas, size, trees, base)
     })?;
     let rows = trees.by_build.iter().map(|tree| {
         vec![
@@ -103,8 +55,8 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
         finding: finding(trees, base),
         drawing,
         caption: format!(
-            "The time to build a tree and to trace the rays, as a ratio to that of {}: below 1 is faster, and bars reach from quartile to \
-             quartile.",
+            "The time to build a tree and to trace the rays, as a ratio to that of {}: below 1 is faster. Bars reach from quartile to \
+             quartile, and rings are where a tree breaks even.",
             base.name
         ),
         notes: caption(trees),
@@ -119,6 +71,71 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Figure, GraderError> {
         ]),
         rows: rows.collect(),
     })
+}
+
+/// Draws the plot; the names of the lines are to the right of it.
+fn draw(canvas: &Canvas, size: [f64; 2], trees: &TreeReport, base: &TreeRow) -> DrawResult {
+    let x = Axis::log("rays", RAYS, tick);
+    let counts = || ray_counts().flat_map(|rays| trees.by_build.iter().map(move |t| (t, rays)));
+    let ratios = counts().flat_map(|(tree, rays)| {
+        let Quartiles { lower, upper, .. } = ratio(tree, base, rays);
+        [lower, upper]
+    });
+    let y_name = format!("time to build and trace / that of {}", base.name);
+    let y = Axis::log(&y_name, ratios, tick);
+    let plot = Plot::new(canvas, "building and tracing", (0.0, 0.0), size, x, y)?;
+    let mut names = Vec::new();
+    for (k, tree) in trees.by_build.iter().enumerate() {
+        let style = SeriesStyle::of(k);
+        let points: Vec<(f64, Quartiles)> = ray_counts()
+            .map(|rays| (rays, ratio(tree, base, rays)))
+            .collect();
+        let line: Vec<(f64, f64)> = points.iter().map(|(rays, r)| (*rays, r.median)).collect();
+        plot.line(style, &line, if tree.student { 2.2 } else { 1.4 })?;
+        for (i, (rays, r)) in points.iter().enumerate() {
+            if k > 0 {
+                plot.error_bar(style, *rays, r.lower, r.upper)?;
+            }
+            // Two points per decade, a marker at each decade.
+            if i % 2 == 0 {
+                plot.marker(style, (*rays, r.median), 26.0)?;
+            }
+            let text = format!(
+                "{}: {} times the time of {} for {} rays",
+                tree.name,
+                plus_minus(r, 2),
+                base.name,
+                figures(*rays)
+            );
+            canvas.tip(plot.at(*rays, r.median), 6.0, &text);
+        }
+        names.extend(line.last().map(|&(rays, ratio)| LineName {
+            end: plot.at(rays, ratio),
+            text: vec![tree.name.clone()],
+            label: Label::left(NAME).bold().in_color(style.color),
+        }));
+    }
+    for (k, tree) in trees.by_build.iter().enumerate() {
+        if let BreakEven::After {
+            rays,
+            at_least,
+            at_most,
+        } = tree.break_even
+            && (RAYS[0]..=RAYS[1]).contains(&rays)
+        {
+            let style = SeriesStyle::of(k);
+            plot.time_bar(style, [at_least, at_most], 1.0)?;
+            let ring = SeriesStyle {
+                hollow: true,
+                marker: Marker::Disc,
+                ..style
+            };
+            plot.marker(ring, (rays, 1.0), 110.0)?;
+            let text = format!("{} breaks even after {} rays", tree.name, figures(rays));
+            canvas.tip(plot.at(rays, 1.0), 8.0, &text);
+        }
+    }
+    line_names::draw(canvas, names)
 }
 
 /// What the plot shows: which tree is worth its build first.

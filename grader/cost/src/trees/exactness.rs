@@ -1,6 +1,8 @@
 //! What exactness costs a tree: time, missed and false hits of the same tree with the tests and the
 //! precision that others use.
 
+use crate::measure_kernels::precision;
+use crate::report::Precision;
 use crate::timing::Timing;
 use judge::cases::probes::{ProbeRng, through};
 use kernels::{ClosestHit, RoundedTree};
@@ -10,8 +12,12 @@ use serde::{Deserialize, Serialize};
 /// Results for one pair of tests in one precision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExactnessRow {
-    /// The box test, the triangle test and the precision.
-    pub name: String,
+    /// Name of the box test.
+    pub box_test: String,
+    /// Name of the triangle test.
+    pub triangle_test: String,
+    /// What boxes, triangles and rays are stored and computed in.
+    pub precision: Precision,
     /// Slack of the pruning, in units in the last place of the precision.
     pub slack_ulp: u32,
     /// Time per ray. Its ratio is to the time of the first row, which is exact.
@@ -23,6 +29,18 @@ pub struct ExactnessRow {
     pub missed: usize,
     /// Rays with a hit where there is none, or nearer than the closest.
     pub wrong: usize,
+}
+
+impl ExactnessRow {
+    /// Rays with another hit than the exact one, in a million.
+    pub fn lost_per_million(&self) -> f64 {
+        in_a_million(self.missed + self.wrong, self.rays)
+    }
+}
+
+/// Scales a count of `rays` rays to a million.
+pub(crate) fn in_a_million(count: usize, rays: usize) -> f64 {
+    1e6 * count as f64 / rays.max(1) as f64
 }
 
 /// A `t` that differs by less than this share is the same hit: a ray that is aimed at an edge may
@@ -59,7 +77,9 @@ pub(super) fn compare(
     time: Timing,
 ) -> ExactnessRow {
     let mut row = ExactnessRow {
-        name: tree.name.clone(),
+        box_test: tree.box_test.into(),
+        triangle_test: tree.triangle_test.into(),
+        precision: precision(tree.precision),
         slack_ulp: tree.slack_ulp,
         time,
         rays: rays.len(),

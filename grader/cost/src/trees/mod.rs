@@ -11,6 +11,7 @@ pub(crate) mod table;
 
 pub use break_even::BreakEven;
 pub use exactness::ExactnessRow;
+pub(crate) use exactness::in_a_million;
 pub(crate) use measure::measure;
 
 use crate::quartiles::Quartiles;

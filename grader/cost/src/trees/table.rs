@@ -1,6 +1,6 @@
 //! The results for trees as text tables.
 
-use super::{BreakEven, TraversalCost, TreeReport, WrongHits};
+use super::{BreakEven, TraversalCost, TreeReport, WrongHits, in_a_million};
 use crate::table::{count, figures, nanoseconds, narrow, number, plus_minus, ratio};
 use comfy_table::{Cell, Table};
 use std::fmt::Write;
@@ -79,7 +79,8 @@ fn by_build(trees: &TreeReport) -> Table {
 /// What exactness costs: the same tree with other tests, in other precisions.
 fn by_precision(trees: &TreeReport) -> Table {
     let mut table = narrow([
-        "tests of the first tree",
+        "tests in the\nfirst tree",
+        "boxes",
         "slack,\nulp",
         "ns/ray",
         "vs. exact",
@@ -87,16 +88,19 @@ fn by_precision(trees: &TreeReport) -> Table {
         "wrong in\na million",
     ]);
     for row in &trees.by_precision {
-        let in_a_million = |hits: usize| count(1e6 * hits as f64 / row.rays.max(1) as f64);
         let cells = [
             row.slack_ulp.to_string(),
             nanoseconds(&row.time),
             ratio(&row.time),
-            in_a_million(row.missed),
-            in_a_million(row.wrong),
+            count(in_a_million(row.missed, row.rays)),
+            count(in_a_million(row.wrong, row.rays)),
         ];
-        let name = Cell::new(&row.name);
-        table.add_row([name].into_iter().chain(cells.map(number)));
+        let tests = [
+            format!("{}, {}", row.triangle_test, row.precision.name()),
+            row.box_test.clone(),
+        ];
+        let tests = tests.into_iter().map(Cell::new);
+        table.add_row(tests.chain(cells.map(number)));
     }
     table
 }

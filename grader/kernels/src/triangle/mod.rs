@@ -10,7 +10,7 @@ mod baldwin_weber;
 mod filtered;
 pub(crate) mod moller_trumbore;
 mod plane;
-mod plucker;
+pub(crate) mod plucker;
 pub(crate) mod woop;
 mod woop_fused;
 

@@ -11,7 +11,7 @@ use crate::kernel::KernelInfo;
 use crate::scalar::Scalar;
 use crate::shapes::{Ray, Triangle, Vector3};
 
-pub(super) struct Plucker;
+pub(crate) struct Plucker;
 
 impl TriangleTest for Plucker {
     const INFO: KernelInfo = KernelInfo {

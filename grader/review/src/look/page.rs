@@ -80,7 +80,7 @@ fn header(look: &Look) -> String {
     if let Some(diagnosis) = &look.diagnosis {
         let _ = writeln!(
             text,
-            "<details><summary>The likely mistake</summary><p>{}: {}.</p><p>{}</p></details>",
+            "<details class=\"hint\"><summary>The likely mistake</summary><p>{}: {}.</p><p>{}</p></details>",
             diagnosis.certainty.label(),
             escape(&diagnosis.says),
             escape(&diagnosis.hint)
@@ -206,7 +206,7 @@ fn describe(case: &CaseResult) -> String {
     if let Some((_, pitfall)) = case.about.split_once(PITFALL) {
         let _ = writeln!(
             text,
-            "<details><summary>A hint</summary><p>{}</p></details>",
+            "<details class=\"hint\"><summary>A hint</summary><p>{}</p></details>",
             escape(pitfall)
         );
     }
@@ -307,7 +307,7 @@ mod tests {
             "<strong>hit or miss</strong>: wrong on 3 of 4",
             "your result: miss &lt;here&gt;",
             "<div class=\"figure\"><svg></svg>",
-            "<details><summary>A hint</summary><p>culling.</p></details>",
+            "<details class=\"hint\"><summary>A hint</summary><p>culling.</p></details>",
             "miss where there is a surface: 1 pixel",
         ] {
             assert!(page.contains(text), "no {text:?}");

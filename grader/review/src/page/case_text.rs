@@ -71,7 +71,9 @@ pub(super) fn describe(case: &Case) -> String {
             for (i, wrong) in wrong.iter().enumerate() {
                 // The first aspect has the fault that explains the most.
                 if i == 1 {
-                    text.push_str("<details><summary>more that is wrong</summary>\n");
+                    text.push_str(
+                        "<details class=\"more\"><summary>more that is wrong</summary>\n",
+                    );
                 }
                 let _ = writeln!(
                     text,

@@ -1,7 +1,7 @@
 //! A plot: two axes and the lines and markers between them.
 
-use super::canvas::{Canvas, DrawResult, Label, Position};
-use super::style::{self, GRID, INK, SeriesStyle};
+use crate::canvas::{Canvas, DrawResult, Label, Position};
+use crate::style::{self, GRID, INK, SeriesStyle};
 
 /// Font size at the axes, in points.
 const SMALL: f64 = 9.0;
@@ -15,32 +15,46 @@ const RIGHT: f64 = 8.0;
 /// Half the length of the strokes at the ends of an error bar, in points.
 const CAP: f64 = 2.5;
 
+/// How values become positions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scale {
+    Linear,
+    Log,
+    /// Logarithmic, with 0 apart at the start.
+    LogAndZero,
+}
+
+/// Where 0 is on a logarithmic axis, and where that axis begins: shares of its length.
+const ZERO: f64 = 0.09;
+const BEYOND_ZERO: f64 = 0.25;
+
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Axis {
-    pub(crate) name: String,
+pub struct Axis {
+    /// What is on the axis, with its unit.
+    pub name: String,
     from: f64,
     to: f64,
-    is_log: bool,
+    scale: Scale,
     /// The ticks: values and their labels.
     ticks: Vec<(f64, String)>,
 }
 
 impl Axis {
     /// Creates a linear axis with these ticks.
-    pub(crate) fn linear(name: &str, from: f64, to: f64, ticks: Vec<(f64, String)>) -> Axis {
+    pub fn linear(name: &str, from: f64, to: f64, ticks: Vec<(f64, String)>) -> Axis {
         Axis {
             name: name.into(),
             from,
             to,
-            is_log: false,
+            scale: Scale::Linear,
             ticks,
         }
     }
 
     /// Creates a logarithmic axis that contains all positive `values`. Its ticks are powers of ten,
     /// with steps of 1, 2, 5 or smaller between them if there are only a few.
-    pub(crate) fn log(
+    pub fn log(
         name: &str,
         values: impl IntoIterator<Item = f64>,
         number: impl Fn(f64) -> String,
@@ -74,28 +88,72 @@ impl Axis {
             name: name.into(),
             from,
             to,
-            is_log: true,
+            scale: Scale::Log,
             ticks,
         }
     }
 
+    /// Creates a logarithmic axis that contains all positive `values`, and 0 apart from them at its
+    /// start.
+    pub fn log_and_zero(
+        name: &str,
+        values: impl IntoIterator<Item = f64>,
+        number: impl Fn(f64) -> String,
+    ) -> Axis {
+        let mut axis = Axis::log(name, values, &number);
+        axis.ticks.insert(0, (0.0, number(0.0)));
+        axis.scale = Scale::LogAndZero;
+        axis
+    }
+
+    /// Creates a linear axis that contains all finite `values`, with about five round ticks.
+    pub fn around(
+        name: &str,
+        values: impl IntoIterator<Item = f64>,
+        number: impl Fn(f64) -> String,
+    ) -> Axis {
+        let finite = values.into_iter().filter(|v| v.is_finite());
+        let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+        let (least, most) = if least < most {
+            (least, most)
+        } else if least == most {
+            (least - 0.5, most + 0.5)
+        } else {
+            (0.0, 1.0)
+        };
+        // A margin, so that no marker is on the frame.
+        let air = 0.08 * (most - least);
+        let (from, to) = (least - air, most + air);
+        let power = 10.0_f64.powf(((to - from) / 5.0).log10().floor());
+        let fits = |step: &f64| (to - from) / (step * power) <= 6.0;
+        let step = power * [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0);
+        let ticks = (from / step).ceil() as i64..=(to / step).floor() as i64;
+        let ticks = ticks.map(|i| i as f64 * step);
+        let ticks = ticks.map(|value| (value, number(value))).collect();
+        Axis::linear(name, from, to, ticks)
+    }
+
     /// Returns the position of `value` on the axis, from 0 at the start to 1 at the end.
     fn share(&self, value: f64) -> f64 {
-        if self.is_log {
-            (value / self.from).ln() / (self.to / self.from).ln()
-        } else {
-            (value - self.from) / (self.to - self.from)
+        let log = || (value / self.from).ln() / (self.to / self.from).ln();
+        match self.scale {
+            Scale::Linear => (value - self.from) / (self.to - self.from),
+            Scale::Log => log(),
+            Scale::LogAndZero if value <= 0.0 => ZERO,
+            Scale::LogAndZero => BEYOND_ZERO + (1.0 - BEYOND_ZERO) * log(),
         }
     }
 
     /// Returns both ends.
-    pub(crate) fn ends(&self) -> (f64, f64) {
+    pub fn ends(&self) -> (f64, f64) {
         (self.from, self.to)
     }
 }
 
 /// A plot on a canvas.
-pub(crate) struct Plot<'a, 'b> {
+pub struct Plot<'a, 'b> {
     canvas: &'a Canvas<'b>,
     x: Axis,
     y: Axis,
@@ -105,7 +163,7 @@ pub(crate) struct Plot<'a, 'b> {
 
 impl<'a, 'b> Plot<'a, 'b> {
     /// Draws the axes of a plot. `corner` is its top left corner.
-    pub(crate) fn new(
+    pub fn new(
         canvas: &'a Canvas<'b>,
         title: &str,
         corner: Position,
@@ -132,14 +190,16 @@ impl<'a, 'b> Plot<'a, 'b> {
     fn draw_axes(&self, title: &str) -> DrawResult {
         let [left, top, right, bottom] = self.inner;
         let canvas = self.canvas;
-        for (value, number) in &self.x.ticks {
+        if let Some(y) = self.separator() {
+            canvas.dashes(&[(left, y), (right, y)], INK, 0.6, [2.0, 3.0])?;
+        }
+        for (value, _) in &self.x.ticks {
             let (x, _) = self.at(*value, self.y.from);
             canvas.line(&[(x, top), (x, bottom)], GRID, 0.6)?;
-            canvas.text(
-                number,
-                (x, bottom + 9.0),
-                Label::centered(SMALL).in_color(INK),
-            )?;
+        }
+        let label = Label::centered(SMALL).in_color(INK);
+        for (x, number) in self.x_numbers(label) {
+            canvas.text(number, (x, bottom + 9.0), label)?;
         }
         for (value, number) in &self.y.ticks {
             let (_, y) = self.at(self.x.from, *value);
@@ -162,8 +222,29 @@ impl<'a, 'b> Plot<'a, 'b> {
         canvas.text(&self.y.name, (left - 43.0, middle.1), upright)
     }
 
+    /// The numbers below the x axis and their places, without those that would touch another one:
+    /// powers of ten go first.
+    fn x_numbers(&self, label: Label) -> Vec<(f64, &str)> {
+        let is_power =
+            |value: f64| value > 0.0 && (value.log10() - value.log10().round()).abs() < 1e-9;
+        let (powers, others): (Vec<_>, Vec<_>) =
+            self.x.ticks.iter().partition(|(value, _)| is_power(*value));
+        let mut numbers: Vec<(f64, &str)> = Vec::new();
+        for (value, number) in powers.into_iter().chain(others) {
+            let (x, _) = self.at(*value, self.y.from);
+            let room = |other: &str| 0.5 * (label.width(number) + label.width(other)) + 4.0;
+            if numbers
+                .iter()
+                .all(|(at, other)| (at - x).abs() >= room(other))
+            {
+                numbers.push((x, number));
+            }
+        }
+        numbers
+    }
+
     /// Returns the position of a value on the canvas.
-    pub(crate) fn at(&self, x: f64, y: f64) -> Position {
+    pub fn at(&self, x: f64, y: f64) -> Position {
         let [left, top, right, bottom] = self.inner;
         (
             left + self.x.share(x) * (right - left),
@@ -171,28 +252,36 @@ impl<'a, 'b> Plot<'a, 'b> {
         )
     }
 
+    /// Returns the height of the dashed line between 0 and the positive values of the y axis, if it
+    /// is drawn.
+    pub fn separator(&self) -> Option<f64> {
+        let [_, top, _, bottom] = self.inner;
+        let y = bottom - 0.5 * (ZERO + BEYOND_ZERO) * (bottom - top);
+        (self.y.scale == Scale::LogAndZero).then_some(y)
+    }
+
     /// Returns the inner part: left, top, right, bottom.
-    pub(crate) fn inner(&self) -> [f64; 4] {
+    pub fn inner(&self) -> [f64; 4] {
         self.inner
     }
 
     /// Returns the ends of the x axis.
-    pub(crate) fn x_ends(&self) -> (f64, f64) {
+    pub fn x_ends(&self) -> (f64, f64) {
         self.x.ends()
     }
 
     /// Returns the ends of the y axis.
-    pub(crate) fn y_ends(&self) -> (f64, f64) {
+    pub fn y_ends(&self) -> (f64, f64) {
         self.y.ends()
     }
 
     /// Draws a marker; `area` is in square points.
-    pub(crate) fn marker(&self, style: SeriesStyle, (x, y): (f64, f64), area: f64) -> DrawResult {
+    pub fn marker(&self, style: SeriesStyle, (x, y): (f64, f64), area: f64) -> DrawResult {
         style::marker(self.canvas, style, self.at(x, y), area)
     }
 
     /// Draws a line through values, clamped to the range of the y axis.
-    pub(crate) fn line(&self, style: SeriesStyle, values: &[(f64, f64)], width: f64) -> DrawResult {
+    pub fn line(&self, style: SeriesStyle, values: &[(f64, f64)], width: f64) -> DrawResult {
         let (from, to) = self.y.ends();
         let positions: Vec<Position> = values
             .iter()
@@ -202,7 +291,7 @@ impl<'a, 'b> Plot<'a, 'b> {
     }
 
     /// Draws an error bar from `low` to `high` at `x`, clamped to the range of the y axis.
-    pub(crate) fn error_bar(&self, style: SeriesStyle, x: f64, low: f64, high: f64) -> DrawResult {
+    pub fn error_bar(&self, style: SeriesStyle, x: f64, low: f64, high: f64) -> DrawResult {
         let (from, to) = self.y.ends();
         let ends = [low, high].map(|y| self.at(x, y.clamp(from, to)));
         self.canvas.line(&ends, style.color, 1.0)
@@ -210,7 +299,7 @@ impl<'a, 'b> Plot<'a, 'b> {
 
     /// Draws an error bar from `low` to `high` at `y`, with short strokes at its ends. Clamped to
     /// the range of the x axis.
-    pub(crate) fn time_bar(&self, style: SeriesStyle, [low, high]: [f64; 2], y: f64) -> DrawResult {
+    pub fn time_bar(&self, style: SeriesStyle, [low, high]: [f64; 2], y: f64) -> DrawResult {
         let (from, to) = self.x.ends();
         let ends = [low, high].map(|x| self.at(x.clamp(from, to), y));
         self.canvas.line(&ends, style.color, 1.0)?;
@@ -223,7 +312,7 @@ impl<'a, 'b> Plot<'a, 'b> {
 }
 
 /// Draws a legend from `corner` down: the style of each entry, if it has one, and its text.
-pub(crate) fn legend(
+pub fn legend(
     canvas: &Canvas,
     corner: Position,
     entries: &[(Option<SeriesStyle>, String)],
@@ -260,5 +349,30 @@ mod tests {
         let axis = Axis::log("", [1.0, 100.0], |v| v.to_string());
         let [a, b, c] = [1.0, 10.0, 100.0].map(|v| axis.share(v));
         assert!(0.0 < a && c < 1.0 && ((b - a) - (c - b)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn zero_is_apart_from_the_least_positive_value() {
+        let axis = Axis::log_and_zero("", [0.0, 1.0, 1000.0], |v| v.to_string());
+        let [zero, least, most] = [0.0, 1.0, 1000.0].map(|v| axis.share(v));
+        assert!(0.0 < zero && zero + 0.1 < least && least < most && most < 1.0);
+        assert_eq!(axis.ticks[0], (0.0, "0".into()));
+    }
+
+    #[test]
+    fn linear_axes_have_round_ticks() {
+        let ticks = |values: &[f64]| -> Vec<String> {
+            let axis = Axis::around("", values.iter().copied(), |v| format!("{v:.1}"));
+            axis.ticks.into_iter().map(|(_, text)| text).collect()
+        };
+        assert_eq!(
+            ticks(&[0.0, 10.0]),
+            ["0.0", "2.0", "4.0", "6.0", "8.0", "10.0"]
+        );
+        assert_eq!(
+            ticks(&[2.23, 2.71]),
+            ["2.2", "2.3", "2.4", "2.5", "2.6", "2.7"]
+        );
+        assert_eq!(ticks(&[3.0]), ["2.6", "2.8", "3.0", "3.2", "3.4"]);
     }
 }

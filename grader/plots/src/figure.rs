@@ -1,29 +1,29 @@
 //! A figure of the page: what it shows in a heading, the drawing, and its numbers.
 
-use super::formatting::capital;
+use crate::numbers::capital;
 use pages::html::escape;
 use std::fmt::Write;
 
 /// A figure. All texts but the drawing are plain text.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Figure {
+pub struct Figure {
     /// What the figure shows, as a heading: a finding, computed from the numbers.
-    pub(crate) finding: String,
+    pub finding: String,
     /// The drawing, as HTML.
-    pub(crate) drawing: String,
+    pub drawing: String,
     /// One sentence: what is drawn.
-    pub(crate) caption: String,
+    pub caption: String,
     /// More sentences, shown on demand.
-    pub(crate) notes: String,
+    pub notes: String,
     /// The heads of the columns of the table, shown on demand.
-    pub(crate) head: Vec<String>,
+    pub head: Vec<String>,
     /// The rows of the table; the first cell is the name of the row.
-    pub(crate) rows: Vec<Vec<String>>,
+    pub rows: Vec<Vec<String>>,
 }
 
 impl Figure {
     /// Formats the figure with its heading.
-    pub(crate) fn html(&self) -> String {
+    pub fn html(&self) -> String {
         let mut html = format!(
             "<h3>{}</h3>\n<figure>\n<div class=\"wide\" tabindex=\"0\">{}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
             escape(&capital(&self.finding)),
@@ -54,6 +54,6 @@ impl Figure {
 }
 
 /// The heads of a table.
-pub(crate) fn heads(heads: &[&str]) -> Vec<String> {
+pub fn heads(heads: &[&str]) -> Vec<String> {
     heads.iter().map(ToString::to_string).collect()
 }

@@ -1,9 +1,7 @@
 //! Formats numbers and lists for captions.
 
-use crate::report::KernelRow;
-
 /// Joins a list: "a", "a and b", "a, b and c"; "none" if it is empty.
-pub(crate) fn list<S: AsRef<str>>(things: &[S]) -> String {
+pub fn list<S: AsRef<str>>(things: &[S]) -> String {
     let things: Vec<&str> = things.iter().map(AsRef::as_ref).collect();
     match things.as_slice() {
         [] => "none".into(),
@@ -13,20 +11,15 @@ pub(crate) fn list<S: AsRef<str>>(things: &[S]) -> String {
 }
 
 /// Returns the text with its first letter in upper case.
-pub(crate) fn capital(text: &str) -> String {
+pub fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(|first| first.to_uppercase().to_string());
     first.unwrap_or_default() + letters.as_str()
 }
 
-/// Returns a kernel's name with its precision.
-pub(crate) fn name(row: &KernelRow) -> String {
-    format!("{} {}", row.name, row.precision.name())
-}
-
 /// Formats with two significant digits, as a decimal number from 0.001 to a million and else with
 /// an exponent.
-pub(crate) fn figures(x: f64) -> String {
+pub fn figures(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
     }
@@ -39,12 +32,17 @@ pub(crate) fn figures(x: f64) -> String {
 }
 
 /// Formats a factor with two significant digits and, from a thousand on, groups of three: "870,000".
-pub(crate) fn rounded(x: f64) -> String {
+pub fn rounded(x: f64) -> String {
     let unit = 10.0_f64.powf((x.log10().floor() - 1.0).max(0.0));
     if unit <= 1.0 {
         return figures(x);
     }
-    let digits = format!("{:.0}", (x / unit).round() * unit);
+    grouped((x / unit).round() * unit)
+}
+
+/// Formats a whole number with groups of three: "868,623".
+pub fn grouped(x: f64) -> String {
+    let digits = format!("{x:.0}");
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {
         if i > 0 && (digits.len() - i) % 3 == 0 {
@@ -56,13 +54,13 @@ pub(crate) fn rounded(x: f64) -> String {
 }
 
 /// Formats a fraction in percent.
-pub(crate) fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     format!("{} %", figures(100.0 * share))
 }
 
 /// Formats a tick label: as a decimal number if it is short, such as 0.01, else with an exponent,
 /// such as 1e-9.
-pub(crate) fn tick(value: f64) -> String {
+pub fn tick(value: f64) -> String {
     if (1e-3..1e5).contains(&value) {
         let text = format!("{value:.3}");
         text.trim_end_matches('0').trim_end_matches('.').into()
@@ -100,6 +98,10 @@ mod tests {
         assert_eq!(
             [2.34, 868_623.0, 1234.0, 99.6].map(rounded),
             ["2.3", "870,000", "1,200", "100"]
+        );
+        assert_eq!(
+            [0.0, 999.6, 1234567.0].map(grouped),
+            ["0", "1,000", "1,234,567"]
         );
         assert_eq!(
             [0.01, 1.0, 500.0, 1e-9].map(tick),

@@ -1,20 +1,20 @@
 //! Names beside points, so that none covers another one.
 
-use super::canvas::{Canvas, DrawResult, Label, Position};
-use super::style::INK;
+use crate::canvas::{Canvas, DrawResult, Label, Position};
+use crate::style::INK;
 
 /// Left, top, right, bottom.
 type Rect = [f64; 4];
 
 /// The places that are taken.
-pub(crate) struct Labels {
+pub struct Labels {
     inner: Rect,
     taken: Vec<Rect>,
 }
 
 impl Labels {
     /// Labels in the rectangle `inner`.
-    pub(crate) fn new(inner: Rect) -> Labels {
+    pub fn new(inner: Rect) -> Labels {
         Labels {
             inner,
             taken: Vec::new(),
@@ -22,26 +22,29 @@ impl Labels {
     }
 
     /// Keeps a disc free, such as a marker.
-    pub(crate) fn keep_free(&mut self, (x, y): Position, radius: f64) {
+    pub fn keep_free(&mut self, (x, y): Position, radius: f64) {
         self.taken
             .push([x - radius, y - radius, x + radius, y + radius]);
     }
 
     /// Keeps a rectangle free.
-    pub(crate) fn keep_box_free(&mut self, rect: Rect) {
+    pub fn keep_box_free(&mut self, rect: Rect) {
         self.taken.push(rect);
     }
 
     /// Draws a name at the free place that is nearest to a point, with a thin line if that is not
-    /// beside it. If nothing is free, the name is drawn over the others.
-    pub(crate) fn place(
+    /// beside it. Only the first of its lines is bold. If nothing is free, the name is drawn over the others.
+    pub fn place(
         &mut self,
         canvas: &Canvas,
         text: &str,
         (x, y): Position,
         label: Label,
     ) -> DrawResult {
-        let size = [label.width(text), 1.15 * label.size];
+        let lines: Vec<&str> = text.lines().collect();
+        let step = 1.15 * label.size;
+        let width = lines.iter().map(|line| label.width(line));
+        let size = [width.fold(0.0, f64::max), step * lines.len() as f64];
         let rect = self.free((x, y), size);
         self.taken.push(rect);
         let [left, top, right, bottom] = rect;
@@ -49,7 +52,12 @@ impl Labels {
         if (nearest.0 - x).hypot(nearest.1 - y) > 14.0 {
             canvas.line(&[(x, y), nearest], INK, 0.4)?;
         }
-        canvas.text(text, (left, 0.5 * (top + bottom)), label)
+        for (i, line) in lines.iter().enumerate() {
+            let bold = label.bold && i == 0;
+            let y = top + step * (i as f64 + 0.5);
+            canvas.text(line, (left, y), Label { bold, ..label })?;
+        }
+        Ok(())
     }
 
     /// The nearest free rectangle of a size.

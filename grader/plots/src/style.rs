@@ -1,9 +1,14 @@
 //! Colours, markers and dashes that can be distinguished by colour-blind readers and in print
 //! without colour.
 
-use super::canvas::{Canvas, DrawResult, Position};
-use plotters::style::{RGBColor, WHITE};
+use crate::canvas::{Canvas, DrawResult, Position};
+use plotters::style::WHITE;
 use std::f64::consts::{FRAC_PI_2, PI};
+
+pub use plotters::style::RGBColor;
+
+/// CSS rules that replace the colours of text, and those of plots on a dark page.
+pub const COLOR_RULES: &str = include_str!("colors.css");
 
 /// The palette of Okabe and Ito, "Color universal design" (2008), strongest contrasts first. Its
 /// yellow has too little contrast for lines on white.
@@ -18,33 +23,39 @@ const PALETTE: [RGBColor; 7] = [
 ];
 
 /// Bluish green: correct.
-pub(crate) const GREEN: RGBColor = PALETTE[2];
+pub const GREEN: RGBColor = PALETTE[2];
 /// Sky blue: within the bound.
-pub(crate) const SKY: RGBColor = PALETTE[6];
+pub const SKY: RGBColor = PALETTE[6];
 /// Yellow: beyond the bound.
-pub(crate) const YELLOW: RGBColor = RGBColor(240, 228, 66);
+pub const YELLOW: RGBColor = RGBColor(240, 228, 66);
 /// Vermilion: wrong.
-pub(crate) const VERMILION: RGBColor = PALETTE[1];
+pub const VERMILION: RGBColor = PALETTE[1];
 /// Reddish purple: leaks.
-pub(crate) const PURPLE: RGBColor = PALETTE[4];
+pub const PURPLE: RGBColor = PALETTE[4];
 /// Grid lines.
-pub(crate) const GRID: RGBColor = RGBColor(222, 222, 222);
+pub const GRID: RGBColor = RGBColor(222, 222, 222);
 /// Error bounds.
-pub(crate) const BOUND: RGBColor = RGBColor(170, 170, 170);
+pub const BOUND: RGBColor = RGBColor(170, 170, 170);
 /// Axes and annotations.
-pub(crate) const INK: RGBColor = RGBColor(60, 60, 60);
+pub const INK: RGBColor = RGBColor(60, 60, 60);
 
 /// Lengths of dashes and gaps in points; `None` is a solid line.
 const DASHES: [Option<[f64; 2]>; 4] = [None, Some([7.0, 3.0]), Some([2.0, 2.5]), Some([11.0, 2.5])];
 
 /// The shape of a marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Marker {
+pub enum Marker {
+    /// A disc.
     Disc,
+    /// A square.
     Square,
+    /// A triangle on its base.
     Triangle,
+    /// A square on its corner.
     Diamond,
+    /// A triangle on its corner.
     Down,
+    /// A star of five points.
     Star,
 }
 
@@ -58,18 +69,21 @@ const MARKERS: [Marker; 5] = [
 
 /// Colour, marker and dashes of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SeriesStyle {
-    pub(crate) color: RGBColor,
-    pub(crate) marker: Marker,
+pub struct SeriesStyle {
+    /// Colour of line and markers.
+    pub color: RGBColor,
+    /// Shape of the markers.
+    pub marker: Marker,
     /// Whether only the marker's outline is drawn.
-    pub(crate) hollow: bool,
-    pub(crate) dashes: Option<[f64; 2]>,
+    pub hollow: bool,
+    /// Lengths of a dash and a gap in points; `None` is a solid line.
+    pub dashes: Option<[f64; 2]>,
 }
 
 impl SeriesStyle {
     /// Returns the style of series `i`. Colours, markers and dashes repeat with different periods,
     /// so that the first dozens of styles are all different.
-    pub(crate) fn of(i: usize) -> SeriesStyle {
+    pub fn of(i: usize) -> SeriesStyle {
         SeriesStyle {
             color: PALETTE[i % PALETTE.len()],
             marker: MARKERS[i % MARKERS.len()],
@@ -83,12 +97,7 @@ impl SeriesStyle {
 const RIM: f64 = 0.8;
 
 /// Draws a marker with an area of about `area` square points.
-pub(crate) fn marker(
-    canvas: &Canvas,
-    style: SeriesStyle,
-    center: Position,
-    area: f64,
-) -> DrawResult {
+pub fn marker(canvas: &Canvas, style: SeriesStyle, center: Position, area: f64) -> DrawResult {
     let radius = (area / PI).sqrt();
     if !style.hollow {
         // A white outline separates overlapping markers.
@@ -142,12 +151,7 @@ fn outline(marker: Marker, (x, y): Position, radius: f64) -> Vec<Position> {
 }
 
 /// Draws a line in this style.
-pub(crate) fn line(
-    canvas: &Canvas,
-    style: SeriesStyle,
-    positions: &[Position],
-    width: f64,
-) -> DrawResult {
+pub fn line(canvas: &Canvas, style: SeriesStyle, positions: &[Position], width: f64) -> DrawResult {
     match style.dashes {
         None => canvas.line(positions, style.color, width),
         Some(dashes) => canvas.dashes(positions, style.color, width, dashes),
@@ -161,7 +165,7 @@ const WHITE_ON_COLOR: RGBColor = RGBColor(254, 254, 254);
 
 /// Returns white or black, whichever has more contrast on `color` (relative luminance of WCAG 2,
 /// linearised by a power).
-pub(crate) fn text_color_on(color: RGBColor) -> RGBColor {
+pub fn text_color_on(color: RGBColor) -> RGBColor {
     let linear = |c: u8| (f64::from(c) / 255.0).powf(2.2);
     let luminance = 0.2126 * linear(color.0) + 0.7152 * linear(color.1) + 0.0722 * linear(color.2);
     if luminance > 0.18 {
@@ -172,7 +176,7 @@ pub(crate) fn text_color_on(color: RGBColor) -> RGBColor {
 }
 
 /// Returns `color` on white, from a faint tint for 0 to the full colour for 1.
-pub(crate) fn tint(color: RGBColor, strength: f64) -> RGBColor {
+pub fn tint(color: RGBColor, strength: f64) -> RGBColor {
     let strength = FAINTEST + (1.0 - FAINTEST) * strength.clamp(0.0, 1.0);
     let mix = |c: u8| (255.0 + (f64::from(c) - 255.0) * strength).round() as u8;
     RGBColor(mix(color.0), mix(color.1), mix(color.2))

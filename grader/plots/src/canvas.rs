@@ -1,5 +1,6 @@
 //! An SVG canvas with coordinates in points.
 
+use crate::style::COLOR_RULES;
 use grader::error::GraderError;
 use pages::html::escape;
 use plotters::coord::Shift;
@@ -13,7 +14,7 @@ use std::fmt::Write;
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// A position on the canvas in points, from its top left corner.
-pub(crate) type Position = (f64, f64);
+pub type Position = (f64, f64);
 
 /// Plotters rounds coordinates to integers. This many units are one point, so that lines are
 /// smooth.
@@ -22,34 +23,38 @@ const UNITS: f64 = 4.0;
 /// Plotters writes a font of size 1 as 1/1.24.
 const FONT_SIZE: f64 = 1.24;
 
-/// Approximate width of a letter in a font of size 1.
+/// Approximate widths of a letter in a font of size 1.
 const LETTER: f64 = 0.56;
+const BOLD_LETTER: f64 = 0.63;
 
 /// A canvas.
-pub(crate) struct Canvas<'a> {
+pub struct Canvas<'a> {
     area: Area<'a>,
     /// SVG elements that show a text when the pointer is over them.
     tips: RefCell<String>,
 }
 
 /// The result of a drawing operation.
-pub(crate) type DrawResult = Result<(), GraderError>;
+pub type DrawResult = Result<(), GraderError>;
 
 /// Size, colour and anchor of a text.
 #[derive(Clone, Copy)]
-pub(crate) struct Label {
+pub struct Label {
     /// Font size in points.
-    pub(crate) size: f64,
-    pub(crate) bold: bool,
-    pub(crate) color: RGBColor,
-    pub(crate) anchor: Pos,
+    pub size: f64,
+    /// Whether it is bold.
+    pub bold: bool,
+    /// Colour of the letters.
+    pub color: RGBColor,
+    /// The point of the text that is at its position.
+    pub anchor: Pos,
     /// Rotated by 90°, to be read from bottom to top.
-    pub(crate) upright: bool,
+    pub upright: bool,
 }
 
 impl Label {
     /// Black, anchored at the middle of its left end.
-    pub(crate) fn left(size: f64) -> Label {
+    pub fn left(size: f64) -> Label {
         Label {
             size,
             bold: false,
@@ -60,7 +65,7 @@ impl Label {
     }
 
     /// Black, anchored at its centre.
-    pub(crate) fn centered(size: f64) -> Label {
+    pub fn centered(size: f64) -> Label {
         Label {
             anchor: Pos::new(HPos::Center, VPos::Center),
             ..Label::left(size)
@@ -68,7 +73,7 @@ impl Label {
     }
 
     /// Black, anchored at the middle of its right end.
-    pub(crate) fn right(size: f64) -> Label {
+    pub fn right(size: f64) -> Label {
         Label {
             anchor: Pos::new(HPos::Right, VPos::Center),
             ..Label::left(size)
@@ -76,24 +81,25 @@ impl Label {
     }
 
     /// Returns the label in bold.
-    pub(crate) fn bold(self) -> Label {
+    pub fn bold(self) -> Label {
         Label { bold: true, ..self }
     }
 
     /// Returns the label in another colour.
-    pub(crate) fn in_color(self, color: RGBColor) -> Label {
+    pub fn in_color(self, color: RGBColor) -> Label {
         Label { color, ..self }
     }
 
     /// Returns the approximate width of `text` in points.
-    pub(crate) fn width(&self, text: &str) -> f64 {
-        text.chars().count() as f64 * self.size * LETTER
+    pub fn width(&self, text: &str) -> f64 {
+        let letter = if self.bold { BOLD_LETTER } else { LETTER };
+        text.chars().count() as f64 * self.size * letter
     }
 }
 
 /// Returns an SVG element of `w` by `h` points with the content that `draw` draws. `label` is its
 /// text for screen readers.
-pub(crate) fn svg(
+pub fn svg(
     w: f64,
     h: f64,
     label: &str,
@@ -117,10 +123,45 @@ pub(crate) fn svg(
     // As wide as the column, but at most `w`.
     let size = format!("width=\"{units_w}\" height=\"{units_h}\"");
     let fluid = format!(
-        "class=\"plot\" role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto;background:#fff\"",
+        "class=\"plot\" role=\"img\" aria-label=\"{}\" style=\"width:100%;max-width:{w}pt;height:auto\"",
         escape(label)
     );
     Ok(text.replacen(&size, &fluid, 1))
+}
+
+/// Returns HTML with the plot drawn twice: `broad` in points for screens and print, and `narrow` for
+/// telephones. `draw` gets the size, and whether it is the narrow one.
+pub fn for_both_widths(
+    broad: [f64; 2],
+    narrow: [f64; 2],
+    label: &str,
+    draw: impl Fn(&Canvas, [f64; 2], bool) -> DrawResult,
+) -> Result<String, GraderError> {
+    let drawing = |size: [f64; 2], is_narrow| {
+        svg(size[0], size[1], label, |canvas| {
+            draw(canvas, size, is_narrow)
+        })
+    };
+    Ok(format!(
+        "<div class=\"broad\">{}</div><div class=\"narrow\">{}</div>",
+        drawing(broad, false)?,
+        drawing(narrow, true)?
+    ))
+}
+
+/// Returns the first plot of a drawing as an SVG file, black on white or, for readers who prefer
+/// that, light on dark.
+pub fn file(drawing: &str) -> String {
+    let end = drawing.find("</svg>").map_or(drawing.len(), |i| i + 6);
+    let start = drawing.find("<svg").unwrap_or(0);
+    let element = &drawing[start..end];
+    let head = element.find('>').map_or(0, |i| i + 1);
+    format!(
+        "{}\n<style>svg{{background:#fff}}svg text{{font-family:system-ui,'Liberation Sans',Arial,sans-serif}}\n\
+         @media screen and (prefers-color-scheme:dark){{svg{{background:#16171b}}}}\n{COLOR_RULES}</style>{}\n",
+        &element[..head],
+        &element[head..]
+    )
 }
 
 fn failed(why: impl std::fmt::Display) -> GraderError {
@@ -137,22 +178,22 @@ fn stroke(color: RGBColor, width: f64) -> ShapeStyle {
 
 impl Canvas<'_> {
     /// Shows `text` when the pointer is within `radius` of `center`.
-    pub(crate) fn tip(&self, center: Position, radius: f64, text: &str) {
+    pub fn tip(&self, center: Position, radius: f64, text: &str) {
         let (x, y) = units(center);
         let _ = writeln!(
             self.tips.borrow_mut(),
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"transparent\"><title>{}</title></circle>",
+            "<circle class=\"tip\" cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"transparent\"><title>{}</title></circle>",
             (radius * UNITS).round(),
             escape(text)
         );
     }
 
     /// Shows `text` when the pointer is over the rectangle between two corners.
-    pub(crate) fn tip_over(&self, from: Position, to: Position, text: &str) {
+    pub fn tip_over(&self, from: Position, to: Position, text: &str) {
         let ((x, y), (right, bottom)) = (units(from), units(to));
         let _ = writeln!(
             self.tips.borrow_mut(),
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"transparent\"><title>{}</title></rect>",
+            "<rect class=\"tip\" x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"{}\" fill=\"transparent\"><title>{}</title></rect>",
             right - x,
             bottom - y,
             escape(text)
@@ -160,7 +201,7 @@ impl Canvas<'_> {
     }
 
     /// Draws a line through `positions`.
-    pub(crate) fn line(&self, positions: &[Position], color: RGBColor, width: f64) -> DrawResult {
+    pub fn line(&self, positions: &[Position], color: RGBColor, width: f64) -> DrawResult {
         let positions: Vec<(i32, i32)> = positions.iter().copied().map(units).collect();
         self.area
             .draw(&PathElement::new(positions, stroke(color, width)))
@@ -168,7 +209,7 @@ impl Canvas<'_> {
     }
 
     /// Draws a dashed line.
-    pub(crate) fn dashes(
+    pub fn dashes(
         &self,
         positions: &[Position],
         color: RGBColor,
@@ -182,7 +223,7 @@ impl Canvas<'_> {
     }
 
     /// Draws a filled polygon.
-    pub(crate) fn polygon(&self, positions: &[Position], color: RGBColor) -> DrawResult {
+    pub fn polygon(&self, positions: &[Position], color: RGBColor) -> DrawResult {
         let positions: Vec<(i32, i32)> = positions.iter().copied().map(units).collect();
         self.area
             .draw(&Polygon::new(positions, color.filled()))
@@ -190,7 +231,7 @@ impl Canvas<'_> {
     }
 
     /// Draws a disc, or only its outline if `rim` is the width of the outline.
-    pub(crate) fn disc(
+    pub fn disc(
         &self,
         center: Position,
         radius: f64,
@@ -205,14 +246,14 @@ impl Canvas<'_> {
     }
 
     /// Draws a filled rectangle between two corners.
-    pub(crate) fn rectangle(&self, from: Position, to: Position, color: RGBColor) -> DrawResult {
+    pub fn rectangle(&self, from: Position, to: Position, color: RGBColor) -> DrawResult {
         self.area
             .draw(&Rectangle::new([units(from), units(to)], color.filled()))
             .map_err(failed)
     }
 
     /// Draws text.
-    pub(crate) fn text(&self, text: &str, position: Position, label: Label) -> DrawResult {
+    pub fn text(&self, text: &str, position: Position, label: Label) -> DrawResult {
         let size = label.size * UNITS * FONT_SIZE;
         let weight = if label.bold {
             FontStyle::Bold

@@ -1,0 +1,204 @@
+//! What exactness costs a tree: speed against lost hits.
+
+use crate::quartiles::Quartiles;
+use crate::report::Precision;
+use crate::table::plus_minus;
+use crate::trees::{ExactnessRow, TreeReport, in_a_million};
+use grader::error::GraderError;
+use plots::canvas::{Canvas, DrawResult, Label, Position, file, for_both_widths, svg};
+use plots::figure::{Figure, heads};
+use plots::labels::Labels;
+use plots::numbers::{figures, grouped};
+use plots::plot::{Axis, Plot};
+use plots::style::{Marker, SeriesStyle};
+
+/// Sizes in points: the plot, and the plot on a telephone.
+const BROAD: [f64; 2] = [860.0, 400.0];
+const NARROW: [f64; 2] = [300.0, 400.0];
+
+/// Area of the markers in square points.
+const AREA: f64 = 60.0;
+
+/// The text of the plot for screen readers.
+const LABEL: &str = "Lost hits against speed of trees with different tests and precisions";
+
+/// Font size of the names beside markers.
+const NAME: f64 = 9.5;
+
+/// Draws the plot; `None` if nothing was measured.
+pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> {
+    let Some(finding) = finding(&trees.by_precision) else {
+        return Ok(None);
+    };
+    let drawing = for_both_widths(BROAD, NARROW, LABEL, |canvas, size, _| {
+        draw(canvas, size, "lost hits against speed", &trees.by_precision)
+    })?;
+    let rays = trees.by_precision.first().map_or(0, |row| row.rays);
+    Ok(Some(Figure {
+        finding,
+        drawing,
+        caption: "One tree, with other tests in another precision at each point. Further right traces more rays, further down loses \
+                  fewer hits; the dashed line separates those that lose none. Filled markers are f32. Bars reach from quartile to quartile."
+            .into(),
+        notes: format!(
+            "The tree splits at the midpoint, over the {} mesh of {} triangles. Speed is that of camera rays on one thread. Hits are lost \
+             of {} rays that are aimed at random triangles from all directions, every other one at an edge. A hit is missed if the ray \
+             passes through the surface, and wrong if there is none, or if it is too near. The first tree is exact: it finds the hits of \
+             brute force. In f32, pbrt uses a pair like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker \
+             coordinates, and most others slabs with Möller and Trumbore's test; these are the tests alone, in the same traversal.",
+            trees.mesh,
+            grouped(trees.triangles as f64),
+            grouped(rays as f64)
+        ),
+        head: heads(&[
+            "test of triangles",
+            "of boxes",
+            "slack, ulp",
+            "Mrays/s",
+            "time / exact",
+            "missed in a million",
+            "wrong in a million",
+        ]),
+        rows: trees
+            .by_precision
+            .iter()
+            .map(|row| {
+                vec![
+                    format!("{} {}", row.triangle_test, row.precision.name()),
+                    row.box_test.clone(),
+                    row.slack_ulp.to_string(),
+                    plus_minus(&rate(row), 2),
+                    plus_minus(&row.time.ratio, 2),
+                    grouped(in_a_million(row.missed, row.rays)),
+                    grouped(in_a_million(row.wrong, row.rays)),
+                ]
+            })
+            .collect(),
+    }))
+}
+
+/// Returns the plot alone, with the finding as its title, as an SVG file; `None` if nothing was
+/// measured.
+pub(crate) fn svg_file(trees: &TreeReport) -> Result<Option<String>, GraderError> {
+    let Some(finding) = finding(&trees.by_precision) else {
+        return Ok(None);
+    };
+    let [w, h] = BROAD;
+    let drawing = svg(w, h, LABEL, |canvas| {
+        draw(canvas, BROAD, &finding, &trees.by_precision)
+    })?;
+    Ok(Some(file(&drawing)))
+}
+
+/// Millions of rays per second.
+fn rate(row: &ExactnessRow) -> Quartiles {
+    let Quartiles {
+        lower,
+        median,
+        upper,
+    } = row.time.ns;
+    Quartiles {
+        lower: 1e3 / upper,
+        median: 1e3 / median,
+        upper: 1e3 / lower,
+    }
+}
+
+/// What the plot shows: what the exact tree gives up in speed. `None` without rows.
+fn finding(rows: &[ExactnessRow]) -> Option<String> {
+    let fastest = |loses: bool| {
+        let rows = rows
+            .iter()
+            .filter(|row| (row.lost_per_million() > 0.0) == loses);
+        rows.min_by(|a, b| a.time.ratio.median.total_cmp(&b.time.ratio.median))
+    };
+    let (exact, lossy) = (fastest(false), fastest(true));
+    let Some(lossy) = lossy else {
+        return exact.map(|_| "No tree loses a hit".into());
+    };
+    let lost = grouped(lossy.lost_per_million());
+    let name = format!("{} in {}", lossy.triangle_test, lossy.precision.name());
+    let Some(exact) = exact else {
+        return Some(format!(
+            "Every tree loses hits; the fastest, with {name}, {lost} in a million"
+        ));
+    };
+    let times = exact.time.ratio.median / lossy.time.ratio.median;
+    Some(if exact.time.ties_with(&lossy.time) {
+        format!(
+            "Exact hits cost no time: the fastest tree that loses hits, {lost} in a million, is not faster"
+        )
+    } else if times < 1.0 {
+        format!(
+            "The exact tree is the fastest; the next, with {name}, loses {lost} hits in a million"
+        )
+    } else {
+        format!(
+            "Exact hits cost {} % more time than {name}, which loses {lost} in a million",
+            figures(100.0 * (times - 1.0))
+        )
+    })
+}
+
+fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> DrawResult {
+    let rates = rows.iter().map(rate).flat_map(|r| [r.lower, r.upper]);
+    let x = Axis::around("millions of rays per second", rates, figures);
+    let lost = rows.iter().map(ExactnessRow::lost_per_million);
+    let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
+    let plot = Plot::new(canvas, title, (0.0, 0.0), size, x, y)?;
+    let mut labels = Labels::new(plot.inner());
+    if let Some(y) = plot.separator() {
+        let [left, _, right, _] = plot.inner();
+        labels.keep_box_free([left, y - 1.0, right, y + 1.0]);
+    }
+    let place =
+        |row: &ExactnessRow| -> Position { plot.at(rate(row).median, row.lost_per_million()) };
+    for row in rows {
+        let Quartiles { lower, upper, .. } = rate(row);
+        plot.time_bar(style_of(row), [lower, upper], row.lost_per_million())?;
+        let y = place(row).1;
+        let [from, to] = [lower, upper].map(|x| plot.at(x, row.lost_per_million()).0);
+        labels.keep_box_free([from, y - 2.0, to, y + 2.0]);
+        labels.keep_free(place(row), 6.0);
+    }
+    for row in rows {
+        let at = (rate(row).median, row.lost_per_million());
+        plot.marker(style_of(row), at, AREA)?;
+        canvas.tip(place(row), 9.0, &tip(row));
+    }
+    for row in rows {
+        let label = Label::left(NAME).in_color(style_of(row).color);
+        let boxes = format!("boxes: {}", row.box_test);
+        let text = format!("{} {}\n{boxes}", row.triangle_test, row.precision.name());
+        labels.place(canvas, &text, place(row), label.bold())?;
+    }
+    Ok(())
+}
+
+fn tip(row: &ExactnessRow) -> String {
+    format!(
+        "{} {}, boxes: {}, slack of {} ulp: {} million rays per second, {} of a million missed and {} wrong",
+        row.triangle_test,
+        row.precision.name(),
+        row.box_test,
+        row.slack_ulp,
+        plus_minus(&rate(row), 2),
+        grouped(in_a_million(row.missed, row.rays)),
+        grouped(in_a_million(row.wrong, row.rays))
+    )
+}
+
+/// Colour and shape show the precision, as in the plot of triangle tests.
+fn style_of(row: &ExactnessRow) -> SeriesStyle {
+    let is_single = row.precision != Precision::F64;
+    SeriesStyle {
+        marker: if is_single {
+            Marker::Square
+        } else {
+            Marker::Disc
+        },
+        hollow: !is_single,
+        dashes: None,
+        ..SeriesStyle::of(usize::from(is_single))
+    }
+}

@@ -1,0 +1,18 @@
+//! Plots as SVG, and self-contained pages of them: those of `grader cost` and `grader speedup`.
+//!
+//! Plots are inline SVG, pictures are embedded, and nothing is loaded. The heading of every figure
+//! is its finding, computed from the same numbers, which a table below it has. The colours can be
+//! distinguished by colour-blind readers; shapes, signs and dashes show the same information.
+//!
+//! Read [`document`] (the page) and [`figure`], then what figures are drawn with: [`plot`],
+//! [`style`] and [`canvas`]; [`labels`] places names beside points, [`line_names`] at the ends of
+//! lines. [`numbers`] formats numbers and lists.
+
+pub mod canvas;
+pub mod document;
+pub mod figure;
+pub mod labels;
+pub mod line_names;
+pub mod numbers;
+pub mod plot;
+pub mod style;

@@ -7,6 +7,7 @@ use clap::Parser;
 use image::RgbImage;
 use kit::film::Cell;
 use pathtracer::args::Args;
+use pathtracer::rate_picture::viridis;
 use pathtracer::{Job, Passes, Picture, PreparedScene, Textures};
 use showcase::{sky, tree};
 use std::collections::BTreeSet;
@@ -40,9 +41,13 @@ fn flags_of(program: &str) -> Vec<Vec<String>> {
     commands().into_iter().filter_map(flags).collect()
 }
 
+/// Pixels of a picture as bytes, row by row from the bottom left.
+type Pixels = Vec<[u8; 3]>;
+
 /// Renders the pixels of `cell` with the flags, whose paths are relative to the root. `made` is the
-/// folder with what the other commands make. Returns the bytes, row by row from the bottom left.
-fn pixels(flags: &[String], made: &Path, cell: Cell) -> (Args, Vec<[u8; 3]>) {
+/// folder with what the other commands make. Returns those of the picture, and with `-a` those of
+/// the picture of the numbers of samples.
+fn pixels(flags: &[String], made: &Path, cell: Cell) -> (Pixels, Option<Pixels>) {
     let path = |word: &String| match word.strip_prefix(MADE) {
         Some(name) => made.join(name.trim_start_matches('/')).into(),
         None if word.starts_with("scenes/") => root().join(word).into_os_string(),
@@ -74,9 +79,14 @@ fn pixels(flags: &[String], made: &Path, cell: Cell) -> (Args, Vec<[u8; 3]>) {
     };
     let rendered = passes.render(&AtomicBool::new(false), &|_| (), &mut |_| true);
     let tone = args.tone();
-    let bytes = |(x, y)| tone.to_bytes(rendered.film.get(x, y).radiance);
-    let bytes = cell.pixels().map(bytes).collect();
-    (args, bytes)
+    let color = |(x, y)| tone.to_bytes(rendered.film.get(x, y).radiance);
+    let rate = |(x, y)| {
+        let samples = rendered.film.get(x, y).samples;
+        viridis(f64::from(samples) / f64::from(args.samples))
+    };
+    let rates = args.adaptive.is_some();
+    let rates = rates.then(|| cell.pixels().map(rate).collect());
+    (cell.pixels().map(color).collect(), rates)
 }
 
 fn open(name: &str) -> RgbImage {
@@ -97,10 +107,11 @@ fn cell(w: u32, h: u32) -> Cell {
     }
 }
 
-/// Asserts that `picture`, from column `left` on, has the `bytes` of `cell`.
-fn assert_same(picture: &RgbImage, left: u32, cell: Cell, bytes: &[[u8; 3]], name: &str) {
+/// Asserts that `picture` has the `bytes` of `cell`, from column `left` on. `h` is the height of the
+/// rendered picture; below it there may be a legend.
+fn assert_same(picture: &RgbImage, left: u32, h: u32, cell: Cell, bytes: &[[u8; 3]], name: &str) {
     for ((x, y), expected) in cell.pixels().zip(bytes) {
-        let found = picture.get_pixel(left + x, picture.height() - 1 - y).0;
+        let found = picture.get_pixel(left + x, h - 1 - y).0;
         assert_eq!(
             found, *expected,
             "{name}: column {x}, row {y} from the bottom"
@@ -128,17 +139,22 @@ fn every_picture_has_the_pixels_of_its_command() {
         let size = flags.iter().position(|flag| flag == "-r").expect("-r") + 1;
         let [w, h]: [u32; 2] = [0, 1].map(|i| flags[size + i].parse().expect("a number"));
         let cell = cell(w, h);
-        let (_, bytes) = pixels(&flags, folder.path(), cell);
+        let (bytes, rates) = pixels(&flags, folder.path(), cell);
         match name.strip_prefix("scenes/pictures/") {
             Some(name) => {
                 let picture = open(name);
                 assert_eq!(picture.dimensions(), (w, h), "{name}");
-                assert_same(&picture, 0, cell, &bytes, name);
+                assert_same(&picture, 0, h, cell, &bytes, name);
                 checked.insert(name.to_owned());
+                if let Some(rates) = rates {
+                    let name = name.replace(".png", "_rate.png");
+                    assert_same(&open(&name), 0, h, cell, &rates, &name);
+                    checked.insert(name);
+                }
             }
             None => {
                 let left = parts * (strip.width() + 5) / 5;
-                assert_same(&strip, left, cell, &bytes, &name);
+                assert_same(&strip, left, h, cell, &bytes, &name);
                 parts += 1;
             }
         }

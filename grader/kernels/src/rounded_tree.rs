@@ -5,7 +5,6 @@
 use crate::bbox::BoxTest;
 use crate::bbox::ize::Ize;
 use crate::bbox::williams::Williams;
-use crate::scalar::{Precision, Scalar};
 use crate::shapes::{Aabb, Ray, Shape, Triangle};
 use crate::traversal::walk;
 use crate::tree::RoundedTree;
@@ -13,6 +12,7 @@ use crate::triangle::TriangleTest;
 use crate::triangle::moller_trumbore::MollerTrumbore;
 use crate::triangle::woop::Woop;
 use kit::Bvh;
+use lanes::{Precision, Scalar};
 
 /// Returns the same tree with different tests, the exact one first.
 pub(crate) fn trees<'a>(bvh: &'a Bvh, triangles: &[kit::Triangle]) -> Vec<RoundedTree<'a>> {

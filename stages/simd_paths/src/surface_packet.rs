@@ -125,7 +125,7 @@ impl<S: Simd> SurfacePacket<S> {
         let behind = self.hit_ng.dot(n0 + n1 + n2);
         let behind = behind.simd_lt(f64x8::splat(simd, 0.0));
         self.ng = (-self.hit_ng).masked_or(behind, self.hit_ng);
-        let error = p0.abs().max(p1.abs()).max(p2.abs()) * f64x8::splat(simd, POSITION_ERROR);
+        let error = p0.abs().larger(p1.abs()).larger(p2.abs()) * f64x8::splat(simd, POSITION_ERROR);
         self.distance = error.dot(self.ng.abs());
         is_sound.to_bitmask()
     }

@@ -9,8 +9,8 @@
 use super::SphereTest;
 use super::q_form::roots;
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
+use lanes::Scalar;
 
 pub(super) struct Haines;
 

@@ -1,0 +1,20 @@
+//! Formulas that are written once and computed with one number or with eight at a time.
+//!
+//! Reading order: [`real`] (the numbers: `f32`, `f64`, those of `wide`), `scalar` (what single
+//! numbers have in addition), `vec3` and `shapes` (vectors, rays, triangles, spheres).
+//!
+//! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
+//! several precisions is generic over [`Real`]; no formula is written for one width. Everything is
+//! `#[inline(always)]`, and there are no closures: `fearless_simd` compiles only inlined code for an
+//! instruction set.
+
+pub mod real;
+mod scalar;
+mod shapes;
+mod vec3;
+mod wide;
+
+pub use real::{Mask, Real};
+pub use scalar::{Precision, Scalar};
+pub use shapes::{Ray, Sphere, Triangle};
+pub use vec3::Vec3;

@@ -2,6 +2,9 @@
 //!
 //! Reading order: [`real`] (the numbers: `f32`, `f64`, those of `wide`), `scalar` (what single
 //! numbers have in addition), `vec3` and `shapes` (vectors, rays, triangles, spheres).
+// BEGIN SOLUTION(part6.task2)
+//! Then the formulas: `triangle` and `sphere`.
+// END SOLUTION(part6.task2)
 //!
 //! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
 //! several precisions is generic over [`Real`]; no formula is written for one width. Everything is
@@ -13,6 +16,11 @@ mod scalar;
 mod shapes;
 mod vec3;
 mod wide;
+
+// BEGIN SOLUTION(part6.task2)
+pub mod sphere;
+pub mod triangle;
+// END SOLUTION(part6.task2)
 
 pub use real::{Mask, Real};
 pub use scalar::{Precision, Scalar};

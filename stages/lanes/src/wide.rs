@@ -1,6 +1,7 @@
 //! Eight numbers at a time, for the instruction set `S`.
 
 use crate::real::{Mask, Real};
+use crate::shapes::Ray;
 use crate::vec3::Vec3;
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f32x8, f64x8, mask32x8, mask64x8};
 
@@ -105,5 +106,19 @@ impl<S: Simd> Vec3<f64x8<S>> {
     #[inline(always)]
     pub fn set(&mut self, lane: usize, v: [f64; 3]) {
         (self.x[lane], self.y[lane], self.z[lane]) = (v[0], v[1], v[2]);
+    }
+}
+
+/// Eight rays.
+impl<S: Simd> Ray<f64x8<S>> {
+    /// The ray in a lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> kit::Ray {
+        kit::Ray {
+            o: self.o.lane(lane),
+            d: self.d.lane(lane),
+            min_t: self.min_t[lane],
+            max_t: self.max_t[lane],
+        }
     }
 }

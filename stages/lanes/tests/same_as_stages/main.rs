@@ -1,0 +1,9 @@
+// BEGIN SOLUTION(part6.task2)
+//! Each formula has the bits of the plain function that it restates, at every width and with every
+//! instruction set, for hard inputs and random ones.
+
+mod inputs;
+mod sphere;
+mod triangle;
+mod widths;
+// END SOLUTION(part6.task2)

@@ -3,7 +3,8 @@
 //! Reading order: [`real`] (the numbers: `f32`, `f64`, those of `wide`), `scalar` (what single
 //! numbers have in addition), `vec3` and `shapes` (vectors, rays, triangles, spheres).
 // BEGIN SOLUTION(part6.task2)
-//! Then the formulas: `triangle` and `sphere`.
+//! Then the formulas: `camera`, `triangle`, `sphere`, `record` and `surface` (rays, hits and the step
+//! off a surface), `frame`, `light`, `sin_cos`, `diffuse` and `roulette`.
 // END SOLUTION(part6.task2)
 //!
 //! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
@@ -18,7 +19,15 @@ mod vec3;
 mod wide;
 
 // BEGIN SOLUTION(part6.task2)
+pub mod camera;
+pub mod diffuse;
+pub mod frame;
+pub mod light;
+pub mod record;
+pub mod roulette;
+pub mod sin_cos;
 pub mod sphere;
+pub mod surface;
 pub mod triangle;
 // END SOLUTION(part6.task2)
 

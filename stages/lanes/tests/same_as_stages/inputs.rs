@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Random and hard inputs from a fixed seed.
 
-use kit::{PixelSampler, Ray, Vec3, warp};
+use kit::{PixelSampler, Ray, Triangle, Vec3, warp};
 
 pub(crate) struct Random(PixelSampler);
 
@@ -33,6 +33,47 @@ impl Random {
     pub(crate) fn point(&mut self) -> Vec3 {
         let p = 2.0 * Vec3::new(self.one(), self.one(), self.one()) - 1.0;
         self.of(&[p, (2.0 * p).round() / 2.0])
+    }
+
+    /// A direction along an axis, with zeros of either sign, or any direction.
+    pub(crate) fn normal(&mut self) -> Vec3 {
+        let any = self.direction();
+        let axis = self.of(&[Vec3::X, Vec3::Y, Vec3::Z]);
+        self.of(&[any, any, axis, -axis])
+    }
+
+    /// A triangle; some have no area or are needles. The normals of the vertices agree, differ or
+    /// cancel.
+    pub(crate) fn triangle(&mut self) -> Triangle {
+        let mut p = [0, 1, 2].map(|_| self.point());
+        match self.below(8) {
+            0 => p[2] = p[self.below(2)],
+            1 => p[2] = 0.5 * (p[0] + p[1]),
+            2 => p[2] = p[0] + 1e-7 * self.direction(),
+            _ => {}
+        }
+        let scale = self.scale();
+        let [p0, p1, p2] = p.map(|p| scale * p);
+        let mut triangle = Triangle::flat(p0, p1, p2);
+        if self.below(3) > 0 {
+            triangle.n0 = self.normal();
+            triangle.n1 = self.normal();
+            let last = [self.normal(), -triangle.n0, Vec3::NAN];
+            triangle.n2 = self.of(&last);
+        }
+        triangle
+    }
+
+    /// The weights of the second and third vertex at a vertex, on an edge or inside.
+    pub(crate) fn weights(&mut self) -> [f64; 2] {
+        let (a, b) = (self.one(), self.one());
+        self.of(&[
+            [0.0, 0.0],
+            [1.0, 0.0],
+            [a, 0.0],
+            [a, 1.0 - a],
+            [a * b, a * (1.0 - b)],
+        ])
     }
 
     /// A ray from `o` towards `to`. Some directions are not unit, have zeros of either sign or are
@@ -91,6 +132,12 @@ pub(crate) fn vector<R: Copy>(n: &[R]) -> lanes::Vec3<R> {
         y: n[1],
         z: n[2],
     }
+}
+
+/// The numbers of a vector, as formulas return them.
+#[inline(always)]
+pub(crate) fn coordinates<R>(v: lanes::Vec3<R>) -> [R; 3] {
+    [v.x, v.y, v.z]
 }
 
 /// All numbers of `parts`, one after the other.

@@ -12,7 +12,7 @@ struct SphereTest;
 
 impl Formula<12, 3> for SphereTest {
     #[inline(always)]
-    fn compute<R: Real>(input: [R; 12]) -> [R; 3] {
+    fn compute<R: Real>(&self, input: [R; 12]) -> [R; 3] {
         let ray = ray(&input);
         let sphere = lanes::Sphere {
             center: vector(&input[8..11]),
@@ -53,7 +53,7 @@ fn spheres() {
         .iter()
         .map(|(s, ray)| join(&[&numbers(ray), &s.center.to_array(), &[s.radius]]))
         .collect();
-    let results = at_every_width::<SphereTest, 12, 3>(&inputs);
+    let results = at_every_width(&SphereTest, &inputs);
     let mut counts = [0; 2];
     for ((sphere, ray), [is_sound, is_hit, t]) in pairs.iter().zip(results) {
         if is_sound == 0.0 {

@@ -3,7 +3,7 @@
 
 use crate::inputs::{Random, join, numbers, ray, vector};
 use crate::widths::{Formula, at_every_width, same};
-use kit::{Ray, Triangle, Vec3};
+use kit::{Ray, Triangle};
 use lanes::triangle::{Axes, Edges, project};
 use lanes::{Mask, Real};
 
@@ -16,7 +16,7 @@ struct TriangleTest;
 
 impl Formula<17, 4> for TriangleTest {
     #[inline(always)]
-    fn compute<R: Real>(input: [R; 17]) -> [R; 4] {
+    fn compute<R: Real>(&self, input: [R; 17]) -> [R; 4] {
         let ray = ray(&input);
         let axes = Axes::of(ray.d);
         let (o, d) = (axes.permute(ray.o), axes.permute(ray.d));
@@ -42,29 +42,17 @@ impl Formula<17, 4> for TriangleTest {
 /// A triangle and a ray towards a vertex, an edge or any point of it, from a point of it or from
 /// elsewhere.
 fn pair(random: &mut Random) -> (Triangle, Ray) {
-    let scale = random.scale();
-    let mut p = [0, 1, 2].map(|_| random.point());
-    match random.below(8) {
-        0 => p[2] = p[random.below(2)],
-        1 => p[2] = 0.5 * (p[0] + p[1]),
-        2 => p[2] = p[0] + 1e-7 * random.direction(),
-        _ => {}
-    }
+    let triangle = random.triangle();
+    let p = [triangle.p0, triangle.p1, triangle.p2];
     let mut on_triangle = || {
-        let s = random.one();
-        match random.below(4) {
-            0 => p[0],
-            1 => p[0] + s * (p[1] - p[0]),
-            2 => p[1] + s * (p[2] - p[1]),
-            _ => p[0] + 0.5 * s * (p[1] - p[0]) + 0.5 * (1.0 - s) * (p[2] - p[0]),
-        }
+        let [b1, b2] = random.weights();
+        p[0] + b1 * (p[1] - p[0]) + b2 * (p[2] - p[0])
     };
     let [from, to] = [on_triangle(), on_triangle()];
-    let far: Vec3 = random.of(&[2.0, 2.0, 1e6]) * random.point();
+    let size = p[0].abs().max_element();
+    let far = random.of(&[2.0, 2.0, 1e6]) * size * random.point();
     let o = random.of(&[from, far, far]);
-    let [p0, p1, p2] = p.map(|p| scale * p);
-    let ray = random.ray(scale * o, scale * to);
-    (Triangle::flat(p0, p1, p2), ray)
+    (triangle, random.ray(o, to))
 }
 
 #[test]
@@ -78,7 +66,7 @@ fn triangles() {
             join(&[&numbers(ray), &p0, &p1, &p2])
         })
         .collect();
-    let results = at_every_width::<TriangleTest, 17, 4>(&inputs);
+    let results = at_every_width(&TriangleTest, &inputs);
     let mut counts = [0; 3];
     for ((triangle, ray), [verdict, t, b1, b2]) in pairs.iter().zip(results) {
         counts[verdict as usize] += 1;

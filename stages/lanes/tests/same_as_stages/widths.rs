@@ -6,7 +6,7 @@ use lanes::{Mask, Real};
 
 /// A formula with `I` numbers as input and `O` as result.
 pub(crate) trait Formula<const I: usize, const O: usize> {
-    fn compute<R: Real>(input: [R; I]) -> [R; O];
+    fn compute<R: Real>(&self, input: [R; I]) -> [R; O];
 }
 
 /// The instruction sets of this machine.
@@ -28,6 +28,7 @@ pub(crate) fn same(a: f64, b: f64) -> bool {
 /// The results of the formula for `inputs`, computed with one `f64`. Fails if eight at a time give
 /// others, in double or in single precision.
 pub(crate) fn at_every_width<F, const I: usize, const O: usize>(
+    formula: &F,
     inputs: &[[f64; I]],
 ) -> Vec<[f64; O]>
 where
@@ -35,27 +36,28 @@ where
 {
     for level in levels() {
         for eight in inputs.chunks(8) {
-            dispatch!(level, simd => compare::<_, F, I, O>(simd, eight));
+            dispatch!(level, simd => compare(simd, formula, eight));
         }
     }
-    inputs.iter().map(|&input| F::compute(input)).collect()
+    inputs.iter().map(|&input| formula.compute(input)).collect()
 }
 
 #[inline(always)]
 fn compare<S: Simd, F: Formula<I, O>, const I: usize, const O: usize>(
     simd: S,
+    formula: &F,
     inputs: &[[f64; I]],
 ) {
     let of = |lane: usize| &inputs[lane.min(inputs.len() - 1)];
-    let double: [f64x8<S>; O] = F::compute(std::array::from_fn(|i| {
+    let double: [f64x8<S>; O] = formula.compute(std::array::from_fn(|i| {
         f64x8::from_fn(simd, |lane| of(lane)[i])
     }));
-    let single: [f32x8<S>; O] = F::compute(std::array::from_fn(|i| {
+    let single: [f32x8<S>; O] = formula.compute(std::array::from_fn(|i| {
         f32x8::from_fn(simd, |lane| of(lane)[i] as f32)
     }));
     for (lane, input) in inputs.iter().enumerate() {
-        let one = F::compute(*input);
-        let one_single = F::compute(input.map(|x| x as f32));
+        let one = formula.compute(*input);
+        let one_single = formula.compute(input.map(|x| x as f32));
         for i in 0..O {
             assert!(
                 same(double[i][lane], one[i]),

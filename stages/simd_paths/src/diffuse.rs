@@ -11,28 +11,29 @@ use crate::{ScalarFallback, Workspace};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
 use kit::surface::SHADOW_GAP;
+use lanes::diffuse::{lambert_f, lambert_sample, on_same_side};
 use lanes::frame::Frame;
-use lanes::{diffuse, roulette};
+use lanes::roulette;
 use std::f64::consts::TAU;
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Estimates direct light by sampling the lights. The bits of `lanes` are the lanes to do
+    /// Estimates direct light by sampling the lights. The bits of `diffuse` are the lanes to do
     /// this for. `wo_z` is the cosine of the angle between the normal and the viewer.
     #[inline(always)]
     pub(crate) fn direct(
         &mut self,
         surfaces: &SurfacePacket<S>,
         wo_z: f64x8<S>,
-        lanes: u64,
+        diffuse: u64,
         workspace: &mut Workspace,
         fallback: &mut dyn ScalarFallback,
     ) -> Vec3x8<S> {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);
         let black = Vec3x8::splat(simd, Vec3::ZERO);
-        let f = diffuse::lambert_f(surfaces.color);
+        let f = lambert_f(surfaces.color);
         let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
-        let scatters = mask64x8::from_bitmask(simd, lanes) & !is_black;
+        let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
         let mut direct = black;
         for emitter in &self.scene.lit.emitters {
             let samples = if emitter.is_delta() {
@@ -43,9 +44,9 @@ impl<S: Simd> PathPacket<'_, S> {
             let mut sum = black;
             for _ in 0..samples {
                 let p = surfaces.departure.p;
-                let light = light::sample_light(simd, emitter, p, self.next_2d(), lanes);
+                let light = light::sample_light(simd, emitter, p, self.next_2d(), diffuse);
                 let wi_z = light.wi.dot(surfaces.n);
-                let same_side = diffuse::on_same_side(wo_z, wi_z);
+                let same_side = on_same_side(wo_z, wi_z);
                 let active = (scatters & light.exists & same_side).to_bitmask();
                 if active == 0 {
                     continue;
@@ -66,7 +67,7 @@ impl<S: Simd> PathPacket<'_, S> {
         direct
     }
 
-    /// Samples the next ray of the paths in the lanes of `lanes`. Returns the lanes whose paths
+    /// Samples the next ray of the paths in the lanes of `diffuse`. Returns the lanes whose paths
     /// continue.
     #[inline(always)]
     pub(crate) fn scatter(
@@ -74,7 +75,7 @@ impl<S: Simd> PathPacket<'_, S> {
         bounce: u32,
         surfaces: &SurfacePacket<S>,
         wo_z: f64x8<S>,
-        lanes: u64,
+        diffuse: u64,
         workspace: &mut Workspace,
     ) -> u64 {
         let simd = self.simd;
@@ -84,9 +85,9 @@ impl<S: Simd> PathPacket<'_, S> {
         // diffuse surface does not need it.
         self.samplers.skip_1d();
         let angle = sin_cos(u[1] * TAU);
-        let (wi, weight) = diffuse::lambert_sample(surfaces.color, wo_z, u[0], angle);
+        let (wi, weight) = lambert_sample(surfaces.color, wo_z, u[0], angle);
         // No light is scattered towards a viewer in the plane of the surface.
-        let mask = mask64x8::from_bitmask(simd, lanes);
+        let mask = mask64x8::from_bitmask(simd, diffuse);
         let continues = mask & wo_z.simd_ne(zero);
         workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
         let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);

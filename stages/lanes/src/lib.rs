@@ -9,8 +9,8 @@
 //!
 //! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
 //! several precisions is generic over [`Real`]; no formula is written for one width. Everything is
-//! `#[inline(always)]`, and there are no closures: `fearless_simd` compiles only inlined code for an
-//! instruction set.
+//! `#[inline(always)]`, and no formula contains a closure: `fearless_simd` compiles only inlined code
+//! for an instruction set.
 
 pub mod real;
 mod scalar;
@@ -26,10 +26,16 @@ pub mod light;
 pub mod record;
 pub mod roulette;
 pub mod sin_cos;
-pub mod sphere;
 pub mod surface;
-pub mod triangle;
 // END SOLUTION(part6.task2)
+
+// BEGIN SOLUTION(part1.task4)
+pub mod sphere;
+// END SOLUTION(part1.task4)
+
+// BEGIN SOLUTION(part1.task3)
+pub mod triangle;
+// END SOLUTION(part1.task3)
 
 pub use real::{Mask, Real};
 pub use scalar::{Precision, Scalar};

@@ -1,21 +1,23 @@
-// BEGIN SOLUTION(part6.task2)
+// BEGIN SOLUTION(part1.task4)
 //! The sphere test (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere
 //! Intersection", Ray Tracing Gems, 2019, chapter 7), in the steps of `intersect::test_sphere`.
 
 use crate::real::{Mask, Real};
 use crate::shapes::{Ray, Sphere};
+use crate::vec3::Vec3;
 use kit::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
 
 /// The equation `a·t² - 2·b·t + c = 0` of the points where a line crosses a sphere.
 #[derive(Clone, Copy, Debug)]
-pub struct SphereEquation<R: Real> {
-    /// Whether plain arithmetic decides; else `intersect::test_sphere` does.
-    pub is_sound: R::Mask,
+pub struct SphereEquation<R> {
+    /// The ray's origin relative to the centre.
+    f: Vec3<R>,
     a: R,
     b: R,
-    c: R,
     /// The discriminant divided by `a`.
     disc: R,
+    r2: R,
+    radius: R,
 }
 
 impl<R: Real> SphereEquation<R> {
@@ -26,24 +28,34 @@ impl<R: Real> SphereEquation<R> {
         let f = ray.o - sphere.center;
         let a = d.dot(d);
         let b = -f.dot(d);
-        let f2 = f.dot(f);
-        let c = f2 - r2;
         let beside = f + d * (b / a);
-        let disc = r2 - beside.dot(beside);
-        let smallest_difference = a.constant(CANCELLATION) * r2;
-        let (smallest, largest) = (a.constant(SMALLEST_SQUARE), a.constant(LARGEST_SQUARE));
         SphereEquation {
-            is_sound: smallest_difference.less(disc.abs())
-                & smallest_difference.less(c.abs())
-                & f2.less(a.constant(FARTHEST2) * r2)
-                & (smallest.less(r2) & r2.less(largest))
-                & (smallest.less(a) & a.less(largest))
-                & a.constant(0.0).less(sphere.radius),
+            f,
             a,
             b,
-            c,
-            disc,
+            disc: r2 - beside.dot(beside),
+            r2,
+            radius: sphere.radius,
         }
+    }
+
+    /// Whether plain arithmetic decides; else `intersect::test_sphere` does, with more care.
+    #[inline(always)]
+    pub fn is_sound(&self) -> R::Mask {
+        let SphereEquation { f, a, r2, .. } = *self;
+        let smallest_difference = a.constant(CANCELLATION) * r2;
+        let (smallest, largest) = (a.constant(SMALLEST_SQUARE), a.constant(LARGEST_SQUARE));
+        smallest_difference.less(self.disc.abs())
+            & smallest_difference.less(self.c().abs())
+            & f.dot(f).less(a.constant(FARTHEST2) * r2)
+            & (smallest.less(r2) & r2.less(largest))
+            & (smallest.less(a) & a.less(largest))
+            & a.constant(0.0).less(self.radius)
+    }
+
+    #[inline(always)]
+    fn c(&self) -> R {
+        self.f.dot(self.f) - self.r2
     }
 
     /// Whether there is a root.
@@ -55,15 +67,15 @@ impl<R: Real> SphereEquation<R> {
     /// The two roots, the near one first.
     #[inline(always)]
     pub fn roots(&self) -> [R; 2] {
-        let SphereEquation { a, b, c, disc, .. } = *self;
+        let SphereEquation { a, b, disc, .. } = *self;
         let root = (a * disc).sqrt();
         let goes_away = b.less(b.constant(0.0));
-        let q = goes_away.choose(b - root, b + root);
-        let (by_sum, by_product) = (q / a, c / q);
+        let q = b + goes_away.choose(-root, root);
+        let (by_sum, by_product) = (q / a, self.c() / q);
         [
             goes_away.choose(by_sum, by_product),
             goes_away.choose(by_product, by_sum),
         ]
     }
 }
-// END SOLUTION(part6.task2)
+// END SOLUTION(part1.task4)

@@ -1,4 +1,4 @@
-// BEGIN SOLUTION(part6.task2)
+// BEGIN SOLUTION(part1.task3)
 //! The triangle test (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013),
 //! in the steps of `intersect::test_triangle`.
 //!
@@ -52,6 +52,17 @@ pub fn project<R: Real>(p: Vec3<R>, d: Vec3<R>) -> Vec3<R> {
     }
 }
 
+/// The factors `[a, b, c, d]` of each edge function `a·b - c·d` of the projected vertices: twice the
+/// signed area of the triangle of the ray, which is the point 0, and an edge.
+#[inline(always)]
+pub fn edge_factors<R: Real>([a, b, c]: [Vec3<R>; 3]) -> [[R; 4]; 3] {
+    [
+        [c.x, b.y, c.y, b.x],
+        [a.x, c.y, a.y, c.x],
+        [b.x, a.y, b.y, a.x],
+    ]
+}
+
 /// The edge functions of a triangle: the barycentric weights of its vertices, times their sum.
 #[derive(Clone, Copy, Debug)]
 pub struct Edges<R> {
@@ -80,12 +91,13 @@ pub struct PlaneCrossing<R: Real> {
 impl<R: Real> Edges<R> {
     /// The edge functions for three vertices from [`project`].
     #[inline(always)]
-    pub fn of([a, b, c]: [Vec3<R>; 3]) -> Edges<R> {
-        let products = [c.x * b.y, a.x * c.y, b.x * a.y];
+    pub fn of(vertices: [Vec3<R>; 3]) -> Edges<R> {
+        let [u, v, w] = edge_factors(vertices);
+        let products = [u[0] * u[1], v[0] * v[1], w[0] * w[1]];
         Edges {
-            u: products[0] - c.y * b.x,
-            v: products[1] - a.y * c.x,
-            w: products[2] - b.y * a.x,
+            u: products[0] - u[2] * u[3],
+            v: products[1] - v[2] * v[3],
+            w: products[2] - w[2] * w[3],
             products,
         }
     }
@@ -128,4 +140,4 @@ pub(crate) fn is_ordinary<R: Real>(x: R) -> R::Mask {
     let size = x.abs();
     x.constant(SMALLEST_PRODUCT).less(size) & size.less(x.constant(f64::INFINITY))
 }
-// END SOLUTION(part6.task2)
+// END SOLUTION(part1.task3)

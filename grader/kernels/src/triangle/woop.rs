@@ -11,6 +11,7 @@ use super::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::kernel::KernelInfo;
 use crate::shapes::{Ray, Triangle, Vec3};
 use lanes::Scalar;
+use lanes::triangle::edge_factors;
 
 pub(crate) struct Woop;
 
@@ -33,14 +34,10 @@ impl TriangleTest for Woop {
 /// Returns twice the signed areas of the triangles formed by the z axis and each edge.
 #[inline(always)]
 pub(super) fn areas<R: Scalar>(
-    [a, b, c]: [Vec3<R>; 3],
+    corners: [Vec3<R>; 3],
     difference: impl Fn(R, R, R, R) -> R,
 ) -> [R; 3] {
-    [
-        difference(c.x, b.y, c.y, b.x),
-        difference(a.x, c.y, a.y, c.x),
-        difference(b.x, a.y, b.y, a.x),
-    ]
+    edge_factors(corners).map(|[a, b, c, d]| difference(a, b, c, d))
 }
 
 /// The paper's test, given a function that computes the three areas.

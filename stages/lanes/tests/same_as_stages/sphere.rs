@@ -22,7 +22,7 @@ impl Formula<12, 3> for SphereTest {
         let [near, far] = equation.roots();
         let t = ray.in_range(near).choose(near, far);
         [
-            as_number(equation.is_sound, t),
+            as_number(equation.is_sound(), t),
             as_number(equation.has_roots() & ray.in_range(t), t),
             t,
         ]

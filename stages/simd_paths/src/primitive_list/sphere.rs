@@ -21,7 +21,7 @@ pub(super) fn test<S: Simd>(
         radius: f64x8::splat(simd, sphere.radius),
     };
     let equation = SphereEquation::of(rays, &sphere);
-    let sound = equation.is_sound.to_bitmask();
+    let sound = equation.is_sound().to_bitmask();
     let undecided = active & !sound;
     let candidates = active & sound & equation.has_roots().to_bitmask();
     if candidates | undecided == 0 {

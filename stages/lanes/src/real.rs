@@ -52,12 +52,6 @@ pub trait Real:
 
     /// Whether `self == other`. No for NaN.
     fn equals(self, other: Self) -> Self::Mask;
-
-    /// The square of the number.
-    #[inline(always)]
-    fn squared(self) -> Self {
-        self * self
-    }
 }
 
 /// Yes or no, in each lane of an `R`.

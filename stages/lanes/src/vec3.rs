@@ -18,6 +18,16 @@ pub struct Vec3<R> {
 }
 
 impl<R: Real> Vec3<R> {
+    /// `v`, rounded, in as many lanes as `like` has.
+    #[inline(always)]
+    pub fn constant(like: R, v: kit::Vec3) -> Vec3<R> {
+        Vec3 {
+            x: like.constant(v.x),
+            y: like.constant(v.y),
+            z: like.constant(v.z),
+        }
+    }
+
     /// The dot product.
     #[inline(always)]
     pub fn dot(self, other: Vec3<R>) -> R {
@@ -67,18 +77,6 @@ impl<R: Real> Vec3<R> {
             x: mask.choose(self.x, other.x),
             y: mask.choose(self.y, other.y),
             z: mask.choose(self.z, other.z),
-        }
-    }
-}
-
-impl<R: Real> Vec3<R> {
-    /// `v`, rounded, in as many lanes as `like` has.
-    #[inline(always)]
-    pub fn constant(like: R, v: kit::Vec3) -> Vec3<R> {
-        Vec3 {
-            x: like.constant(v.x),
-            y: like.constant(v.y),
-            z: like.constant(v.z),
         }
     }
 }

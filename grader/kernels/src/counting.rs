@@ -1,11 +1,11 @@
 //! A number type that counts its operations.
 
-use crate::scalar::{Precision, Scalar};
+use lanes::{Precision, Real, Scalar};
 use std::cell::Cell;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// Numbers of operations. Subtractions count as additions; negation and `abs` are not counted.
+/// Numbers of operations. Subtractions count as additions; what only sets a sign is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCounts {
     /// Additions and subtractions.
@@ -116,15 +116,11 @@ impl PartialOrd for CountingF64 {
     }
 }
 
-impl Scalar for CountingF64 {
-    const PRECISION: Precision = Precision::F64;
+impl Real for CountingF64 {
+    type Mask = bool;
 
-    fn from_f64(x: f64) -> CountingF64 {
+    fn constant(self, x: f64) -> CountingF64 {
         CountingF64(x)
-    }
-
-    fn to_f64(self) -> f64 {
-        self.0
     }
 
     fn sqrt(self) -> CountingF64 {
@@ -134,6 +130,52 @@ impl Scalar for CountingF64 {
 
     fn abs(self) -> CountingF64 {
         CountingF64(self.0.abs())
+    }
+
+    fn copysign(self, sign: CountingF64) -> CountingF64 {
+        CountingF64(self.0.copysign(sign.0))
+    }
+
+    fn max(self, other: CountingF64) -> CountingF64 {
+        CountingF64::record(|count| &mut count.compare);
+        CountingF64(self.0.max(other.0))
+    }
+
+    fn min(self, other: CountingF64) -> CountingF64 {
+        CountingF64::record(|count| &mut count.compare);
+        CountingF64(self.0.min(other.0))
+    }
+
+    fn larger(self, other: CountingF64) -> CountingF64 {
+        if self > other { self } else { other }
+    }
+
+    fn smaller(self, other: CountingF64) -> CountingF64 {
+        if self < other { self } else { other }
+    }
+
+    fn less(self, other: CountingF64) -> bool {
+        self < other
+    }
+
+    fn at_most(self, other: CountingF64) -> bool {
+        self <= other
+    }
+
+    fn equals(self, other: CountingF64) -> bool {
+        self == other
+    }
+}
+
+impl Scalar for CountingF64 {
+    const PRECISION: Precision = Precision::F64;
+
+    fn from_f64(x: f64) -> CountingF64 {
+        CountingF64(x)
+    }
+
+    fn to_f64(self) -> f64 {
+        self.0
     }
 
     fn mul_add(self, factor: CountingF64, term: CountingF64) -> CountingF64 {

@@ -5,7 +5,7 @@
 //! Predicates", Discrete & Computational Geometry 18, 1997. Exact if nothing overflows or
 //! underflows.
 
-use crate::scalar::Scalar;
+use lanes::Scalar;
 
 /// Returns `(sum, error)` with `a + b = sum + error`, exactly (Knuth's TwoSum).
 #[inline(always)]

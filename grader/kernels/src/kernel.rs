@@ -2,8 +2,8 @@
 
 use crate::counting::{CountingF64, OperationCounts};
 use crate::instructions::Instructions;
-use crate::scalar::{Precision, Scalar};
-use crate::shapes::{Ray, Shape, Vector3};
+use crate::shapes::{Ray, Shape, Vec3};
+use lanes::{Precision, Scalar};
 use std::hint::black_box;
 
 /// Name and source of a kernel.
@@ -56,7 +56,7 @@ pub struct Hit<R> {
     /// Distance along the ray in lengths of its direction.
     pub t: R,
     /// The hit point, in world space.
-    pub p: Vector3<R>,
+    pub p: Vec3<R>,
 }
 
 /// A hit on a surface, in `f64`.

@@ -1,7 +1,7 @@
 //! Well-known intersection tests and tree builders, one per file. `grader cost` compares them.
 //!
 //! Every kernel is generic over its number type. Run on `f32` and `f64` it shows the cost and the
-//! accuracy of each precision; run on [`CountingF64`] it counts its operations. Read [`scalar`]
+//! accuracy of each precision; run on [`CountingF64`] it counts its operations. Read [`Scalar`]
 //! (the number types), [`kernel`] (the kernel interface), [`instructions`] (with and without fused
 //! multiply-add), then the kernels:
 //!
@@ -20,7 +20,6 @@
 mod counting;
 pub mod instructions;
 pub mod kernel;
-pub mod scalar;
 pub mod shapes;
 pub mod tree;
 
@@ -49,7 +48,7 @@ mod traversal;
 pub use counting::{CountingF64, OperationCounts};
 pub use instructions::Instructions;
 pub use kernel::{HitF64, Kernel, Pass, RayAndShapes};
-pub use scalar::{Precision, Scalar};
+pub use lanes::{Precision, Scalar};
 pub use tree::{Builder, ClosestHit, RoundedTree, Traversal, brute_force, rounded_trees};
 
 /// Returns the triangle tests, the textbook's in `f64` first; empty in a handout in which they

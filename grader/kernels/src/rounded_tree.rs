@@ -5,7 +5,6 @@
 use crate::bbox::BoxTest;
 use crate::bbox::ize::Ize;
 use crate::bbox::williams::Williams;
-use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray, Shape, Triangle};
 use crate::traversal::walk;
 use crate::tree::RoundedTree;
@@ -14,6 +13,7 @@ use crate::triangle::moller_trumbore::MollerTrumbore;
 use crate::triangle::plucker::Plucker;
 use crate::triangle::woop::Woop;
 use kit::{Bvh, BvhNode, NodeKind};
+use lanes::Scalar;
 
 /// Returns the same tree with different tests, the exact one first. In f32, pbrt-v4 uses a pair like
 /// Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker coordinates, and most

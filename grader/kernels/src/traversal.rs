@@ -8,12 +8,12 @@
 
 use crate::bbox::BoxTest;
 use crate::bbox::ize::Ize;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Shape};
 use crate::tree::{ClosestHit, Traversal};
 use crate::triangle::TriangleTest;
 use crate::triangle::woop::Woop;
 use kit::{Bvh, NodeKind, PrimId, Triangle};
+use lanes::Scalar;
 
 /// Returns the closest hit through the tree.
 pub(crate) fn closest(
@@ -71,7 +71,7 @@ pub(crate) fn walk<R: Scalar>(
                     closest = nearer(closest, hit(id, &ray));
                 }
                 if let Some((t, _)) = closest {
-                    ray.max_t = (t * slack).select_min(end);
+                    ray.max_t = (t * slack).smaller(end);
                 }
             }
             NodeKind::Interior { left, right } => {

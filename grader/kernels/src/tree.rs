@@ -1,7 +1,7 @@
 //! Tree builders and traversal: the public interface.
 
-use crate::scalar::Precision;
 use kit::{Aabb, Bvh, PrimId, Ray, Triangle};
+use lanes::Precision;
 
 /// A tree builder.
 #[derive(Clone, Copy)]

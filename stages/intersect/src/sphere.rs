@@ -2,6 +2,7 @@
 
 // BEGIN SOLUTION(part1.task4)
 use crate::exact::{DoubleDouble, Scale};
+use kit::rounding::{CANCELLATION, FARTHEST2, LARGEST_SQUARE, SMALLEST_SQUARE};
 use kit::{Vec2, Vec3};
 // END SOLUTION(part1.task4)
 
@@ -82,11 +83,11 @@ fn crossings(s: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let disc = r2 - (f + (b / a) * d).length_squared();
     let is_reliable = disc.abs() > CANCELLATION * r2
         && c.abs() > CANCELLATION * r2
-        && f2 < MAX_DISTANCE2 * r2
-        && SMALLEST < r2
-        && r2 < LARGEST
-        && SMALLEST < a
-        && a < LARGEST
+        && f2 < FARTHEST2 * r2
+        && SMALLEST_SQUARE < r2
+        && r2 < LARGEST_SQUARE
+        && SMALLEST_SQUARE < a
+        && a < LARGEST_SQUARE
         && s.radius > 0.0;
     if !is_reliable {
         return robust_crossings(s, ray);
@@ -108,19 +109,6 @@ fn roots(a: f64, b: f64, c: f64, sqrt_disc: f64) -> [f64; 2] {
         [c / q, q / a]
     }
 }
-
-/// A difference smaller than this fraction of r² has lost ten bits to cancellation, and is computed
-/// again.
-const CANCELLATION: f64 = 1.0 / 1024.0;
-
-/// Squared distance of the origin, in radii, from which rounding moves the line noticeably (2^20
-/// radii).
-const MAX_DISTANCE2: f64 = (1_u64 << 40) as f64;
-
-/// Squares between [`SMALLEST`] and [`LARGEST`] can be multiplied without underflow or overflow.
-const SMALLEST: f64 = 1e-100;
-/// See [`SMALLEST`].
-const LARGEST: f64 = 1e100;
 
 /// Computes [`crossings`] for all remaining cases, more slowly: at a scale without overflow and
 /// underflow, with b, c and the discriminant in double-double arithmetic.

@@ -2,6 +2,7 @@
 
 // BEGIN SOLUTION(part1.task3)
 use crate::exact::{Scale, accurate_cross, difference_of_products};
+use kit::rounding::{CANCELLATION, CANCELLED_NORMAL, SMALLEST_PRODUCT};
 use kit::{Vec2, Vec3};
 // END SOLUTION(part1.task3)
 
@@ -108,18 +109,12 @@ pub fn record_triangle(tri: &Triangle, id: PrimId, ray: &mut Ray, hit: TriangleH
 }
 
 // BEGIN SOLUTION(part1.task3)
-/// If the determinant is smaller than this fraction of its terms, it has lost many digits to
-/// cancellation, and the weights are computed again. The triangle is then a needle of 1000:1, or
-/// the ray is within a thousandth of its plane. Otherwise the weights are accurate to about 2^-42.
-const CANCELLATION: f64 = 1.0 / 1024.0;
-
 /// Whether a product of several factors has neither underflowed nor overflowed in an intermediate
 /// step, with a margin for the digits of its terms. The weights need no such test: their agreement
 /// underflows long before they do.
 #[inline]
 fn is_ordinary(x: f64) -> bool {
-    const SMALLEST: f64 = 1e-290;
-    (SMALLEST < x.abs()) & (x.abs() < f64::INFINITY)
+    (SMALLEST_PRODUCT < x.abs()) & (x.abs() < f64::INFINITY)
 }
 
 /// The edge functions: for each edge, twice the signed area of the triangle that the edge forms
@@ -253,7 +248,4 @@ fn shading_normal(tri: &Triangle, b1: f64, b2: f64) -> Option<Vec3> {
     let length = normal.length();
     (length > CANCELLED_NORMAL && length.is_finite()).then(|| normal / length)
 }
-
-/// The direction of a shorter weighted sum of three unit normals is mostly rounding error.
-const CANCELLED_NORMAL: f64 = 1e-12;
 // END SOLUTION(part1.task3)

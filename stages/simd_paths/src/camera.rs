@@ -6,11 +6,10 @@ use crate::ray_packet::NONE;
 use crate::vec3x8::{LANES, Vec3x8};
 use crate::{PathStart, ScalarFallback, View};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::math::tan;
 use kit::{Ray, Vec3};
+use lanes::camera::CameraAxes;
 
-/// Fills the queue with one path for each of `starts`. Repeats the arithmetic of the stage `raygen`
-/// operation by operation.
+/// Fills the queue with one path for each of `starts`.
 #[inline(always)]
 pub(crate) fn generate_paths<S: Simd>(
     simd: S,
@@ -20,10 +19,7 @@ pub(crate) fn generate_paths<S: Simd>(
     fallback: &mut dyn ScalarFallback,
 ) {
     let camera = &view.camera;
-    let half_width = tan((0.5 * camera.h_fov).to_radians());
-    let half_height = tan((0.5 * camera.v_fov).to_radians());
-    let [right, up, back] = [camera.c2w.x_axis, camera.c2w.y_axis, camera.c2w.z_axis]
-        .map(|axis| Vec3x8::splat(simd, axis));
+    let axes = CameraAxes::of(camera, f64x8::splat(simd, 0.0));
     let white = Vec3x8::splat(simd, Vec3::ONE);
     queue.count = starts.len();
     for (first, starts) in (0..).step_by(LANES).zip(starts.chunks(LANES)) {
@@ -40,12 +36,8 @@ pub(crate) fn generate_paths<S: Simd>(
         };
         let x = f64x8::from_fn(simd, |lane| f64::from(of(lane).pixel.0)) + position[0];
         let y = f64x8::from_fn(simd, |lane| f64::from(of(lane).pixel.1)) + position[1];
-        let sensor_x = x / f64::from(view.film.w);
-        let sensor_y = y / f64::from(view.film.h);
-        let local_x = (sensor_x * 2.0 - 1.0) * half_width;
-        let local_y = (sensor_y * 2.0 - 1.0) * half_height;
-        let d = right * local_x + up * local_y + back * f64x8::splat(simd, -1.0);
-        let d = d * (f64x8::splat(simd, 1.0) / d.length());
+        let sensor = [x / f64::from(view.film.w), y / f64::from(view.film.h)];
+        let d = axes.direction(sensor);
         let mut paths = PathLanes {
             o: Vec3x8::splat(simd, camera.pos),
             d,

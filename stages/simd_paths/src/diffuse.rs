@@ -11,7 +11,10 @@ use crate::{ScalarFallback, Workspace};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::Vec3;
 use kit::surface::SHADOW_GAP;
-use std::f64::consts::{FRAC_1_PI, TAU};
+use lanes::diffuse::{lambert_f, lambert_sample, on_same_side};
+use lanes::frame::Frame;
+use lanes::roulette;
+use std::f64::consts::TAU;
 
 impl<S: Simd> PathPacket<'_, S> {
     /// Estimates direct light by sampling the lights. The bits of `diffuse` are the lanes to do
@@ -28,7 +31,7 @@ impl<S: Simd> PathPacket<'_, S> {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);
         let black = Vec3x8::splat(simd, Vec3::ZERO);
-        let f = surfaces.color * f64x8::splat(simd, FRAC_1_PI);
+        let f = lambert_f(surfaces.color);
         let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
         let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
         let mut direct = black;
@@ -40,10 +43,11 @@ impl<S: Simd> PathPacket<'_, S> {
             };
             let mut sum = black;
             for _ in 0..samples {
-                let light = light::sample_light(simd, emitter, surfaces.p, self.next_2d(), diffuse);
+                let p = surfaces.departure.p;
+                let light = light::sample_light(simd, emitter, p, self.next_2d(), diffuse);
                 let wi_z = light.wi.dot(surfaces.n);
-                let same_side = zero.simd_lt(wo_z * wi_z);
-                let active = (scatters & light.valid & same_side).to_bitmask();
+                let same_side = on_same_side(wo_z, wi_z);
+                let active = (scatters & light.exists & same_side).to_bitmask();
                 if active == 0 {
                     continue;
                 }
@@ -55,7 +59,7 @@ impl<S: Simd> PathPacket<'_, S> {
                     max_t: light.distance * (1.0 - SHADOW_GAP),
                 };
                 let unoccluded = active & !self.occluded(&rays, active, skip, workspace, fallback);
-                let with_sample = sum + f * light.radiance * (wi_z.abs() / light.pdf);
+                let with_sample = sum + light.scattered(f, wi_z);
                 sum = with_sample.masked_or(mask64x8::from_bitmask(simd, unoccluded), sum);
             }
             direct = direct + sum / f64x8::splat(simd, f64::from(samples.max(1)));
@@ -75,26 +79,19 @@ impl<S: Simd> PathPacket<'_, S> {
         workspace: &mut Workspace,
     ) -> u64 {
         let simd = self.simd;
-        let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+        let zero = f64x8::splat(simd, 0.0);
         let u = self.next_2d();
         // The plain path tracer uses this number to choose between reflection and refraction. A
         // diffuse surface does not need it.
         self.samplers.skip_1d();
-        let (sin, cos) = sin_cos(simd, u[1] * TAU);
-        let (r, z) = (u[0].sqrt(), (one - u[0]).sqrt());
-        let wi = Vec3x8 {
-            x: r * cos,
-            y: r * sin,
-            z: z.copysign(wo_z),
-        };
-        let f = surfaces.color * f64x8::splat(simd, FRAC_1_PI);
-        let weight = f * (z / (z * FRAC_1_PI));
+        let angle = sin_cos(u[1] * TAU);
+        let (wi, weight) = lambert_sample(surfaces.color, wo_z, u[0], angle);
         // No light is scattered towards a viewer in the plane of the surface.
         let mask = mask64x8::from_bitmask(simd, diffuse);
         let continues = mask & wo_z.simd_ne(zero);
         workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
         let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * weight);
-        let d = surfaces.to_world(simd, wi);
+        let d = Frame::around(surfaces.n).to_world(wi);
         let (o, skip) = surfaces.leave(simd, d);
         self.paths.o = o.masked_or(mask, self.paths.o);
         self.paths.d = d.masked_or(mask, self.paths.d);
@@ -113,18 +110,15 @@ impl<S: Simd> PathPacket<'_, S> {
             self.samplers.skip_1d();
             return (throughput, mask64x8::splat(simd, true));
         };
-        let brightest = throughput
-            .x
-            .max_precise(throughput.y)
-            .max_precise(throughput.z);
-        let q = brightest.min_precise(f64x8::splat(simd, 1.0));
+        let q = roulette::survival_probability(throughput);
         let is_positive = f64x8::splat(simd, 0.0).simd_lt(q);
         if bounce <= min_bounces {
             self.samplers.skip_1d();
             return (throughput, is_positive);
         }
         let u = f64x8::load_array(simd, self.samplers.next_1d());
-        (throughput / q, is_positive & u.simd_lt(q))
+        let (throughput, survives) = roulette::play(throughput, q, u);
+        (throughput, is_positive & survives)
     }
 
     #[inline(always)]

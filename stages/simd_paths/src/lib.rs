@@ -11,12 +11,14 @@
 //! `surface_packet` and `material_class` (what was hit), `light`, `sin_cos` and `diffuse` (direct
 //! light and scattering at diffuse surfaces), `other_materials` (everything else, by the fallback).
 //!
-//! Every lane repeats the scalar arithmetic operation by operation, so all bits are equal. Where a
-//! scalar kernel switches to its careful variant, the lane calls the fallback. `fearless_simd`
+//! The formulas are those of the crate `lanes`, which performs the operations of the stages in the
+//! same order, so all bits are equal. What is here decides which lanes compute what. Where a scalar
+//! kernel switches to its careful variant, the lane calls the fallback. `fearless_simd`
 //! compiles the code for each instruction set; the best one that the machine has is chosen once a
 //! batch. Only inlined functions are compiled so, and a closure may not be inlined: hence few of
 //! them.
-// STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a batch.
+// STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a batch. The crate
+// STUB: //! `lanes` has vectors and rays of eight lanes.
 // END SOLUTION(part6.task2)
 
 // BEGIN SOLUTION(part6.task2)

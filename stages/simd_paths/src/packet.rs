@@ -1,6 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! One bounce of eight paths: the arithmetic of the stage `global` in each lane, operation by
-//! operation.
+//! One bounce of eight paths, as the stage `global` computes it.
 
 use crate::lanes::lanes;
 use crate::material_class::MaterialClass;
@@ -73,7 +72,7 @@ impl<S: Simd> PathPacket<'_, S> {
         let wo = -self.paths.d;
         if emissive != 0 {
             let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
-            let in_front = zero.simd_lt(wo.dot(surfaces.ng));
+            let in_front = zero.simd_lt(wo.dot(surfaces.departure.ng));
             let visible = mask64x8::from_bitmask(simd, emissive) & counts & in_front;
             let radiance = self.paths.radiance + self.paths.throughput * surfaces.color;
             self.paths.radiance = radiance.masked_or(visible, self.paths.radiance);

@@ -1,37 +1,11 @@
 // BEGIN SOLUTION(part6.task2)
 //! Eight rays and their hits.
 
-use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::{PrimId, Ray, TriangleHit};
+use kit::{PrimId, TriangleHit};
 
-/// Eight rays, with the fields of [`Ray`].
-#[derive(Clone, Copy)]
-pub(crate) struct RayPacket<S: Simd> {
-    pub(crate) o: Vec3x8<S>,
-    pub(crate) d: Vec3x8<S>,
-    pub(crate) min_t: f64x8<S>,
-    pub(crate) max_t: f64x8<S>,
-}
-
-impl<S: Simd> RayPacket<S> {
-    /// The ray in a lane.
-    #[inline(always)]
-    pub(crate) fn lane(&self, lane: usize) -> Ray {
-        Ray {
-            o: self.o.lane(lane),
-            d: self.d.lane(lane),
-            min_t: self.min_t[lane],
-            max_t: self.max_t[lane],
-        }
-    }
-
-    /// The lanes whose `t` is in the range from the ray's `min_t` to `max_t`.
-    #[inline(always)]
-    pub(crate) fn in_range(&self, t: f64x8<S>, max_t: f64x8<S>) -> mask64x8<S> {
-        self.min_t.simd_le(t) & t.simd_le(max_t)
-    }
-}
+/// Eight rays.
+pub(crate) type RayPacket<S> = lanes::Ray<f64x8<S>>;
 
 /// The hits of eight rays.
 #[derive(Clone, Copy)]

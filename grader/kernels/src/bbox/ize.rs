@@ -8,8 +8,8 @@
 use super::williams::slab;
 use super::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
+use lanes::Scalar;
 
 pub(crate) struct Ize;
 
@@ -27,10 +27,10 @@ impl BoxTest for Ize {
         let y = slab(b.min.y, b.max.y, ray.o.y, ray.d.y);
         let z = slab(b.min.z, b.max.z, ray.o.z, ray.d.z);
         let widening = R::from_f64(1.0 + 2.0 * R::PRECISION.epsilon());
-        let near = z.0.select_max(y.0.select_max(x.0.select_max(ray.min_t)));
+        let near = z.0.larger(y.0.larger(x.0.larger(ray.min_t)));
         let leaves =
-            z.1.select_min(y.1.select_min(x.1.select_min(R::from_f64(f64::INFINITY))));
-        let far = (leaves * widening).select_min(ray.max_t);
+            z.1.smaller(y.1.smaller(x.1.smaller(R::from_f64(f64::INFINITY))));
+        let far = (leaves * widening).smaller(ray.max_t);
         (near <= far).then_some(Interval { near, far })
     }
 }

@@ -6,8 +6,8 @@
 
 use super::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
+use lanes::Scalar;
 
 pub(super) struct KayKajiya;
 
@@ -29,8 +29,8 @@ impl BoxTest for KayKajiya {
             if t0 > t1 {
                 (t0, t1) = (t1, t0);
             }
-            near = t0.select_max(near);
-            far = t1.select_min(far);
+            near = t0.larger(near);
+            far = t1.smaller(far);
         }
         (near <= far).then_some(Interval { near, far })
     }

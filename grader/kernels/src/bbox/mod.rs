@@ -7,8 +7,8 @@ mod nan_safe;
 pub(crate) mod williams;
 
 use crate::kernel::{Kernel, KernelInfo, Test, ToF64};
-use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
+use lanes::Scalar;
 use std::marker::PhantomData;
 
 /// The interval of a ray inside a box.

@@ -7,8 +7,8 @@
 
 use super::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
+use lanes::Scalar;
 
 pub(super) struct NanSafe;
 
@@ -28,8 +28,8 @@ impl BoxTest for NanSafe {
             let t0 = (b.min.component(axis) - ray.o.component(axis)) * inv_d;
             let t1 = (b.max.component(axis) - ray.o.component(axis)) * inv_d;
             let (before, after) = (near, far);
-            near = t0.select_max(before).select_min(t1.select_max(before));
-            far = t0.select_min(after).select_max(t1.select_min(after));
+            near = t0.larger(before).smaller(t1.larger(before));
+            far = t0.smaller(after).larger(t1.smaller(after));
         }
         (near <= far).then_some(Interval { near, far })
     }

@@ -7,8 +7,8 @@
 
 use super::{BoxTest, Interval};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Aabb, Ray};
+use lanes::Scalar;
 
 pub(crate) struct Williams;
 
@@ -30,8 +30,8 @@ impl BoxTest for Williams {
             if enters > far || leaves < near {
                 return None;
             }
-            near = enters.select_max(near);
-            far = leaves.select_min(far);
+            near = enters.larger(near);
+            far = leaves.smaller(far);
         }
         Some(Interval { near, far })
     }

@@ -6,11 +6,11 @@
 //! E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
 //! Ray Tracing Gems, chapter 7, 2019.
 
-use super::SphereTest;
-use super::q_form::roots;
+use super::{SphereTest, first_in_range};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
+use lanes::Scalar;
+use lanes::sphere::SphereEquation;
 
 pub(super) struct Haines;
 
@@ -28,17 +28,12 @@ impl SphereTest for Haines {
 
     #[inline(always)]
     fn intersect<R: Scalar>(s: &Sphere<R>, ray: &Ray<R>) -> Option<R> {
-        let f = ray.o - s.center;
-        let a = ray.d.dot(ray.d);
-        let b = f.dot(ray.d);
-        let l = f - ray.d * (b / a);
-        let r2 = s.radius * s.radius;
-        let discriminant = r2 - l.dot(l);
-        if discriminant < R::from_f64(0.0) {
+        let equation = SphereEquation::of(ray, s);
+        if !equation.has_roots() {
             return None;
         }
-        let c = f.dot(f) - r2;
-        roots(ray, a, b, c, (a * discriminant).sqrt())
+        let [near, far] = equation.roots();
+        first_in_range(ray, near, far)
     }
 }
 // END SOLUTION(part1.task4)

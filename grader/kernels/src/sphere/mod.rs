@@ -7,8 +7,8 @@ mod q_form;
 mod quadratic;
 
 use crate::kernel::{Hit, HitF64, Kernel, KernelInfo, Test};
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
+use lanes::Scalar;
 use std::marker::PhantomData;
 
 /// A ray/sphere test that returns `t`.

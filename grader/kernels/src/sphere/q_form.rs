@@ -6,8 +6,8 @@
 
 use super::{SphereTest, first_in_range};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
+use lanes::Scalar;
 
 pub(super) struct QForm;
 
@@ -39,7 +39,7 @@ impl SphereTest for QForm {
 
 /// Returns the first root of `a t² + 2 b t + c` in the range, given the square root of `b² - a c`.
 #[inline(always)]
-pub(super) fn roots<R: Scalar>(ray: &Ray<R>, a: R, b: R, c: R, root: R) -> Option<R> {
+fn roots<R: Scalar>(ray: &Ray<R>, a: R, b: R, c: R, root: R) -> Option<R> {
     if b > R::from_f64(0.0) {
         let q = -b - root;
         first_in_range(ray, q / a, c / q)

@@ -7,8 +7,8 @@
 
 use super::{SphereTest, first_in_range};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Sphere};
+use lanes::Scalar;
 
 pub(super) struct Quadratic;
 

@@ -6,8 +6,8 @@
 //! Computer Graphics Techniques 5(3), 2016.
 
 use crate::kernel::{Hit, HitF64, KernelInfo, Test};
-use crate::scalar::Scalar;
-use crate::shapes::{Ray, Triangle, Vector3};
+use crate::shapes::{Ray, Triangle, Vec3};
+use lanes::Scalar;
 
 pub(super) struct BaldwinWeber;
 
@@ -15,9 +15,9 @@ pub(super) struct BaldwinWeber;
 /// `p1` and `p2`, and the height above the plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Transform<R> {
-    b1: (Vector3<R>, R),
-    b2: (Vector3<R>, R),
-    height: (Vector3<R>, R),
+    b1: (Vec3<R>, R),
+    b2: (Vec3<R>, R),
+    height: (Vec3<R>, R),
 }
 
 impl Test for BaldwinWeber {
@@ -47,9 +47,9 @@ impl Test for BaldwinWeber {
             let mut row = [zero; 3];
             (row[x], row[y], row[z]) = (along_x, along_y, along_z);
             let [x, y, z] = row;
-            Vector3 { x, y, z }
+            Vec3 { x, y, z }
         };
-        let cross = |a: Vector3<R>, b: Vector3<R>| {
+        let cross = |a: Vec3<R>, b: Vec3<R>| {
             a.component(x) * b.component(y) - a.component(y) * b.component(x)
         };
         Transform {
@@ -76,7 +76,7 @@ impl Test for BaldwinWeber {
             return None;
         }
         let p = ray.at(t);
-        let weight = |(row, constant): (Vector3<R>, R)| row.dot(p) + constant;
+        let weight = |(row, constant): (Vec3<R>, R)| row.dot(p) + constant;
         let (b1, b2) = (weight(to.b1), weight(to.b2));
         let is_inside =
             b1 >= R::from_f64(0.0) && b2 >= R::from_f64(0.0) && b1 + b2 <= R::from_f64(1.0);

@@ -8,8 +8,8 @@
 use super::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::exact::Expansion;
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
-use crate::shapes::{Ray, Triangle, Vector3};
+use crate::shapes::{Ray, Triangle, Vec3};
+use lanes::Scalar;
 
 pub(super) struct Filtered;
 
@@ -55,7 +55,7 @@ const ROUNDINGS: f64 = 16.0;
 
 /// Returns `d·(A×B)` and its error bound.
 #[inline(always)]
-fn volume<R: Scalar>(d: Vector3<R>, a: Vector3<R>, b: Vector3<R>) -> (R, R) {
+fn volume<R: Scalar>(d: Vec3<R>, a: Vec3<R>, b: Vec3<R>) -> (R, R) {
     let half_epsilon = R::epsilon() * R::from_f64(0.5);
     let minor = |p: R, q: R, r: R, s: R| (p * q - r * s, (p * q).abs() + (r * s).abs());
     let (x, x_size) = minor(a.y, b.z, a.z, b.y);
@@ -70,7 +70,7 @@ fn volume<R: Scalar>(d: Vector3<R>, a: Vector3<R>, b: Vector3<R>) -> (R, R) {
 #[cold]
 #[inline(never)]
 fn exact_volumes<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> [R; 3] {
-    let relative_to_origin = |p: Vector3<R>| {
+    let relative_to_origin = |p: Vec3<R>| {
         [(p.x, ray.o.x), (p.y, ray.o.y), (p.z, ray.o.z)].map(|(p, o)| Expansion::difference(p, o))
     };
     let [a, b, c] = [

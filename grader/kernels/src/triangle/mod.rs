@@ -15,8 +15,8 @@ pub(crate) mod woop;
 mod woop_fused;
 
 use crate::kernel::{Hit, HitF64, Kernel, KernelInfo, Test};
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Triangle};
+use lanes::Scalar;
 use std::marker::PhantomData;
 
 /// The hit of a ray with a triangle.

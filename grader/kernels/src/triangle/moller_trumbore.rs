@@ -6,8 +6,8 @@
 
 use super::{TriangleHit, TriangleTest};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Triangle};
+use lanes::Scalar;
 
 const PAPER: &str = "Möller, Trumbore 1997";
 

@@ -7,8 +7,8 @@
 
 use super::{TriangleHit, TriangleTest};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
-use crate::shapes::{Ray, Triangle, Vector3};
+use crate::shapes::{Ray, Triangle, Vec3};
+use lanes::Scalar;
 
 pub(super) struct PlaneThenSides;
 
@@ -32,7 +32,7 @@ impl TriangleTest for PlaneThenSides {
             return None;
         }
         let p = ray.at(t);
-        let area = |from: Vector3<R>, to: Vector3<R>| n.dot((to - from).cross(p - from));
+        let area = |from: Vec3<R>, to: Vec3<R>| n.dot((to - from).cross(p - from));
         let (w, u, v) = (
             area(tri.p0, tri.p1),
             area(tri.p1, tri.p2),

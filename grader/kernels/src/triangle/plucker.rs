@@ -8,8 +8,8 @@
 
 use super::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
-use crate::shapes::{Ray, Triangle, Vector3};
+use crate::shapes::{Ray, Triangle, Vec3};
+use lanes::Scalar;
 
 pub(crate) struct Plucker;
 
@@ -24,8 +24,7 @@ impl TriangleTest for Plucker {
     #[inline(always)]
     fn intersect<R: Scalar>(tri: &Triangle<R>, ray: &Ray<R>) -> Option<TriangleHit<R>> {
         let moment = ray.o.cross(ray.d);
-        let side =
-            |from: Vector3<R>, to: Vector3<R>| ray.d.dot(from.cross(to)) + moment.dot(to - from);
+        let side = |from: Vec3<R>, to: Vec3<R>| ray.d.dot(from.cross(to)) + moment.dot(to - from);
         let edges = [
             side(tri.p1, tri.p2),
             side(tri.p2, tri.p0),

@@ -9,8 +9,9 @@
 
 use super::{TriangleHit, TriangleTest, sum_if_same_sign};
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
-use crate::shapes::{Ray, Triangle, Vector3};
+use crate::shapes::{Ray, Triangle, Vec3};
+use lanes::Scalar;
+use lanes::triangle::edge_factors;
 
 pub(crate) struct Woop;
 
@@ -33,14 +34,10 @@ impl TriangleTest for Woop {
 /// Returns twice the signed areas of the triangles formed by the z axis and each edge.
 #[inline(always)]
 pub(super) fn areas<R: Scalar>(
-    [a, b, c]: [Vector3<R>; 3],
+    corners: [Vec3<R>; 3],
     difference: impl Fn(R, R, R, R) -> R,
 ) -> [R; 3] {
-    [
-        difference(c.x, b.y, c.y, b.x),
-        difference(a.x, c.y, a.y, c.x),
-        difference(b.x, a.y, b.y, a.x),
-    ]
+    edge_factors(corners).map(|[a, b, c, d]| difference(a, b, c, d))
 }
 
 /// The paper's test, given a function that computes the three areas.
@@ -48,7 +45,7 @@ pub(super) fn areas<R: Scalar>(
 pub(super) fn sheared<R: Scalar>(
     tri: &Triangle<R>,
     ray: &Ray<R>,
-    areas: impl Fn([Vector3<R>; 3]) -> [R; 3],
+    areas: impl Fn([Vec3<R>; 3]) -> [R; 3],
 ) -> Option<TriangleHit<R>> {
     let kz = ray.d.longest_axis();
     let d = ray.d.permuted(kz);
@@ -56,7 +53,7 @@ pub(super) fn sheared<R: Scalar>(
     let (sx, sy) = (d.x * sz, d.y * sz);
     let corners = [tri.p0, tri.p1, tri.p2].map(|p| {
         let p = (p - ray.o).permuted(kz);
-        Vector3 {
+        Vec3 {
             x: p.x - sx * p.z,
             y: p.y - sy * p.z,
             z: sz * p.z,

@@ -9,8 +9,8 @@ use super::woop::{areas, sheared};
 use super::{TriangleHit, TriangleTest};
 use crate::exact::difference_of_products;
 use crate::kernel::KernelInfo;
-use crate::scalar::Scalar;
 use crate::shapes::{Ray, Triangle};
+use lanes::Scalar;
 
 const PAPER: &str = "Woop et al. 2013; Jeannerod et al. 2013";
 

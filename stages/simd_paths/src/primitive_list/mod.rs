@@ -21,7 +21,9 @@ pub(crate) struct PrimitiveList {
     spheres: Vec<Sphere>,
 }
 
-/// The limits of a list. A scene of this size has no nodes in `simd_bvh` either.
+/// The limits of a list. A scene of this size has no nodes in `simd_bvh` either, but the tree traces
+/// one ray at a time: a Cornell box with two spheres takes 1.9 times as long with it (user time of
+/// `pathtracer -s 16 -l 1 -m 5`, median of seven pairs).
 const MAX_TRIANGLES: usize = 16;
 const MAX_SPHERES: usize = 8;
 

@@ -1,6 +1,6 @@
-//! The number types of the kernels.
+//! Single numbers: those types of [`Real`] that convert from and to `f64`.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use crate::real::Real;
 
 /// The number type of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,22 +31,8 @@ impl Precision {
     }
 }
 
-/// A floating-point number: `f32`, `f64`, or [`CountingF64`](crate::CountingF64), an `f64` that
-/// counts operations.
-///
-/// Kernels are generic over this trait.
-pub trait Scalar:
-    Copy
-    + Send
-    + Sync
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + 'static
-{
+/// A single floating-point number: `f32`, `f64`, or one that counts its operations.
+pub trait Scalar: Real<Mask = bool> + PartialOrd + Send + Sync + 'static {
     /// The precision.
     const PRECISION: Precision;
 
@@ -56,12 +42,6 @@ pub trait Scalar:
     /// Returns the value as `f64`.
     fn to_f64(self) -> f64;
 
-    /// Returns the square root.
-    fn sqrt(self) -> Self;
-
-    /// Returns the absolute value.
-    fn abs(self) -> Self;
-
     /// Returns `self · factor + term` with a single rounding. If the target has no fused
     /// multiply-add instruction, as in a default build for x86-64, this calls the C library.
     fn mul_add(self, factor: Self, term: Self) -> Self;
@@ -70,22 +50,9 @@ pub trait Scalar:
     fn epsilon() -> Self {
         Self::from_f64(Self::PRECISION.epsilon())
     }
-
-    /// Returns the larger number, or `other` if `self` is NaN. Compiles to one machine instruction,
-    /// unlike `f64::max`.
-    #[inline(always)]
-    fn select_max(self, other: Self) -> Self {
-        if self > other { self } else { other }
-    }
-
-    /// Returns the smaller number, or `other` if `self` is NaN.
-    #[inline(always)]
-    fn select_min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
 }
 
-macro_rules! real {
+macro_rules! scalar {
     ($number:ident, $precision:expr) => {
         impl Scalar for $number {
             const PRECISION: Precision = $precision;
@@ -101,16 +68,6 @@ macro_rules! real {
             }
 
             #[inline(always)]
-            fn sqrt(self) -> $number {
-                $number::sqrt(self)
-            }
-
-            #[inline(always)]
-            fn abs(self) -> $number {
-                $number::abs(self)
-            }
-
-            #[inline(always)]
             fn mul_add(self, factor: $number, term: $number) -> $number {
                 $number::mul_add(self, factor, term)
             }
@@ -118,5 +75,5 @@ macro_rules! real {
     };
 }
 
-real!(f32, Precision::F32);
-real!(f64, Precision::F64);
+scalar!(f32, Precision::F32);
+scalar!(f64, Precision::F64);

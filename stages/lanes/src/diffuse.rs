@@ -1,0 +1,40 @@
+// BEGIN SOLUTION(part6.task2)
+//! Diffuse surfaces, as `direct::lambert_f` and `direct::lambert_sample`, in the local space of the
+//! surface, where z is the normal.
+
+use crate::real::Real;
+use crate::vec3::Vec3;
+use std::f64::consts::FRAC_1_PI;
+
+/// The BSDF for directions on the same side of the surface.
+#[inline(always)]
+pub fn lambert_f<R: Real>(reflectance: Vec3<R>) -> Vec3<R> {
+    reflectance * reflectance.x.constant(FRAC_1_PI)
+}
+
+/// Whether the directions with these z are on the same side of the surface; else the BSDF is black.
+#[inline(always)]
+pub fn on_same_side<R: Real>(wo_z: R, wi_z: R) -> R::Mask {
+    wo_z.constant(0.0).less(wo_z * wi_z)
+}
+
+/// Samples a direction on the side of `wo_z` from `u` in [0, 1) and the sine and cosine of a uniform
+/// angle. Returns it and the weight of the path: `f · cos θ / pdf`.
+#[inline(always)]
+pub fn lambert_sample<R: Real>(
+    reflectance: Vec3<R>,
+    wo_z: R,
+    u: R,
+    (sin, cos): (R, R),
+) -> (Vec3<R>, Vec3<R>) {
+    let r = u.sqrt();
+    let z = (u.constant(1.0) - u).sqrt();
+    let wi = Vec3 {
+        x: r * cos,
+        y: r * sin,
+        z: z.copysign(wo_z),
+    };
+    let pdf = z * z.constant(FRAC_1_PI);
+    (wi, lambert_f(reflectance) * (z / pdf))
+}
+// END SOLUTION(part6.task2)

@@ -21,8 +21,8 @@ use kit::{
 };
 use simd_bvh::WideBvh;
 use simd_paths::{
-    BATCH_SIZE, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback, ScalarPath,
-    View, Workspace,
+    BATCH_SIZE, Beam, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback,
+    ScalarPath, View, Workspace,
 };
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -262,6 +262,11 @@ impl ScalarFallback for Fallback<'_, '_> {
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
         let scene = &self.integrator.lit.scene;
         occluded_in(self.tree, scene, ray, skip, &mut self.counters)
+    }
+
+    fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {
+        let _ = (beam, most, ids);
+        false
     }
 
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {

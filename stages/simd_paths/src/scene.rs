@@ -2,8 +2,9 @@
 
 // BEGIN SOLUTION(part6.task2)
 use crate::material_class::{MaterialClass, classify};
-use crate::primitive_list::{PrimitiveList, Scratch};
+use crate::primitive_list::{NearbyPrimitives, PrimitiveList, Scratch};
 use crate::queue::PathQueue;
+use crate::shadow_queue::ShadowQueue;
 use crate::{camera, trace};
 use fearless_simd::dispatch;
 use kit::{PrimId, Triangle};
@@ -92,6 +93,8 @@ pub struct Workspace {
     // BEGIN SOLUTION(part6.task2)
     pub(crate) queue: PathQueue,
     pub(crate) scratch: Scratch,
+    pub(crate) nearby: NearbyPrimitives,
+    pub(crate) shadows: ShadowQueue,
     // END SOLUTION(part6.task2)
     /// The operations so far.
     pub counts: Counts,

@@ -19,7 +19,7 @@ use kit::{
     Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum, Tally,
     TriangleHit, Vec3,
 };
-use simd_bvh::WideBvh;
+use simd_bvh::{TestCounts, WideBvh};
 use simd_paths::{
     BATCH_SIZE, Beam, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback,
     ScalarPath, View, Workspace,
@@ -265,8 +265,11 @@ impl ScalarFallback for Fallback<'_, '_> {
     }
 
     fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {
-        let _ = (beam, most, ids);
-        false
+        let region = beam.half_spaces.map(|h| (h.normal, h.offset));
+        let mut tests = TestCounts::default();
+        let are_all = self.tree.primitives_in(&region, most, ids, &mut tests);
+        self.counters += tests;
+        are_all
     }
 
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {

@@ -137,12 +137,14 @@ fn slopes<S: Simd>(
             greatest[side] = here.select(greatest[side].max_precise(slope), greatest[side]);
         }
     }
-    Some([0, 1].map(|side| {
-        [
+    let mut slopes = [[0.0; 2]; 2];
+    for side in 0..2 {
+        slopes[side] = [
             -greatest_of(-least[side]) - MARGIN,
             greatest_of(greatest[side]) + MARGIN,
-        ]
-    }))
+        ];
+    }
+    Some(slopes)
 }
 
 /// The lanes below `count`.
@@ -158,7 +160,11 @@ fn load<S: Simd>(simd: S, numbers: &[f64], first: usize) -> f64x8<S> {
 
 #[inline(always)]
 fn greatest_of<S: Simd>(lanes: f64x8<S>) -> f64 {
-    (1..LANES).fold(lanes[0], |greatest, lane| greatest.max(lanes[lane]))
+    let mut greatest = lanes[0];
+    for lane in 1..LANES {
+        greatest = greatest.max(lanes[lane]);
+    }
+    greatest
 }
 
 #[inline(always)]

@@ -55,8 +55,10 @@ impl NearbyPrimitives {
             match scene.lit.scene.primitive(id) {
                 Primitive::Triangle(t) => {
                     let vertices = [t.p0, t.p1, t.p2];
-                    let outside = vertices.map(|p| lanes.outside(p));
-                    if outside[0] & outside[1] & outside[2] == 0 {
+                    let mut outside = lanes.outside(t.p0);
+                    outside &= lanes.outside(t.p1);
+                    outside &= lanes.outside(t.p2);
+                    if outside == 0 {
                         let first = self.list.vertices.len() as u32;
                         self.list.vertices.extend(vertices);
                         self.list.triangles.push(ListedTriangle {

@@ -25,6 +25,10 @@ pub(crate) enum RangeEnds<'a> {
     Each(&'a [f64]),
 }
 
+/// The largest number of rays in a beam, a multiple of eight: fewer are closer to each other, but
+/// each beam takes time.
+pub(crate) const BEAM_SIZE: usize = 64;
+
 /// The rays of a beam have slopes of at most this size against its axis. Wider beams would contain
 /// most of a scene.
 const MAX_SLOPE: f64 = 2.0;

@@ -2,7 +2,7 @@
 //! The shadow rays of a bounce: collected from all packets, so that they fill the lanes and the
 //! rays to one light are traced together; and what the light adds to the paths.
 
-use crate::beam::{RangeEnds, RayBundle};
+use crate::beam::{BEAM_SIZE, RangeEnds, RayBundle};
 use crate::lanes::lanes;
 use crate::primitive_list::NearbyPrimitives;
 use crate::ray_packet::RayPacket;
@@ -148,17 +148,14 @@ impl ShadowQueue {
         fallback: &mut dyn ScalarFallback,
     ) {
         for queue in &self.rays {
-            if queue.count == 0 {
-                continue;
-            }
             workspace.counts.rays += queue.count as u64;
             workspace.counts.light_rays += queue.count as u64;
             let mut list = None;
-            if are_coherent {
-                list = nearby.find(simd, scene, &queue.bundle(), fallback);
-            }
-            let list = list.or(scene.list.as_ref());
             for first in (0..queue.count).step_by(LANES) {
+                if are_coherent && first % BEAM_SIZE == 0 {
+                    list = nearby.find(simd, scene, &queue.bundle(first), fallback);
+                }
+                let list = list.or(scene.list.as_ref());
                 let active = (1 << (queue.count - first).min(LANES)) - 1;
                 let rays = queue.load(simd, first);
                 let skip = load(simd, &queue.skip, first);
@@ -236,13 +233,15 @@ impl ShadowRays {
         }
     }
 
-    fn bundle(&self) -> RayBundle<'_> {
+    /// The rays from number `first`, as many as a beam has.
+    #[inline(always)]
+    fn bundle(&self, first: usize) -> RayBundle<'_> {
         RayBundle {
-            count: self.count,
-            o: self.o.each_ref().map(|o| &o[..]),
-            d: self.d.each_ref().map(|d| &d[..]),
+            count: (self.count - first).min(BEAM_SIZE),
+            o: self.o.each_ref().map(|o| &o[first..]),
+            d: self.d.each_ref().map(|d| &d[first..]),
             min_t: 0.0,
-            max_t: RangeEnds::Each(&self.max_t),
+            max_t: RangeEnds::Each(&self.max_t[first..]),
         }
     }
 }

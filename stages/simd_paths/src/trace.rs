@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Traces a batch of paths from the camera to their ends.
 
+use crate::beam::BEAM_SIZE;
 use crate::lanes::lanes;
 use crate::packet::PathPacket;
 use crate::vec3x8::LANES;
@@ -33,11 +34,13 @@ pub(crate) fn trace_paths<S: Simd>(
         let mut list = None;
         if are_coherent {
             range = [view.camera.n_clip, view.camera.f_clip];
-            list = nearby.find(simd, scene, &workspace.queue.rays(range), fallback);
         }
         shadows.clear(scene.lit.emitters.len());
         let mut kept = 0;
         for first in (0..workspace.queue.count).step_by(LANES) {
+            if are_coherent && first % BEAM_SIZE == 0 {
+                list = nearby.find(simd, scene, &workspace.queue.rays(first, range), fallback);
+            }
             let mut packet = PathPacket {
                 simd,
                 scene,

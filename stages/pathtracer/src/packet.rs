@@ -316,7 +316,14 @@ impl PathIntegrator<'_> {
             .count_more(Effect::DirectLight, counts.light_rays);
         self.materials
             .count_more(Effect::Background, counts.background);
-        self.materials.count_more(Effect::Bounces, counts.bounces);
+        for (effect, count) in [
+            (Effect::Bounces, counts.bounces),
+            (Effect::Mirror, counts.mirrors),
+            (Effect::Refraction, counts.refractions),
+            (Effect::Fresnel, counts.fresnel),
+        ] {
+            self.materials.count_more(effect, count);
+        }
     }
 }
 

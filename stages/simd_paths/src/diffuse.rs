@@ -96,7 +96,11 @@ impl<S: Simd> PathPacket<'_, S> {
     /// Plays Russian roulette, unless it is switched off. Returns the new throughputs and the
     /// surviving lanes.
     #[inline(always)]
-    fn roulette(&mut self, bounce: u32, throughput: Vec3x8<S>) -> (Vec3x8<S>, mask64x8<S>) {
+    pub(crate) fn roulette(
+        &mut self,
+        bounce: u32,
+        throughput: Vec3x8<S>,
+    ) -> (Vec3x8<S>, mask64x8<S>) {
         let simd = self.simd;
         let Some(min_bounces) = self.settings.min_bounces else {
             self.samplers.skip_1d();

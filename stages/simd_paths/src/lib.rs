@@ -10,7 +10,7 @@
 //! idle lanes are avoided), `packet` (one bounce), `intersection` and `primitive_list` (with and
 //! without a tree), `beam` (rays that are close to each other), `surface_packet` and
 //! `material_class` (what was hit), `light`, `shadow_queue`, `sin_cos` and `diffuse` (direct light
-//! and scattering at diffuse surfaces), `other_materials` (everything else, by the fallback).
+//! and scattering at diffuse surfaces), `specular` (mirrors and smooth glass), `other_materials` (everything else, by the fallback).
 //!
 //! Every lane repeats the scalar arithmetic operation by operation, so all bits are equal. Where a
 //! scalar kernel switches to its careful variant, the lane calls the fallback. `fearless_simd`
@@ -35,6 +35,7 @@ mod queue;
 mod ray_packet;
 mod shadow_queue;
 mod sin_cos;
+mod specular;
 mod surface_packet;
 mod trace;
 mod vec3x8;

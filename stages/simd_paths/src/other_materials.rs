@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! Mirrors, glass and glossy surfaces: the scalar fallback continues such paths one by one.
+//! Glossy surfaces and rough glass: the scalar fallback continues such paths one by one.
 
 use crate::lanes::lanes;
 use crate::packet::PathPacket;

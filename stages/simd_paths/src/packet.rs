@@ -14,6 +14,10 @@ use crate::{PathScene, PathSettings, ScalarFallback, Workspace, intersection};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::sampler::PixelSamplers;
 use kit::{Spectrum, Vec3};
+use std::mem;
+
+/// For fewer paths at mirrors and glass the scalar fallback takes less time than the lanes.
+const MIN_SPECULAR: u32 = 3;
 
 /// Eight paths that are traced together.
 pub(crate) struct PathPacket<'a, S: Simd> {
@@ -62,13 +66,16 @@ impl<S: Simd> PathPacket<'_, S> {
         }
         let ids: [usize; LANES] = std::array::from_fn(|lane| hits.prim[lane].max(0.0) as usize);
         let materials = std::array::from_fn(|lane| self.scene.material_of(ids[lane]));
-        let [diffuse, emissive, other] = lanes_by_class(&materials, hit);
+        let [diffuse, emissive, mut specular, mut other] = lanes_by_class(&materials, hit);
+        if specular.count_ones() < MIN_SPECULAR {
+            other |= mem::take(&mut specular);
+        }
         let color = Vec3x8::gather(simd, |lane| materials[lane].1.to_array());
         let mut surfaces =
             SurfacePacket::at(simd, self.scene, &rays, &hits, &ids, hit, color, fallback);
         if self.settings.has_textures {
-            // A texture does not change emission, but it is looked up on every surface.
-            for lane in lanes(diffuse | emissive) {
+            // A texture changes only diffuse surfaces, but it is looked up on every surface.
+            for lane in lanes(diffuse | emissive | specular) {
                 let tint = fallback.texture_color(&surfaces.hit(lane, &hits));
                 if diffuse >> lane & 1 == 1 {
                     let color = surfaces.color.lane(lane) * Vec3::from(tint.to_array());
@@ -79,6 +86,8 @@ impl<S: Simd> PathPacket<'_, S> {
         // Before the other lanes draw random numbers: these paths draw their own.
         let scattered = (other != 0)
             .then(|| self.scatter_others(other, bounce, &surfaces, &hits, fallback, radiance));
+        let by_mirrors = (specular != 0 && bounce < self.settings.max_depth)
+            .then(|| self.scatter_specular(bounce, &surfaces, &ids, specular, workspace));
         let wo = -self.paths.d;
         if emissive != 0 {
             let counts = f64x8::splat(simd, 0.5).simd_lt(self.paths.emission_counts);
@@ -97,6 +106,9 @@ impl<S: Simd> PathPacket<'_, S> {
             if bounce < self.settings.max_depth {
                 survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, workspace);
             }
+        }
+        if let Some(scattered) = by_mirrors {
+            survivors |= self.merge_specular(&surfaces, &scattered);
         }
         survivors | scattered.map_or(0, |scattered| self.merge(scattered))
     }
@@ -118,15 +130,19 @@ impl<S: Simd> PathPacket<'_, S> {
     }
 }
 
-/// The lanes in `hit` by the class of their material: diffuse, emission, other.
+/// The lanes in `hit` by the class of their material: diffuse, emission, specular, other.
 #[inline(always)]
-fn lanes_by_class(materials: &[(MaterialClass, Spectrum); LANES], hit: u64) -> [u64; 3] {
-    let mut masks = [0; 3];
+fn lanes_by_class(materials: &[(MaterialClass, Spectrum); LANES], hit: u64) -> [u64; 4] {
+    let mut masks = [0; 4];
     for (lane, &(class, _)) in materials.iter().enumerate() {
         masks[0] |= u64::from(class == MaterialClass::Diffuse) << lane;
         masks[1] |= u64::from(class == MaterialClass::Emission) << lane;
-        masks[2] |= u64::from(class == MaterialClass::Other) << lane;
+        masks[2] |= u64::from(class == MaterialClass::Specular) << lane;
+        masks[3] |= u64::from(class == MaterialClass::Other) << lane;
     }
-    [masks[0] & hit, masks[1] & hit, masks[2] & hit]
+    for mask in &mut masks {
+        *mask &= hit;
+    }
+    masks
 }
 // END SOLUTION(part6.task2)

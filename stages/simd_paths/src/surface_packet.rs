@@ -194,6 +194,24 @@ impl<S: Simd> SurfacePacket<S> {
     /// does.
     #[inline(always)]
     pub(crate) fn to_world(&self, simd: S, w: Vec3x8<S>) -> Vec3x8<S> {
+        let [s, t] = self.tangents(simd);
+        s * w.x + t * w.y + self.n * w.z
+    }
+
+    /// Transforms `w` from world space to local space, as [`kit::Frame`] does.
+    #[inline(always)]
+    pub(crate) fn to_local(&self, simd: S, w: Vec3x8<S>) -> Vec3x8<S> {
+        let [s, t] = self.tangents(simd);
+        Vec3x8 {
+            x: w.dot(s),
+            y: w.dot(t),
+            z: w.dot(self.n),
+        }
+    }
+
+    /// The axes x and y of the local space.
+    #[inline(always)]
+    fn tangents(&self, simd: S) -> [Vec3x8<S>; 2] {
         let one = f64x8::splat(simd, 1.0);
         let n = self.n;
         let sign = one.copysign(n.z);
@@ -209,7 +227,7 @@ impl<S: Simd> SurfacePacket<S> {
             y: sign + n.y * n.y * a,
             z: -n.y,
         };
-        s * w.x + t * w.y + n * w.z
+        [s, t]
     }
 }
 // END SOLUTION(part6.task2)

@@ -41,5 +41,15 @@ impl<R: Real> Frame<R> {
     pub fn to_world(&self, w: Vec3<R>) -> Vec3<R> {
         self.s * w.x + self.t * w.y + self.n * w.z
     }
+
+    /// Transforms a direction from world space to local space.
+    #[inline(always)]
+    pub fn to_local(&self, w: Vec3<R>) -> Vec3<R> {
+        Vec3 {
+            x: w.dot(self.s),
+            y: w.dot(self.t),
+            z: w.dot(self.n),
+        }
+    }
 }
 // END SOLUTION(part6.task2)

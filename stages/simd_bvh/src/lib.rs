@@ -12,7 +12,7 @@
 //! spheres), `ray_in_tree`, `simd_box_test` (eight boxes at a time), `triangle_filter` (eight
 //! triangles at a time) and `woop` (one triangle, in double precision), `stack`, `traversal` and
 //! `intersect` (the traversal), `box_test` and `unusual_ray` (rays that are too large, too small or
-//! too far away for single precision).
+//! too far away for single precision), `region` (the primitives that many rays may hit).
 //!
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles have 16
 //! bits a coordinate and are tested in single precision, with a bound on all errors, which
@@ -34,6 +34,7 @@ mod node;
 mod prefetch;
 mod presplit;
 mod ray_in_tree;
+mod region;
 mod rounding;
 mod sah;
 mod simd_box_test;

@@ -242,6 +242,12 @@ fn traversal_needs_slack_to_equal_brute_force() {
         row.expect("such a tree").lost_per_million()
     };
     assert_eq!(lost("Woop", "Ize, 2 ulp", Precision::F64), 0.0);
+    let others = trees
+        .by_precision
+        .iter()
+        .filter(|row| row.split != "midpoint");
+    assert!(others.clone().all(|row| row.lost_per_million() == 0.0));
+    assert_eq!(others.count(), 2, "the trees by median and SAH");
     let single = lost("Woop", "Ize, 2 ulp", Precision::F32);
     assert!(single > 0.0);
     assert!(lost("Woop", "Williams", Precision::F32) > single);

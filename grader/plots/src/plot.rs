@@ -25,8 +25,8 @@ enum Scale {
 }
 
 /// Where 0 is on a logarithmic axis, and where that axis begins: shares of its length.
-const ZERO: f64 = 0.09;
-const BEYOND_ZERO: f64 = 0.25;
+const ZERO: f64 = 0.14;
+const BEYOND_ZERO: f64 = 0.34;
 
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]

@@ -37,11 +37,12 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> 
     Ok(Some(Figure {
         finding,
         drawing,
-        caption: "One tree, with other tests in another precision at each point. Further right traces more rays, further down loses \
-                  fewer hits; the dashed line separates those that lose none. Filled markers are f32. Bars reach from quartile to quartile."
+        caption: "One tree, with other tests in another precision at each point; triangles are other trees with the exact tests. Further right \
+                  traces more rays, further down loses fewer hits, and none below the dashed line. Filled markers are f32. Bars reach \
+                  from quartile to quartile."
             .into(),
         notes: format!(
-            "The tree splits at the midpoint, over the {} mesh of {} triangles. Speed is that of camera rays on one thread. Hits are lost \
+            "The trees are over the {} mesh of {} triangles. Speed is that of camera rays on one thread. Hits are lost \
              of {} rays that are aimed at random triangles from all directions, every other one at an edge. A hit is missed if the ray \
              passes through the surface, and wrong if there is none, or if it is too near. The first tree is exact: it finds the hits of \
              brute force. In f32, pbrt uses a pair like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker \
@@ -51,6 +52,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> 
             grouped(rays as f64)
         ),
         head: heads(&[
+            "split",
             "test of triangles",
             "of boxes",
             "slack, ulp",
@@ -64,6 +66,7 @@ pub(crate) fn figure(trees: &TreeReport) -> Result<Option<Figure>, GraderError> 
             .iter()
             .map(|row| {
                 vec![
+                    row.split.clone(),
                     format!("{} {}", row.triangle_test, row.precision.name()),
                     row.box_test.clone(),
                     row.slack_ulp.to_string(),
@@ -104,12 +107,13 @@ fn rate(row: &ExactnessRow) -> Quartiles {
     }
 }
 
-/// What the plot shows: what the exact tree gives up in speed. `None` without rows.
+/// What the plot shows: what the exact tests give up in speed, in the first tree. `None` without
+/// rows.
 fn finding(rows: &[ExactnessRow]) -> Option<String> {
+    let first = rows.first()?;
     let fastest = |loses: bool| {
-        let rows = rows
-            .iter()
-            .filter(|row| (row.lost_per_million() > 0.0) == loses);
+        let rows = rows.iter().filter(|row| row.split == first.split);
+        let rows = rows.filter(|row| (row.lost_per_million() > 0.0) == loses);
         rows.min_by(|a, b| a.time.ratio.median.total_cmp(&b.time.ratio.median))
     };
     let (exact, lossy) = (fastest(false), fastest(true));
@@ -146,6 +150,7 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
     let lost = rows.iter().map(ExactnessRow::lost_per_million);
     let y = Axis::log_and_zero("lost hits in a million rays", lost, grouped);
     let plot = Plot::new(canvas, title, (0.0, 0.0), size, x, y)?;
+    let is_first = |row: &ExactnessRow| rows.first().is_some_and(|first| row.split == first.split);
     let mut labels = Labels::new(plot.inner());
     if let Some(y) = plot.separator() {
         let [left, _, right, _] = plot.inner();
@@ -155,7 +160,11 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
         |row: &ExactnessRow| -> Position { plot.at(rate(row).median, row.lost_per_million()) };
     for row in rows {
         let Quartiles { lower, upper, .. } = rate(row);
-        plot.time_bar(style_of(row), [lower, upper], row.lost_per_million())?;
+        plot.time_bar(
+            style_of(row, is_first(row)),
+            [lower, upper],
+            row.lost_per_million(),
+        )?;
         let y = place(row).1;
         let [from, to] = [lower, upper].map(|x| plot.at(x, row.lost_per_million()).0);
         labels.keep_box_free([from, y - 2.0, to, y + 2.0]);
@@ -163,13 +172,16 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
     }
     for row in rows {
         let at = (rate(row).median, row.lost_per_million());
-        plot.marker(style_of(row), at, AREA)?;
+        plot.marker(style_of(row, is_first(row)), at, AREA)?;
         canvas.tip(place(row), 9.0, &tip(row));
     }
     for row in rows {
-        let label = Label::left(NAME).in_color(style_of(row).color);
-        let boxes = format!("boxes: {}", row.box_test);
-        let text = format!("{} {}\n{boxes}", row.triangle_test, row.precision.name());
+        let label = Label::left(NAME).in_color(style_of(row, is_first(row)).color);
+        let test = format!("{} {}", row.triangle_test, row.precision.name());
+        let text = match is_first(row) {
+            true => format!("{test}\nboxes: {}", row.box_test),
+            false => format!("{test}\n{}", row.split),
+        };
         labels.place(canvas, &text, place(row), label.bold())?;
     }
     Ok(())
@@ -177,7 +189,8 @@ fn draw(canvas: &Canvas, size: [f64; 2], title: &str, rows: &[ExactnessRow]) -> 
 
 fn tip(row: &ExactnessRow) -> String {
     format!(
-        "{} {}, boxes: {}, slack of {} ulp: {} million rays per second, {} of a million missed and {} wrong",
+        "{}: {} {}, boxes: {}, slack of {} ulp: {} million rays per second, {} of a million missed and {} wrong",
+        row.split,
         row.triangle_test,
         row.precision.name(),
         row.box_test,
@@ -188,14 +201,15 @@ fn tip(row: &ExactnessRow) -> String {
     )
 }
 
-/// Colour and shape show the precision, as in the plot of triangle tests.
-fn style_of(row: &ExactnessRow) -> SeriesStyle {
+/// Colour and shape show the precision, as in the plot of triangle tests; trees other than the first
+/// have a shape of their own.
+fn style_of(row: &ExactnessRow, is_first: bool) -> SeriesStyle {
     let is_single = row.precision != Precision::F64;
     SeriesStyle {
-        marker: if is_single {
-            Marker::Square
-        } else {
-            Marker::Disc
+        marker: match (is_first, is_single) {
+            (false, _) => Marker::Triangle,
+            (true, false) => Marker::Disc,
+            (true, true) => Marker::Square,
         },
         hollow: !is_single,
         dashes: None,

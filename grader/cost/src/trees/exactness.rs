@@ -9,9 +9,11 @@ use kernels::{ClosestHit, RoundedTree};
 use kit::{Ray, Triangle};
 use serde::{Deserialize, Serialize};
 
-/// Results for one pair of tests in one precision.
+/// Results for one tree, with one pair of tests in one precision.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExactnessRow {
+    /// The rule that splits a node of the tree.
+    pub split: String,
     /// Name of the box test.
     pub box_test: String,
     /// Name of the triangle test.
@@ -32,6 +34,21 @@ pub struct ExactnessRow {
 }
 
 impl ExactnessRow {
+    /// A row whose hits are not counted yet.
+    pub(super) fn new(split: &str, tree: &RoundedTree, time: Timing) -> ExactnessRow {
+        ExactnessRow {
+            split: split.into(),
+            box_test: tree.box_test.into(),
+            triangle_test: tree.triangle_test.into(),
+            precision: precision(tree.precision),
+            slack_ulp: tree.slack_ulp,
+            time,
+            rays: 0,
+            missed: 0,
+            wrong: 0,
+        }
+    }
+
     /// Rays with another hit than the exact one, in a million.
     pub fn lost_per_million(&self) -> f64 {
         in_a_million(self.missed + self.wrong, self.rays)
@@ -69,25 +86,16 @@ pub(super) fn rays(triangles: &[Triangle], seed: u64, count: usize) -> Vec<Ray> 
     rays.collect()
 }
 
-/// Compares the hits of `tree` with the true ones.
-pub(super) fn compare(
-    tree: &mut RoundedTree,
+/// Counts the lost hits of `closest`, a traversal of the tree of `row`.
+pub(super) fn count(
+    row: &mut ExactnessRow,
+    mut closest: impl FnMut(&Ray) -> ClosestHit,
     rays: &[Ray],
     truth: &[ClosestHit],
-    time: Timing,
-) -> ExactnessRow {
-    let mut row = ExactnessRow {
-        box_test: tree.box_test.into(),
-        triangle_test: tree.triangle_test.into(),
-        precision: precision(tree.precision),
-        slack_ulp: tree.slack_ulp,
-        time,
-        rays: rays.len(),
-        missed: 0,
-        wrong: 0,
-    };
+) {
+    row.rays = rays.len();
     for (ray, truth) in rays.iter().zip(truth) {
-        match ((tree.closest)(ray), truth) {
+        match (closest(ray), truth) {
             (Some((t, _)), Some((truth, _))) => {
                 let share = t / truth - 1.0;
                 row.missed += usize::from(share > SAME_T);
@@ -98,5 +106,4 @@ pub(super) fn compare(
             (None, None) => {}
         }
     }
-    row
 }

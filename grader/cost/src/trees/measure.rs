@@ -2,7 +2,7 @@
 
 use super::coplanar::CoplanarScenes;
 use super::exactness;
-use super::{BreakEven, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
+use super::{BreakEven, ExactnessRow, SlackRow, TraversalCost, TreeReport, TreeRow, WrongHits};
 use crate::measure::SampleCounts;
 use crate::quartiles::Quartiles;
 use crate::student::Student;
@@ -139,7 +139,20 @@ pub(crate) fn measure(
     for (i, tree) in rounded.iter_mut().enumerate() {
         let time = rounds.timing(first_rounded + i, first_rounded);
         let time = time.map_err(in_process)?;
-        by_precision.push(exactness::compare(tree, &aimed, &truth, time));
+        let mut row = ExactnessRow::new(builders[0].name, tree, time);
+        exactness::count(&mut row, &mut tree.closest, &aimed, &truth);
+        by_precision.push(row);
+    }
+    // The other trees, with the tests of the first row.
+    if let Some(exact) = rounded.first() {
+        for (i, (builder, tree)) in builders.iter().zip(&trees).enumerate().skip(1) {
+            let time = rounds.timing(first_tree + i, first_rounded);
+            let mut row = ExactnessRow::new(builder.name, exact, time.map_err(in_process)?);
+            let mut traversal = Traversal::new(safe_slack);
+            let closest = |ray: &Ray| traversal.closest(tree, &scene.triangles, ray);
+            exactness::count(&mut row, closest, &aimed, &truth);
+            by_precision.push(row);
+        }
     }
     let student_time = student.and_then(|student| {
         let time = rounds.timing(student_place, first_tree)?;

@@ -76,10 +76,11 @@ fn by_build(trees: &TreeReport) -> Table {
     table
 }
 
-/// What exactness costs: the same tree with other tests, in other precisions.
+/// What exactness costs: the first tree with other tests, in other precisions, and other trees.
 fn by_precision(trees: &TreeReport) -> Table {
     let mut table = narrow([
-        "tests in the\nfirst tree",
+        "split",
+        "triangles",
         "boxes",
         "slack,\nulp",
         "ns/ray",
@@ -96,6 +97,7 @@ fn by_precision(trees: &TreeReport) -> Table {
             count(in_a_million(row.wrong, row.rays)),
         ];
         let tests = [
+            row.split.clone(),
             format!("{}, {}", row.triangle_test, row.precision.name()),
             row.box_test.clone(),
         ];

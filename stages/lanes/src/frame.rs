@@ -36,6 +36,16 @@ impl<R: Real> Frame<R> {
         }
     }
 
+    /// Transforms a direction from world space to local space.
+    #[inline(always)]
+    pub fn to_local(&self, w: Vec3<R>) -> Vec3<R> {
+        Vec3 {
+            x: w.dot(self.s),
+            y: w.dot(self.t),
+            z: w.dot(self.n),
+        }
+    }
+
     /// Transforms a direction from local space to world space.
     #[inline(always)]
     pub fn to_world(&self, w: Vec3<R>) -> Vec3<R> {

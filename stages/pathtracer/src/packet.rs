@@ -19,10 +19,10 @@ use kit::{
     Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum, Tally,
     TriangleHit, Vec3,
 };
-use simd_bvh::WideBvh;
+use simd_bvh::{TestCounts, WideBvh};
 use simd_paths::{
-    BATCH_SIZE, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback, ScalarPath,
-    View, Workspace,
+    BATCH_SIZE, Beam, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback,
+    ScalarPath, View, Workspace,
 };
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -109,7 +109,7 @@ impl<'a> PacketRenderer<'a> {
         let mut estimates = Vec::with_capacity(tile.area() as usize);
         let pixels: Vec<(u32, u32)> = tile.pixels().collect();
         let first = self.certain_samples(0);
-        for pixels in pixels.chunks(BATCH_SIZE.div_ceil(first as usize)) {
+        for pixels in pixels.chunks(MAX_SAMPLES.div_ceil(first as usize)) {
             if stop.load(Ordering::Relaxed) {
                 let none = |_| integrator.finish_pixel(PixelSum::default(), Tally::default());
                 estimates.extend(pixels.iter().map(none));
@@ -140,6 +140,12 @@ impl<'a> PacketRenderer<'a> {
         start: &mut PathStart,
         first: &[Spectrum],
     ) -> PixelEstimate {
+        if self.settings.adaptive.is_none()
+            && first.len() == self.job.samples as usize
+            && let Some((sum, luminance)) = exact_sum_of(first)
+        {
+            return integrator.finish_pixel(sum, luminance);
+        }
         let mut used = 0;
         let mut ready = first.to_vec();
         let (sum, luminance) = sample_pixel(
@@ -171,7 +177,7 @@ impl<'a> PacketRenderer<'a> {
             Some((batch, _)) => remaining.min(batch - samples % batch),
             None => remaining,
         };
-        certain.min(4 * BATCH_SIZE as u32)
+        certain.min(MAX_SAMPLES as u32)
     }
 
     /// Traces the next `count` samples of each pixel.
@@ -184,12 +190,18 @@ impl<'a> PacketRenderer<'a> {
     ) -> Vec<Spectrum> {
         let mut starts = Vec::with_capacity(pixels.len() * count as usize);
         for start in pixels {
-            for _ in 0..count {
+            // A local copy stays in registers: reading what was just written piece by piece stalls.
+            let mut sampler = start.sampler.clone();
+            starts.extend((0..count).map(|_| {
                 if !self.view.centered {
-                    start.sampler.start_sample();
+                    sampler.start_sample();
                 }
-                starts.push(start.clone());
-            }
+                PathStart {
+                    pixel: start.pixel,
+                    sampler: sampler.clone(),
+                }
+            }));
+            start.sampler = sampler;
         }
         let mut fallback = Fallback {
             integrator,
@@ -203,6 +215,20 @@ impl<'a> PacketRenderer<'a> {
         integrator.counting(|counters| *counters += fallback.counters);
         samples
     }
+}
+
+/// The samples that are traced at once, a few batches of them.
+const MAX_SAMPLES: usize = 4 * BATCH_SIZE;
+
+/// The sum of all samples of a pixel, and the tally of their luminances: what the sampling loop of
+/// stage `raygen` leads to. `None` if the sum cannot be exact and depends on the loop.
+fn exact_sum_of(samples: &[Spectrum]) -> Option<(PixelSum, Tally)> {
+    let (mut sum, mut luminance) = (PixelSum::default(), Tally::default());
+    for &radiance in samples {
+        luminance.push(radiance.luminance());
+        sum.push(radiance);
+    }
+    matches!(sum, PixelSum::Exact { .. }).then_some((sum, luminance))
 }
 
 /// The scalar code for what the packets do not handle.
@@ -236,6 +262,14 @@ impl ScalarFallback for Fallback<'_, '_> {
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
         let scene = &self.integrator.lit.scene;
         occluded_in(self.tree, scene, ray, skip, &mut self.counters)
+    }
+
+    fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {
+        let region = beam.half_spaces.map(|h| (h.normal, h.offset));
+        let mut tests = TestCounts::default();
+        let are_all = self.tree.primitives_in(&region, most, ids, &mut tests);
+        self.counters += tests;
+        are_all
     }
 
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {
@@ -282,7 +316,14 @@ impl PathIntegrator<'_> {
             .count_more(Effect::DirectLight, counts.light_rays);
         self.materials
             .count_more(Effect::Background, counts.background);
-        self.materials.count_more(Effect::Bounces, counts.bounces);
+        for (effect, count) in [
+            (Effect::Bounces, counts.bounces),
+            (Effect::Mirror, counts.mirrors),
+            (Effect::Refraction, counts.refractions),
+            (Effect::Fresnel, counts.fresnel),
+        ] {
+            self.materials.count_more(effect, count);
+        }
     }
 }
 

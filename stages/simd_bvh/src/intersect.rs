@@ -1,12 +1,13 @@
 //! The closest hit and any hit of a ray, equal to those of brute force.
 
 // BEGIN SOLUTION(part6.task1)
+use crate::region;
 use crate::traversal::Traversal;
 use fearless_simd::dispatch;
 // END SOLUTION(part6.task1)
 
 use crate::wide::WideBvh;
-use kit::{PrimId, Ray, TriangleHit};
+use kit::{PrimId, Ray, TriangleHit, Vec3};
 
 /// The number of tests of a traversal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,6 +60,26 @@ impl WideBvh {
             Traversal::<_, true>::new(simd, self, ray, skip, exact).any(counts)
         })
         // STUB: kit::hole!("part6.task1", self, ray, skip, exact, counts)
+        // END SOLUTION(part6.task1)
+    }
+
+    /// Adds all primitives of which a part is in `region` to `ids`, and others that are near; in no
+    /// order, and some perhaps twice. For many rays that are close to each other: what they hit is
+    /// among them.
+    ///
+    /// The region is where `n·p <= c` for each of the pairs `(n, c)`; `c` may be infinite. Returns
+    /// false if it is not small: if it has about `most` primitives or more. Then `ids` has no
+    /// meaning. Adds the boxes to `counts`.
+    pub fn primitives_in(
+        &self,
+        region: &[(Vec3, f64)],
+        most: usize,
+        ids: &mut Vec<PrimId>,
+        counts: &mut TestCounts,
+    ) -> bool {
+        // BEGIN SOLUTION(part6.task1)
+        dispatch!(self.level, _simd => region::find(self, region, most, ids, counts))
+        // STUB: kit::hole!("part6.task1", self, region, most, ids, counts)
         // END SOLUTION(part6.task1)
     }
 }

@@ -11,7 +11,7 @@
 //! memory layout of boxes, triangles and spheres), `ray_in_tree`, `box_test` and `simd_box_test`
 //! (one box, eight boxes at a time), `triangle_filter` (eight triangles at a time) and `woop` (one
 //! triangle, in double precision), `ray_tests`, `stack`, `traversal` and `intersect` (the
-//! traversal).
+//! traversal), `region` (the primitives that many rays may hit).
 //!
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles are
 //! tested in single precision, too, with a bound on the rounding errors, which `triangle_filter`
@@ -31,6 +31,7 @@ mod node;
 mod prefetch;
 mod ray_in_tree;
 mod ray_tests;
+mod region;
 mod sah;
 mod simd_box_test;
 mod space;

@@ -13,8 +13,8 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TreeSpace {
     /// `center·scale`.
-    shift: Vec3,
-    scale: f64,
+    pub(crate) shift: Vec3,
+    pub(crate) scale: f64,
     /// At least the absolute value of every coordinate of a primitive's box, and at least 1. It is
     /// above 4 only for scenes of extreme scale.
     pub(crate) size: f64,

@@ -42,7 +42,6 @@ pub(crate) fn generate_paths<S: Simd>(
             o: Vec3x8::splat(simd, camera.pos),
             d,
             throughput: white,
-            radiance: Vec3x8::splat(simd, Vec3::ZERO),
             skip: f64x8::splat(simd, NONE),
             emission_counts: f64x8::splat(simd, 1.0),
             index: f64x8::from_fn(simd, |lane| (first + lane) as f64),

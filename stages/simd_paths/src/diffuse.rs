@@ -1,15 +1,15 @@
 // BEGIN SOLUTION(part6.task2)
 //! Diffuse surfaces: direct light as in the stage `direct`, and scattering.
 
+use crate::Workspace;
 use crate::light;
 use crate::packet::PathPacket;
 use crate::ray_packet::RayPacket;
+use crate::shadow_queue::{ShadowQueue, sample_count};
 use crate::sin_cos::sin_cos;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::Vec3x8;
-use crate::{ScalarFallback, Workspace};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::Vec3;
 use kit::surface::SHADOW_GAP;
 use lanes::diffuse::{lambert_f, lambert_sample, on_same_side};
 use lanes::frame::Frame;
@@ -17,38 +17,30 @@ use lanes::roulette;
 use std::f64::consts::TAU;
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Estimates direct light by sampling the lights. The bits of `diffuse` are the lanes to do
-    /// this for. `wo_z` is the cosine of the angle between the normal and the viewer.
+    /// Samples the lights at the surfaces in the lanes of `diffuse`, and adds the shadow rays and
+    /// the light to `shadows`. `wo_z` is the cosine of the angle between the normal and the viewer.
     #[inline(always)]
-    pub(crate) fn direct(
+    pub(crate) fn sample_lights(
         &mut self,
         surfaces: &SurfacePacket<S>,
         wo_z: f64x8<S>,
         diffuse: u64,
-        workspace: &mut Workspace,
-        fallback: &mut dyn ScalarFallback,
-    ) -> Vec3x8<S> {
+        shadows: &mut ShadowQueue,
+    ) {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);
-        let black = Vec3x8::splat(simd, Vec3::ZERO);
         let f = lambert_f(surfaces.color);
         let is_black = f.x.simd_eq(zero) & f.y.simd_eq(zero) & f.z.simd_eq(zero);
         let scatters = mask64x8::from_bitmask(simd, diffuse) & !is_black;
-        let mut direct = black;
-        for emitter in &self.scene.lit.emitters {
-            let samples = if emitter.is_delta() {
-                1
-            } else {
-                self.settings.light_samples
-            };
-            let mut sum = black;
-            for _ in 0..samples {
+        for (number, emitter) in self.scene.lit.emitters.iter().enumerate() {
+            for _ in 0..sample_count(emitter, self.settings) {
                 let p = surfaces.departure.p;
                 let light = light::sample_light(simd, emitter, p, self.next_2d(), diffuse);
                 let wi_z = light.wi.dot(surfaces.n);
                 let same_side = on_same_side(wo_z, wi_z);
                 let active = (scatters & light.exists & same_side).to_bitmask();
                 if active == 0 {
+                    shadows.push_unlit();
                     continue;
                 }
                 let (o, skip) = surfaces.leave(simd, light.wi);
@@ -58,13 +50,10 @@ impl<S: Simd> PathPacket<'_, S> {
                     min_t: zero,
                     max_t: light.distance * (1.0 - SHADOW_GAP),
                 };
-                let unoccluded = active & !self.occluded(&rays, active, skip, workspace, fallback);
-                let with_sample = sum + light.scattered(f, wi_z);
-                sum = with_sample.masked_or(mask64x8::from_bitmask(simd, unoccluded), sum);
+                let light = light.scattered(f, wi_z);
+                shadows.push(number, &rays, skip, active, light);
             }
-            direct = direct + sum / f64x8::splat(simd, f64::from(samples.max(1)));
         }
-        direct
     }
 
     /// Samples the next ray of the paths in the lanes of `diffuse`. Returns the lanes whose paths
@@ -104,7 +93,11 @@ impl<S: Simd> PathPacket<'_, S> {
     /// Plays Russian roulette, unless it is switched off. Returns the new throughputs and the
     /// surviving lanes.
     #[inline(always)]
-    fn roulette(&mut self, bounce: u32, throughput: Vec3x8<S>) -> (Vec3x8<S>, mask64x8<S>) {
+    pub(crate) fn roulette(
+        &mut self,
+        bounce: u32,
+        throughput: Vec3x8<S>,
+    ) -> (Vec3x8<S>, mask64x8<S>) {
         let simd = self.simd;
         let Some(min_bounces) = self.settings.min_bounces else {
             self.samplers.skip_1d();

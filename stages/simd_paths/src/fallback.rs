@@ -26,6 +26,26 @@ pub struct NextRay {
     pub skip: Option<PrimId>,
 }
 
+/// The number of half-spaces of a [`Beam`].
+pub const HALF_SPACES: usize = 6;
+
+/// A half-space: the points `p` with `normal·p <= offset`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfSpace {
+    /// A normal of its plane, pointing out of the half-space; not normalised.
+    pub normal: Vec3,
+    /// May be infinite: then all points are inside.
+    pub offset: f64,
+}
+
+/// A convex region that contains all points of many rays in their ranges, with a margin for
+/// rounding errors: the intersection of half-spaces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beam {
+    /// The half-spaces, in world space.
+    pub half_spaces: [HalfSpace; HALF_SPACES],
+}
+
 /// One ray or path at a time, for what the packets do not handle.
 pub trait ScalarFallback {
     /// Intersects `ray` with primitive `id`, in the ray's range. A sphere's weights are 0.
@@ -39,6 +59,11 @@ pub trait ScalarFallback {
 
     /// Whether any primitive but `skip` is hit in the ray's range.
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool;
+
+    /// Adds at least the primitives of which a part is in `beam` to `ids`, in any order; some may be
+    /// added twice. Returns false if there are more than `most`, or if finding them would take as
+    /// long as tracing the rays: then `ids` has no meaning.
+    fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool;
 
     /// Refracts the camera's `ray` by its lens. Called if
     /// [`View::has_lens`](crate::View::has_lens).

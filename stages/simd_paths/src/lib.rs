@@ -7,9 +7,10 @@
 // BEGIN SOLUTION(part6.task2)
 //! Reading order: `scene` and `fallback` (the interface), `vec3x8`, `ray_packet` and `lanes` (eight
 //! vectors, eight rays, lane masks), `camera`, `queue` and `trace` (the paths of a batch, and how
-//! idle lanes are avoided), `packet` (one bounce), `primitive_list` (intersection without a tree),
-//! `surface_packet` and `material_class` (what was hit), `light`, `sin_cos` and `diffuse` (direct
-//! light and scattering at diffuse surfaces), `other_materials` (everything else, by the fallback).
+//! idle lanes are avoided), `packet` (one bounce), `intersection` and `primitive_list` (with and
+//! without a tree), `beam` (rays that are close to each other), `surface_packet` and
+//! `material_class` (what was hit), `light`, `shadow_queue`, `sin_cos` and `diffuse` (direct light
+//! and scattering at diffuse surfaces), `specular` (mirrors and smooth glass), `other_materials` (everything else, by the fallback).
 //!
 //! The formulas are those of the crate `lanes`, which performs the operations of the stages in the
 //! same order, so all bits are equal. What is here decides which lanes compute what. Where a scalar
@@ -22,8 +23,10 @@
 // END SOLUTION(part6.task2)
 
 // BEGIN SOLUTION(part6.task2)
+mod beam;
 mod camera;
 mod diffuse;
+mod intersection;
 mod lanes;
 mod light;
 mod material_class;
@@ -32,7 +35,9 @@ mod packet;
 mod primitive_list;
 mod queue;
 mod ray_packet;
+mod shadow_queue;
 mod sin_cos;
+mod specular;
 mod surface_packet;
 mod trace;
 mod vec3x8;
@@ -41,6 +46,6 @@ mod vec3x8;
 mod fallback;
 mod scene;
 
-pub use fallback::{NextRay, ScalarFallback, ScalarPath};
+pub use fallback::{Beam, HALF_SPACES, HalfSpace, NextRay, ScalarFallback, ScalarPath};
 pub use fearless_simd::Level;
 pub use scene::{BATCH_SIZE, Counts, PathScene, PathSettings, PathStart, View, Workspace};

@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Materials by how the packets shade them.
 
+use crate::specular::SpecularMaterial;
 use kit::{Material, Spectrum};
 
 /// How the packets shade a material.
@@ -10,6 +11,8 @@ pub(crate) enum MaterialClass {
     Diffuse,
     /// Emits light and ends the path, in lanes.
     Emission,
+    /// Reflects or refracts light into one direction, in lanes.
+    Specular,
     /// Anything else, which the scalar fallback shades path by path.
     Other,
 }
@@ -19,6 +22,7 @@ pub(crate) fn classify(material: &Material) -> (MaterialClass, Spectrum) {
     match *material {
         Material::Diffuse { reflectance } => (MaterialClass::Diffuse, reflectance),
         Material::Emission { radiance } => (MaterialClass::Emission, radiance),
+        _ if SpecularMaterial::of(material).is_some() => (MaterialClass::Specular, Spectrum::BLACK),
         _ => (MaterialClass::Other, Spectrum::BLACK),
     }
 }

@@ -1,11 +1,11 @@
 // BEGIN SOLUTION(part6.task2)
-//! Mirrors, glass and glossy surfaces: the scalar fallback continues such paths one by one.
+//! Glossy surfaces and rough glass: the scalar fallback continues such paths one by one.
 
 use crate::lanes::lanes;
 use crate::packet::PathPacket;
 use crate::ray_packet::{HitPacket, NONE};
 use crate::surface_packet::SurfacePacket;
-use crate::vec3x8::{LANES, Vec3x8};
+use crate::vec3x8::LANES;
 use crate::{NextRay, ScalarFallback, ScalarPath};
 use fearless_simd::Simd;
 use kit::Spectrum;
@@ -25,19 +25,21 @@ impl<S: Simd> PathPacket<'_, S> {
         surfaces: &SurfacePacket<S>,
         hits: &HitPacket<S>,
         fallback: &mut dyn ScalarFallback,
+        radiance: &mut [Spectrum],
     ) -> [Option<ScatteredPath>; LANES] {
         let mut scattered = [const { None }; LANES];
         for lane in lanes(other) {
             let hit = surfaces.hit(lane, hits);
-            let spectrum = |c: Vec3x8<S>| Spectrum::from(c.lane(lane).to_array());
+            let radiance = &mut radiance[self.paths.index[lane] as usize];
             let mut path = ScalarPath {
-                radiance: spectrum(self.paths.radiance),
-                throughput: spectrum(self.paths.throughput),
+                radiance: *radiance,
+                throughput: Spectrum::from(self.paths.throughput.lane(lane).to_array()),
                 sampler: self.samplers.get(lane),
                 bounce,
                 emission_counts: self.paths.emission_counts[lane] > 0.5,
             };
             let next = fallback.scatter(&mut path, self.paths.d.lane(lane), &hit);
+            *radiance = path.radiance;
             scattered[lane] = Some(ScatteredPath { path, next });
         }
         scattered
@@ -50,7 +52,6 @@ impl<S: Simd> PathPacket<'_, S> {
             let Some(ScatteredPath { path, next }) = scattered else {
                 continue;
             };
-            self.paths.radiance.set(lane, path.radiance.to_array());
             self.samplers.set(lane, &path.sampler);
             if let Some(NextRay { ray, skip }) = next {
                 self.paths.o.set(lane, ray.o.to_array());

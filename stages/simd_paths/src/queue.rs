@@ -2,6 +2,7 @@
 //! The paths of a batch, one array per field, so that eight of them load into lanes.
 
 use crate::BATCH_SIZE;
+use crate::beam::{BEAM_SIZE, RangeEnds, RayBundle};
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::PixelSampler;
@@ -22,7 +23,6 @@ struct Fields {
     o: [Field; 3],
     d: [Field; 3],
     throughput: [Field; 3],
-    radiance: [Field; 3],
     skip: Field,
     emission_counts: Field,
     index: Field,
@@ -35,7 +35,6 @@ pub(crate) struct PathLanes<S: Simd> {
     pub(crate) o: Vec3x8<S>,
     pub(crate) d: Vec3x8<S>,
     pub(crate) throughput: Vec3x8<S>,
-    pub(crate) radiance: Vec3x8<S>,
     /// The number of the primitive that the ray leaves and cannot hit again, or `NONE`.
     pub(crate) skip: f64x8<S>,
     /// 1 where emission at the next hit counts, 0 where direct light has counted it.
@@ -54,7 +53,6 @@ impl Default for PathQueue {
                 o: [field; 3],
                 d: [field; 3],
                 throughput: [field; 3],
-                radiance: [field; 3],
                 skip: field,
                 emission_counts: field,
                 index: field,
@@ -71,10 +69,21 @@ impl PathQueue {
             o: load_vector(simd, &self.fields.o, first),
             d: load_vector(simd, &self.fields.d, first),
             throughput: load_vector(simd, &self.fields.throughput, first),
-            radiance: load_vector(simd, &self.fields.radiance, first),
             skip: load(simd, &self.fields.skip, first),
             emission_counts: load(simd, &self.fields.emission_counts, first),
             index: load(simd, &self.fields.index, first),
+        }
+    }
+
+    /// The next rays of the paths from number `first`, as many as a beam has, in `range`.
+    #[inline(always)]
+    pub(crate) fn rays(&self, first: usize, range: [f64; 2]) -> RayBundle<'_> {
+        RayBundle {
+            count: (self.count - first).min(BEAM_SIZE),
+            o: self.fields.o.each_ref().map(|o| &o[first..]),
+            d: self.fields.d.each_ref().map(|d| &d[first..]),
+            min_t: range[0],
+            max_t: RangeEnds::All(range[1]),
         }
     }
 
@@ -94,7 +103,6 @@ impl PathQueue {
         store_vector(&mut self.fields.o, first, paths.o, mask);
         store_vector(&mut self.fields.d, first, paths.d, mask);
         store_vector(&mut self.fields.throughput, first, paths.throughput, mask);
-        store_vector(&mut self.fields.radiance, first, paths.radiance, mask);
         store(&mut self.fields.skip, first, paths.skip, mask);
         store(
             &mut self.fields.emission_counts,

@@ -2,8 +2,10 @@
 
 // BEGIN SOLUTION(part6.task2)
 use crate::material_class::{MaterialClass, classify};
-use crate::primitive_list::{PrimitiveList, Scratch};
+use crate::primitive_list::{NearbyPrimitives, PrimitiveList, Scratch};
 use crate::queue::PathQueue;
+use crate::shadow_queue::ShadowQueue;
+use crate::specular::SpecularMaterial;
 use crate::{camera, trace};
 use fearless_simd::dispatch;
 use kit::{PrimId, Triangle};
@@ -20,6 +22,8 @@ pub struct PathScene<'a> {
     // BEGIN SOLUTION(part6.task2)
     /// The class and the colour of each material.
     pub(crate) materials: Vec<(MaterialClass, Spectrum)>,
+    /// The parameters of each material that is specular.
+    specular: Vec<Option<SpecularMaterial>>,
     /// The primitives, if there are few; else the fallback traverses a tree.
     pub(crate) list: Option<PrimitiveList>,
     pub(crate) has_background: bool,
@@ -78,13 +82,19 @@ pub struct Counts {
     pub background: u64,
     /// Bounces.
     pub bounces: u64,
+    /// Bounces at mirrors.
+    pub mirrors: u64,
+    /// Bounces at surfaces that only refract.
+    pub refractions: u64,
+    /// Bounces at glass, which reflects and refracts.
+    pub fresnel: u64,
     /// Ray/primitive tests.
     pub prim_tests: u64,
 }
 
 /// The number of paths that are traced together, in packets of eight. Multiples of it waste the
 /// fewest lanes.
-pub const BATCH_SIZE: usize = 64;
+pub const BATCH_SIZE: usize = 128;
 
 /// The memory that a thread reuses from batch to batch.
 #[derive(Clone, Debug, Default)]
@@ -92,6 +102,8 @@ pub struct Workspace {
     // BEGIN SOLUTION(part6.task2)
     pub(crate) queue: PathQueue,
     pub(crate) scratch: Scratch,
+    pub(crate) nearby: NearbyPrimitives,
+    pub(crate) shadows: ShadowQueue,
     // END SOLUTION(part6.task2)
     /// The operations so far.
     pub counts: Counts,
@@ -102,9 +114,10 @@ impl<'a> PathScene<'a> {
     pub fn new(lit: &'a LitScene) -> Option<PathScene<'a>> {
         // BEGIN SOLUTION(part6.task2)
         let scene = &lit.scene;
-        let materials = scene.materials.iter();
+        let materials = scene.materials.iter().map(|m| &m.material);
         Some(PathScene {
-            materials: materials.map(|m| classify(&m.material)).collect(),
+            materials: materials.clone().map(classify).collect(),
+            specular: materials.map(SpecularMaterial::of).collect(),
             list: PrimitiveList::new(scene),
             has_background: lit.has_background(),
             is_faceted: scene.triangles.iter().all(is_faceted),
@@ -122,6 +135,12 @@ impl<'a> PathScene<'a> {
     #[inline(always)]
     pub(crate) fn material_of(&self, id: usize) -> (MaterialClass, Spectrum) {
         self.materials[self.lit.scene.material_number(PrimId(id as u32))]
+    }
+
+    /// The parameters of the material of primitive number `id`, if it is specular.
+    #[inline(always)]
+    pub(crate) fn specular_of(&self, id: usize) -> Option<&SpecularMaterial> {
+        self.specular[self.lit.scene.material_number(PrimId(id as u32))].as_ref()
     }
     // END SOLUTION(part6.task2)
 

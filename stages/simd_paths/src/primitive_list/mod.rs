@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Intersection of eight rays with a list of primitives: faster than a tree if there are few.
 
+mod nearby;
 mod sphere;
 #[cfg(test)]
 mod tests;
@@ -13,12 +14,23 @@ use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, Scene, Sphere, Vec3};
 use triangle::{AxisPermutedRays, ProjectedVertex};
 
-/// All primitives of a scene. Triangles share their vertices, so each vertex is projected once.
-#[derive(Clone, Debug)]
+pub(crate) use nearby::NearbyPrimitives;
+
+/// Primitives of a scene, with ascending numbers. Triangles share their vertices, so each vertex is
+/// projected once.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct PrimitiveList {
     vertices: Vec<Vec3>,
-    triangles: Vec<[usize; 3]>,
-    spheres: Vec<Sphere>,
+    triangles: Vec<ListedTriangle>,
+    /// Their numbers in the scene, and the spheres.
+    spheres: Vec<(u32, Sphere)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct ListedTriangle {
+    /// The number in the scene.
+    id: u32,
+    vertices: [u32; 3],
 }
 
 /// The limits of a list. A scene of this size has no nodes in `simd_bvh` either, but the tree traces
@@ -45,7 +57,7 @@ struct PacketTest<S: Simd> {
 }
 
 impl PrimitiveList {
-    /// `None` if `scene` has too many primitives.
+    /// All primitives of `scene`; `None` if they are too many.
     pub(crate) fn new(scene: &Scene) -> Option<PrimitiveList> {
         if scene.triangles.len() > MAX_TRIANGLES || scene.spheres.len() > MAX_SPHERES {
             return None;
@@ -57,20 +69,41 @@ impl PrimitiveList {
             known.unwrap_or_else(|| {
                 vertices.push(p);
                 vertices.len() - 1
-            })
+            }) as u32
         };
-        let triangles = scene.triangles.iter();
-        let triangles = triangles.map(|t| [number(t.p0), number(t.p1), number(t.p2)]);
+        let triangles = (0..).zip(&scene.triangles).map(|(id, t)| ListedTriangle {
+            id,
+            vertices: [t.p0, t.p1, t.p2].map(&mut number),
+        });
+        let triangles: Vec<ListedTriangle> = triangles.collect();
         Some(PrimitiveList {
-            triangles: triangles.collect(),
+            spheres: (triangles.len() as u32..)
+                .zip(scene.spheres.iter().copied())
+                .collect(),
+            triangles,
             vertices,
-            spheres: scene.spheres.clone(),
         })
+    }
+
+    /// Removes all primitives.
+    fn clear(&mut self) {
+        self.vertices.clear();
+        self.triangles.clear();
+        self.spheres.clear();
     }
 
     /// The number of primitives.
     pub(crate) fn len(&self) -> usize {
         self.triangles.len() + self.spheres.len()
+    }
+
+    /// The number in the scene of primitive `i` of the list.
+    #[inline(always)]
+    fn id(&self, i: usize) -> u32 {
+        match self.triangles.get(i) {
+            Some(triangle) => triangle.id,
+            None => self.spheres[i - self.triangles.len()].0,
+        }
     }
 
     /// The closest hits in the lanes of `active` with any primitive but `skip`; at equal `t` the
@@ -85,11 +118,15 @@ impl PrimitiveList {
         scratch: &mut Scratch,
         fallback: &dyn ScalarFallback,
     ) -> HitPacket<S> {
+        let mut hits = HitPacket::none(simd, rays.max_t);
+        if self.len() == 0 {
+            return hits;
+        }
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);
-        let mut hits = HitPacket::none(simd, rays.max_t);
         for i in 0..self.len() {
-            let number = f64x8::splat(simd, i as f64);
+            let id = self.id(i);
+            let number = f64x8::splat(simd, f64::from(id));
             let active = active & skip.simd_ne(number).to_bitmask();
             let Some(test) = self.test(simd, i, &permuted, rays, hits.t, active, scratch) else {
                 continue;
@@ -106,7 +143,7 @@ impl PrimitiveList {
                     max_t: hits.t[lane],
                     ..rays.lane(lane)
                 };
-                let id = PrimId(i as u32);
+                let id = PrimId(id);
                 if let Some(hit) = fallback.test(id, &ray)
                     && (hit.t < hits.t[lane] || hits.prim[lane] < 0.0)
                 {
@@ -129,6 +166,9 @@ impl PrimitiveList {
         scratch: &mut Scratch,
         fallback: &dyn ScalarFallback,
     ) -> (u64, u64) {
+        if self.len() == 0 {
+            return (0, 0);
+        }
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);
         let (mut open, mut tests) = (active, 0);
@@ -137,7 +177,8 @@ impl PrimitiveList {
                 break;
             }
             tests += u64::from(open.count_ones());
-            let number = f64x8::splat(simd, i as f64);
+            let id = self.id(i);
+            let number = f64x8::splat(simd, f64::from(id));
             let active = open & skip.simd_ne(number).to_bitmask();
             let Some(test) = self.test(simd, i, &permuted, rays, rays.max_t, active, scratch)
             else {
@@ -145,7 +186,7 @@ impl PrimitiveList {
             };
             open &= !test.hit.to_bitmask();
             for lane in lanes(test.undecided) {
-                if fallback.test(PrimId(i as u32), &rays.lane(lane)).is_some() {
+                if fallback.test(PrimId(id), &rays.lane(lane)).is_some() {
                     open &= !(1 << lane);
                 }
             }
@@ -153,7 +194,7 @@ impl PrimitiveList {
         (active & !open, tests)
     }
 
-    /// Tests primitive number `i`. The vertices in `scratch` have to be projected.
+    /// Tests primitive `i` of the list. The vertices in `scratch` have to be projected.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "inlined into one loop each")]
     fn test<S: Simd>(
@@ -167,18 +208,15 @@ impl PrimitiveList {
         scratch: &Scratch,
     ) -> Option<PacketTest<S>> {
         match self.triangles.get(i) {
-            Some(&[a, b, c]) => {
-                let vertices = &scratch.0;
-                permuted.test(
-                    simd,
-                    [&vertices[a], &vertices[b], &vertices[c]],
-                    rays,
-                    max_t,
-                    active,
-                )
+            Some(&ListedTriangle {
+                vertices: [a, b, c],
+                ..
+            }) => {
+                let vertices = [a, b, c].map(|i| &scratch.0[i as usize]);
+                permuted.test(simd, vertices, rays, max_t, active)
             }
             None => {
-                let sphere = &self.spheres[i - self.triangles.len()];
+                let (_, sphere) = &self.spheres[i - self.triangles.len()];
                 sphere::test(simd, sphere, rays, max_t, active)
             }
         }

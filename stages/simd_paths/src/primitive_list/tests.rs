@@ -2,7 +2,7 @@
 //! A list of primitives finds the hits of the scalar kernels, bit for bit.
 
 use super::{PrimitiveList, Scratch};
-use crate::fallback::{NextRay, ScalarFallback, ScalarPath};
+use crate::fallback::{Beam, NextRay, ScalarFallback, ScalarPath};
 use crate::ray_packet::{NONE, RayPacket};
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
@@ -40,6 +40,10 @@ impl ScalarFallback for Kernels<'_> {
 
     fn occluded(&mut self, _: &Ray, _: Option<PrimId>) -> bool {
         unreachable!("the list finds hits itself")
+    }
+
+    fn primitives_in(&mut self, _: &Beam, _: usize, _: &mut Vec<PrimId>) -> bool {
+        unreachable!("the list has all primitives")
     }
 
     fn through_lens(&mut self, _: &Ray, _: &mut PixelSampler) -> Ray {

@@ -84,6 +84,10 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
             light_rays: packets.light_rays + scalars.light_rays,
             background: packets.background + scalars.background,
             bounces: packets.bounces + scalars.bounces,
+            // Counted here only.
+            mirrors: 0,
+            refractions: 0,
+            fresnel: 0,
             prim_tests: 0,
         };
         assert_eq!(all, scalar.counts.get(), "{level:?}: the counts differ");

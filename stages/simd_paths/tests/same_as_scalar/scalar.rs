@@ -11,7 +11,9 @@ use kit::{
     Spectrum, Surface, TriangleHit, Vec2, Vec3,
 };
 use raygen::generate_ray;
-use simd_paths::{Counts, NextRay, PathSettings, PathStart, ScalarFallback, ScalarPath, View};
+use simd_paths::{
+    Beam, Counts, NextRay, PathSettings, PathStart, ScalarFallback, ScalarPath, View,
+};
 use std::cell::Cell;
 
 /// The scalar kernels: intersects `ray` with primitive `id`.
@@ -242,6 +244,12 @@ impl ScalarFallback for ScalarPaths<'_> {
 
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
         self.blocked(ray, skip)
+    }
+
+    fn primitives_in(&mut self, _: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {
+        let count = self.lit.scene.len();
+        ids.extend((0..count as u32).map(PrimId));
+        count <= most
     }
 
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {

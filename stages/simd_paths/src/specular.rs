@@ -1,0 +1,216 @@
+// BEGIN SOLUTION(part6.task2)
+//! Mirrors and smooth glass: the arithmetic of stage `global` in each lane.
+
+use crate::Workspace;
+use crate::lanes::lanes;
+use crate::packet::PathPacket;
+use crate::surface_packet::SurfacePacket;
+use crate::vec3x8::{LANES, Vec3x8};
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::sampler::PixelSamplers;
+use kit::{Material, Spectrum};
+use lanes::frame::Frame;
+use std::mem;
+
+/// A material that scatters light into one or two directions only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SpecularMaterial {
+    reflectance: Spectrum,
+    transmittance: Spectrum,
+    ior: f64,
+    reflection: Reflection,
+}
+
+/// How much light is reflected; the rest is refracted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reflection {
+    All,
+    None,
+    Fresnel,
+}
+
+impl SpecularMaterial {
+    /// `None` for other materials.
+    pub(crate) fn of(material: &Material) -> Option<SpecularMaterial> {
+        if !material.is_delta() {
+            return None;
+        }
+        let black = Spectrum::BLACK;
+        let (reflectance, transmittance, ior, reflection) = match *material {
+            Material::Mirror { reflectance } => (reflectance, black, 1.0, Reflection::All),
+            Material::Refraction {
+                transmittance, ior, ..
+            } => (black, transmittance, ior, Reflection::None),
+            Material::Glass {
+                reflectance,
+                transmittance,
+                ior,
+                ..
+            } => (reflectance, transmittance, ior, Reflection::Fresnel),
+            _ => return None,
+        };
+        Some(SpecularMaterial {
+            reflectance,
+            transmittance,
+            ior,
+            reflection,
+        })
+    }
+}
+
+/// The specular paths of a packet after a bounce.
+pub(crate) struct SpecularScatter<S: Simd> {
+    samplers: PixelSamplers<LANES>,
+    wi: Vec3x8<S>,
+    throughput: Vec3x8<S>,
+    survivors: u64,
+}
+
+/// Directions in local space, and the weights of the paths along them.
+struct SpecularSample<S: Simd> {
+    wi: Vec3x8<S>,
+    weight: Vec3x8<S>,
+    is_some: mask64x8<S>,
+}
+
+impl<S: Simd> PathPacket<'_, S> {
+    /// Samples the next ray of the paths in the lanes of `specular`, which have hit the primitives
+    /// `ids`. The other lanes draw no random numbers.
+    #[inline(always)]
+    pub(crate) fn scatter_specular(
+        &mut self,
+        bounce: u32,
+        surfaces: &SurfacePacket<S>,
+        ids: &[usize; LANES],
+        specular: u64,
+        workspace: &mut Workspace,
+    ) -> SpecularScatter<S> {
+        let simd = self.simd;
+        let of_others = self.samplers.clone();
+        // Rough surfaces use these numbers.
+        self.samplers.next_2d();
+        let choice = f64x8::load_array(simd, self.samplers.next_1d());
+        // Lanes of other materials compute something that is not used.
+        let mut materials = [NO_MATERIAL; LANES];
+        for lane in 0..LANES {
+            if let Some(material) = self.scene.specular_of(ids[lane]) {
+                materials[lane] = *material;
+            }
+            let counted = u64::from(specular >> lane & 1 == 1);
+            match materials[lane].reflection {
+                Reflection::All => workspace.counts.mirrors += counted,
+                Reflection::None => workspace.counts.refractions += counted,
+                Reflection::Fresnel => workspace.counts.fresnel += counted,
+            }
+        }
+        let frame = Frame::around(surfaces.n);
+        let wo = frame.to_local(-self.paths.d);
+        let sample = sample(simd, &materials, wo, choice);
+        let continues = mask64x8::from_bitmask(simd, specular) & sample.is_some;
+        workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
+        let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * sample.weight);
+        SpecularScatter {
+            samplers: mem::replace(&mut self.samplers, of_others),
+            wi: frame.to_world(sample.wi),
+            throughput,
+            survivors: (continues & survivors).to_bitmask(),
+        }
+    }
+
+    /// Stores the specular paths in their lanes. Returns the lanes whose paths continue.
+    #[inline(always)]
+    pub(crate) fn merge_specular(
+        &mut self,
+        surfaces: &SurfacePacket<S>,
+        scattered: &SpecularScatter<S>,
+    ) -> u64 {
+        let simd = self.simd;
+        let mask = mask64x8::from_bitmask(simd, scattered.survivors);
+        let (o, skip) = surfaces.leave(simd, scattered.wi);
+        self.paths.o = o.masked_or(mask, self.paths.o);
+        self.paths.d = scattered.wi.masked_or(mask, self.paths.d);
+        self.paths.skip = mask.select(skip, self.paths.skip);
+        self.paths.throughput = scattered.throughput.masked_or(mask, self.paths.throughput);
+        let one = f64x8::splat(simd, 1.0);
+        self.paths.emission_counts = mask.select(one, self.paths.emission_counts);
+        for lane in lanes(scattered.survivors) {
+            self.samplers.set(lane, &scattered.samplers.get(lane));
+        }
+        scattered.survivors
+    }
+}
+
+/// What lanes of other materials compute with.
+const NO_MATERIAL: SpecularMaterial = SpecularMaterial {
+    reflectance: Spectrum::BLACK,
+    transmittance: Spectrum::BLACK,
+    ior: 1.0,
+    reflection: Reflection::All,
+};
+
+/// Repeats the arithmetic of `global::glass_sample`, `mirror_sample` and `refraction_sample`
+/// operation by operation. A mirror is glass with a Fresnel reflectance of 1, and a surface that
+/// only refracts one with 0: products with 1 change no bits.
+#[inline(always)]
+fn sample<S: Simd>(
+    simd: S,
+    materials: &[SpecularMaterial; LANES],
+    wo: Vec3x8<S>,
+    choice: f64x8<S>,
+) -> SpecularSample<S> {
+    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+    let ior = f64x8::from_fn(simd, |lane| materials[lane].ior);
+    let eta = zero.simd_lt(wo.z).select(one / ior, ior);
+    let reflection = f64x8::from_fn(simd, |lane| match materials[lane].reflection {
+        Reflection::None => 0.0,
+        Reflection::All => 1.0,
+        Reflection::Fresnel => 2.0,
+    });
+    let share = one
+        .simd_lt(reflection)
+        .select(fresnel(simd, wo.z, eta), reflection);
+    let is_reflected = choice.simd_lt(share);
+    let pdf = is_reflected.select(share, one - share);
+
+    // `refract`: 1 - η² sin² θo.
+    let cos2_i = eta * eta * wo.z * wo.z + (one - eta) * (one + eta);
+    let refracted = Vec3x8 {
+        x: -eta * wo.x,
+        y: -eta * wo.y,
+        z: -cos2_i.sqrt().copysign(wo.z),
+    };
+    let refracted = refracted * (one / refracted.length());
+    let reflected = Vec3x8 {
+        x: -wo.x,
+        y: -wo.y,
+        z: wo.z,
+    };
+    let wi = reflected.masked_or(is_reflected, refracted);
+
+    let cos = wi.z.abs();
+    let reflectance = Vec3x8::gather(simd, |lane| materials[lane].reflectance.to_array());
+    let transmittance = Vec3x8::gather(simd, |lane| materials[lane].transmittance.to_array());
+    let f = (reflectance / cos).masked_or(is_reflected, transmittance * (eta * eta / cos));
+    let is_in_plane = wo.z.simd_eq(zero);
+    let is_total = !is_reflected & cos2_i.simd_le(zero);
+    SpecularSample {
+        wi,
+        weight: f * pdf * (cos / pdf),
+        is_some: !(is_in_plane | is_total),
+    }
+}
+
+/// Repeats the arithmetic of `global::fresnel_dielectric` operation by operation.
+#[inline(always)]
+fn fresnel<S: Simd>(simd: S, cos: f64x8<S>, eta: f64x8<S>) -> f64x8<S> {
+    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+    let cos_i = cos.abs().min_precise(one);
+    let cos2_t = eta * eta * cos_i * cos_i + (one - eta) * (one + eta);
+    let cos_t = cos2_t.sqrt();
+    let parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    let perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    let share = (parallel * parallel + perpendicular * perpendicular) * 0.5;
+    let is_total = cos_i.simd_eq(zero) | cos2_t.simd_le(zero);
+    is_total.select(one, share)
+}
+// END SOLUTION(part6.task2)

@@ -76,7 +76,7 @@ impl Beam {
                 let [least, greatest] = slopes[side];
                 starts[side] = here.select(starts[side].min_precise(o - ow * least), starts[side]);
                 ends[side] = here.select(ends[side].max_precise(o - ow * greatest), ends[side]);
-                sum = sum + o.abs();
+                sum += o.abs();
             }
             reach = here.select(reach.max_precise(sum), reach);
         }

@@ -36,12 +36,6 @@ impl<R: Real> Frame<R> {
         }
     }
 
-    /// Transforms a direction from local space to world space.
-    #[inline(always)]
-    pub fn to_world(&self, w: Vec3<R>) -> Vec3<R> {
-        self.s * w.x + self.t * w.y + self.n * w.z
-    }
-
     /// Transforms a direction from world space to local space.
     #[inline(always)]
     pub fn to_local(&self, w: Vec3<R>) -> Vec3<R> {
@@ -50,6 +44,12 @@ impl<R: Real> Frame<R> {
             y: w.dot(self.t),
             z: w.dot(self.n),
         }
+    }
+
+    /// Transforms a direction from local space to world space.
+    #[inline(always)]
+    pub fn to_world(&self, w: Vec3<R>) -> Vec3<R> {
+        self.s * w.x + self.t * w.y + self.n * w.z
     }
 }
 // END SOLUTION(part6.task2)

@@ -4,7 +4,7 @@
 //! numbers have in addition), `vec3` and `shapes` (vectors, rays, triangles, spheres).
 // BEGIN SOLUTION(part6.task2)
 //! Then the formulas: `camera`, `triangle`, `sphere`, `record` and `surface` (rays, hits and the step
-//! off a surface), `frame`, `light`, `sin_cos`, `diffuse` and `roulette`.
+//! off a surface), `frame`, `light`, `sin_cos`, `diffuse`, `specular` and `roulette`.
 // END SOLUTION(part6.task2)
 //!
 //! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
@@ -26,6 +26,7 @@ pub mod light;
 pub mod record;
 pub mod roulette;
 pub mod sin_cos;
+pub mod specular;
 pub mod surface;
 // END SOLUTION(part6.task2)
 

@@ -96,4 +96,79 @@ pub(crate) fn find(
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::Level;
+    use kit::{PixelSampler, Sphere, Triangle};
+
+    /// Small triangles and spheres in a cube of edge 2 around `center`.
+    fn scene(center: Vec3, sampler: &mut PixelSampler) -> (Vec<Triangle>, Vec<Sphere>) {
+        let mut point = || {
+            let p = sampler.next_2d();
+            2.0 * Vec3::new(p.x, p.y, sampler.next_1d()) - 1.0
+        };
+        let triangles = (0..3000).map(|_| {
+            let p = center + point();
+            Triangle::flat(p, p + 0.03 * point(), p + 0.03 * point())
+        });
+        let triangles = triangles.collect();
+        let spheres = (0..300).map(|_| Sphere {
+            center: center + point(),
+            radius: 0.02,
+        });
+        (triangles, spheres.collect())
+    }
+
+    /// The half-spaces of a box that is turned: points at most `size` from `p` along each axis.
+    fn turned_box(p: Vec3, size: f64, sampler: &mut PixelSampler) -> Vec<(Vec3, f64)> {
+        let axis = kit::warp::uniform_sphere(sampler.next_2d());
+        let frame = kit::Frame::around(axis);
+        let sides = [frame.s, frame.t, frame.n].into_iter();
+        sides
+            .flat_map(|n| [n, -n])
+            .map(|n| (3.0 * n, 3.0 * (n.dot(p) + size)))
+            .collect()
+    }
+
+    #[test]
+    fn a_region_finds_all_its_primitives_and_few_others() {
+        let mut sampler = PixelSampler::new(0, 0, 1);
+        for center in [Vec3::ZERO, Vec3::new(5000.0, -300.0, 0.25)] {
+            let (triangles, spheres) = scene(center, &mut sampler);
+            let tree = WideBvh::build(&triangles, &spheres);
+            let (mut inside, mut found) = (0, 0);
+            for i in 0..200 {
+                let p = triangles[13 * i].p0;
+                let mut region = turned_box(p, 0.1, &mut sampler);
+                region.push((Vec3::X, f64::INFINITY));
+                let is_inside = |p: Vec3| region.iter().all(|&(n, c)| n.dot(p) <= c);
+                let mut expected: Vec<PrimId> = (0..)
+                    .map(PrimId)
+                    .zip(&triangles)
+                    .filter(|(_, t)| is_inside(t.p0) || is_inside(t.p1) || is_inside(t.p2))
+                    .map(|(id, _)| id)
+                    .collect();
+                let ids = (triangles.len() as u32..).map(PrimId);
+                let in_region = ids.zip(&spheres).filter(|(_, s)| is_inside(s.center));
+                expected.extend(in_region.map(|(id, _)| id));
+                for level in [Level::new(), Level::baseline()] {
+                    let tree = tree.clone().at_level(level);
+                    let (mut ids, mut counts) = (Vec::new(), TestCounts::default());
+                    assert!(tree.primitives_in(&region, 1000, &mut ids, &mut counts));
+                    let missing = expected.iter().find(|id| !ids.contains(id));
+                    assert_eq!(missing, None, "{level:?}, region {i}");
+                    assert!(counts.box_tests > 0 && counts.prim_tests == 0);
+                    found += ids.len();
+                    inside += expected.len();
+                    let few = &mut Vec::new();
+                    let most = ids.len() - 1;
+                    assert!(!tree.primitives_in(&region, most, few, &mut counts));
+                }
+            }
+            assert!(inside > 1000 && found < 20 * inside, "{found} {inside}");
+        }
+    }
+}
 // END SOLUTION(part6.task1)

@@ -3,7 +3,8 @@
 
 use crate::sah::LANES;
 use fearless_simd::{Simd, f64x8, prelude::*};
-use kit::{PrimId, Ray, Sphere, Vec3};
+use kit::{PrimId, Ray, Sphere};
+use lanes::Vec3;
 
 /// Up to eight spheres, one per lane.
 #[derive(Clone, Debug)]
@@ -57,12 +58,12 @@ impl SphereBlock {
     pub(crate) fn candidates<S: Simd>(&self, simd: S, ray: &Ray) -> u32 {
         let Ray { o, d, .. } = *ray;
         let a = f64x8::splat(simd, d.dot(d));
-        let f = Vec3x8 {
+        let f = Vec3 {
             x: f64x8::splat(simd, o.x) - f64x8::load_array_ref(simd, &self.centers[0]),
             y: f64x8::splat(simd, o.y) - f64x8::load_array_ref(simd, &self.centers[1]),
             z: f64x8::splat(simd, o.z) - f64x8::load_array_ref(simd, &self.centers[2]),
         };
-        let d = Vec3x8::splat(simd, d);
+        let d = Vec3::splat(simd, d);
         let r2 = f64x8::load_array_ref(simd, &self.r2);
         let (along, f2) = (f.dot(d), f.dot(f));
         let bound = r2 * MISS_DISTANCE;
@@ -76,30 +77,6 @@ impl SphereBlock {
             passes_by.to_bitmask() as u32 | points_away.to_bitmask() as u32 & starts_at_origin;
         let filled = (1 << self.count) - 1;
         filled & !(misses & is_sound.to_bitmask() as u32)
-    }
-}
-
-/// A vector in each lane.
-#[derive(Clone, Copy)]
-struct Vec3x8<S: Simd> {
-    x: f64x8<S>,
-    y: f64x8<S>,
-    z: f64x8<S>,
-}
-
-impl<S: Simd> Vec3x8<S> {
-    #[inline(always)]
-    fn splat(simd: S, v: Vec3) -> Vec3x8<S> {
-        Vec3x8 {
-            x: f64x8::splat(simd, v.x),
-            y: f64x8::splat(simd, v.y),
-            z: f64x8::splat(simd, v.z),
-        }
-    }
-
-    #[inline(always)]
-    fn dot(self, other: Vec3x8<S>) -> f64x8<S> {
-        self.x * other.x + self.y * other.y + self.z * other.z
     }
 }
 // END SOLUTION(part6.task1)

@@ -1,9 +1,8 @@
 // BEGIN SOLUTION(part6.task2)
 //! The region of space that contains a bundle of rays.
 
-use crate::Beam;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{HALF_SPACES, HalfSpace};
+use crate::{Beam, HALF_SPACES, HalfSpace};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Sphere, Vec3};
 
@@ -76,7 +75,7 @@ impl Beam {
                 let [least, greatest] = slopes[side];
                 starts[side] = here.select(starts[side].min_precise(o - ow * least), starts[side]);
                 ends[side] = here.select(ends[side].max_precise(o - ow * greatest), ends[side]);
-                sum = sum + o.abs();
+                sum += o.abs();
             }
             reach = here.select(reach.max_precise(sum), reach);
         }

@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! Mirrors and smooth glass: the arithmetic of stage `global` in each lane.
+//! Mirrors and smooth glass.
 
 use crate::Workspace;
 use crate::lanes::lanes;
@@ -66,13 +66,6 @@ pub(crate) struct SpecularScatter<S: Simd> {
     survivors: u64,
 }
 
-/// Directions in local space, and the weights of the paths along them.
-struct SpecularSample<S: Simd> {
-    wi: Vec3x8<S>,
-    weight: Vec3x8<S>,
-    is_some: mask64x8<S>,
-}
-
 impl<S: Simd> PathPacket<'_, S> {
     /// Samples the next ray of the paths in the lanes of `specular`, which have hit the primitives
     /// `ids`. The other lanes draw no random numbers.
@@ -105,8 +98,8 @@ impl<S: Simd> PathPacket<'_, S> {
         }
         let frame = Frame::around(surfaces.n);
         let wo = frame.to_local(-self.paths.d);
-        let sample = sample(simd, &materials, wo, choice);
-        let continues = mask64x8::from_bitmask(simd, specular) & sample.is_some;
+        let sample = in_lanes(simd, &materials).sample(wo, choice);
+        let continues = mask64x8::from_bitmask(simd, specular) & sample.exists;
         workspace.counts.bounces += u64::from(continues.to_bitmask().count_ones());
         let (throughput, survivors) = self.roulette(bounce, self.paths.throughput * sample.weight);
         SpecularScatter {
@@ -148,69 +141,23 @@ const NO_MATERIAL: SpecularMaterial = SpecularMaterial {
     reflection: Reflection::All,
 };
 
-/// Repeats the arithmetic of `global::glass_sample`, `mirror_sample` and `refraction_sample`
-/// operation by operation. A mirror is glass with a Fresnel reflectance of 1, and a surface that
-/// only refracts one with 0: products with 1 change no bits.
+/// The materials of eight lanes.
 #[inline(always)]
-fn sample<S: Simd>(
+fn in_lanes<S: Simd>(
     simd: S,
     materials: &[SpecularMaterial; LANES],
-    wo: Vec3x8<S>,
-    choice: f64x8<S>,
-) -> SpecularSample<S> {
-    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
-    let ior = f64x8::from_fn(simd, |lane| materials[lane].ior);
-    let eta = zero.simd_lt(wo.z).select(one / ior, ior);
-    let reflection = f64x8::from_fn(simd, |lane| match materials[lane].reflection {
+) -> lanes::specular::SpecularMaterial<f64x8<S>> {
+    let mirrors = f64x8::from_fn(simd, |lane| match materials[lane].reflection {
         Reflection::None => 0.0,
         Reflection::All => 1.0,
         Reflection::Fresnel => 2.0,
     });
-    let share = one
-        .simd_lt(reflection)
-        .select(fresnel(simd, wo.z, eta), reflection);
-    let is_reflected = choice.simd_lt(share);
-    let pdf = is_reflected.select(share, one - share);
-
-    // `refract`: 1 - η² sin² θo.
-    let cos2_i = eta * eta * wo.z * wo.z + (one - eta) * (one + eta);
-    let refracted = Vec3x8 {
-        x: -eta * wo.x,
-        y: -eta * wo.y,
-        z: -cos2_i.sqrt().copysign(wo.z),
-    };
-    let refracted = refracted * (one / refracted.length());
-    let reflected = Vec3x8 {
-        x: -wo.x,
-        y: -wo.y,
-        z: wo.z,
-    };
-    let wi = reflected.masked_or(is_reflected, refracted);
-
-    let cos = wi.z.abs();
-    let reflectance = Vec3x8::gather(simd, |lane| materials[lane].reflectance.to_array());
-    let transmittance = Vec3x8::gather(simd, |lane| materials[lane].transmittance.to_array());
-    let f = (reflectance / cos).masked_or(is_reflected, transmittance * (eta * eta / cos));
-    let is_in_plane = wo.z.simd_eq(zero);
-    let is_total = !is_reflected & cos2_i.simd_le(zero);
-    SpecularSample {
-        wi,
-        weight: f * pdf * (cos / pdf),
-        is_some: !(is_in_plane | is_total),
+    lanes::specular::SpecularMaterial {
+        reflectance: Vec3x8::gather(simd, |lane| materials[lane].reflectance.to_array()),
+        transmittance: Vec3x8::gather(simd, |lane| materials[lane].transmittance.to_array()),
+        ior: f64x8::from_fn(simd, |lane| materials[lane].ior),
+        has_fresnel: f64x8::splat(simd, 1.0).simd_lt(mirrors),
+        mirrors,
     }
-}
-
-/// Repeats the arithmetic of `global::fresnel_dielectric` operation by operation.
-#[inline(always)]
-fn fresnel<S: Simd>(simd: S, cos: f64x8<S>, eta: f64x8<S>) -> f64x8<S> {
-    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
-    let cos_i = cos.abs().min_precise(one);
-    let cos2_t = eta * eta * cos_i * cos_i + (one - eta) * (one + eta);
-    let cos_t = cos2_t.sqrt();
-    let parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-    let perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-    let share = (parallel * parallel + perpendicular * perpendicular) * 0.5;
-    let is_total = cos_i.simd_eq(zero) | cos2_t.simd_le(zero);
-    is_total.select(one, share)
 }
 // END SOLUTION(part6.task2)

@@ -7,13 +7,15 @@ use kit::Vec3;
 use lanes::Real;
 use lanes::frame::Frame;
 
-/// A direction in world space, from the normal and the local direction.
-struct ToWorld;
+/// From the normal and a direction: the direction from local to world space, and the other way.
+struct Transformed;
 
-impl Formula<6, 3> for ToWorld {
+impl Formula<6, 6> for Transformed {
     #[inline(always)]
-    fn compute<R: Real>(&self, input: [R; 6]) -> [R; 3] {
-        coordinates(Frame::around(vector(&input[..3])).to_world(vector(&input[3..])))
+    fn compute<R: Real>(&self, input: [R; 6]) -> [R; 6] {
+        let (frame, w) = (Frame::around(vector(&input[..3])), vector(&input[3..]));
+        let ([x, y, z], local) = (coordinates(frame.to_world(w)), frame.to_local(w));
+        [x, y, z, local.x, local.y, local.z]
     }
 }
 
@@ -37,9 +39,11 @@ fn frames() {
         .iter()
         .map(|(n, w)| join(&[&n.to_array(), &w.to_array()]))
         .collect();
-    for ((n, w), result) in vectors.iter().zip(at_every_width(&ToWorld, &inputs)) {
-        let expected = kit::Frame::around(*n).to_world(*w).to_array();
-        let is_same = (0..3).all(|i| same(result[i], expected[i]));
+    for ((n, w), result) in vectors.iter().zip(at_every_width(&Transformed, &inputs)) {
+        let frame = kit::Frame::around(*n);
+        let expected = [frame.to_world(*w), frame.to_local(*w)].map(|w| w.to_array());
+        let expected = expected.as_flattened();
+        let is_same = (0..6).all(|i| same(result[i], expected[i]));
         assert!(
             is_same,
             "{result:?}, expected {expected:?} around {n} along {w}"

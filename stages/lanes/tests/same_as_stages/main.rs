@@ -10,6 +10,7 @@ mod light;
 mod record;
 mod roulette;
 mod sin_cos;
+mod specular;
 mod sphere;
 mod surface;
 mod triangle;

@@ -1,10 +1,12 @@
 //! `grader cost`: measures the time that accuracy costs.
 
-use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use cost::page::{page, plot};
 use cost::report::Shape;
 use cost::{CostRequest, SampleCounts, table};
-use grader::cli::{Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command};
+use grader::cli::{
+    Format, Verdict, path_argument, run_to_exit_code, seed_argument, seed_of, subprogram_command,
+};
 use grader::error::GraderError;
 use grader::report;
 use grader::workspace::Workspace;
@@ -22,17 +24,11 @@ fn command() -> Command {
         )
         .arg(Format::argument())
         .arg(
-            Arg::new("html")
-                .long("html")
-                .value_name("FILE")
-                .value_parser(value_parser!(PathBuf))
+            path_argument("html", "FILE")
                 .help("Also write a self-contained HTML page of plots"),
         )
         .arg(
-            Arg::new("svg")
-                .long("svg")
-                .value_name("FILE")
-                .value_parser(value_parser!(PathBuf))
+            path_argument("svg", "FILE")
                 .help("Also write one plot as an SVG file: accuracy against time of the first shape, or of `bvh` alone what exactness costs"),
         )
         .arg(

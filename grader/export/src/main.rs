@@ -1,11 +1,11 @@
 //! The program behind `grader export SYSTEM --part N --out PATH`.
 
-use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use clap::{Arg, ArgAction, ArgMatches, Command};
 use export::archive;
 use export::choices::Choices;
 use export::systems::{ExportedFile, System};
 use grader::cli::course_systems::VISIBILITIES;
-use grader::cli::{self, Verdict, subprogram_command, whole_number};
+use grader::cli::{self, Verdict, path_argument, subprogram_command, whole_number};
 use grader::course::Course;
 use grader::error::GraderError;
 use grader::report::write_whole;
@@ -33,11 +33,8 @@ fn command() -> Command {
                 .help("The part to grade"),
         )
         .arg(
-            Arg::new("out")
-                .long("out")
-                .value_name("PATH")
+            path_argument("out", "PATH")
                 .required(true)
-                .value_parser(value_parser!(PathBuf))
                 .help("For gradescope the zip to write, else a new folder"),
         )
         .arg(

@@ -1,8 +1,9 @@
 //! `grader speedup`: the ladder from brute force to a wide tree.
 
-use clap::{Arg, ArgMatches, Command, value_parser};
+use clap::{Arg, ArgMatches, Command};
 use grader::cli::{
-    Format, Verdict, run_to_exit_code, seed_argument, seed_of, subprogram_command, whole_number,
+    Format, Verdict, path_argument, run_to_exit_code, seed_argument, seed_of, subprogram_command,
+    whole_number,
 };
 use grader::error::GraderError;
 use grader::report;
@@ -29,20 +30,8 @@ fn command() -> Command {
                 .help("The largest mesh; the others are powers of ten from 1000 on"),
         )
         .arg(Format::argument())
-        .arg(
-            Arg::new("html")
-                .long("html")
-                .value_name("FILE")
-                .value_parser(value_parser!(PathBuf))
-                .help("Also write a self-contained HTML page of plots"),
-        )
-        .arg(
-            Arg::new("svg")
-                .long("svg")
-                .value_name("FILE")
-                .value_parser(value_parser!(PathBuf))
-                .help("Also write the plot of speed as an SVG file"),
-        )
+        .arg(path_argument("html", "FILE").help("Also write a self-contained HTML page of plots"))
+        .arg(path_argument("svg", "FILE").help("Also write the plot of speed as an SVG file"))
         .arg(seed_argument())
 }
 

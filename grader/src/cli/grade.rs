@@ -1,6 +1,6 @@
 //! The command `grader part1`: grades the code in the workspace.
 
-use super::{Format, Verdict, case, seed_argument, seed_of, whole_number};
+use super::{Format, Verdict, case, path_argument, seed_argument, seed_of, whole_number};
 use crate::course::{Course, Task};
 use crate::error::GraderError;
 use crate::grade::{self, GradeRequest, Graded};
@@ -12,8 +12,8 @@ use crate::report::{self, HintLevel, Report, Reveal, TaskReport, worst_test};
 use crate::results::{self, Results};
 use crate::sources;
 use crate::workspace::Workspace;
-use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
-use std::path::{Path, PathBuf};
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use std::path::Path;
 
 /// Adds to `command` the arguments for what to grade and how to print the report. `hint` is the
 /// default of `--hint`.
@@ -80,20 +80,13 @@ pub(super) fn student_arguments() -> [Arg; 4] {
 
 /// The arguments for grading submissions instead of the workspace's own code.
 pub fn submission_arguments() -> [Arg; 4] {
-    let folder = |name: &'static str, help: &'static str| {
-        Arg::new(name)
-            .long(name)
-            .value_name("DIR")
-            .value_parser(value_parser!(PathBuf))
-            .help(help)
-    };
     [
-        folder(
-            "submission",
-            "For instructors: grade the stages in DIR, each together with the reference's other stages",
-        )
-        .conflicts_with("class"),
-        folder("class", "Moved to `grader class DIR --out OUT`").hide(true),
+        path_argument("submission", "DIR")
+            .conflicts_with("class")
+            .help("For instructors: grade the stages in DIR, each together with the reference's other stages"),
+        path_argument("class", "DIR")
+            .hide(true)
+            .help("Moved to `grader class DIR --out OUT`"),
         Arg::new("together")
             .long("together")
             .action(ArgAction::SetTrue)

@@ -22,6 +22,7 @@ use crate::report::HintLevel;
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::fmt::Display;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::str::FromStr;
 
@@ -149,6 +150,14 @@ impl Format {
             _ => Format::Table,
         }
     }
+}
+
+/// An option `--NAME` that takes the path of a file or a folder, as [`std::path::PathBuf`].
+pub fn path_argument(name: &'static str, value_name: &'static str) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(value_name)
+        .value_parser(value_parser!(PathBuf))
 }
 
 /// The option `--seed`.

@@ -1,8 +1,8 @@
 //! The command `grader handout --part N --out DIR`: creates the project for students.
 
 use authoring::handout::{Handout, output_folder};
-use clap::{Arg, ArgMatches, Command, value_parser};
-use grader::cli::Verdict;
+use clap::{Arg, ArgMatches, Command};
+use grader::cli::{Verdict, path_argument};
 use grader::error::GraderError;
 use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
@@ -20,11 +20,8 @@ pub(crate) fn command() -> Command {
                 .help("The first part that the student writes; earlier parts keep the reference's code"),
         )
         .arg(
-            Arg::new("out")
-                .long("out")
-                .value_name("DIR")
+            path_argument("out", "DIR")
                 .required(true)
-                .value_parser(value_parser!(PathBuf))
                 .help("A new folder outside the course"),
         )
 }

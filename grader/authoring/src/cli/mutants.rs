@@ -8,8 +8,8 @@ use authoring::mutants::mistake_pictures;
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::table::Table;
-use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
-use grader::cli::{Verdict, whole_number};
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use grader::cli::{Verdict, path_argument, whole_number};
 use grader::course::Course;
 use grader::diagnosis::{self, Diagnosis, Known};
 use grader::error::GraderError;
@@ -38,10 +38,7 @@ pub(crate) fn command() -> Command {
                 .help("Instead, grade only the correct versions, with seeds 0 to N - 1, in the cases that depend on the seed"),
         )
         .arg(
-            Arg::new("with")
-                .long("with")
-                .value_name("FOLDER")
-                .value_parser(value_parser!(PathBuf))
+            path_argument("with", "FOLDER")
                 .conflicts_with_all(["seeds", "bless"])
                 .help("Instead, test the diagnosis with the mutants in FOLDER/<task>.toml, in the format of `grader/mutants`. Their mistakes need not be listed there. Nothing is stored"),
         )

@@ -1,7 +1,7 @@
 //! The command `grader review`: writes the page for the reviewer.
 
-use clap::{Arg, ArgMatches, Command, value_parser};
-use grader::cli::Verdict;
+use clap::{Arg, ArgMatches, Command};
+use grader::cli::{Verdict, path_argument};
 use grader::compile::BuildRoot;
 use grader::course::{Course, Task};
 use grader::error::GraderError;
@@ -17,11 +17,6 @@ use submission::containment::Containment;
 use submission::read::Submission;
 
 pub(crate) fn command() -> Command {
-    let path = |name: &'static str| {
-        Arg::new(name)
-            .long(name)
-            .value_parser(value_parser!(PathBuf))
-    };
     Command::new("review")
         .about("For reviewers: writes an HTML page with every difference between the goldens and the code's results")
         .arg(
@@ -32,13 +27,11 @@ pub(crate) fn command() -> Command {
                 .help("The goldens to review: `all`, parts such as `part1`, tasks such as `part1.task3`"),
         )
         .arg(
-            path("out")
-                .value_name("FILE")
+            path_argument("out", "FILE")
                 .help("The file to write [default: target/review.html of the course]"),
         )
         .arg(
-            path("submission")
-                .value_name("DIR")
+            path_argument("submission", "DIR")
                 .help("Review the stages in DIR, each together with the reference's other stages"),
         )
 }

@@ -3,15 +3,16 @@
 //! Reading order: [`real`] (the numbers: `f32`, `f64`, those of `wide`), `scalar` (what single
 //! numbers have in addition), `vec3` and `shapes` (vectors, rays, triangles, spheres).
 // BEGIN SOLUTION(part6.task2)
-//! Then the formulas: `camera`, `triangle`, `sphere`, `record` and `surface` (rays, hits and the step
-//! off a surface), `frame`, `light`, `sin_cos`, `diffuse`, `specular` and `roulette`.
+//! Then the formulas: `camera`, `triangle`, `sphere`, `record` and `surface` (rays, hits and the
+//! step off a surface), `frame`, `light`, `sin_cos`, `diffuse`, `specular` and `roulette`.
 // END SOLUTION(part6.task2)
 //!
 //! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
 //! several precisions is generic over [`Real`]; no formula is written for one width. Everything is
-//! `#[inline(always)]`, and no formula contains a closure: `fearless_simd` compiles only inlined code
-//! for an instruction set.
+//! `#[inline(always)]`, and no formula contains a closure: `fearless_simd` compiles only inlined
+//! code for an instruction set.
 
+mod instruction_sets;
 pub mod real;
 mod scalar;
 mod shapes;
@@ -38,6 +39,7 @@ pub mod sphere;
 pub mod triangle;
 // END SOLUTION(part1.task3)
 
+pub use instruction_sets::instruction_sets;
 pub use real::{Mask, Real};
 pub use scalar::{Precision, Scalar};
 pub use shapes::{Ray, Sphere, Triangle};

@@ -12,8 +12,8 @@ const MIRROR: f64 = 1.0;
 const REFRACTION: f64 = 0.0;
 const GLASS: f64 = 2.0;
 
-/// From reflectance, transmittance, refractive index, kind, the viewer and the choice: whether there
-/// is a sample, its direction and weight.
+/// From reflectance, transmittance, refractive index, kind, the viewer and the choice: whether
+/// there is a sample, its direction and weight.
 struct Sampled;
 
 impl Formula<12, 7> for Sampled {

@@ -1,23 +1,12 @@
 // BEGIN SOLUTION(part6.task2)
 //! Computes a formula with one number and with eight.
 
-use fearless_simd::{Level, Simd, dispatch, f32x8, f64x8, prelude::*};
-use lanes::{Mask, Real};
+use fearless_simd::{Simd, dispatch, f32x8, f64x8, prelude::*};
+use lanes::{Mask, Real, instruction_sets};
 
 /// A formula with `I` numbers as input and `O` as result.
 pub(crate) trait Formula<const I: usize, const O: usize> {
     fn compute<R: Real>(&self, input: [R; I]) -> [R; O];
-}
-
-/// The instruction sets of this machine.
-fn levels() -> Vec<Level> {
-    let mut levels = vec![Level::new(), Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(Level::new().as_avx2().map(Level::Avx2));
-        levels.extend(Level::new().as_sse4_2().map(Level::Sse4_2));
-    }
-    levels
 }
 
 /// Whether two numbers are the same: all NaN are, zeros of different sign are not.
@@ -34,7 +23,7 @@ pub(crate) fn at_every_width<F, const I: usize, const O: usize>(
 where
     F: Formula<I, O>,
 {
-    for level in levels() {
+    for level in instruction_sets() {
         for eight in inputs.chunks(8) {
             dispatch!(level, simd => compare(simd, formula, eight));
         }

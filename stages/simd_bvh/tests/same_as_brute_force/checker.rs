@@ -6,6 +6,7 @@ use kit::{
     Aabb, Bvh, Hit, Interval, PixelSampler, PrimId, Primitive, Ray, Scene, Sphere, Triangle,
     TriangleHit, Vec3, World, warp,
 };
+use lanes::instruction_sets;
 use simd_bvh::{Level, TestCounts, WideBvh};
 
 /// The scalar kernels: intersects `ray` with primitive `id`.
@@ -71,20 +72,9 @@ impl World for Kernels<'_> {
     }
 }
 
-/// The instruction sets of this machine.
-fn levels() -> Vec<Level> {
-    let mut levels = vec![Level::new(), Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(Level::new().as_avx2().map(Level::Avx2));
-        levels.extend(Level::new().as_sse4_2().map(Level::Sse4_2));
-    }
-    levels
-}
-
 pub(crate) struct Checker {
     pub(crate) scene: Scene,
-    /// The tree at each level of [`levels`].
+    /// The tree at each level of [`instruction_sets`].
     trees: Vec<(Level, WideBvh)>,
     /// For scenes that are too large for brute force: the tree of stage `bvh`.
     binary: Option<Bvh>,
@@ -101,7 +91,7 @@ impl Checker {
                 spheres,
                 ..Scene::default()
             },
-            trees: levels()
+            trees: instruction_sets()
                 .into_iter()
                 .map(|level| (level, tree.clone().at_level(level)))
                 .collect(),

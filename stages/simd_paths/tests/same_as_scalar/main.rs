@@ -6,20 +6,10 @@ mod scenes;
 
 use kit::sampler::{Pattern, Sampling};
 use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, Sphere, Vec2, Vec3};
+use lanes::instruction_sets;
 use scalar::{ScalarPaths, radiance};
 use scenes::{Random, box_with_a_point_light, random_scene};
-use simd_paths::{Counts, Level, PathScene, PathSettings, PathStart, View, Workspace};
-
-/// The instruction sets of this machine.
-fn levels() -> Vec<Level> {
-    let mut levels = vec![Level::new(), Level::baseline()];
-    #[cfg(target_arch = "x86_64")]
-    {
-        levels.extend(Level::new().as_avx2().map(Level::Avx2));
-        levels.extend(Level::new().as_sse4_2().map(Level::Sse4_2));
-    }
-    levels
-}
+use simd_paths::{Counts, PathScene, PathSettings, PathStart, View, Workspace};
 
 /// A camera inside the scene.
 fn view(centered: bool, has_lens: bool) -> View {
@@ -66,7 +56,7 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
         .map(|start| radiance(&scalar, view, start).to_array().map(f64::to_bits))
         .collect();
     let mut counts = Vec::new();
-    for level in levels() {
+    for level in instruction_sets() {
         let scene = PathScene::new(lit).expect("a scene").at_level(level);
         let mut fallback = ScalarPaths::new(lit, settings);
         let mut workspace = Workspace::default();

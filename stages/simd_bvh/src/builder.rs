@@ -86,10 +86,10 @@ impl Builder<'_> {
         let mut children = Vec::with_capacity(LANES);
         // If lanes are free, the triangles and the spheres of a mixed leaf become two children.
         let mut free = LANES - parts.len();
-        for number in parts {
-            let part = &binary.nodes[number as usize];
+        for child in parts {
+            let part = &binary.nodes[child as usize];
             match (part.kind, self.kinds(binary, part)) {
-                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || number == root => {
+                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || child == root => {
                     free = free.saturating_sub(1);
                     for prims in kinds {
                         children.push((self.bounds_of(prims), self.block(prims)));
@@ -98,7 +98,7 @@ impl Builder<'_> {
                 (NodeKind::Leaf { first, count }, None) => {
                     children.push((part.bounds, self.block(binary.leaf(first, count))));
                 }
-                _ => children.push((part.bounds, self.widen(binary, collapse, number))),
+                _ => children.push((part.bounds, self.widen(binary, collapse, child))),
             }
         }
         self.tree.nodes[number] = Node::new(&children);

@@ -85,8 +85,8 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         for &root in &self.tree.roots {
             len = stack.push(len, root);
         }
-        // In memory: an operation can broadcast a number from there, while broadcasts before the loop
-        // would take more registers than there are.
+        // In memory: an operation can broadcast a number from there, while broadcasts before the
+        // loop would take more registers than there are.
         let boxes = std::hint::black_box(&boxes);
         let mut is_hit = false;
         while let Some((below, key, child)) = stack.pop(len) {
@@ -147,7 +147,8 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         }
     }
 
-    /// Tests block number `index`, of `count` triangles. Returns whether there is a hit for certain.
+    /// Tests block number `index`, of `count` triangles. Returns whether there is a hit for
+    /// certain.
     #[inline(always)]
     fn test_triangles(&mut self, index: usize, count: u32) -> bool {
         let block = &self.tree.blocks[index];
@@ -161,6 +162,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         let Some(filter) = &self.filter else {
             return false;
         };
+        let axes = filter.axes;
         let hits = filter.test(self.simd, block, count, self.limit);
         let mut lanes = hits.possible;
         if lanes == 0 {
@@ -184,7 +186,8 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 is_hit = true;
                 if !ANY {
                     self.shorten(self.limit.min(farthest));
-                    self.test_sure(id, &self.tree.exact_blocks[index][lane & 7]);
+                    let vertices = &self.tree.exact_blocks[index][lane & 7];
+                    self.test_sure(id, vertices, axes);
                 }
             }
             if ANY && is_hit {
@@ -209,13 +212,11 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         is_hit
     }
 
-    /// Computes a hit that the ray has for certain. The range is already shortened to it.
+    /// Computes a hit that the ray has for certain; `axes` are the filter's. The range is already
+    /// shortened to it.
     #[inline(always)]
-    fn test_sure(&mut self, id: PrimId, vertices: &Vertices) {
-        let Some(filter) = &self.filter else {
-            return;
-        };
-        match woop::test(vertices, self.ray, filter.axes) {
+    fn test_sure(&mut self, id: PrimId, vertices: &Vertices, axes: [usize; 3]) {
+        match woop::test(vertices, self.ray, axes) {
             Decision::Hit(hit) => self.found.accept(id, hit),
             Decision::Miss => {}
             Decision::Undecided => {

@@ -60,9 +60,9 @@ pub trait ScalarFallback {
     /// Whether any primitive but `skip` is hit in the ray's range.
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool;
 
-    /// Adds at least the primitives of which a part is in `beam` to `ids`, in any order; some may be
-    /// added twice. Returns false if there are more than `most`, or if finding them would take as
-    /// long as tracing the rays: then `ids` has no meaning.
+    /// Adds at least the primitives of which a part is in `beam` to `ids`, in any order; some may
+    /// be added twice. Returns false if there are more than `most`, or if finding them would take
+    /// as long as tracing the rays: then `ids` has no meaning.
     fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool;
 
     /// Refracts the camera's `ray` by its lens. Called if

@@ -2,7 +2,7 @@
 //! What eight rays hit: with a list of primitives in lanes, else ray by ray with the tree of the
 //! fallback.
 
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::primitive_list::PrimitiveList;
 use crate::ray_packet::{HitPacket, RayPacket, prim_id};
 use crate::{ScalarFallback, Workspace};

@@ -5,12 +5,13 @@
 //! primitives, most of the time is spent on shading and sampling, not on the tree.
 //!
 // BEGIN SOLUTION(part6.task2)
-//! Reading order: `scene` and `fallback` (the interface), `vec3x8`, `ray_packet` and `lanes` (eight
-//! vectors, eight rays, lane masks), `camera`, `queue` and `trace` (the paths of a batch, and how
-//! idle lanes are avoided), `packet` (one bounce), `intersection` and `primitive_list` (with and
-//! without a tree), `beam` (rays that are close to each other), `surface_packet` and
+//! Reading order: `scene` and `fallback` (the interface), `vec3x8`, `ray_packet` and `lane_mask`
+//! (eight vectors, eight rays, lane masks), `camera`, `queue` and `trace` (the paths of a batch,
+//! and how idle lanes are avoided), `packet` (one bounce), `intersection` and `primitive_list`
+//! (with and without a tree), `beam` (rays that are close to each other), `surface_packet` and
 //! `material_class` (what was hit), `light`, `shadow_queue`, `sin_cos` and `diffuse` (direct light
-//! and scattering at diffuse surfaces), `specular` (mirrors and smooth glass), `other_materials` (everything else, by the fallback).
+//! and scattering at diffuse surfaces), `specular` (mirrors and smooth glass), `other_materials`
+//! (everything else, by the fallback).
 //!
 //! The formulas are those of the crate `lanes`, which performs the operations of the stages in the
 //! same order, so all bits are equal. What is here decides which lanes compute what. Where a scalar
@@ -27,7 +28,7 @@ mod beam;
 mod camera;
 mod diffuse;
 mod intersection;
-mod lanes;
+mod lane_mask;
 mod light;
 mod material_class;
 mod other_materials;

@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Samples a light for eight points at once.
 
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, Vec2};

@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Glossy surfaces and rough glass: the scalar fallback continues such paths one by one.
 
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
 use crate::ray_packet::{HitPacket, NONE};
 use crate::surface_packet::SurfacePacket;

@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! One bounce of eight paths, as the stage `global` computes it.
 
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::material_class::MaterialClass;
 use crate::primitive_list::PrimitiveList;
 use crate::queue::PathLanes;
@@ -32,9 +32,9 @@ pub(crate) struct PathPacket<'a, S: Simd> {
 }
 
 impl<S: Simd> PathPacket<'_, S> {
-    /// Traces ray number `bounce` of each path, counted from 1, in `range`; adds the radiance at its
-    /// hit to `radiance`, except the direct light at diffuse surfaces, whose shadow rays it adds to
-    /// `shadows`; and samples the next ray. Returns the lanes whose paths continue.
+    /// Traces ray number `bounce` of each path, counted from 1, in `range`; adds the radiance at
+    /// its hit to `radiance`, except the direct light at diffuse surfaces, whose shadow rays it
+    /// adds to `shadows`; and samples the next ray. Returns the lanes whose paths continue.
     #[inline(always)]
     pub(crate) fn bounce(
         &mut self,

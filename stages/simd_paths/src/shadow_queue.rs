@@ -3,7 +3,7 @@
 //! rays to one light are traced together; and what the light adds to the paths.
 
 use crate::beam::{BEAM_SIZE, RangeEnds, RayBundle};
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::primitive_list::NearbyPrimitives;
 use crate::ray_packet::RayPacket;
 use crate::vec3x8::{LANES, Vec3x8};

@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Sine and cosine of eight angles.
 
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use fearless_simd::{Simd, f64x8, prelude::*};
 use kit::math;
 

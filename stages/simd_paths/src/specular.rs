@@ -2,7 +2,7 @@
 //! Mirrors and smooth glass.
 
 use crate::Workspace;
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::{LANES, Vec3x8};

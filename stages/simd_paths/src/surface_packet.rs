@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! Eight points on surfaces, as shading needs them.
 
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::ray_packet::{HitPacket, NONE, RayPacket};
 use crate::vec3x8::{LANES, Vec3x8};
 use crate::{PathScene, ScalarFallback};

@@ -2,7 +2,7 @@
 //! Traces a batch of paths from the camera to their ends.
 
 use crate::beam::BEAM_SIZE;
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
 use crate::vec3x8::LANES;
 use crate::{PathScene, PathSettings, ScalarFallback, View, Workspace};

@@ -8,7 +8,7 @@ mod tests;
 mod triangle;
 
 use crate::ScalarFallback;
-use crate::lanes::lanes;
+use crate::lane_mask::lanes;
 use crate::ray_packet::{HitPacket, RayPacket};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, Scene, Sphere, Vec3};
@@ -33,9 +33,9 @@ struct ListedTriangle {
     vertices: [u32; 3],
 }
 
-/// The limits of a list. A scene of this size has no nodes in `simd_bvh` either, but the tree traces
-/// one ray at a time: a Cornell box with two spheres takes 1.9 times as long with it (user time of
-/// `pathtracer -s 16 -l 1 -m 5`, median of seven pairs).
+/// The limits of a list. A scene of this size has no nodes in `simd_bvh` either, but the tree
+/// traces one ray at a time: a Cornell box with two spheres takes 1.9 times as long with it (user
+/// time of `pathtracer -s 16 -l 1 -m 5`, median of seven pairs).
 const MAX_TRIANGLES: usize = 16;
 const MAX_SPHERES: usize = 8;
 

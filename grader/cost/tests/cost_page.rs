@@ -409,8 +409,8 @@ fn each_test_is_named_at_its_point_and_has_a_tooltip_and_a_row() {
     assert!(page.contains("<tr><th scope=\"row\">Woop f64</th><td>1.50 ±0.02</td>"));
 }
 
-/// The trees of the plot of exactness: further right is faster, further down loses less, and zero is
-/// apart.
+/// The trees of the plot of exactness: further right is faster, further down loses less, and zero
+/// is apart.
 #[test]
 fn exactness_is_drawn_at_its_speed_and_its_losses() {
     let mut report = report(rows(0.0, 0.0), None);

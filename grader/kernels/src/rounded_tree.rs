@@ -15,9 +15,9 @@ use crate::triangle::woop::Woop;
 use kit::{Bvh, BvhNode, NodeKind};
 use lanes::Scalar;
 
-/// Returns the same tree with different tests, the exact one first. In f32, pbrt-v4 uses a pair like
-/// Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker coordinates, and most
-/// others use slabs with Möller and Trumbore's test.
+/// Returns the same tree with different tests, the exact one first. In f32, pbrt-v4 uses a pair
+/// like Ize's and Woop's tests, Embree's robust mode one like Ize's and Plücker coordinates, and
+/// most others use slabs with Möller and Trumbore's test.
 pub(crate) fn trees<'a>(bvh: &'a Bvh, triangles: &[kit::Triangle]) -> Vec<RoundedTree<'a>> {
     vec![
         tree::<f64, Ize, Woop>(16, bvh, triangles),

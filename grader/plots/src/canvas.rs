@@ -129,8 +129,8 @@ pub fn svg(
     Ok(text.replacen(&size, &fluid, 1))
 }
 
-/// Returns HTML with the plot drawn twice: `broad` in points for screens and print, and `narrow` for
-/// telephones. `draw` gets the size, and whether it is the narrow one.
+/// Returns HTML with the plot drawn twice: `broad` in points for screens and print, and `narrow`
+/// for telephones. `draw` gets the size, and whether it is the narrow one.
 pub fn for_both_widths(
     broad: [f64; 2],
     narrow: [f64; 2],

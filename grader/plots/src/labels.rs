@@ -33,7 +33,8 @@ impl Labels {
     }
 
     /// Draws a name at the free place that is nearest to a point, with a thin line if that is not
-    /// beside it. Only the first of its lines is bold. If nothing is free, the name is drawn over the others.
+    /// beside it. Only the first of its lines is bold. If nothing is free, the name is drawn over
+    /// the others.
     pub fn place(
         &mut self,
         canvas: &Canvas,

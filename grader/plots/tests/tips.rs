@@ -1,8 +1,8 @@
-//! Tests in a browser that the points of a plot show their texts: under the pointer, after a tap, and
-//! by keyboard.
+//! Tests in a browser that the points of a plot show their texts: under the pointer, after a tap,
+//! and by keyboard.
 //!
-//! Needs Chromium. `FIRSTLIGHT_CHROMIUM` names the browser; without it the test searches the path. If
-//! none is found, the test prints that it is skipped.
+//! Needs Chromium. `FIRSTLIGHT_CHROMIUM` names the browser; without it the test searches the path.
+//! If none is found, the test prints that it is skipped.
 
 use plots::canvas::svg;
 use plots::document::Document;

@@ -107,8 +107,8 @@ fn cell(w: u32, h: u32) -> Cell {
     }
 }
 
-/// Asserts that `picture` has the `bytes` of `cell`, from column `left` on. `h` is the height of the
-/// rendered picture; below it there may be a legend.
+/// Asserts that `picture` has the `bytes` of `cell`, from column `left` on. `h` is the height of
+/// the rendered picture; below it there may be a legend.
 fn assert_same(picture: &RgbImage, left: u32, h: u32, cell: Cell, bytes: &[[u8; 3]], name: &str) {
     for ((x, y), expected) in cell.pixels().zip(bytes) {
         let found = picture.get_pixel(left + x, h - 1 - y).0;

@@ -7,8 +7,8 @@
 /// A sum that is smaller than this fraction of its terms has lost ten bits to cancellation.
 ///
 /// For a triangle's determinant this is a needle of 1000:1, or a ray within a thousandth of its
-/// plane; otherwise the weights are accurate to about 2^-42. For a sphere it is a ray that is almost
-/// tangent, or starts almost on the surface.
+/// plane; otherwise the weights are accurate to about 2^-42. For a sphere it is a ray that is
+/// almost tangent, or starts almost on the surface.
 pub const CANCELLATION: f64 = 1.0 / 1024.0;
 
 /// A product of several factors below this may have underflowed in an intermediate step, with a

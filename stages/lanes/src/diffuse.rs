@@ -18,8 +18,8 @@ pub fn on_same_side<R: Real>(wo_z: R, wi_z: R) -> R::Mask {
     wo_z.constant(0.0).less(wo_z * wi_z)
 }
 
-/// Samples a direction on the side of `wo_z` from `u` in [0, 1) and the sine and cosine of a uniform
-/// angle. Returns it and the weight of the path: `f · cos θ / pdf`.
+/// Samples a direction on the side of `wo_z` from `u` in [0, 1) and the sine and cosine of a
+/// uniform angle. Returns it and the weight of the path: `f · cos θ / pdf`.
 #[inline(always)]
 pub fn lambert_sample<R: Real>(
     reflectance: Vec3<R>,

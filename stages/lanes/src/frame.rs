@@ -13,8 +13,8 @@ pub struct Frame<R> {
 }
 
 impl<R: Real> Frame<R> {
-    /// A right-handed frame around the unit vector `n` (Duff et al., "Building an orthonormal basis,
-    /// revisited", JCGT 2017).
+    /// A right-handed frame around the unit vector `n` (Duff et al., "Building an orthonormal
+    /// basis, revisited", JCGT 2017).
     #[inline(always)]
     pub fn around(n: Vec3<R>) -> Frame<R> {
         let one = n.z.constant(1.0);

@@ -62,9 +62,9 @@ pub fn sample_mesh<R: Real>(mesh: &EmittingMesh, p: Vec3<R>, u: [R; 2]) -> Light
 }
 
 impl<R: Real> LightSample<R> {
-    /// The light that a surface with the BSDF `f` scatters towards the viewer, if nothing blocks the
-    /// sample: a term of `direct::estimate_direct_lighting_importance`. `wi_z` is the cosine between
-    /// [`LightSample::wi`] and the normal.
+    /// The light that a surface with the BSDF `f` scatters towards the viewer, if nothing blocks
+    /// the sample: a term of `direct::estimate_direct_lighting_importance`. `wi_z` is the cosine
+    /// between [`LightSample::wi`] and the normal.
     #[inline(always)]
     pub fn scattered(&self, f: Vec3<R>, wi_z: R) -> Vec3<R> {
         f * self.radiance * (wi_z.abs() / self.pdf)

@@ -54,7 +54,7 @@ pub trait Real:
     fn equals(self, other: Self) -> Self::Mask;
 }
 
-/// Yes or no, in each lane of an `R`.
+/// A boolean for each lane of an `R`.
 pub trait Mask<R>:
     Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {

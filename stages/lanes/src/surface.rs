@@ -18,7 +18,8 @@ pub struct Departure<R> {
 }
 
 impl<R: Real> Departure<R> {
-    /// The point `p` of a triangle with this geometric normal and these vertices and vertex normals.
+    /// The point `p` of a triangle with this geometric normal and these vertices and vertex
+    /// normals.
     #[inline(always)]
     pub fn from_triangle(
         p: Vec3<R>,

@@ -1,6 +1,6 @@
 // BEGIN SOLUTION(part1.task3)
-//! The triangle test (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013),
-//! in the steps of `intersect::test_triangle`.
+//! The triangle test (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
+//! 2013), in the steps of `intersect::test_triangle`.
 //!
 //! Where that function switches to its careful variant, the result is not certain, and the caller
 //! asks that function.
@@ -52,8 +52,8 @@ pub fn project<R: Real>(p: Vec3<R>, d: Vec3<R>) -> Vec3<R> {
     }
 }
 
-/// The factors `[a, b, c, d]` of each edge function `a·b - c·d` of the projected vertices: twice the
-/// signed area of the triangle of the ray, which is the point 0, and an edge.
+/// The factors `[a, b, c, d]` of each edge function `a·b - c·d` of the projected vertices: twice
+/// the signed area of the triangle of the ray, which is the point 0, and an edge.
 #[inline(always)]
 pub fn edge_factors<R: Real>([a, b, c]: [Vec3<R>; 3]) -> [[R; 4]; 3] {
     [
@@ -103,8 +103,8 @@ impl<R: Real> Edges<R> {
     }
 
     /// Negative if two edge functions have different signs, so that the ray misses for certain:
-    /// a difference of two rounded products has the exact sign, or it is 0. Positive if all have the
-    /// same sign and their product does not underflow.
+    /// a difference of two rounded products has the exact sign, or it is 0. Positive if all have
+    /// the same sign and their product does not underflow.
     #[inline(always)]
     pub fn agreement(&self) -> R {
         let smallest = self.u.smaller(self.v.smaller(self.w));

@@ -112,8 +112,8 @@ impl<R: Scalar> Vec3<R> {
         [self.x, self.y, self.z][axis]
     }
 
-    /// Permutes the axes cyclically so that `axis` becomes z. For a single number this is faster than
-    /// `triangle::Axes`, which chooses in each lane.
+    /// Permutes the axes cyclically so that `axis` becomes z. For a single number this is faster
+    /// than `triangle::Axes`, which chooses in each lane.
     #[inline(always)]
     pub fn permuted(self, axis: usize) -> Vec3<R> {
         let Vec3 { x, y, z } = self;

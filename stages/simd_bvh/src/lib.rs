@@ -6,8 +6,8 @@
 //! `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
-//! Reading order: `builder` (from triangles to the tree), `presplit` (long thin triangles), `sah` and
-//! `binary` (the binary tree of least cost), `collapse` (from two to eight children per node),
+//! Reading order: `builder` (from triangles to the tree), `presplit` (long thin triangles), `sah`
+//! and `binary` (the binary tree of least cost), `collapse` (from two to eight children per node),
 //! `space`, `node`, `triangle_block` and `sphere_block` (the memory layout of boxes, triangles and
 //! spheres), `ray_in_tree`, `simd_box_test` (eight boxes at a time), `triangle_filter` (eight
 //! triangles at a time) and `woop` (one triangle, in double precision), `stack`, `traversal` and
@@ -17,10 +17,10 @@
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles have 16
 //! bits a coordinate and are tested in single precision, with a bound on all errors, which
 //! `triangle_filter` proves: a triangle is missed for certain, hit for certain, or undecided. Only
-//! the hits are computed in double precision, with the scalar kernel's arithmetic; where that kernel
-//! switches to its careful variant, it is called. So the hits are those of brute force, bit for bit.
-//! The source is the same for every machine: `fearless_simd` compiles it for each instruction set,
-//! and the best one that the machine has is chosen once per ray.
+//! the hits are computed in double precision, with the scalar kernel's arithmetic; where that
+//! kernel switches to its careful variant, it is called. So the hits are those of brute force, bit
+//! for bit. The source is the same for every machine: `fearless_simd` compiles it for each
+//! instruction set, and the best one that the machine has is chosen once per ray.
 // STUB: //! Use `fearless_simd`; its `dispatch!` selects the instruction set once a ray.
 // END SOLUTION(part6.task1)
 

@@ -1,12 +1,12 @@
 // BEGIN SOLUTION(part6.task1)
 //! Splits triangles whose boxes are mostly empty before the tree is built.
 //!
-//! The box of a long thin triangle that is not along an axis is nearly empty, and rays that enter it
-//! test the triangle in vain. Two boxes, one for each half, have half its surface, four a quarter.
-//! So such a triangle is divided into parts, and the tree is built over the boxes of the parts
-//! (Karras, Aila, "Fast parallel construction of high-quality bounding volume hierarchies", 2013,
-//! section 4.4). A triangle may then be in several leaves; each of them tests all of it, so the hits
-//! are the same.
+//! The box of a long thin triangle that is not along an axis is nearly empty, and rays that enter
+//! it test the triangle in vain. Two boxes, one for each half, have half its surface, four a
+//! quarter. So such a triangle is divided into parts, and the tree is built over the boxes of the
+//! parts (Karras, Aila, "Fast parallel construction of high-quality bounding volume hierarchies",
+//! 2013, section 4.4). A triangle may then be in several leaves; each of them tests all of it, so
+//! the hits are the same.
 
 use crate::sah::BuildPrimitive;
 use kit::{Aabb, Vec3};
@@ -17,13 +17,13 @@ use std::collections::BinaryHeap;
 /// ratio of 2 to 5.
 const SPARSE: f64 = 10.0;
 
-/// The number of additional parts is at most the number of triangles over this. Twice as many save
-/// another tenth of the time of a ray through a mesh of needles, and cost a third more memory.
+/// There is at most one additional part for this many triangles. With one for each triangle, a ray
+/// through a mesh of needles takes a tenth less time, and the tree a third more memory.
 const TRIANGLES_PER_SPLIT: usize = 2;
 
 /// Parts are enlarged by this share of the triangle's largest edge. Clipping has rounding errors,
-/// and the triangle test may report a hit at such a distance from the triangle, but a part's box may
-/// be much smaller than the triangle's.
+/// and the triangle test may report a hit at such a distance from the triangle, but a part's box
+/// may be much smaller than the triangle's.
 const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// Adds the boxes of `triangles`, given in the tree's space with their ids, to `prims`: one box for

@@ -102,9 +102,9 @@ impl<S: Simd> SimdBoxTest<S> {
     #[inline(always)]
     pub(crate) fn hits(&self, node: &Node, end: Key) -> BoxHits<S> {
         let simd = self.simd;
-        // The bits of two numbers compare like the numbers unless both are negative. The smallest `t`
-        // is not negative, so the latest entry is right, and an exit before it is right or negative.
-        // Comparing integers takes a cycle, comparing numbers four.
+        // The bits of two numbers compare like the numbers unless both are negative. The smallest
+        // `t` is not negative, so the latest entry is right, and an exit before it is right or
+        // negative. Comparing integers takes a cycle, comparing numbers four.
         let [x, y, z] = self.first;
         let (entering, leaving) = (&self.entering, &self.leaving);
         let entry = entering

@@ -9,10 +9,10 @@ use kit::{PrimId, Triangle, Vec3};
 
 /// Up to eight triangles, one per lane, in the tree's space.
 ///
-/// A coordinate is an integer from 0 to 65535: `origin + unit·integer`, rounded to the nearest. So a
-/// block has 24 bytes a triangle, with its number, and large meshes wait less for memory. The blocks
-/// decide which triangles a ray misses for certain and which it hits for certain; the hit itself is
-/// computed from the exact vertices.
+/// A coordinate is an integer from 0 to 65535: `origin + unit·integer`, rounded to the nearest. So
+/// a block has 24 bytes a triangle, with its number, and large meshes wait less for memory. The
+/// blocks decide which triangles a ray misses for certain and which it hits for certain; the hit
+/// itself is computed from the exact vertices.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct TriangleBlock {

@@ -18,8 +18,8 @@
 //! 1. *Projected vertices.* `x' = (q.x - S·q.z) + k` with `k = (g.x - o.x) - S·(g.z - o.z)` for the
 //!    block's origin `g`, computed in double precision. If 0 is inside the triangle, `|x'|` is at
 //!    most the extent of the projection, 2¹⁷, and `|k|` at most 2¹⁸. Errors: `(1 + S)/2` from the
-//!    integers, `2¹⁶e` from rounding `S`, `2¹⁷e` from the first operation, `2¹⁸e` from rounding `k`,
-//!    `2¹⁷e` from the second operation, and `n`. Sum: less than `f = 0.51·(1 + S) + 0.04 + n`.
+//!    integers, `2¹⁶e` from rounding `S`, `2¹⁷e` from the first operation, `2¹⁸e` from rounding
+//!    `k`, `2¹⁷e` from the second operation, and `n`. Sum: less than `f = 0.51·(1 + S) + 0.04 + n`.
 //! 2. *Edge functions.* `u = c'.x·b'.y - c'.y·b'.x` with factors of at most `m`, the largest
 //!    absolute value of the block's six coordinates in the lane. The errors of the factors add
 //!    `4f·m + 2f²`, the rounding of the two operations less than `3.1e·m²`. So `u`, `v` and `w`
@@ -33,10 +33,10 @@
 //!    triangle they belong to a point within `f` of 0 on each axis. So the error is at most `f`
 //!    times the sum of the two slopes of the filter's triangle, which are at most `4h·m/|det|`
 //!    each. Rounding `u`, `v` and `w` adds at most `25e·m²·h/|det|`; both together are less than
-//!    `2E·h/|det|`, and 1/8 of that is left for the rounding of the determinant. The other operations
-//!    add at most `16e·2¹⁶ + 2¹⁷e` and the integers 1/2, so 0.7 with a margin, and `n`. The depth of
-//!    a possible lane that is not sure differs from `a.z` by at most `h`, as the weights of a hit
-//!    are not negative and their sum is 1.
+//!    `2E·h/|det|`, and 1/8 of that is left for the rounding of the determinant. The other
+//!    operations add at most `16e·2¹⁶ + 2¹⁷e` and the integers 1/2, so 0.7 with a margin, and `n`.
+//!    The depth of a possible lane that is not sure differs from `a.z` by at most `h`, as the
+//!    weights of a hit are not negative and their sum is 1.
 //! 4. *Distance.* `t = z·T + R` with `T = unit/d.z` and `R = (g.z - o.z)/d.z`. Rounding both, the
 //!    operation and the ends of the interval adds at most `4e·(|R| + 2¹⁷·|T|)`; a factor of `1.001`
 //!    of the error in depth covers its own rounding.

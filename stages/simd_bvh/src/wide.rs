@@ -14,9 +14,9 @@ use kit::{Aabb, Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
-/// It copies the vertices of triangles, rounded to 16 bits a coordinate and in double precision, the
-/// centres and the squared radii. Primitives are numbered as in a [`kit::Scene`]: triangles first,
-/// then spheres.
+/// It copies the vertices of triangles, rounded to 16 bits a coordinate and in double precision,
+/// the centres and the squared radii. Primitives are numbered as in a [`kit::Scene`]: triangles
+/// first, then spheres.
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)

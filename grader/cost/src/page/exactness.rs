@@ -201,8 +201,8 @@ fn tip(row: &ExactnessRow) -> String {
     )
 }
 
-/// Colour and shape show the precision, as in the plot of triangle tests; trees other than the first
-/// have a shape of their own.
+/// Colour and shape show the precision, as in the plot of triangle tests; trees other than the
+/// first have a shape of their own.
 fn style_of(row: &ExactnessRow, is_first: bool) -> SeriesStyle {
     let is_single = row.precision != Precision::F64;
     SeriesStyle {

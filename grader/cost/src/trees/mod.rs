@@ -29,8 +29,8 @@ pub struct TreeReport {
     pub by_slack: Vec<SlackRow>,
     /// Trees from different builders, with the same traversal.
     pub by_build: Vec<TreeRow>,
-    /// The first tree with different tests and precisions, the exact one first; then the other trees
-    /// with its tests.
+    /// The first tree with different tests and precisions, the exact one first; then the other
+    /// trees with its tests.
     pub by_precision: Vec<ExactnessRow>,
     /// Why there is no row for the student's tree, if there is none.
     pub student_missing: Option<String>,

@@ -13,13 +13,45 @@ use kit::{Aabb, Vec3};
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
-    /// For each axis the lower and the upper planes. Lanes without a child have an empty box.
-    pub(crate) planes: [[[f32; LANES]; 2]; 3],
+    /// For each axis the lower planes and then the upper ones. Lanes without a child have an empty
+    /// box.
+    planes: [[f32; 2 * LANES]; 3],
     /// The bits of the children.
     pub(crate) children: [u32; LANES],
     /// For each of [`ORDER_DIRECTIONS`] four times the numbers of the lanes, the nearest first.
     pub(crate) orders: [[u8; LANES]; 4],
 }
+
+/// A side of a box along an axis: the index of its first plane in a [`Node`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(usize)]
+pub(crate) enum Side {
+    Lower = 0,
+    Upper = LANES,
+}
+
+impl Side {
+    /// The sides by which a line with direction component `d` enters and leaves.
+    #[inline(always)]
+    pub(crate) fn crossed(d: f64) -> [Side; 2] {
+        if d.is_sign_negative() {
+            [Side::Upper, Side::Lower]
+        } else {
+            [Side::Lower, Side::Upper]
+        }
+    }
+}
+
+/// The planes of an axis of empty boxes.
+const EMPTY_PLANES: [f32; 2 * LANES] = {
+    let mut planes = [f32::INFINITY; 2 * LANES];
+    let mut lane = LANES;
+    while lane < 2 * LANES {
+        planes[lane] = f32::NEG_INFINITY;
+        lane += 1;
+    }
+    planes
+};
 
 /// The directions for which a node orders its children: one for each pair of opposite octants. For
 /// the opposite direction the order is reversed.
@@ -53,16 +85,16 @@ impl Node {
     /// A node with these children, one to eight, and their boxes.
     pub(crate) fn new(children: &[(Aabb, Child)]) -> Node {
         let mut node = Node {
-            planes: [[[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]]; 3],
+            planes: [EMPTY_PLANES; 3],
             children: [0; LANES],
             orders: [[0; LANES]; 4],
         };
         for (lane, (bounds, child)) in children.iter().enumerate() {
             let margin = MARGIN * bounds.extent().max_element() + MIN_MARGIN;
             for axis in 0..3 {
-                let [lower, upper] = &mut node.planes[axis];
-                lower[lane] = below(bounds.min[axis] - margin);
-                upper[lane] = above(bounds.max[axis] + margin);
+                let planes = &mut node.planes[axis];
+                planes[lane] = below(bounds.min[axis] - margin);
+                planes[LANES + lane] = above(bounds.max[axis] + margin);
             }
             node.children[lane] = child.0;
         }
@@ -80,15 +112,24 @@ impl Node {
 
     /// The box of a child, with its margin.
     pub(crate) fn bounds(&self, lane: usize) -> Aabb {
-        let corner = |side: usize| {
+        let corner = |side: Side| {
             Vec3::from(std::array::from_fn(|axis| {
-                f64::from(self.planes[axis][side][lane])
+                f64::from(self.planes(axis, side)[lane])
             }))
         };
         Aabb {
-            min: corner(0),
-            max: corner(1),
+            min: corner(Side::Lower),
+            max: corner(Side::Upper),
         }
+    }
+
+    /// The planes of the eight boxes on one side.
+    #[inline(always)]
+    pub(crate) fn planes(&self, axis: usize, side: Side) -> &[f32; LANES] {
+        let first = side as usize;
+        (&self.planes[axis][first..first + LANES])
+            .try_into()
+            .expect("eight planes")
     }
 }
 
@@ -147,6 +188,12 @@ impl Child {
     #[inline(always)]
     pub(crate) fn is_node(self) -> bool {
         self.0 < Child::TRIANGLES
+    }
+
+    /// Whether this is a block of triangles; not for nodes.
+    #[inline(always)]
+    pub(crate) fn is_triangles(self) -> bool {
+        self.0 < Child::SPHERES
     }
 
     #[inline(always)]

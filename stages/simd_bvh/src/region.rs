@@ -2,7 +2,7 @@
 //! The primitives of a convex region.
 
 use crate::intersect::TestCounts;
-use crate::node::{Child, ChildKind, Node};
+use crate::node::{Child, ChildKind, Node, Side};
 use crate::sah::LANES;
 use crate::space::TreeSpace;
 use crate::wide::WideBvh;
@@ -35,7 +35,8 @@ impl LocalHalfSpace {
         let (mut least, mut size) = ([0.0; LANES], [0.0; LANES]);
         for axis in 0..3 {
             // The corner that is deepest in the half-space.
-            let planes = &node.planes[axis][usize::from(self.normal[axis] < 0.0)];
+            let [side, _] = Side::crossed(self.normal[axis]);
+            let planes = node.planes(axis, side);
             for lane in 0..LANES {
                 let term = self.normal[axis] * f64::from(planes[lane]);
                 least[lane] += term;

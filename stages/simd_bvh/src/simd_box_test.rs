@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! Tests a ray against the eight boxes of a node at once.
 
-use crate::node::{Node, order_along};
+use crate::node::{Node, Side, order_along};
 use crate::ray_in_tree::RayInTree;
 use crate::sah::LANES;
 use crate::stack::Key;
@@ -12,14 +12,11 @@ use kit::Vec3;
 ///
 /// The ray crosses a plane at `b` at `t = (b - o)/d`. Here this is `b·i + c` with one rounding,
 /// where `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So
-/// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`RELATIVE`] covers it,
+/// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`SLACK`] covers it,
 /// however far the origin is from the box and the box from 0.
 pub(crate) struct SimdBoxTest<S: Simd> {
     simd: S,
-    /// By axis: the plane that the ray crosses first, 0 for the lower one, 1 for the upper one.
-    first: [usize; 3],
-    entering: Lines,
-    leaving: Lines,
+    lines: Lines,
     /// The bits of the start of the range, moved down. It is not negative.
     min_t: Key,
     /// The order of the children, and which of its bytes go where: the farthest child first.
@@ -34,24 +31,40 @@ pub(crate) struct BoxHits<S: Simd> {
     pub(crate) count: usize,
 }
 
-/// For each axis `t = b·slope + start` for a plane at `b`. The fourth numbers have no meaning.
+/// For each axis the `t` at which the ray crosses planes at `b`: `b·slope + entering` for those by
+/// which it enters boxes, `b·slope + leaving` for those by which it leaves. The numbers are in all
+/// lanes, because operations read them from memory.
+#[repr(C, align(32))]
 struct Lines {
-    slope: [f32; 4],
-    start: [f32; 4],
+    slope: [[f32; LANES]; 3],
+    entering: [[f32; LANES]; 3],
+    leaving: [[f32; LANES]; 3],
+    first: [Side; 3],
+    last: [Side; 3],
 }
 
 impl Lines {
-    /// The bits of the `t` at which the ray crosses eight planes, as signed integers.
+    /// The bits of the `t` at which the ray enters and leaves the eight slabs of an axis, as signed
+    /// integers.
     #[inline(always)]
-    fn at<S: Simd>(&self, simd: S, node: &Node, axis: usize, side: usize) -> i32x8<S> {
-        let planes = f32x8::load_array_ref(simd, &node.planes[axis][side & 1]);
-        planes
-            .mul_add_precise(self.slope[axis], self.start[axis])
-            .bitcast()
+    fn at<S: Simd>(&self, simd: S, node: &Node, axis: usize) -> [i32x8<S>; 2] {
+        let slope = f32x8::load_array_ref(simd, &self.slope[axis]);
+        let first = f32x8::load_array_ref(simd, node.planes(axis, self.first[axis]));
+        let last = f32x8::load_array_ref(simd, node.planes(axis, self.last[axis]));
+        let entering = f32x8::load_array_ref(simd, &self.entering[axis]);
+        let leaving = f32x8::load_array_ref(simd, &self.leaving[axis]);
+        [
+            first.mul_add_precise(slope, entering).bitcast(),
+            last.mul_add_precise(slope, leaving).bitcast(),
+        ]
     }
 }
 
-/// Factor by which exits and ends of ranges are enlarged: more than twice the error of two planes.
+/// Added to the bits of exits. One enlarges a number by at least 2⁻²⁴ of its size, so this is more
+/// than twice the error of two planes.
+const SLACK: i32 = 16;
+
+/// Factor by which ends of ranges are enlarged, as much as exits.
 const RELATIVE: f32 = 1.0 + 1.0 / (1 << 20) as f32;
 
 /// Added as well, for numbers too small to have 24 bits.
@@ -72,23 +85,22 @@ impl<S: Simd> SimdBoxTest<S> {
         let (order, is_reversed) = order_along(ray.d);
         let d = rounded(simd, ray.d);
         let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
-        // The exits are enlarged.
-        let outwards = inverse * RELATIVE;
-        let back = -rounded(simd, ray.o);
-        let (offset, outer_offset) = (back * inverse, back * outwards);
+        let offset = -rounded(simd, ray.o) * inverse;
         // Two units in the last place: more than the rounding errors of the origin and the product.
-        let entering_start = offset - (offset.abs() * (2.0 * f32::EPSILON) + ABSOLUTE);
-        let leaving_start = outer_offset + (outer_offset.abs() * (2.0 * f32::EPSILON) + ABSOLUTE);
+        let error = offset.abs().mul_add_precise(2.0 * f32::EPSILON, ABSOLUTE);
+        let [x, y, z] = [
+            Side::crossed(ray.d.x),
+            Side::crossed(ray.d.y),
+            Side::crossed(ray.d.z),
+        ];
         SimdBoxTest {
             simd,
-            first: ray.d.to_array().map(|d| (d.to_bits() >> 63) as usize),
-            entering: Lines {
-                slope: inverse.to_array(),
-                start: entering_start.to_array(),
-            },
-            leaving: Lines {
-                slope: outwards.to_array(),
-                start: leaving_start.to_array(),
+            lines: Lines {
+                slope: splats(simd, inverse),
+                entering: splats(simd, offset - error),
+                leaving: splats(simd, offset + error),
+                first: [x[0], y[0], z[0]],
+                last: [x[1], y[1], z[1]],
             },
             // No part of the tree has a negative `t`. The sum with 0 is not -0.
             min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE) + 0.0).to_bits(),
@@ -105,16 +117,13 @@ impl<S: Simd> SimdBoxTest<S> {
         // The bits of two numbers compare like the numbers unless both are negative. The smallest
         // `t` is not negative, so the latest entry is right, and an exit before it is right or
         // negative. Comparing integers takes a cycle, comparing numbers four.
-        let [x, y, z] = self.first;
-        let (entering, leaving) = (&self.entering, &self.leaving);
-        let entry = entering
-            .at(simd, node, 0, x)
-            .max(entering.at(simd, node, 1, y));
-        let entry = entry.max(entering.at(simd, node, 2, z).max(self.min_t as i32));
-        let exit = leaving
-            .at(simd, node, 0, 1 ^ x)
-            .min(leaving.at(simd, node, 1, 1 ^ y));
-        let exit = exit.min(leaving.at(simd, node, 2, 1 ^ z).min(end as i32));
+        let [x, y, z] = [
+            self.lines.at(simd, node, 0),
+            self.lines.at(simd, node, 1),
+            self.lines.at(simd, node, 2),
+        ];
+        let entry = x[0].max(y[0]).max(z[0].max(self.min_t as i32));
+        let exit = x[1].min(y[1]).min(z[1].min(end as i32)) + SLACK;
         // Every lane of an order is one byte: the first of the four bytes of a number.
         let order = f64x4::splat(
             simd,
@@ -140,6 +149,17 @@ pub(crate) fn range_end(max_t: f32) -> Key {
     let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
     // The sum with 0 is not -0.
     (end.max(0.0) + 0.0).to_bits()
+}
+
+/// The first three numbers, each in all lanes.
+#[inline(always)]
+fn splats<S: Simd>(simd: S, v: f32x4<S>) -> [[f32; LANES]; 3] {
+    let [x, y, z, _] = v.to_array();
+    [
+        f32x8::splat(simd, x).to_array(),
+        f32x8::splat(simd, y).to_array(),
+        f32x8::splat(simd, z).to_array(),
+    ]
 }
 
 /// A vector in single precision, with a 0 behind it.

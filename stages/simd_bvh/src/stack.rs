@@ -14,10 +14,14 @@ pub(crate) type Key = u32;
 ///
 /// The number of entries in the arrays is the caller's: next to arrays with variable indices it
 /// would be loaded and stored at every step.
+#[repr(C, align(64))]
 pub(crate) struct StackMemory {
-    keys: [Key; StackMemory::INLINE],
-    children: [u32; StackMemory::INLINE],
+    /// Eight more than [`StackMemory::INLINE`], so that every index below it has space for eight.
+    keys: [Key; StackMemory::INLINE + LANES],
+    /// Between the arrays, so that each is set to 0 by itself: for both at once the compiler calls
+    /// a function.
     overflow: Vec<(Key, u32)>,
+    children: [u32; StackMemory::INLINE + LANES],
 }
 
 impl StackMemory {
@@ -27,8 +31,8 @@ impl StackMemory {
     #[inline(always)]
     pub(crate) fn new() -> StackMemory {
         StackMemory {
-            keys: [0; StackMemory::INLINE],
-            children: [0; StackMemory::INLINE],
+            keys: [0; StackMemory::INLINE + LANES],
+            children: [0; StackMemory::INLINE + LANES],
             overflow: Vec::new(),
         }
     }
@@ -49,7 +53,7 @@ impl StackMemory {
     /// first ones, the last of them on top; a branch for each would be mispredicted.
     #[inline(always)]
     pub(crate) fn write<S: Simd>(&mut self, len: usize, keys: u32x8<S>, children: u32x8<S>) {
-        let len = len.min(StackMemory::INLINE - LANES);
+        let len = len % StackMemory::INLINE;
         keys.store_slice(&mut self.keys[len..len + LANES]);
         children.store_slice(&mut self.children[len..len + LANES]);
     }
@@ -66,12 +70,15 @@ impl StackMemory {
     /// The entry below `len`, if there is one, and the new `len`.
     #[inline(always)]
     pub(crate) fn pop(&mut self, len: usize) -> Option<(usize, Key, Child)> {
-        let Some(last) = len.checked_sub(1) else {
-            let (key, child) = self.overflow.pop()?;
-            return Some((0, key, Child(child)));
-        };
-        let slot = last % StackMemory::INLINE;
-        Some((last, self.keys[slot], Child(self.children[slot])))
+        if len > 0 {
+            let (key, child) = self.peek(len);
+            return Some((len - 1, key, child));
+        }
+        if self.overflow.is_empty() {
+            return None;
+        }
+        let (key, child) = self.pop_from_heap();
+        Some((0, key, child))
     }
 
     /// The entry below `len`, which stays where it is.
@@ -79,6 +86,14 @@ impl StackMemory {
     pub(crate) fn peek(&self, len: usize) -> (Key, Child) {
         let slot = len.wrapping_sub(1) % StackMemory::INLINE;
         (self.keys[slot], Child(self.children[slot]))
+    }
+
+    /// The last entry on the heap, which is not empty.
+    #[cold]
+    #[inline(never)]
+    fn pop_from_heap(&mut self) -> (Key, Child) {
+        let (key, child) = self.overflow.pop().unwrap_or_default();
+        (key, Child(child))
     }
 
     #[cold]

@@ -3,18 +3,20 @@
 
 use crate::found::Found;
 use crate::intersect::{ExactTest, TestCounts};
-use crate::node::{Child, ChildKind};
+use crate::node::{Child, Node};
 use crate::prefetch::prefetch;
 use crate::ray_in_tree::RayInTree;
 use crate::rounding::at_least;
 use crate::simd_box_test::{SimdBoxTest, range_end};
 use crate::sphere_block::SphereBlock;
 use crate::stack::{Key, StackMemory};
+use crate::triangle_block::ExactBlock;
 use crate::triangle_filter::TriangleFilter;
 use crate::wide::WideBvh;
 use crate::woop::{self, Decision, Vertices};
 use fearless_simd::Simd;
 use kit::{PrimId, Ray, TriangleHit};
+use std::hint::select_unpredictable;
 
 /// The traversal of the tree by one ray. With `ANY` it ends at the first hit.
 pub(crate) struct Traversal<'a, 'e, S: Simd, const ANY: bool> {
@@ -80,50 +82,60 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         // Local copies: counters behind a reference would be loaded and stored at every step.
         let (mut box_tests, mut prim_tests) = (0, 0);
         let boxes = SimdBoxTest::new(self.simd, &self.in_tree);
+        let nodes = &self.tree.nodes[..];
         let mut stack = StackMemory::new();
         let mut len = 0;
-        for &root in &self.tree.roots {
-            len = stack.push(len, root);
-        }
         // In memory: an operation can broadcast a number from there, while broadcasts before the
         // loop would take more registers than there are.
         let boxes = std::hint::black_box(&boxes);
+        match self.tree.roots[..] {
+            // Apart from the loop, because there is no other entry beside it.
+            [root] if root.is_node() => {
+                box_tests += u64::from(root.count());
+                let hits = boxes.hits(&nodes[root.index()], self.end);
+                stack.write(len, hits.keys, hits.children);
+                len = hits.count;
+            }
+            _ => {
+                for &root in &self.tree.roots {
+                    len = stack.push(len, root);
+                }
+            }
+        }
         let mut is_hit = false;
         while let Some((below, key, child)) = stack.pop(len) {
             len = below;
             if key > self.end {
                 continue;
             }
-            let found = match child.kind() {
-                ChildKind::Node { index, count } => {
-                    box_tests += u64::from(count);
-                    len = stack.reserve(len);
-                    // The next entry, too, if it is a node: most often it is needed anyway, and two
-                    // nodes take hardly longer than one.
-                    let (key, second) = stack.peek(len);
-                    let both = len > 0 && second.is_node() && key <= self.end;
-                    let second_index = if both { second.index() } else { index };
-                    box_tests += if both { u64::from(second.count()) } else { 0 };
-                    let hits = boxes.hits(&self.tree.nodes[index], self.end);
-                    let second_hits = boxes.hits(&self.tree.nodes[second_index], self.end);
-                    len -= usize::from(both);
-                    stack.write(len, second_hits.keys, second_hits.children);
-                    len += if both { second_hits.count } else { 0 };
-                    stack.write(len, hits.keys, hits.children);
-                    len += hits.count;
-                    continue;
-                }
-                ChildKind::Triangles { index, count } => {
-                    // Most often the ray misses all of them, and the next entry is needed.
-                    let (_, next) = stack.peek(len);
-                    self.prefetch(next);
-                    prim_tests += u64::from(count);
-                    self.test_triangles(index, count)
-                }
-                ChildKind::Spheres { index, count } => {
-                    prim_tests += u64::from(count);
-                    self.test_spheres(&self.tree.spheres[index])
-                }
+            if child.is_node() {
+                box_tests += u64::from(child.count());
+                len = stack.reserve(len);
+                // The next entry, too, if it is a node: most often it is needed anyway, and two
+                // nodes take hardly longer than one.
+                let (key, second) = stack.peek(len);
+                let both = (len > 0) & second.is_node() & (key <= self.end);
+                // Not branches: whether there is one is hard to predict.
+                let second = select_unpredictable(both, second, child);
+                let second_count = select_unpredictable(both, second.count(), 0);
+                box_tests += u64::from(second_count);
+                let hits = boxes.hits(&nodes[child.index()], self.end);
+                let second_hits = boxes.hits(&nodes[second.index()], self.end);
+                len -= usize::from(both);
+                stack.write(len, second_hits.keys, second_hits.children);
+                len += select_unpredictable(both, second_hits.count, 0);
+                stack.write(len, hits.keys, hits.children);
+                len += hits.count;
+                continue;
+            }
+            prim_tests += u64::from(child.count());
+            let found = if child.is_triangles() {
+                // Most often the ray misses all of them, and the next entry is needed.
+                let (_, next) = stack.peek(len);
+                self.prefetch(next);
+                self.test_triangles(child.index(), child.count())
+            } else {
+                self.test_spheres(&self.tree.spheres[child.index()])
             };
             if ANY && found {
                 is_hit = true;
@@ -135,16 +147,14 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         is_hit
     }
 
-    /// Starts to load a node or a block of triangles.
+    /// Starts to load a node or a block of triangles. Which of them is hard to predict, so it does
+    /// not branch, and loads as many bytes for either.
     #[inline(always)]
     fn prefetch(&self, child: Child) {
-        if child.is_node() {
-            if let Some(node) = self.tree.nodes.get(child.index()) {
-                prefetch(node);
-            }
-        } else if let Some(block) = self.tree.blocks.get(child.index()) {
-            prefetch(block);
-        }
+        let node = self.tree.nodes.as_ptr().wrapping_add(child.index());
+        let block = self.tree.blocks.as_ptr().wrapping_add(child.index());
+        let start = select_unpredictable(child.is_node(), node.cast(), block.cast());
+        prefetch::<{ size_of::<Node>() }>(start);
     }
 
     /// Tests block number `index`, of `count` triangles. Returns whether there is a hit for
@@ -154,7 +164,8 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         let block = &self.tree.blocks[index];
         if !ANY {
             // A hit needs them, and waiting for memory costs more than the rest of the test.
-            prefetch(&self.tree.exact_blocks[index]);
+            let exact = &raw const self.tree.exact_blocks[index];
+            prefetch::<{ size_of::<ExactBlock>() }>(exact.cast());
         }
         if self.filter.is_none() {
             self.filter = Some(TriangleFilter::new(&self.in_tree));

@@ -259,12 +259,14 @@ impl Builder {
 }
 
 /// Moves the primitives below `plane` to the front and returns their number. It swaps always: a
-/// branch would be mispredicted half of the time.
+/// branch would be mispredicted half of the time. It tests a primitive before the swap: after it,
+/// each test would wait for the store of the one before.
 fn partition(prims: &mut [BuildPrimitive], plane: &SplitPlane) -> usize {
     let mut count = 0;
     for i in 0..prims.len() {
+        let is_below = plane.is_below(&prims[i]);
         prims.swap(i, count);
-        count += usize::from(plane.is_below(&prims[count]));
+        count += usize::from(is_below);
     }
     count
 }

@@ -37,8 +37,7 @@ pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         level,
     };
     let mut prims = input.primitives(&space);
-    let is_triangle = |prim: &&BuildPrimitive| (prim.id() as usize) < triangles.len();
-    let triangle_count = prims.iter().filter(is_triangle).count();
+    let triangle_count = prims.partition_point(|prim| (prim.id() as usize) < triangles.len());
     if triangle_count <= MAX_TRIANGLES_WITHOUT_NODES && prims.len() - triangle_count <= LANES {
         let blocks = |range: Range<usize>| -> Vec<Range<u32>> {
             let starts = range.clone().step_by(LANES);
@@ -89,33 +88,45 @@ struct Input<'a> {
 }
 
 impl Input<'_> {
-    /// The box of a primitive in world space; `None` if it is not finite or empty.
+    /// The box of a primitive in world space; `None` if it is empty or a coordinate is not finite.
+    #[inline(always)]
     fn bounds(&self, number: usize) -> Option<Aabb> {
-        let bounds = match self.triangles.get(number) {
-            Some(triangle) => triangle.bounds(),
-            None => self.spheres[number - self.triangles.len()].bounds(),
+        let (bounds, is_finite) = match self.triangles.get(number) {
+            Some(triangle) => (
+                triangle.bounds(),
+                vertices(triangle).iter().all(|p| p.is_finite()),
+            ),
+            None => {
+                let bounds = self.spheres[number - self.triangles.len()].bounds();
+                (bounds, bounds.min.is_finite() && bounds.max.is_finite())
+            }
         };
-        let is_sound = bounds.min.is_finite() && bounds.max.is_finite() && !bounds.is_empty();
-        is_sound.then_some(bounds)
+        (is_finite && !bounds.is_empty()).then_some(bounds)
     }
 
-    /// The primitives that have a box, in the tree's space.
+    /// A primitive in the tree's space; [`BuildPrimitive::NONE`] if it has no box.
+    #[inline(always)]
+    fn primitive(&self, number: usize, space: &TreeSpace) -> BuildPrimitive {
+        if let Some(triangle) = self.triangles.get(number) {
+            // Finite coordinates are finite in the tree's space, too, and only they.
+            let vertices = vertices(triangle).map(|p| space.point(p));
+            if vertices.iter().all(|p| p.is_finite()) {
+                return presplit::whole_triangle(number as u32, &vertices);
+            }
+        } else if let Some(bounds) = self.bounds(number) {
+            return BuildPrimitive::new(number as u32, space.bounds(bounds), 0.0);
+        }
+        BuildPrimitive::NONE
+    }
+
+    /// The primitives that have a box, in ascending order.
     fn primitives(&self, space: &TreeSpace) -> Vec<BuildPrimitive> {
         let count = self.triangles.len() + self.spheres.len();
         let numbers = (0..count).into_par_iter().with_min_len(MIN_PARALLEL);
         let mut prims: Vec<BuildPrimitive> = numbers
-            .map(|number| {
-                let Some(bounds) = self.bounds(number) else {
-                    return BuildPrimitive::NONE;
-                };
-                let excess = match self.triangles.get(number) {
-                    Some(triangle) => presplit::excess(&vertices(triangle).map(|p| space.point(p))),
-                    None => 0.0,
-                };
-                BuildPrimitive::new(number as u32, space.bounds(bounds), excess)
-            })
+            .map(|number| self.primitive(number, space))
             .collect();
-        if prims.iter().any(BuildPrimitive::is_none) {
+        if prims.par_iter().any(BuildPrimitive::is_none) {
             prims.retain(|prim| !prim.is_none());
         }
         prims
@@ -141,6 +152,34 @@ impl Input<'_> {
             .map(|range| SphereBlock::of(self.spheres, first_sphere, in_order(range)))
             .collect();
         tree.nodes = wide.nodes;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use meshes::{MeshKind, generate};
+
+    /// Long triangles that are divided, and spheres among them: enough for every parallel step.
+    #[test]
+    fn the_tree_does_not_depend_on_the_number_of_threads() {
+        let triangles = generate(MeshKind::Needles, 40_000);
+        let spheres: Vec<Sphere> = (0..500)
+            .map(|i| Sphere {
+                center: triangles[79 * i].p0,
+                radius: 0.01,
+            })
+            .collect();
+        let with_threads = |count| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+            let pool = pool.expect("a pool of threads");
+            let tree = pool.install(|| build(&triangles, &spheres));
+            assert!(tree.nodes.len() > 1000 && tree.spheres.len() > 10);
+            format!("{:?} {:?} {:?}", tree.nodes, tree.blocks, tree.spheres)
+        };
+        let one = with_threads(1);
+        assert!(one == with_threads(2), "two threads build another tree");
+        assert!(one == with_threads(5), "five threads build another tree");
     }
 }
 // END SOLUTION(part6.task1)

@@ -27,10 +27,11 @@ const TRIANGLES_PER_SPLIT: usize = 2;
 /// may be much smaller than the triangle's.
 const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// What dividing a triangle can gain; 0 if it is not worthwhile.
+/// Triangle number `id` as one primitive, with these vertices in the tree's space.
 #[inline(always)]
-pub(crate) fn excess(vertices: &[Vec3; 3]) -> f32 {
-    Extent::of(vertices).excess()
+pub(crate) fn whole_triangle(id: u32, vertices: &[Vec3; 3]) -> BuildPrimitive {
+    let extent = Extent::of(vertices);
+    BuildPrimitive::new(id, extent.bounds, extent.excess())
 }
 
 /// Divides those primitives that have an excess, the parts with the largest excess first, and adds
@@ -46,11 +47,13 @@ pub(crate) fn divide(
 ) {
     let mut splits_left = triangle_count / TRIANGLES_PER_SPLIT;
     let mut classes: BTreeMap<u32, Vec<Part>> = BTreeMap::new();
-    for (place, prim) in prims.iter().enumerate() {
-        if prim.excess() > 0.0 {
-            let class = classes.entry(size_class(prim.excess())).or_default();
-            class.push(Part::whole(place, prim.id()));
-        }
+    let numbered = prims.par_iter().enumerate().with_min_len(1 << 12);
+    let sparse = numbered.filter(|(_, prim)| prim.excess() > 0.0);
+    let sparse: Vec<usize> = sparse.map(|(place, _)| place).collect();
+    for place in sparse {
+        let prim = &prims[place];
+        let class = classes.entry(size_class(prim.excess())).or_default();
+        class.push(Part::whole(place, prim.id()));
     }
     while splits_left > 0
         && let Some((class, mut parts)) = classes.pop_last()
@@ -240,11 +243,10 @@ mod tests {
     use meshes::{MeshKind, generate};
 
     fn split(triangles: &[[Vec3; 3]]) -> Vec<BuildPrimitive> {
-        let whole = |(i, vertices): (usize, &[Vec3; 3])| {
-            let Extent { bounds, .. } = Extent::of(vertices);
-            BuildPrimitive::new(i as u32, bounds, excess(vertices))
-        };
-        let mut prims = triangles.iter().enumerate().map(whole).collect();
+        let numbered = (0..).zip(triangles);
+        let mut prims = numbered
+            .map(|(id, vertices)| whole_triangle(id, vertices))
+            .collect();
         divide(&mut prims, triangles.len(), |id| triangles[id as usize]);
         prims
     }

@@ -2,175 +2,184 @@
 //! Builds the wide tree: from triangles and spheres to nodes and blocks.
 
 use crate::binary;
-use crate::collapse::Collapse;
-use crate::node::{Child, Node};
+use crate::node::Child;
 use crate::presplit;
 use crate::sah::{BuildPrimitive, LANES};
 use crate::space::TreeSpace;
 use crate::sphere_block::SphereBlock;
 use crate::triangle_block::{TriangleBlock, exact_block};
 use crate::wide::WideBvh;
-use fearless_simd::Level;
-use kit::{Aabb, Bvh, BvhNode, NodeKind, PrimId, Sphere, Triangle};
+use crate::widen::{WideNodes, widen};
+use fearless_simd::{Level, dispatch};
+use kit::{Aabb, PrimId, Sphere, Triangle, Vec3};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Up to this many triangles need no nodes: testing a node costs about as much as testing a block.
 const MAX_TRIANGLES_WITHOUT_NODES: usize = 2 * LANES;
 
+/// A thread prepares at least this many primitives at once.
+const MIN_PARALLEL: usize = 1 << 11;
+
 /// Builds the tree. A primitive without a finite box that is not empty is omitted.
 pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
-    let boxes = triangles.iter().map(Triangle::bounds);
-    let mut bounds: Vec<Aabb> = boxes.chain(spheres.iter().map(Sphere::bounds)).collect();
-    for b in &mut bounds {
-        if !(b.min.is_finite() && b.max.is_finite()) {
-            *b = Aabb::EMPTY;
-        }
-    }
-    let prims: Vec<PrimId> = (0..bounds.len() as u32)
-        .map(PrimId)
-        .filter(|id| !bounds[id.0 as usize].is_empty())
-        .collect();
-    let sound: Vec<Aabb> = prims.iter().map(|id| bounds[id.0 as usize]).collect();
-    let space = TreeSpace::around(&sound);
-    for b in bounds.iter_mut().filter(|b| !b.is_empty()) {
-        *b = space.bounds(*b);
-    }
-    let mut builder = Builder {
-        bounds: &bounds,
-        triangles,
-        spheres,
+    let input = Input { triangles, spheres };
+    let count = triangles.len() + spheres.len();
+    let space = TreeSpace::around(count, |number| input.bounds(number));
+    let level = Level::new();
+    let mut tree = WideBvh {
+        roots: Vec::new(),
+        nodes: Vec::new(),
         blocks: Vec::new(),
-        tree: WideBvh {
-            roots: Vec::new(),
-            nodes: Vec::new(),
-            blocks: Vec::new(),
-            exact_blocks: Vec::new(),
-            spheres: Vec::new(),
-            space,
-            level: Level::new(),
-        },
+        exact_blocks: Vec::new(),
+        spheres: Vec::new(),
+        space,
+        level,
     };
-    let (triangles, spheres) = builder.by_kind(&prims);
-    if triangles.len() <= MAX_TRIANGLES_WITHOUT_NODES && spheres.len() <= LANES {
-        for block in triangles.chunks(LANES).chain(spheres.chunks(LANES)) {
-            let child = builder.block(block);
-            builder.tree.roots.push(child);
-        }
-    } else {
-        let binary_tree = binary::build(builder.build_primitives(triangles, spheres));
-        let is_mixed = |node: &BvhNode| builder.kinds(&binary_tree, node).is_some();
-        let collapse = Collapse::cheapest(&binary_tree, is_mixed);
-        let root = builder.widen(&binary_tree, &collapse, 0);
-        builder.tree.roots.push(root);
+    let mut prims = input.primitives(&space);
+    let triangle_count = prims.partition_point(|prim| (prim.id() as usize) < triangles.len());
+    if triangle_count <= MAX_TRIANGLES_WITHOUT_NODES && prims.len() - triangle_count <= LANES {
+        let blocks = |range: Range<usize>| -> Vec<Range<u32>> {
+            let starts = range.clone().step_by(LANES);
+            starts
+                .map(|start| start as u32..range.end.min(start + LANES) as u32)
+                .collect()
+        };
+        let blocks = WideNodes {
+            nodes: Vec::new(),
+            triangle_blocks: blocks(0..triangle_count),
+            sphere_blocks: blocks(triangle_count..prims.len()),
+        };
+        let of_triangles = blocks.triangle_blocks.iter().enumerate();
+        let of_spheres = blocks.sphere_blocks.iter().enumerate();
+        tree.roots
+            .extend(of_triangles.map(|(number, range)| Child::triangles(number, range.len())));
+        tree.roots
+            .extend(of_spheres.map(|(number, range)| Child::spheres(number, range.len())));
+        input.fill_blocks(&mut tree, &order(&prims), blocks);
+        return tree;
     }
-    builder.finish()
+    let vertices = |id: u32| vertices(&triangles[id as usize]).map(|p| space.point(p));
+    presplit::divide(&mut prims, triangle_count, vertices);
+    let binary_tree = binary::build(&mut prims, triangles.len() as u32, level);
+    let (wide, root) = widen(&binary_tree, &prims);
+    tree.roots.push(root);
+    // The blocks are most of the tree's memory. What is not needed any more goes before.
+    let order = order(&prims);
+    drop((prims, binary_tree));
+    input.fill_blocks(&mut tree, &order, wide);
+    tree
 }
 
-struct Builder<'a> {
-    /// The boxes of all primitives in the tree's space.
-    bounds: &'a [Aabb],
+/// The numbers of primitives.
+fn order(prims: &[BuildPrimitive]) -> Vec<PrimId> {
+    let prims = prims.par_iter().with_min_len(MIN_PARALLEL);
+    prims.map(|prim| PrimId(prim.id())).collect()
+}
+
+fn vertices(triangle: &Triangle) -> [Vec3; 3] {
+    [triangle.p0, triangle.p1, triangle.p2]
+}
+
+/// The primitives of the scene.
+struct Input<'a> {
     triangles: &'a [Triangle],
     spheres: &'a [Sphere],
-    /// The triangles of each block.
-    blocks: Vec<Vec<PrimId>>,
-    /// The tree, so far without blocks of triangles.
-    tree: WideBvh,
 }
 
-impl Builder<'_> {
-    /// Adds the wide node for node `root` of `binary` and the nodes below it.
-    fn widen(&mut self, binary: &Bvh, collapse: &Collapse, root: u32) -> Child {
-        let number = self.tree.nodes.len();
-        self.tree.nodes.push(Node::new(&[]));
-        let parts = collapse.children(binary, root);
-        let mut children = Vec::with_capacity(LANES);
-        // If lanes are free, the triangles and the spheres of a mixed leaf become two children.
-        let mut free = LANES - parts.len();
-        for child in parts {
-            let part = &binary.nodes[child as usize];
-            match (part.kind, self.kinds(binary, part)) {
-                (NodeKind::Leaf { .. }, Some(kinds)) if free > 0 || child == root => {
-                    free = free.saturating_sub(1);
-                    for prims in kinds {
-                        children.push((self.bounds_of(prims), self.block(prims)));
-                    }
-                }
-                (NodeKind::Leaf { first, count }, None) => {
-                    children.push((part.bounds, self.block(binary.leaf(first, count))));
-                }
-                _ => children.push((part.bounds, self.widen(binary, collapse, child))),
+impl Input<'_> {
+    /// The box of a primitive in world space; `None` if it is empty or a coordinate is not finite.
+    #[inline(always)]
+    fn bounds(&self, number: usize) -> Option<Aabb> {
+        let (bounds, is_finite) = match self.triangles.get(number) {
+            Some(triangle) => (
+                triangle.bounds(),
+                vertices(triangle).iter().all(|p| p.is_finite()),
+            ),
+            None => {
+                let bounds = self.spheres[number - self.triangles.len()].bounds();
+                (bounds, bounds.min.is_finite() && bounds.max.is_finite())
             }
-        }
-        self.tree.nodes[number] = Node::new(&children);
-        Child::node(number, children.len())
+        };
+        (is_finite && !bounds.is_empty()).then_some(bounds)
     }
 
-    /// The boxes that the tree is built over: of spheres, of triangles and of their parts.
-    fn build_primitives(&self, triangles: &[PrimId], spheres: &[PrimId]) -> Vec<BuildPrimitive> {
-        let mut prims = Vec::with_capacity(triangles.len() + spheres.len());
-        let vertices = triangles.iter().map(|id| {
-            let t = &self.triangles[id.0 as usize];
-            (id.0, [t.p0, t.p1, t.p2].map(|p| self.tree.space.point(p)))
-        });
-        presplit::add_triangles(&mut prims, vertices);
-        let spheres = spheres.iter();
-        prims.extend(spheres.map(|id| BuildPrimitive::new(id.0, self.bounds[id.0 as usize])));
+    /// A primitive in the tree's space; [`BuildPrimitive::NONE`] if it has no box.
+    #[inline(always)]
+    fn primitive(&self, number: usize, space: &TreeSpace) -> BuildPrimitive {
+        if let Some(triangle) = self.triangles.get(number) {
+            // Finite coordinates are finite in the tree's space, too, and only they.
+            let vertices = vertices(triangle).map(|p| space.point(p));
+            if vertices.iter().all(|p| p.is_finite()) {
+                return presplit::whole_triangle(number as u32, &vertices);
+            }
+        } else if let Some(bounds) = self.bounds(number) {
+            return BuildPrimitive::new(number as u32, space.bounds(bounds), 0.0);
+        }
+        BuildPrimitive::NONE
+    }
+
+    /// The primitives that have a box, in ascending order.
+    fn primitives(&self, space: &TreeSpace) -> Vec<BuildPrimitive> {
+        let count = self.triangles.len() + self.spheres.len();
+        let numbers = (0..count).into_par_iter().with_min_len(MIN_PARALLEL);
+        let mut prims: Vec<BuildPrimitive> = numbers
+            .map(|number| self.primitive(number, space))
+            .collect();
+        if prims.par_iter().any(BuildPrimitive::is_none) {
+            prims.retain(|prim| !prim.is_none());
+        }
         prims
     }
 
-    /// The triangles and the spheres of a mixed leaf; `None` for other nodes.
-    fn kinds<'b>(&self, binary: &'b Bvh, node: &BvhNode) -> Option<[&'b [PrimId]; 2]> {
-        let NodeKind::Leaf { first, count } = node.kind else {
-            return None;
-        };
-        let (triangles, spheres) = self.by_kind(binary.leaf(first, count));
-        (!triangles.is_empty() && !spheres.is_empty()).then_some([triangles, spheres])
-    }
-
-    fn bounds_of(&self, prims: &[PrimId]) -> Aabb {
-        let boxes = prims.iter().map(|id| self.bounds[id.0 as usize]);
-        boxes.fold(Aabb::EMPTY, Aabb::union)
-    }
-
-    /// Splits a list with ascending ids into triangles and spheres.
-    fn by_kind<'p>(&self, prims: &'p [PrimId]) -> (&'p [PrimId], &'p [PrimId]) {
-        prims.split_at(prims.partition_point(|id| (id.0 as usize) < self.triangles.len()))
-    }
-
-    /// Adds a block of up to eight primitives of one kind, whose ids ascend. Parts of one triangle
-    /// become one triangle.
-    fn block(&mut self, prims: &[PrimId]) -> Child {
-        let mut prims = prims.to_vec();
-        prims.dedup();
-        let count = prims.len();
-        let first_sphere = self.triangles.len();
-        if (prims[0].0 as usize) < first_sphere {
-            self.blocks.push(prims);
-            Child::triangles(self.blocks.len() - 1, count)
-        } else {
-            let block = SphereBlock::of(self.spheres, first_sphere, &prims);
-            self.tree.spheres.push(block);
-            Child::spheres(self.tree.spheres.len() - 1, count)
-        }
-    }
-
-    /// The tree with its blocks of triangles, in parallel.
-    fn finish(self) -> WideBvh {
-        let (triangles, space) = (self.triangles, &self.tree.space);
-        let blocks = self.blocks.par_iter();
-        let (blocks, exact_blocks) = blocks
-            .map(|prims| {
-                let block = TriangleBlock::of(triangles, prims, space);
-                (block, exact_block(triangles, prims))
+    /// Adds nodes and blocks to a tree, the blocks in parallel.
+    fn fill_blocks(&self, tree: &mut WideBvh, order: &[PrimId], wide: WideNodes) {
+        let in_order = |range: &Range<u32>| &order[range.start as usize..range.end as usize];
+        let (space, level) = (tree.space, tree.level);
+        let blocks = wide.triangle_blocks.par_iter().with_min_len(64);
+        blocks
+            .map(|range| {
+                let ids = in_order(range);
+                dispatch!(level, _simd => (
+                    TriangleBlock::of(self.triangles, ids, &space),
+                    exact_block(self.triangles, ids),
+                ))
             })
-            .unzip();
-        let mut tree = self.tree;
-        tree.nodes.shrink_to_fit();
-        WideBvh {
-            blocks,
-            exact_blocks,
-            ..tree
-        }
+            .unzip_into_vecs(&mut tree.blocks, &mut tree.exact_blocks);
+        let blocks = wide.sphere_blocks.iter();
+        let first_sphere = self.triangles.len();
+        tree.spheres = blocks
+            .map(|range| SphereBlock::of(self.spheres, first_sphere, in_order(range)))
+            .collect();
+        tree.nodes = wide.nodes;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use meshes::{MeshKind, generate};
+
+    /// Long triangles that are divided, and spheres among them: enough for every parallel step.
+    #[test]
+    fn the_tree_does_not_depend_on_the_number_of_threads() {
+        let triangles = generate(MeshKind::Needles, 40_000);
+        let spheres: Vec<Sphere> = (0..500)
+            .map(|i| Sphere {
+                center: triangles[79 * i].p0,
+                radius: 0.01,
+            })
+            .collect();
+        let with_threads = |count| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+            let pool = pool.expect("a pool of threads");
+            let tree = pool.install(|| build(&triangles, &spheres));
+            assert!(tree.nodes.len() > 1000 && tree.spheres.len() > 10);
+            format!("{:?} {:?} {:?}", tree.nodes, tree.blocks, tree.spheres)
+        };
+        let one = with_threads(1);
+        assert!(one == with_threads(2), "two threads build another tree");
+        assert!(one == with_threads(5), "five threads build another tree");
     }
 }
 // END SOLUTION(part6.task1)

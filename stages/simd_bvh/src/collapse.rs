@@ -2,10 +2,11 @@
 //! Collapses a binary tree to a wide one: decides which of its nodes become children of the same
 //! wide node.
 
+use crate::binary::NodeRef;
 use crate::sah::LANES;
-use kit::{Bvh, BvhNode, NodeKind};
 
-/// The wide tree of least cost over a binary tree.
+/// What a subtree costs, and how many wide nodes it has, by the number of lanes that it gets, less
+/// one.
 ///
 /// Every ray that hits the box of a wide node tests its children, so the cost of a tree is the sum
 /// of the surface areas of its wide nodes. Dynamic programming from the leaves upwards minimises
@@ -13,79 +14,112 @@ use kit::{Bvh, BvhNode, NodeKind};
 /// Either it is one child, a wide node itself, or its two children share the `i` lanes in the best
 /// way (Ylitie, Karras, Laine, "Efficient incoherent ray traversal on GPUs through compressed wide
 /// BVHs", 2017).
-pub(crate) struct Collapse {
-    /// By node and number of lanes: how many of them the left child gets; 0 if the node is one
-    /// child.
-    shares: Vec<[u8; LANES]>,
-    /// By node: how many of its eight lanes the left child gets if it is a wide node itself.
-    own: Vec<u8>,
+#[derive(Clone, Copy)]
+pub(crate) struct Costs {
+    costs: [f32; LANES],
+    nodes: [u32; LANES],
 }
 
-impl Collapse {
-    /// Computes the tree of least cost. Children have to come after their parents in `binary`. A
-    /// leaf for which `is_mixed` is true needs two lanes or a wide node of its own.
-    pub(crate) fn cheapest(binary: &Bvh, is_mixed: impl Fn(&BvhNode) -> bool) -> Collapse {
-        let count = binary.nodes.len();
-        let mut costs = vec![[0.0_f64; LANES]; count];
-        let mut collapse = Collapse {
-            shares: vec![[0; LANES]; count],
-            own: vec![0; count],
-        };
-        for (number, node) in binary.nodes.iter().enumerate().rev() {
-            let area = node.bounds.surface_area();
-            let NodeKind::Interior { left, right } = node.kind else {
-                if is_mixed(node) {
-                    costs[number][0] = area;
+/// How many lanes the left child gets if a node has a number of lanes, less one, for its children;
+/// 0 if one lane fewer is as good. With one lane the node is a wide node itself and has eight.
+pub(crate) type Shares = [u8; LANES];
+
+impl Costs {
+    /// The costs of a leaf of one block.
+    pub(crate) const BLOCK: Costs = Costs {
+        costs: [0.0; LANES],
+        nodes: [0; LANES],
+    };
+
+    /// The costs of a leaf of triangles and spheres, which are two blocks: it needs two lanes or a
+    /// wide node of its own.
+    pub(crate) fn of_mixed_leaf(half_area: f32) -> (Costs, Shares) {
+        let mut costs = Costs::BLOCK;
+        (costs.costs[0], costs.nodes[0]) = (half_area, 1);
+        let mut shares = [0; LANES];
+        (shares[0], shares[1]) = (1, 1);
+        (costs, shares)
+    }
+
+    /// The costs of a node above two others.
+    pub(crate) fn above([left, right]: &[Costs; 2], half_area: f32) -> (Costs, Shares) {
+        let (mut costs, mut shares) = (Costs::BLOCK, [0; LANES]);
+        for lanes in 2..=LANES {
+            let (mut least, mut share) = (left.costs[0] + right.costs[lanes - 2], 1);
+            for k in 2..lanes {
+                let cost = left.costs[k - 1] + right.costs[lanes - k - 1];
+                if cost < least {
+                    (least, share) = (cost, k);
                 }
-                continue;
-            };
-            let (below, above) = (costs[left as usize], costs[right as usize]);
-            // The best way to share `i >= 2` lanes: its cost and the number of lanes of the left
-            // child.
-            let share = |i: usize| {
-                let ways = (1..i).map(|k| (below[k - 1] + above[i - k - 1], k as u8));
-                ways.min_by(|a, b| a.0.total_cmp(&b.0))
-                    .expect("two lanes can be shared")
-            };
-            let (cost, own) = share(LANES);
-            collapse.own[number] = own;
-            costs[number][0] = cost + area;
-            for i in 2..=LANES {
-                let (cost, k) = share(i);
-                let fewer = costs[number][i - 2];
-                (costs[number][i - 1], collapse.shares[number][i - 1]) =
-                    if cost < fewer { (cost, k) } else { (fewer, 0) };
+            }
+            costs.costs[lanes - 1] = least;
+            costs.nodes[lanes - 1] = left.nodes[share - 1] + right.nodes[lanes - share - 1];
+            shares[lanes - 1] = share as u8;
+        }
+        costs.costs[0] = costs.costs[LANES - 1] + half_area;
+        costs.nodes[0] = costs.nodes[LANES - 1] + 1;
+        shares[0] = shares[LANES - 1];
+        for (i, share) in shares.iter_mut().enumerate().skip(1) {
+            if costs.costs[i] >= costs.costs[i - 1] {
+                costs.costs[i] = costs.costs[i - 1];
+                costs.nodes[i] = costs.nodes[i - 1];
+                *share = 0;
             }
         }
-        collapse
+        (costs, shares)
     }
 
-    /// The children of the wide node that `node` becomes, from left to right.
-    pub(crate) fn children(&self, binary: &Bvh, node: u32) -> Vec<u32> {
-        let mut children = Vec::with_capacity(LANES);
-        self.add_both(binary, node, self.own[node as usize], LANES, &mut children);
-        children
+    /// The number of wide nodes of the subtree as one child.
+    pub(crate) fn node_count(&self) -> u32 {
+        self.nodes[0]
     }
+}
 
-    /// Adds what is below both children of `node`: the left one gets `share` of the `lanes`.
-    fn add_both(&self, binary: &Bvh, node: u32, share: u8, lanes: usize, children: &mut Vec<u32>) {
-        let share = usize::from(share);
-        match binary.nodes[node as usize].kind {
-            NodeKind::Interior { left, right } if share > 0 => {
-                self.add(binary, left, share, children);
-                self.add(binary, right, lanes - share, children);
-            }
-            _ => children.push(node),
-        }
+/// A child of a wide node.
+#[derive(Clone, Copy)]
+pub(crate) enum WideChild<'t> {
+    /// A node of the binary tree that becomes a wide node.
+    Node(NodeRef<'t>),
+    /// The triangles of a leaf.
+    Triangles(NodeRef<'t>),
+    /// The spheres of a leaf.
+    Spheres(NodeRef<'t>),
+}
+
+/// The children of the wide node that `node` becomes, from left to right.
+pub(crate) fn wide_children(node: NodeRef<'_>) -> Vec<WideChild<'_>> {
+    let mut children = Vec::with_capacity(LANES);
+    add_both(node, node.get().shares[0], LANES, &mut children);
+    children
+}
+
+/// Adds what is below both children of `node`: the left one gets `share` of the `lanes`. The
+/// children of a leaf are its blocks.
+fn add_both<'t>(node: NodeRef<'t>, share: u8, lanes: usize, children: &mut Vec<WideChild<'t>>) {
+    let share = usize::from(share);
+    if let Some([left, right]) = node.children() {
+        add(left, share, children);
+        add(right, lanes - share, children);
+    } else {
+        children.push(WideChild::Triangles(node));
+        children.push(WideChild::Spheres(node));
     }
+}
 
-    /// Adds what is below `node` as at most `lanes` children; at equal cost as few as possible.
-    fn add(&self, binary: &Bvh, node: u32, mut lanes: usize, children: &mut Vec<u32>) {
-        let shares = self.shares[node as usize];
-        while lanes > 1 && shares[lanes - 1] == 0 {
-            lanes -= 1;
-        }
-        self.add_both(binary, node, shares[lanes - 1], lanes, children);
+/// Adds what is below `node` as at most `lanes` children; at equal cost as few as possible.
+fn add<'t>(node: NodeRef<'t>, mut lanes: usize, children: &mut Vec<WideChild<'t>>) {
+    let binary = node.get();
+    while lanes > 1 && binary.shares[lanes - 1] == 0 {
+        lanes -= 1;
+    }
+    if lanes > 1 {
+        add_both(node, binary.shares[lanes - 1], lanes, children);
+    } else if binary.size.nodes > 0 {
+        children.push(WideChild::Node(node));
+    } else if binary.size.triangle_blocks > 0 {
+        children.push(WideChild::Triangles(node));
+    } else {
+        children.push(WideChild::Spheres(node));
     }
 }
 // END SOLUTION(part6.task1)

@@ -6,9 +6,9 @@
 //! `bvh`.
 //!
 // BEGIN SOLUTION(part6.task1)
-//! Reading order: `builder` (from triangles to the tree), `presplit` (long thin triangles), `sah`
-//! and `binary` (the binary tree of least cost), `collapse` (from two to eight children per node),
-//! `space`, `node`, `triangle_block` and `sphere_block` (the memory layout of boxes, triangles and
+//! Reading order: `builder` (from triangles to the tree), `packed_box` (boxes during the build),
+//! `presplit` (long thin triangles), `sah` and `binary` (the binary tree of least cost), `collapse`
+//! and `widen` (from two to eight children per node), `space`, `node`, `triangle_block` and `sphere_block` (the memory layout of boxes, triangles and
 //! spheres), `ray_in_tree`, `simd_box_test` (eight boxes at a time), `triangle_filter` (eight
 //! triangles at a time) and `woop` (one triangle, in double precision), `stack`, `traversal` and
 //! `intersect` (the traversal), `box_test` and `unusual_ray` (rays that are too large, too small or
@@ -31,6 +31,7 @@ mod builder;
 mod collapse;
 mod found;
 mod node;
+mod packed_box;
 mod prefetch;
 mod presplit;
 mod ray_in_tree;
@@ -45,6 +46,7 @@ mod traversal;
 mod triangle_block;
 mod triangle_filter;
 mod unusual_ray;
+mod widen;
 mod woop;
 // END SOLUTION(part6.task1)
 

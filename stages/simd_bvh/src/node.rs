@@ -2,12 +2,13 @@
 //! A node: the boxes of up to eight children in single precision, the children, and their orders
 //! from near to far.
 
+use crate::packed_box::PackedBox;
 use crate::sah::LANES;
 use kit::{Aabb, Vec3};
 
 /// The boxes of up to eight children in the tree's space, one per lane, and the children.
 ///
-/// The boxes are rounded outwards, so they contain their primitives. Single precision halves the
+/// The boxes contain their primitives with a margin, as [`PackedBox`] describes. Single precision halves the
 /// memory and the width of the lanes. It cannot change a hit: boxes only cull, and hits come from
 /// the tests of the primitives.
 #[derive(Clone, Copy, Debug)]
@@ -55,11 +56,11 @@ const EMPTY_PLANES: [f32; 2 * LANES] = {
 
 /// The directions for which a node orders its children: one for each pair of opposite octants. For
 /// the opposite direction the order is reversed.
-const ORDER_DIRECTIONS: [Vec3; 4] = [
-    Vec3::new(1.0, 1.0, 1.0),
-    Vec3::new(-1.0, 1.0, 1.0),
-    Vec3::new(1.0, -1.0, 1.0),
-    Vec3::new(-1.0, -1.0, 1.0),
+const ORDER_DIRECTIONS: [[f32; 3]; 4] = [
+    [1.0, 1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [-1.0, -1.0, 1.0],
 ];
 
 /// The number of the order for rays along `d`, and whether it is reversed.
@@ -70,42 +71,32 @@ pub(crate) fn order_along(d: Vec3) -> (usize, bool) {
     ((sign(d.x) ^ z) | (sign(d.y) ^ z) << 1, z == 1)
 }
 
-/// The margin of a box as a share of its largest edge, added before rounding.
-///
-/// The triangle test has a few rounding errors, each of about 2⁻⁵³ of the triangle's size, so it
-/// may report a hit for a ray that passes the triangle at such a distance. The margin makes this
-/// ray hit the box as well.
-const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
-
-/// The smallest margin of a box, in the tree's space, where the tree has a size of about 1. It
-/// gives a flat box a thickness, so that a ray in the plane of the box hits it.
-const MIN_MARGIN: f64 = 1.0 / (1_u64 << 60) as f64;
-
 impl Node {
-    /// A node with these children, one to eight, and their boxes.
-    pub(crate) fn new(children: &[(Aabb, Child)]) -> Node {
+    /// A node with these children, at most eight, and their boxes, which have their margins.
+    pub(crate) fn new(children: &[(PackedBox, Child)]) -> Node {
         let mut node = Node {
             planes: [EMPTY_PLANES; 3],
             children: [0; LANES],
             orders: [[0; LANES]; 4],
         };
         for (lane, (bounds, child)) in children.iter().enumerate() {
-            let margin = MARGIN * bounds.extent().max_element() + MIN_MARGIN;
             for axis in 0..3 {
-                let planes = &mut node.planes[axis];
-                planes[lane] = below(bounds.min[axis] - margin);
-                planes[LANES + lane] = above(bounds.max[axis] + margin);
+                node.planes[axis][lane] = bounds.min(axis);
+                node.planes[axis][LANES + lane] = bounds.max(axis);
             }
             node.children[lane] = child.0;
         }
         for (order, direction) in node.orders.iter_mut().zip(ORDER_DIRECTIONS) {
-            let mut lanes: [usize; LANES] = std::array::from_fn(|lane| lane);
-            let distance = |lane: usize| match children.get(lane) {
-                Some((bounds, _)) => bounds.centroid().dot(direction),
-                None => f64::INFINITY,
-            };
-            lanes.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-            *order = lanes.map(|lane| 4 * lane as u8);
+            let mut keys = [(f32::INFINITY, 0); LANES];
+            for (lane, key) in keys.iter_mut().enumerate() {
+                if let Some((bounds, _)) = children.get(lane) {
+                    let centroid = |axis| bounds.min(axis) + bounds.max(axis);
+                    key.0 = (0..3).map(|axis| centroid(axis) * direction[axis]).sum();
+                }
+                key.1 = 4 * lane as u8;
+            }
+            keys.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            *order = keys.map(|key| key.1);
         }
         node
     }
@@ -131,16 +122,6 @@ impl Node {
             .try_into()
             .expect("eight planes")
     }
-}
-
-/// A single precision number less than `x`: the nearest or the second nearest.
-fn below(x: f64) -> f32 {
-    (x as f32).next_down()
-}
-
-/// A single precision number greater than `x`: the nearest or the second nearest.
-fn above(x: f64) -> f32 {
-    (x as f32).next_up()
 }
 
 /// A child of a node: its index, in the two highest bits its kind, and in the three bits below the
@@ -224,23 +205,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn boxes_are_always_rounded_outwards() {
-        for x in [
-            0.0, 1.0, -1.0, 0.1, -0.1, 1e-300, -1e-300, 1e300, -1e300, 3.5e38,
-        ] {
-            assert!(f64::from(below(x)) < x, "{x}");
-            assert!(f64::from(above(x)) > x, "{x}");
-        }
-        assert_eq!(above(f64::INFINITY), f32::INFINITY);
-        assert_eq!(below(f64::NEG_INFINITY), f32::NEG_INFINITY);
-    }
-
-    #[test]
     fn children_are_ordered_from_near_to_far() {
         let at = |x: f64, y: f64, z: f64| {
             let min = Vec3::new(x, y, z);
             let max = min + 0.1;
-            (Aabb { min, max }, Child::node(0, 1))
+            (PackedBox::around(Aabb { min, max }), Child::node(0, 1))
         };
         let children = [at(1.0, 0.0, 0.0), at(0.0, 2.0, 0.0), at(0.0, 0.0, -3.0)];
         let node = Node::new(&children);

@@ -10,7 +10,8 @@
 
 use crate::sah::BuildPrimitive;
 use kit::{Aabb, Vec3};
-use std::collections::BinaryHeap;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// A part is divided if the surface of its box is more than this many times the surface that
 /// infinitely small boxes around it would have together. Triangles without a small angle have a
@@ -26,43 +27,75 @@ const TRIANGLES_PER_SPLIT: usize = 2;
 /// may be much smaller than the triangle's.
 const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// Adds the boxes of `triangles`, given in the tree's space with their ids, to `prims`: one box for
-/// each, or those of its parts. The parts with the largest boxes are divided first.
-pub(crate) fn add_triangles(
+/// Triangle number `id` as one primitive, with these vertices in the tree's space.
+#[inline(always)]
+pub(crate) fn whole_triangle(id: u32, vertices: &[Vec3; 3]) -> BuildPrimitive {
+    let extent = Extent::of(vertices);
+    BuildPrimitive::new(id, extent.bounds, extent.excess())
+}
+
+/// Divides those primitives that have an excess, the parts with the largest excess first, and adds
+/// the new parts at the end. There are `triangle_count` triangles, and `vertices` returns those of
+/// a triangle in the tree's space.
+///
+/// Parts whose excess differs by less than a quarter are divided at the same time, in parallel: no
+/// half of a part has as much. The result does not depend on the number of threads.
+pub(crate) fn divide(
     prims: &mut Vec<BuildPrimitive>,
-    triangles: impl ExactSizeIterator<Item = (u32, [Vec3; 3])>,
+    triangle_count: usize,
+    vertices: impl Fn(u32) -> [Vec3; 3] + Sync,
 ) {
-    let mut splits_left = triangles.len() / TRIANGLES_PER_SPLIT;
-    let mut parts = Vec::new();
-    // The bits of two numbers that are not negative have the same order as the numbers.
-    let mut largest_first: BinaryHeap<(u64, usize)> = BinaryHeap::new();
-    for (id, vertices) in triangles {
-        let extent = Extent::of(&vertices);
-        if extent.is_sparse() {
-            largest_first.push((extent.excess().to_bits(), parts.len()));
-            parts.push(Part::whole(id, vertices, extent));
-        } else {
-            prims.push(BuildPrimitive::new(id, extent.bounds));
-        }
+    let mut splits_left = triangle_count / TRIANGLES_PER_SPLIT;
+    let mut classes: BTreeMap<u32, Vec<Part>> = BTreeMap::new();
+    let numbered = prims.par_iter().enumerate().with_min_len(1 << 12);
+    let sparse = numbered.filter(|(_, prim)| prim.excess() > 0.0);
+    let sparse: Vec<usize> = sparse.map(|(place, _)| place).collect();
+    for place in sparse {
+        let prim = &prims[place];
+        let class = classes.entry(size_class(prim.excess())).or_default();
+        class.push(Part::whole(place, prim.id()));
     }
     while splits_left > 0
-        && let Some((_, number)) = largest_first.pop()
+        && let Some((class, mut parts)) = classes.pop_last()
     {
-        let Some([below, above]) = parts[number].halves() else {
-            continue;
-        };
-        splits_left -= 1;
-        for (half, place) in [(below, number), (above, parts.len())] {
-            if half.extent.is_sparse() {
-                largest_first.push((half.extent.excess().to_bits(), place));
-            }
-            match parts.get_mut(place) {
-                Some(part) => *part = half,
-                None => parts.push(half),
+        let rest = parts.split_off(splits_left.min(parts.len()));
+        if !rest.is_empty() {
+            classes.insert(class, rest);
+        }
+        let halves: Vec<_> = parts
+            .par_iter()
+            .with_min_len(MIN_PARALLEL)
+            .map_init(Polygons::default, |polygons, part| {
+                part.halves(&vertices(part.id), polygons)
+            })
+            .collect();
+        for (mut part, halves) in parts.into_iter().zip(halves) {
+            let Some(halves) = halves else {
+                continue;
+            };
+            splits_left -= 1;
+            for (number, (cell, prim)) in halves.into_iter().enumerate() {
+                if number == 0 {
+                    prims[part.place] = prim;
+                } else {
+                    part.place = prims.len();
+                    prims.push(prim);
+                }
+                if prim.excess() > 0.0 {
+                    let class = classes.entry(size_class(prim.excess())).or_default();
+                    class.push(Part { cell, ..part });
+                }
             }
         }
     }
-    prims.extend(parts.iter().map(Part::primitive));
+}
+
+/// A thread divides at least this many parts at once.
+const MIN_PARALLEL: usize = 64;
+
+/// The class of a positive excess: four for each power of two.
+fn size_class(excess: f32) -> u32 {
+    excess.to_bits() >> 21
 }
 
 /// How much space a polygon takes.
@@ -75,6 +108,7 @@ struct Extent {
 }
 
 impl Extent {
+    #[inline(always)]
     fn of(polygon: &[Vec3]) -> Extent {
         let bounds = Aabb {
             min: polygon.iter().copied().fold(Vec3::INFINITY, Vec3::min),
@@ -93,77 +127,113 @@ impl Extent {
         }
     }
 
-    fn is_sparse(&self) -> bool {
-        self.area > SPARSE * self.tight_area
-    }
-
-    /// What dividing the polygon can gain.
-    fn excess(&self) -> f64 {
-        self.area - self.tight_area
+    /// What dividing the polygon can gain; 0 if its box is not mostly empty.
+    #[inline(always)]
+    fn excess(&self) -> f32 {
+        if self.area > SPARSE * self.tight_area {
+            (self.area - self.tight_area) as f32
+        } else {
+            0.0
+        }
     }
 }
 
-/// A convex part of triangle number `id`.
+/// The part of a triangle in a cell.
+#[derive(Clone, Copy)]
 struct Part {
+    /// Its index among the primitives.
+    place: usize,
+    /// The number of the triangle.
     id: u32,
-    polygon: Vec<Vec3>,
-    extent: Extent,
-    margin: f64,
+    cell: Aabb,
+}
+
+/// Memory for polygons.
+#[derive(Default)]
+struct Polygons {
+    part: Vec<Vec3>,
+    half: Vec<Vec3>,
+    scratch: Vec<Vec3>,
 }
 
 impl Part {
-    fn whole(id: u32, vertices: [Vec3; 3], extent: Extent) -> Part {
-        Part {
-            id,
-            polygon: vertices.to_vec(),
-            margin: MARGIN * extent.bounds.extent().max_element(),
-            extent,
-        }
-    }
-
-    fn primitive(&self) -> BuildPrimitive {
-        let Aabb { min, max } = self.extent.bounds;
-        let bounds = Aabb {
-            min: min - self.margin,
-            max: max + self.margin,
+    fn whole(place: usize, id: u32) -> Part {
+        let cell = Aabb {
+            min: Vec3::NEG_INFINITY,
+            max: Vec3::INFINITY,
         };
-        BuildPrimitive::new(self.id, bounds)
+        Part { place, id, cell }
     }
 
-    /// Divides the part in the middle of the longest edge of its box. `None` if it is too small.
-    fn halves(&self) -> Option<[Part; 2]> {
-        let Aabb { min, max } = self.extent.bounds;
+    /// Divides the part in the middle of the longest edge of its box: the cells and the primitives
+    /// of the halves. `None` if it is too small.
+    fn halves(
+        &self,
+        vertices: &[Vec3; 3],
+        polygons: &mut Polygons,
+    ) -> Option<[(Aabb, BuildPrimitive); 2]> {
+        let Polygons {
+            part,
+            half,
+            scratch,
+        } = polygons;
+        part.clear();
+        part.extend(vertices);
+        let margin = MARGIN * Extent::of(part).bounds.extent().max_element();
+        for axis in 0..3 {
+            for (side, plane) in [(1.0, self.cell.max[axis]), (-1.0, self.cell.min[axis])] {
+                if plane.is_finite() {
+                    clip(part, axis, side, plane, scratch);
+                    std::mem::swap(part, scratch);
+                }
+            }
+        }
+        if part.is_empty() {
+            return None;
+        }
+        let Aabb { min, max } = Extent::of(part).bounds;
         let edges = max - min;
         let longest = |a: &usize, b: &usize| edges[*a].total_cmp(&edges[*b]);
         let axis = (0..3).max_by(longest)?;
         let middle = 0.5 * (min[axis] + max[axis]);
-        if edges[axis] <= 4.0 * self.margin || middle <= min[axis] || middle >= max[axis] {
+        if edges[axis] <= 4.0 * margin || middle <= min[axis] || middle >= max[axis] {
             return None;
         }
-        let (mut below, mut above) = (Vec::new(), Vec::new());
-        let mut previous = *self.polygon.last()?;
-        for &p in &self.polygon {
-            let (from, to) = (previous[axis] - middle, p[axis] - middle);
-            if (from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0) {
-                let mut crossing = previous + (p - previous) * (from / (from - to));
-                crossing[axis] = middle;
-                below.push(crossing);
-                above.push(crossing);
-            }
-            if to <= 0.0 {
-                below.push(p);
-            }
-            if to >= 0.0 {
-                above.push(p);
-            }
-            previous = p;
+        let mut cells = [self.cell; 2];
+        cells[0].max[axis] = middle;
+        cells[1].min[axis] = middle;
+        let mut on_side = |side: f64, cell: Aabb| {
+            clip(part, axis, side, middle, half);
+            let extent = Extent::of(half);
+            let bounds = Aabb {
+                min: extent.bounds.min - margin,
+                max: extent.bounds.max + margin,
+            };
+            let prim = BuildPrimitive::new(self.id, bounds, extent.excess());
+            (cell, prim)
+        };
+        Some([on_side(1.0, cells[0]), on_side(-1.0, cells[1])])
+    }
+}
+
+/// Writes to `clipped` what of a convex polygon is at or below `plane` on `axis`; if `side` is -1,
+/// what is at or above it.
+fn clip(polygon: &[Vec3], axis: usize, side: f64, plane: f64, clipped: &mut Vec<Vec3>) {
+    clipped.clear();
+    let Some(&(mut previous)) = polygon.last() else {
+        return;
+    };
+    for &p in polygon {
+        let (from, to) = (side * (previous[axis] - plane), side * (p[axis] - plane));
+        if (from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0) {
+            let mut crossing = previous + (p - previous) * (from / (from - to));
+            crossing[axis] = plane;
+            clipped.push(crossing);
         }
-        Some([below, above].map(|polygon| Part {
-            id: self.id,
-            extent: Extent::of(&polygon),
-            polygon,
-            margin: self.margin,
-        }))
+        if to <= 0.0 {
+            clipped.push(p);
+        }
+        previous = p;
     }
 }
 
@@ -173,12 +243,11 @@ mod tests {
     use meshes::{MeshKind, generate};
 
     fn split(triangles: &[[Vec3; 3]]) -> Vec<BuildPrimitive> {
-        let mut prims = Vec::new();
-        let numbered = triangles.iter().enumerate();
-        add_triangles(
-            &mut prims,
-            numbered.map(|(i, &vertices)| (i as u32, vertices)),
-        );
+        let numbered = (0..).zip(triangles);
+        let mut prims = numbered
+            .map(|(id, vertices)| whole_triangle(id, vertices))
+            .collect();
+        divide(&mut prims, triangles.len(), |id| triangles[id as usize]);
         prims
     }
 
@@ -193,7 +262,7 @@ mod tests {
         let mut triangles = vec![compact; 40];
         triangles.push(diagonal);
         let prims = split(&triangles);
-        let parts: Vec<_> = prims.iter().filter(|prim| prim.id == 40).collect();
+        let parts: Vec<_> = prims.iter().filter(|prim| prim.id() == 40).collect();
         assert_eq!(prims.len() - parts.len(), 40);
         assert!(parts.len() > 8, "{} parts", parts.len());
         let [a, b, c] = diagonal;
@@ -201,9 +270,14 @@ mod tests {
             for j in 0..=10 {
                 let (s, t) = (f64::from(i) / 200.0, f64::from(j) / 10.0);
                 let p = a + s * ((b - a) + t * (c - b));
-                let is_inside =
-                    |bounds: &Aabb| p.cmpge(bounds.min).all() && p.cmple(bounds.max).all();
-                assert!(parts.iter().any(|part| is_inside(&part.bounds)), "{p}");
+                let is_inside = |part: &BuildPrimitive| {
+                    let bounds = part.bounds();
+                    (0..3).all(|axis| {
+                        f64::from(bounds.min(axis)) <= p[axis]
+                            && p[axis] <= f64::from(bounds.max(axis))
+                    })
+                };
+                assert!(parts.iter().any(|part| is_inside(part)), "{p}");
             }
         }
     }

@@ -6,6 +6,7 @@
 //! fast as any other.
 
 use kit::{Aabb, Ray, Vec3};
+use rayon::prelude::*;
 use std::ops::Range;
 
 /// `local = (world - center)·scale`. The scale is a power of two, so that only the difference
@@ -21,24 +22,25 @@ pub(crate) struct TreeSpace {
 }
 
 impl TreeSpace {
-    /// The space of primitives with these boxes, which are finite and not empty. The centre is the
-    /// median of their centres: one large primitive, say a ground, does not move it away from many
-    /// small ones.
-    pub(crate) fn around(bounds: &[Aabb]) -> TreeSpace {
-        let middle = |axis: usize| {
-            let mut centers: Vec<f64> = bounds
-                .iter()
-                .map(|b| 0.5 * b.min[axis] + 0.5 * b.max[axis])
-                .collect();
-            let middle = centers.len() / 2;
-            match centers.get(middle) {
-                Some(_) => *centers.select_nth_unstable_by(middle, f64::total_cmp).1,
-                None => 0.0,
+    /// The space of primitives `0..count` with the boxes that `bounds` returns, which are finite
+    /// and not empty; `None` for a primitive without a box.
+    ///
+    /// The centre is the median of the centres of a fixed sample: one large primitive, say a
+    /// ground, does not move it away from many small ones. With [`SAMPLE`] centres the median is
+    /// nearly always among the middle tenth of all, and hits do not depend on the space.
+    pub(crate) fn around(count: usize, bounds: impl Fn(usize) -> Option<Aabb> + Sync) -> TreeSpace {
+        let numbers = (0..count).into_par_iter().with_min_len(MIN_PARALLEL);
+        let all = numbers
+            .filter_map(&bounds)
+            .reduce(|| Aabb::EMPTY, Aabb::union);
+        let center = median_center(count, bounds).unwrap_or_else(|| {
+            // The sample has no boxes.
+            if all.is_empty() {
+                Vec3::ZERO
+            } else {
+                0.5 * all.min + 0.5 * all.max
             }
-        };
-        let (x, (y, z)) = rayon::join(|| middle(0), || rayon::join(|| middle(1), || middle(2)));
-        let center = Vec3::new(x, y, z);
-        let all = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        });
         // Half the extent, because the whole may overflow.
         let extent = (0.5 * all.max - 0.5 * all.min).max_element();
         // Coordinates of a scene that is much smaller than its distance from the world's origin
@@ -98,6 +100,28 @@ impl TreeSpace {
         }
     }
 }
+
+/// The median of the centres of at most [`SAMPLE`] boxes, on each axis; `None` if there are none.
+fn median_center(count: usize, bounds: impl Fn(usize) -> Option<Aabb>) -> Option<Vec3> {
+    let size = count.min(SAMPLE);
+    let mut centers: Vec<Vec3> = (0..size)
+        .filter_map(|i| bounds((i as u64 * count as u64 / size as u64) as usize))
+        .map(|b| 0.5 * b.min + 0.5 * b.max)
+        .collect();
+    let middle = centers.len() / 2;
+    let mut median = *centers.get(middle)?;
+    for axis in 0..3 {
+        let order = |a: &Vec3, b: &Vec3| a[axis].total_cmp(&b[axis]);
+        median[axis] = centers.select_nth_unstable_by(middle, order).1[axis];
+    }
+    Some(median)
+}
+
+/// The number of boxes whose centres are compared.
+const SAMPLE: usize = 1 << 11;
+
+/// A thread reads at least this many boxes at once.
+const MIN_PARALLEL: usize = 1 << 12;
 
 /// The smallest ratio of the extent to a coordinate that the scale takes into account.
 const SMALLEST_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;

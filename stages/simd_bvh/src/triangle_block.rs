@@ -30,6 +30,7 @@ pub(crate) struct TriangleBlock {
 pub(crate) type ExactBlock = [Vertices; LANES];
 
 /// The vertices of the triangles `prims`; 0 in lanes without one.
+#[inline(always)]
 pub(crate) fn exact_block(triangles: &[Triangle], prims: &[PrimId]) -> ExactBlock {
     let mut block = [[[0.0; 3]; 3]; LANES];
     for (vertices, &id) in block.iter_mut().zip(prims) {
@@ -43,8 +44,13 @@ pub(crate) fn exact_block(triangles: &[Triangle], prims: &[PrimId]) -> ExactBloc
 /// of size 1.
 pub(crate) const SMALLEST_UNIT: f64 = 1.0 / (1_u64 << 38) as f64;
 
+/// A number from 0 to 65535 plus this one is rounded to the nearest integer: the last bits of the
+/// sum.
+const ROUND: f64 = (1_u64 << 52) as f64;
+
 impl TriangleBlock {
     /// A block of the triangles `prims` of `triangles`, one to eight.
+    #[inline(always)]
     pub(crate) fn of(triangles: &[Triangle], prims: &[PrimId], space: &TreeSpace) -> TriangleBlock {
         let mut points = [[Vec3::ZERO; 3]; LANES];
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
@@ -58,6 +64,7 @@ impl TriangleBlock {
         let origin = low.to_array().map(|x| (x as f32).next_down());
         let corner = Vec3::from(origin.map(f64::from));
         let unit = unit_for((high - corner).max_element());
+        let per_unit = 1.0 / unit;
         let mut block = TriangleBlock {
             vertices: [[[0; LANES]; 3]; 3],
             ids: [0; LANES],
@@ -66,9 +73,9 @@ impl TriangleBlock {
         };
         for (lane, (points, &id)) in points.iter().zip(prims).enumerate() {
             for (vertex, &point) in points.iter().enumerate() {
-                let steps = ((point - corner) / unit).round();
+                let steps = (point - corner) * per_unit + ROUND;
                 for axis in 0..3 {
-                    block.vertices[vertex][axis][lane] = steps[axis] as u16;
+                    block.vertices[vertex][axis][lane] = steps[axis].to_bits() as u16;
                 }
             }
             block.ids[lane] = id.0;
@@ -97,6 +104,7 @@ impl TriangleBlock {
 }
 
 /// The smallest power of two that divides `extent` into at most 65535 steps.
+#[inline(always)]
 fn unit_for(extent: f64) -> f64 {
     let unit = (extent / 65535.0).max(SMALLEST_UNIT);
     // The bits of the exponent alone are the power of two at or below.
@@ -116,7 +124,7 @@ mod tests {
             Triangle::flat(at(-0.1, 0.0, 0.0), at(0.0, 1e-9, 0.0), at(0.3, 0.3, 0.3)),
         ];
         let bounds: Vec<_> = triangles.iter().map(Triangle::bounds).collect();
-        let space = TreeSpace::around(&bounds);
+        let space = TreeSpace::around(2, |number| Some(bounds[number]));
         let block = TriangleBlock::of(&triangles, &[PrimId(0), PrimId(1)], &space);
         let unit = f64::from(block.unit);
         assert_eq!(f64::from(block.steps_per_length()), 1.0 / unit);

@@ -123,6 +123,8 @@ impl Child {
     const SPHERES: u32 = 1 << 31;
     const COUNT_BIT: u32 = 27;
     const LAST: u32 = (1 << Child::COUNT_BIT) - 1;
+    /// Stands for no child; none of the kinds.
+    pub(crate) const NONE: Child = Child(u32::MAX);
 
     pub(crate) fn node(index: usize, count: usize) -> Child {
         Child(Child::numbered(index, count))
@@ -147,6 +149,16 @@ impl Child {
     #[inline(always)]
     pub(crate) fn is_node(self) -> bool {
         self.0 < Child::TRIANGLES
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_triangles(self) -> bool {
+        self.0 >> 30 == Child::TRIANGLES >> 30
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_spheres(self) -> bool {
+        self.0 >> 30 == Child::SPHERES >> 30
     }
 
     #[inline(always)]

@@ -14,8 +14,8 @@ use kit::Vec3;
 /// where `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So
 /// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`RELATIVE`] covers it,
 /// however far the origin is from the box and the box from 0.
-pub(crate) struct SimdBoxTest<S: Simd> {
-    simd: S,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SimdBoxTest {
     /// By axis: the plane that the ray crosses first, 0 for the lower one, 1 for the upper one.
     first: [usize; 3],
     entering: Lines,
@@ -35,6 +35,7 @@ pub(crate) struct BoxHits<S: Simd> {
 }
 
 /// For each axis `t = b·slope + start` for a plane at `b`. The fourth numbers have no meaning.
+#[derive(Clone, Debug, Default)]
 struct Lines {
     slope: [f32; 4],
     start: [f32; 4],
@@ -66,9 +67,9 @@ const END: f32 = (1 << 22) as f32;
 /// so it hits the same boxes.
 const SLOWEST: f32 = 1.0 / (1_u128 << 84) as f32;
 
-impl<S: Simd> SimdBoxTest<S> {
+impl SimdBoxTest {
     #[inline(always)]
-    pub(crate) fn new(simd: S, ray: &RayInTree) -> SimdBoxTest<S> {
+    pub(crate) fn new<S: Simd>(simd: S, ray: &RayInTree) -> SimdBoxTest {
         let (order, is_reversed) = order_along(ray.d);
         let d = rounded(simd, ray.d);
         let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
@@ -80,7 +81,6 @@ impl<S: Simd> SimdBoxTest<S> {
         let entering_start = offset - (offset.abs() * (2.0 * f32::EPSILON) + ABSOLUTE);
         let leaving_start = outer_offset + (outer_offset.abs() * (2.0 * f32::EPSILON) + ABSOLUTE);
         SimdBoxTest {
-            simd,
             first: ray.d.to_array().map(|d| (d.to_bits() >> 63) as usize),
             entering: Lines {
                 slope: inverse.to_array(),
@@ -100,8 +100,7 @@ impl<S: Simd> SimdBoxTest<S> {
     /// The children of `node` whose boxes the ray hits before `end`, a [`range_end`], the nearest
     /// last.
     #[inline(always)]
-    pub(crate) fn hits(&self, node: &Node, end: Key) -> BoxHits<S> {
-        let simd = self.simd;
+    pub(crate) fn hits<S: Simd>(&self, simd: S, node: &Node, end: Key) -> BoxHits<S> {
         // The bits of two numbers compare like the numbers unless both are negative. The smallest
         // `t` is not negative, so the latest entry is right, and an exit before it is right or
         // negative. Comparing integers takes a cycle, comparing numbers four.

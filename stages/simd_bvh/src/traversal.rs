@@ -104,8 +104,9 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                     let both = len > 0 && second.is_node() && key <= self.end;
                     let second_index = if both { second.index() } else { index };
                     box_tests += if both { u64::from(second.count()) } else { 0 };
-                    let hits = boxes.hits(&self.tree.nodes[index], self.end);
-                    let second_hits = boxes.hits(&self.tree.nodes[second_index], self.end);
+                    let hits = boxes.hits(self.simd, &self.tree.nodes[index], self.end);
+                    let second_hits =
+                        boxes.hits(self.simd, &self.tree.nodes[second_index], self.end);
                     len -= usize::from(both);
                     stack.write(len, second_hits.keys, second_hits.children);
                     len += if both { second_hits.count } else { 0 };
@@ -230,7 +231,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     fn test_scalar(&mut self, id: PrimId) -> bool {
         match self.found.test(id, self.ray, self.exact) {
             Some(t) => {
-                let t = at_least(self.in_tree.local_t(t));
+                let t = at_least(self.in_tree.scale.local_t(t));
                 self.shorten(self.limit.min(t));
                 true
             }

@@ -19,7 +19,7 @@ use kit::{
     Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum, Tally,
     TriangleHit, Vec3,
 };
-use simd_bvh::{TestCounts, WideBvh};
+use simd_bvh::{StreamMemory, TestCounts, WideBvh};
 use simd_paths::{
     BATCH_SIZE, Beam, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback,
     ScalarPath, View, Workspace,
@@ -105,7 +105,7 @@ impl<'a> PacketRenderer<'a> {
         tile: Tile,
         stop: &AtomicBool,
     ) -> Vec<PixelEstimate> {
-        let mut workspace = Workspace::default();
+        let mut memory = Memory::default();
         let mut estimates = Vec::with_capacity(tile.area() as usize);
         let pixels: Vec<(u32, u32)> = tile.pixels().collect();
         let first = self.certain_samples(0);
@@ -122,13 +122,13 @@ impl<'a> PacketRenderer<'a> {
                     sampler: PixelSampler::new(x, y, self.job.sampling),
                 })
                 .collect();
-            let samples = self.trace(integrator, &mut workspace, &mut starts, first);
+            let samples = self.trace(integrator, &mut memory, &mut starts, first);
             for (samples, start) in samples.chunks(first as usize).zip(&mut starts) {
-                let estimate = self.pixel(integrator, &mut workspace, start, samples);
+                let estimate = self.pixel(integrator, &mut memory, start, samples);
                 estimates.push(estimate);
             }
         }
-        integrator.add_counts(workspace.counts);
+        integrator.add_counts(memory.paths.counts);
         estimates
     }
 
@@ -136,7 +136,7 @@ impl<'a> PacketRenderer<'a> {
     fn pixel(
         &self,
         integrator: &mut PathIntegrator<'a>,
-        workspace: &mut Workspace,
+        memory: &mut Memory,
         start: &mut PathStart,
         first: &[Spectrum],
     ) -> PixelEstimate {
@@ -159,7 +159,7 @@ impl<'a> PacketRenderer<'a> {
                 if used == ready.len() {
                     let started = start.sampler.samples_started();
                     let count = self.certain_samples(started - self.job.sampling.first_sample);
-                    ready = self.trace(integrator, workspace, std::slice::from_mut(start), count);
+                    ready = self.trace(integrator, memory, std::slice::from_mut(start), count);
                     used = 0;
                 }
                 used += 1;
@@ -184,7 +184,7 @@ impl<'a> PacketRenderer<'a> {
     fn trace(
         &self,
         integrator: &PathIntegrator<'a>,
-        workspace: &mut Workspace,
+        memory: &mut Memory,
         pixels: &mut [PathStart],
         count: u32,
     ) -> Vec<Spectrum> {
@@ -208,13 +208,25 @@ impl<'a> PacketRenderer<'a> {
             tree: self.tree,
             camera: &self.job.camera,
             counters: Counters::default(),
+            stream: &mut memory.stream,
         };
-        let samples = self
-            .scene
-            .trace(&self.view, &self.paths, &starts, workspace, &mut fallback);
+        let samples = self.scene.trace(
+            &self.view,
+            &self.paths,
+            &starts,
+            &mut memory.paths,
+            &mut fallback,
+        );
         integrator.counting(|counters| *counters += fallback.counters);
         samples
     }
+}
+
+/// The memory that a thread reuses.
+#[derive(Debug, Default)]
+struct Memory {
+    paths: Workspace,
+    stream: StreamMemory,
 }
 
 /// The samples that are traced at once, a few batches of them.
@@ -236,8 +248,10 @@ struct Fallback<'b, 'a> {
     integrator: &'b PathIntegrator<'a>,
     tree: &'a WideBvh,
     camera: &'a Camera,
-    /// The tests of `closest` and `occluded`; the packets count the rays.
+    /// The tests of rays; the packets count the rays.
     counters: Counters,
+    /// For rays that are traced together.
+    stream: &'b mut StreamMemory,
 }
 
 impl ScalarFallback for Fallback<'_, '_> {
@@ -262,6 +276,28 @@ impl ScalarFallback for Fallback<'_, '_> {
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
         let scene = &self.integrator.lit.scene;
         occluded_in(self.tree, scene, ray, skip, &mut self.counters)
+    }
+
+    fn closest_each(
+        &mut self,
+        rays: &[(Ray, Option<PrimId>)],
+        hits: &mut Vec<Option<(PrimId, TriangleHit)>>,
+    ) {
+        let scene = &self.integrator.lit.scene;
+        let mut tests = TestCounts::default();
+        let exact = &mut |id, ray: &Ray| test_primitive(scene, id, ray);
+        self.tree
+            .closest_each(rays, exact, self.stream, &mut tests, hits);
+        self.counters += tests;
+    }
+
+    fn occluded_each(&mut self, rays: &[(Ray, Option<PrimId>)], occluded: &mut Vec<bool>) {
+        let scene = &self.integrator.lit.scene;
+        let mut tests = TestCounts::default();
+        let exact = &mut |id, ray: &Ray| test_primitive(scene, id, ray);
+        self.tree
+            .occluded_each(rays, exact, self.stream, &mut tests, occluded);
+        self.counters += tests;
     }
 
     fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {

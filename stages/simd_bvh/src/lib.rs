@@ -11,8 +11,10 @@
 //! and `widen` (from two to eight children per node), `space`, `node`, `triangle_block` and `sphere_block` (the memory layout of boxes, triangles and
 //! spheres), `ray_in_tree`, `simd_box_test` (eight boxes at a time), `triangle_filter` (eight
 //! triangles at a time) and `woop` (one triangle, in double precision), `stack`, `traversal` and
-//! `intersect` (the traversal), `box_test` and `unusual_ray` (rays that are too large, too small or
-//! too far away for single precision), `region` (the primitives that many rays may hit).
+//! `intersect` (the traversal by one ray), `stream`, `stream_traversal`, `slot_queue`, `ray_slot`
+//! and `slot_stack` (the traversal by many rays together), `box_test` and `unusual_ray` (rays that
+//! are too large, too small or too far away for single precision), `region` (the primitives that
+//! many rays may hit).
 //!
 //! The tree is fast and exact. Boxes are single precision and rounded outwards. Triangles have 16
 //! bits a coordinate and are tested in single precision, with a bound on all errors, which
@@ -35,13 +37,17 @@ mod packed_box;
 mod prefetch;
 mod presplit;
 mod ray_in_tree;
+mod ray_slot;
 mod region;
 mod rounding;
 mod sah;
 mod simd_box_test;
+mod slot_queue;
+mod slot_stack;
 mod space;
 mod sphere_block;
 mod stack;
+mod stream_traversal;
 mod traversal;
 mod triangle_block;
 mod triangle_filter;
@@ -51,10 +57,12 @@ mod woop;
 // END SOLUTION(part6.task1)
 
 mod intersect;
+mod stream;
 mod wide;
 
 pub use fearless_simd::Level;
 pub use intersect::{ExactTest, TestCounts};
+pub use stream::StreamMemory;
 pub use wide::WideBvh;
 
 /// The earlier name of [`TestCounts`], which programs outside this workspace use.

@@ -24,9 +24,10 @@ pub(crate) struct Node {
 }
 
 /// A side of a box along an axis: the index of its first plane in a [`Node`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(usize)]
 pub(crate) enum Side {
+    #[default]
     Lower = 0,
     Upper = LANES,
 }
@@ -145,6 +146,8 @@ impl Child {
     const SPHERES: u32 = 1 << 31;
     const COUNT_BIT: u32 = 27;
     const LAST: u32 = (1 << Child::COUNT_BIT) - 1;
+    /// Stands for no child; none of the kinds.
+    pub(crate) const NONE: Child = Child(u32::MAX);
 
     pub(crate) fn node(index: usize, count: usize) -> Child {
         Child(Child::numbered(index, count))
@@ -171,10 +174,14 @@ impl Child {
         self.0 < Child::TRIANGLES
     }
 
-    /// Whether this is a block of triangles; not for nodes.
     #[inline(always)]
     pub(crate) fn is_triangles(self) -> bool {
-        self.0 < Child::SPHERES
+        self.0 >> 30 == Child::TRIANGLES >> 30
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_spheres(self) -> bool {
+        self.0 >> 30 == Child::SPHERES >> 30
     }
 
     #[inline(always)]

@@ -16,7 +16,13 @@ pub(crate) struct RayInTree {
     /// At least the distance from the origin of the world's ray to any point of the tree, in the
     /// tree's space.
     reach: f64,
-    /// A point at `t` on the world's ray is at `t·speed - start` on this one.
+    pub(crate) scale: TScale,
+}
+
+/// The relation of distances along a ray in the world and in the tree.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TScale {
+    /// A point at `t` on the world's ray is at `t·speed - start` on the other one.
     speed: f64,
     start: f64,
 }
@@ -56,8 +62,7 @@ impl RayInTree {
             min_t: ray.min_t * speed,
             max_t: ray.max_t * speed,
             reach: distance + 3.0 * space.size,
-            speed,
-            start: 0.0,
+            scale: TScale { speed, start: 0.0 },
         };
         if distance > NEAR {
             near.approach();
@@ -70,7 +75,7 @@ impl RayInTree {
         let length2 = self.d.length_squared();
         let start = -self.o.dot(self.d) / length2 - APPROACH / length2.sqrt();
         if start > 0.0 {
-            self.start = start;
+            self.scale.start = start;
             self.o += start * self.d;
             self.min_t -= start;
             self.max_t -= start;
@@ -84,10 +89,12 @@ impl RayInTree {
         const NOISE: f64 = 1.0 / (1_u64 << 48) as f64;
         (self.reach * NOISE) as f32
     }
+}
 
-    /// The `t` on this ray of a point at `t` on the world's ray.
+impl TScale {
+    /// The `t` on the ray in the tree of a point at `t` on the world's ray.
     #[inline(always)]
-    pub(crate) fn local_t(&self, t: f64) -> f64 {
+    pub(crate) fn local_t(self, t: f64) -> f64 {
         t * self.speed - self.start
     }
 }

@@ -14,8 +14,8 @@ use kit::Vec3;
 /// where `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So
 /// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`SLACK`] covers it,
 /// however far the origin is from the box and the box from 0.
-pub(crate) struct SimdBoxTest<S: Simd> {
-    simd: S,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SimdBoxTest {
     lines: Lines,
     /// The bits of the start of the range, moved down. It is not negative.
     min_t: Key,
@@ -34,6 +34,7 @@ pub(crate) struct BoxHits<S: Simd> {
 /// For each axis the `t` at which the ray crosses planes at `b`: `b·slope + entering` for those by
 /// which it enters boxes, `b·slope + leaving` for those by which it leaves. The numbers are in all
 /// lanes, because operations read them from memory.
+#[derive(Clone, Debug, Default)]
 #[repr(C, align(32))]
 struct Lines {
     slope: [[f32; LANES]; 3],
@@ -79,9 +80,9 @@ const END: f32 = (1 << 22) as f32;
 /// so it hits the same boxes.
 const SLOWEST: f32 = 1.0 / (1_u128 << 84) as f32;
 
-impl<S: Simd> SimdBoxTest<S> {
+impl SimdBoxTest {
     #[inline(always)]
-    pub(crate) fn new(simd: S, ray: &RayInTree) -> SimdBoxTest<S> {
+    pub(crate) fn new<S: Simd>(simd: S, ray: &RayInTree) -> SimdBoxTest {
         let (order, is_reversed) = order_along(ray.d);
         let d = rounded(simd, ray.d);
         let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
@@ -94,7 +95,6 @@ impl<S: Simd> SimdBoxTest<S> {
             Side::crossed(ray.d.z),
         ];
         SimdBoxTest {
-            simd,
             lines: Lines {
                 slope: splats(simd, inverse),
                 entering: splats(simd, offset - error),
@@ -112,8 +112,7 @@ impl<S: Simd> SimdBoxTest<S> {
     /// The children of `node` whose boxes the ray hits before `end`, a [`range_end`], the nearest
     /// last.
     #[inline(always)]
-    pub(crate) fn hits(&self, node: &Node, end: Key) -> BoxHits<S> {
-        let simd = self.simd;
+    pub(crate) fn hits<S: Simd>(&self, simd: S, node: &Node, end: Key) -> BoxHits<S> {
         // The bits of two numbers compare like the numbers unless both are negative. The smallest
         // `t` is not negative, so the latest entry is right, and an exit before it is right or
         // negative. Comparing integers takes a cycle, comparing numbers four.

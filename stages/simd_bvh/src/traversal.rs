@@ -92,7 +92,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
             // Apart from the loop, because there is no other entry beside it.
             [root] if root.is_node() => {
                 box_tests += u64::from(root.count());
-                let hits = boxes.hits(&nodes[root.index()], self.end);
+                let hits = boxes.hits(self.simd, &nodes[root.index()], self.end);
                 stack.write(len, hits.keys, hits.children);
                 len = hits.count;
             }
@@ -119,8 +119,8 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 let second = select_unpredictable(both, second, child);
                 let second_count = select_unpredictable(both, second.count(), 0);
                 box_tests += u64::from(second_count);
-                let hits = boxes.hits(&nodes[child.index()], self.end);
-                let second_hits = boxes.hits(&nodes[second.index()], self.end);
+                let hits = boxes.hits(self.simd, &nodes[child.index()], self.end);
+                let second_hits = boxes.hits(self.simd, &nodes[second.index()], self.end);
                 len -= usize::from(both);
                 stack.write(len, second_hits.keys, second_hits.children);
                 len += select_unpredictable(both, second_hits.count, 0);
@@ -241,7 +241,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     fn test_scalar(&mut self, id: PrimId) -> bool {
         match self.found.test(id, self.ray, self.exact) {
             Some(t) => {
-                let t = at_least(self.in_tree.local_t(t));
+                let t = at_least(self.in_tree.scale.local_t(t));
                 self.shorten(self.limit.min(t));
                 true
             }

@@ -51,6 +51,7 @@ use fearless_simd::{Simd, f32x8, i32x8, prelude::*, u16x8};
 
 /// One ray, in the tree's space with permuted axes, such that z is the largest component of its
 /// direction.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct TriangleFilter {
     /// The axes that become x, y and z.
     pub(crate) axes: [usize; 3],
@@ -87,6 +88,37 @@ impl<S: Simd> FilterHits<S> {
     }
 }
 
+/// The part of a test that does not depend on the ray's range.
+#[derive(Clone, Copy)]
+pub(crate) struct FilterEdges<S: Simd> {
+    /// The lanes that may have a hit, at any distance.
+    pub(crate) possible: u32,
+    /// The third coordinates of the vertices.
+    z: [f32x8<S>; 3],
+    /// The edge functions.
+    u: f32x8<S>,
+    v: f32x8<S>,
+    w: f32x8<S>,
+    /// `E` of the proof.
+    error: f32x8<S>,
+}
+
+impl<S: Simd> FilterEdges<S> {
+    /// Those of a block without triangles.
+    #[inline(always)]
+    pub(crate) fn none(simd: S) -> FilterEdges<S> {
+        let zero = f32x8::splat(simd, 0.0);
+        FilterEdges {
+            possible: 0,
+            z: [zero; 3],
+            u: zero,
+            v: zero,
+            w: zero,
+            error: zero,
+        }
+    }
+}
+
 /// The largest relative rounding error.
 const E: f32 = 1.0 / (1 << 24) as f32;
 
@@ -120,15 +152,14 @@ impl TriangleFilter {
         }
     }
 
-    /// Tests the first `count` lanes for hits up to `limit`.
+    /// Tests the first `count` lanes for hits at any distance.
     #[inline(always)]
-    pub(crate) fn test<S: Simd>(
+    pub(crate) fn edges<S: Simd>(
         &self,
         simd: S,
         block: &TriangleBlock,
         count: u32,
-        limit: f32,
-    ) -> FilterHits<S> {
+    ) -> FilterEdges<S> {
         let [x, y, z] = self.axes;
         let start = [
             f64::from(block.origin[x]) - self.o[0],
@@ -157,8 +188,27 @@ impl TriangleFilter {
         let error = reach.mul_add_precise(error, 2.0 * f * f);
         let (least, most) = (u.min(v.min(w)), u.max(v.max(w)));
         let missed = least.simd_lt(-error) & error.simd_lt(most);
-        let possible = !missed.to_bitmask() as u32 & first_lanes(count);
-        if possible == 0 {
+        FilterEdges {
+            possible: !missed.to_bitmask() as u32 & first_lanes(count),
+            z: [a_z, b_z, c_z],
+            u,
+            v,
+            w,
+            error,
+        }
+    }
+
+    /// Tests the first `count` lanes for hits up to `limit`.
+    #[inline(always)]
+    pub(crate) fn test<S: Simd>(
+        &self,
+        simd: S,
+        block: &TriangleBlock,
+        count: u32,
+        limit: f32,
+    ) -> FilterHits<S> {
+        let edges = self.edges(simd, block, count);
+        if edges.possible == 0 {
             let zero = f32x8::splat(simd, 0.0);
             return FilterHits {
                 possible: 0,
@@ -167,6 +217,30 @@ impl TriangleFilter {
                 farthest: zero,
             };
         }
+        self.hits(simd, block, &edges, limit)
+    }
+
+    /// Tests the lanes of `edges`, which are those of `block`, for hits up to `limit`.
+    #[inline(always)]
+    pub(crate) fn hits<S: Simd>(
+        &self,
+        simd: S,
+        block: &TriangleBlock,
+        edges: &FilterEdges<S>,
+        limit: f32,
+    ) -> FilterHits<S> {
+        let FilterEdges {
+            possible,
+            z: [a_z, b_z, c_z],
+            u,
+            v,
+            w,
+            error,
+        } = *edges;
+        let z = self.axes[2];
+        let start = f64::from(block.origin[z]) - self.o[2];
+        let noise = self.noise * block.steps_per_length();
+        let (least, most) = (u.min(v.min(w)), u.max(v.max(w)));
         let (b_z, c_z) = (b_z - a_z, c_z - a_z);
         let height = b_z.abs().max(c_z.abs());
         let reciprocal = 1.0 / (u + v + w);
@@ -177,7 +251,7 @@ impl TriangleFilter {
         let slack = inside.select(error * 2.25 * reciprocal.abs(), f32x8::splat(simd, 1.0));
         let slack = slack.mul_add_precise(height, 0.7 + noise);
         let per_depth = (f64::from(block.unit) * self.inverse) as f32;
-        let at_origin = (start[2] * self.inverse) as f32;
+        let at_origin = (start * self.inverse) as f32;
         let rounding = 4.0 * E * (at_origin.abs() + (1 << 17) as f32 * per_depth.abs());
         let t = depth.mul_add_precise(per_depth, at_origin);
         let t_error = slack.mul_add_precise(1.001 * per_depth.abs(), rounding);

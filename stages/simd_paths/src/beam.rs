@@ -15,6 +15,8 @@ pub(crate) struct RayBundle<'a> {
     /// The start of all ranges.
     pub(crate) min_t: f64,
     pub(crate) max_t: RangeEnds<'a>,
+    /// The numbers of the primitives that the rays cannot hit, or `NONE`.
+    pub(crate) skip: &'a [f64],
 }
 
 /// The ends of the ranges of a [`RayBundle`].

@@ -1,4 +1,4 @@
-//! The scalar code that the packets call for what they do not handle.
+//! The code that the packets call for what they do not handle.
 
 use kit::{Hit, PixelSampler, PrimId, Ray, Spectrum, TriangleHit, Vec3};
 
@@ -46,7 +46,7 @@ pub struct Beam {
     pub half_spaces: [HalfSpace; HALF_SPACES],
 }
 
-/// One ray or path at a time, for what the packets do not handle.
+/// One ray or path at a time, or many rays with a tree, for what the packets do not handle.
 pub trait ScalarFallback {
     /// Intersects `ray` with primitive `id`, in the ray's range. A sphere's weights are 0.
     fn test(&self, id: PrimId, ray: &Ray) -> Option<TriangleHit>;
@@ -59,6 +59,24 @@ pub trait ScalarFallback {
 
     /// Whether any primitive but `skip` is hit in the ray's range.
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool;
+
+    /// [`ScalarFallback::closest`] of each of `rays`, in their order, in place of what `hits` holds.
+    /// A ray comes with the primitive that it cannot hit.
+    fn closest_each(
+        &mut self,
+        rays: &[(Ray, Option<PrimId>)],
+        hits: &mut Vec<Option<(PrimId, TriangleHit)>>,
+    ) {
+        hits.clear();
+        hits.extend(rays.iter().map(|(ray, skip)| self.closest(ray, *skip)));
+    }
+
+    /// [`ScalarFallback::occluded`] of each of `rays`, in their order, in place of what `occluded`
+    /// holds.
+    fn occluded_each(&mut self, rays: &[(Ray, Option<PrimId>)], occluded: &mut Vec<bool>) {
+        occluded.clear();
+        occluded.extend(rays.iter().map(|(ray, skip)| self.occluded(ray, *skip)));
+    }
 
     /// Adds at least the primitives of which a part is in `beam` to `ids`, in any order; some may
     /// be added twice. Returns false if there are more than `most`, or if finding them would take

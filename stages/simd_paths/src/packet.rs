@@ -1,9 +1,9 @@
 // BEGIN SOLUTION(part6.task2)
 //! One bounce of eight paths, as the stage `global` computes it.
 
+use crate::intersection::HitSource;
 use crate::lane_mask::lanes;
 use crate::material_class::MaterialClass;
-use crate::primitive_list::PrimitiveList;
 use crate::queue::PathLanes;
 use crate::ray_packet::RayPacket;
 use crate::shadow_queue::ShadowQueue;
@@ -23,8 +23,8 @@ pub(crate) struct PathPacket<'a, S: Simd> {
     pub(crate) simd: S,
     pub(crate) scene: &'a PathScene<'a>,
     pub(crate) settings: &'a PathSettings,
-    /// All primitives that the rays may hit; else the fallback traverses a tree.
-    pub(crate) list: Option<&'a PrimitiveList>,
+    /// Where the hits of their rays come from.
+    pub(crate) hits: HitSource<'a>,
     /// The lanes that hold a path, one bit each.
     pub(crate) alive: u64,
     pub(crate) paths: PathLanes<S>,
@@ -55,7 +55,7 @@ impl<S: Simd> PathPacket<'_, S> {
         };
         workspace.counts.rays += u64::from(self.alive.count_ones());
         let (alive, skip) = (self.alive, self.paths.skip);
-        let hits = intersection::closest(simd, self.list, &rays, alive, skip, workspace, fallback);
+        let hits = intersection::closest(simd, self.hits, &rays, alive, skip, workspace, fallback);
         let hit = self.alive & !hits.is_none().to_bitmask();
         if self.scene.has_background && hit != self.alive {
             self.add_background(self.alive & !hit, workspace, radiance);

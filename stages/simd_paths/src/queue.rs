@@ -2,7 +2,7 @@
 //! The paths of a batch, one array per field, so that eight of them load into lanes.
 
 use crate::BATCH_SIZE;
-use crate::beam::{BEAM_SIZE, RangeEnds, RayBundle};
+use crate::beam::{RangeEnds, RayBundle};
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::PixelSampler;
@@ -75,15 +75,16 @@ impl PathQueue {
         }
     }
 
-    /// The next rays of the paths from number `first`, as many as a beam has, in `range`.
+    /// The next rays of the paths from number `first`, at most `most`, in `range`.
     #[inline(always)]
-    pub(crate) fn rays(&self, first: usize, range: [f64; 2]) -> RayBundle<'_> {
+    pub(crate) fn rays(&self, first: usize, most: usize, range: [f64; 2]) -> RayBundle<'_> {
         RayBundle {
-            count: (self.count - first).min(BEAM_SIZE),
+            count: (self.count - first).min(most),
             o: self.fields.o.each_ref().map(|o| &o[first..]),
             d: self.fields.d.each_ref().map(|d| &d[first..]),
             min_t: range[0],
             max_t: RangeEnds::All(range[1]),
+            skip: &self.fields.skip[first..],
         }
     }
 

@@ -1,6 +1,7 @@
 //! A scene prepared for tracing paths in packets.
 
 // BEGIN SOLUTION(part6.task2)
+use crate::intersection::TracedRays;
 use crate::material_class::{MaterialClass, classify};
 use crate::primitive_list::{NearbyPrimitives, PrimitiveList, Scratch};
 use crate::queue::PathQueue;
@@ -104,6 +105,7 @@ pub struct Workspace {
     pub(crate) scratch: Scratch,
     pub(crate) nearby: NearbyPrimitives,
     pub(crate) shadows: ShadowQueue,
+    pub(crate) traced: TracedRays,
     // END SOLUTION(part6.task2)
     /// The operations so far.
     pub counts: Counts,

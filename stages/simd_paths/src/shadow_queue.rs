@@ -3,11 +3,12 @@
 //! rays to one light are traced together; and what the light adds to the paths.
 
 use crate::beam::{BEAM_SIZE, RangeEnds, RayBundle};
+use crate::intersection::TracedRays;
 use crate::lane_mask::lanes;
 use crate::primitive_list::NearbyPrimitives;
 use crate::ray_packet::RayPacket;
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{PathScene, PathSettings, ScalarFallback, Workspace, intersection};
+use crate::{PathScene, PathSettings, ScalarFallback, Workspace};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, Spectrum, Vec3};
 
@@ -138,32 +139,49 @@ impl ShadowQueue {
     /// Traces all shadow rays. If `are_coherent`, rays to one emitter are likely to be close to
     /// each other.
     #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
     pub(crate) fn trace<S: Simd>(
         &mut self,
         simd: S,
         scene: &PathScene<'_>,
         are_coherent: bool,
         nearby: &mut NearbyPrimitives,
+        traced: &mut TracedRays,
         workspace: &mut Workspace,
         fallback: &mut dyn ScalarFallback,
     ) {
         for queue in &self.rays {
             workspace.counts.rays += queue.count as u64;
             workspace.counts.light_rays += queue.count as u64;
-            let mut list = None;
-            for first in (0..queue.count).step_by(LANES) {
-                if are_coherent && first % BEAM_SIZE == 0 {
-                    list = nearby.find(simd, scene, &queue.bundle(first), fallback);
+            let chunk = if are_coherent {
+                BEAM_SIZE
+            } else {
+                queue.count.max(1)
+            };
+            for start in (0..queue.count).step_by(chunk) {
+                let bundle = queue.bundle(start, chunk);
+                let mut list = scene.list.as_ref();
+                if are_coherent {
+                    list = nearby.find(simd, scene, &bundle, fallback).or(list);
                 }
-                let list = list.or(scene.list.as_ref());
-                let active = (1 << (queue.count - first).min(LANES)) - 1;
-                let rays = queue.load(simd, first);
-                let skip = load(simd, &queue.skip, first);
-                let blocked =
-                    intersection::occluded(simd, list, &rays, active, skip, workspace, fallback);
-                for lane in lanes(blocked) {
-                    let sample = queue.sample[first + lane] as usize;
-                    self.samples[sample / LANES].lit &= !(1 << (sample % LANES));
+                let Some(list) = list else {
+                    let occluded = traced.occluded(&bundle, fallback);
+                    for (i, _) in occluded.iter().enumerate().filter(|(_, blocked)| **blocked) {
+                        block(&mut self.samples, queue.sample[start + i]);
+                    }
+                    continue;
+                };
+                for first in (start..start + bundle.count).step_by(LANES) {
+                    let active = (1 << (start + bundle.count - first).min(LANES)) - 1;
+                    let rays = queue.load(simd, first);
+                    let skip = load(simd, &queue.skip, first);
+                    let scratch = &mut workspace.scratch;
+                    let (blocked, tests) =
+                        list.occluded(simd, &rays, active, skip, scratch, fallback);
+                    workspace.counts.prim_tests += tests;
+                    for lane in lanes(blocked) {
+                        block(&mut self.samples, queue.sample[first + lane]);
+                    }
                 }
             }
         }
@@ -233,17 +251,25 @@ impl ShadowRays {
         }
     }
 
-    /// The rays from number `first`, as many as a beam has.
+    /// The rays from number `first`, at most `most`.
     #[inline(always)]
-    fn bundle(&self, first: usize) -> RayBundle<'_> {
+    fn bundle(&self, first: usize, most: usize) -> RayBundle<'_> {
         RayBundle {
-            count: (self.count - first).min(BEAM_SIZE),
+            count: (self.count - first).min(most),
             o: self.o.each_ref().map(|o| &o[first..]),
             d: self.d.each_ref().map(|d| &d[first..]),
             min_t: 0.0,
             max_t: RangeEnds::Each(&self.max_t[first..]),
+            skip: &self.skip[first..],
         }
     }
+}
+
+/// Removes the light of a sample: something is in its way.
+#[inline(always)]
+fn block(samples: &mut [LightSamples], sample: f64) {
+    let sample = sample as usize;
+    samples[sample / LANES].lit &= !(1 << (sample % LANES));
 }
 
 // Functions, because closures would not be compiled for the instruction set.

@@ -2,10 +2,11 @@
 //! Traces a batch of paths from the camera to their ends.
 
 use crate::beam::BEAM_SIZE;
+use crate::intersection::HitSource;
 use crate::lane_mask::lanes;
 use crate::packet::PathPacket;
 use crate::vec3x8::LANES;
-use crate::{PathScene, PathSettings, ScalarFallback, View, Workspace};
+use crate::{BATCH_SIZE, PathScene, PathSettings, ScalarFallback, View, Workspace};
 use fearless_simd::{Simd, mask64x8, prelude::*};
 use kit::Spectrum;
 use std::mem;
@@ -27,6 +28,7 @@ pub(crate) fn trace_paths<S: Simd>(
 ) {
     let mut nearby = mem::take(&mut workspace.nearby);
     let mut shadows = mem::take(&mut workspace.shadows);
+    let mut traced = mem::take(&mut workspace.traced);
     for bounce in 1..=settings.max_depth {
         // Rays from the camera, and from what they hit to the lights, are close to each other.
         let are_coherent = bounce == 1;
@@ -37,16 +39,30 @@ pub(crate) fn trace_paths<S: Simd>(
         }
         shadows.clear(scene.lit.emitters.len());
         let mut kept = 0;
-        for first in (0..workspace.queue.count).step_by(LANES) {
-            if are_coherent && first % BEAM_SIZE == 0 {
-                list = nearby.find(simd, scene, &workspace.queue.rays(first, range), fallback);
+        let count = workspace.queue.count;
+        // The rays of a beam have a list of their own. Those that have none are traced together.
+        let chunk = if are_coherent { BEAM_SIZE } else { BATCH_SIZE };
+        for first in (0..count).step_by(LANES) {
+            if first % chunk == 0 {
+                let rays = workspace.queue.rays(first, chunk, range);
+                list = scene.list.as_ref();
+                if are_coherent {
+                    list = nearby.find(simd, scene, &rays, fallback).or(list);
+                }
+                if list.is_none() {
+                    traced.trace(&rays, fallback);
+                }
             }
+            let hits = match list {
+                Some(list) => HitSource::List(list),
+                None => traced.hits(first % chunk, LANES),
+            };
             let mut packet = PathPacket {
                 simd,
                 scene,
                 settings,
-                list: list.or(scene.list.as_ref()),
-                alive: (1 << (workspace.queue.count - first).min(LANES)) - 1,
+                hits,
+                alive: (1 << (count - first).min(LANES)) - 1,
                 paths: workspace.queue.load(simd, first),
                 samplers: workspace.queue.samplers(first),
             };
@@ -60,7 +76,15 @@ pub(crate) fn trace_paths<S: Simd>(
             }
         }
         workspace.queue.count = kept;
-        shadows.trace(simd, scene, are_coherent, &mut nearby, workspace, fallback);
+        shadows.trace(
+            simd,
+            scene,
+            are_coherent,
+            &mut nearby,
+            &mut traced,
+            workspace,
+            fallback,
+        );
         shadows.add_light(simd, scene, settings, radiance);
         if kept == 0 {
             break;
@@ -68,5 +92,6 @@ pub(crate) fn trace_paths<S: Simd>(
     }
     workspace.nearby = nearby;
     workspace.shadows = shadows;
+    workspace.traced = traced;
 }
 // END SOLUTION(part6.task2)

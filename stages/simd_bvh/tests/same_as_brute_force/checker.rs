@@ -7,7 +7,7 @@ use kit::{
     TriangleHit, Vec3, World, warp,
 };
 use lanes::instruction_sets;
-use simd_bvh::{Level, TestCounts, WideBvh};
+use simd_bvh::{Level, StreamMemory, TestCounts, WideBvh};
 
 /// The scalar kernels: intersects `ray` with primitive `id`.
 pub(crate) fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
@@ -80,6 +80,22 @@ pub(crate) struct Checker {
     binary: Option<Bvh>,
     /// The number of rays that hit.
     pub(crate) hits: usize,
+    /// Rays that were checked alone and are still to be checked together, and their hits.
+    rays: Vec<(Ray, Option<PrimId>)>,
+    expected: Vec<Option<(PrimId, TriangleHit)>>,
+    /// The number of times that rays were checked together.
+    groups: usize,
+    memory: StreamMemory,
+}
+
+/// The numbers of rays that are checked together, in turns: around the number that the tree traces
+/// together, which is a power of two, and far from it.
+const GROUP_SIZES: [usize; 9] = [1, 63, 64, 2, 65, 7, 129, 33, 300];
+
+type Bits = Option<(PrimId, [u64; 3])>;
+
+fn bits(hit: Option<(PrimId, TriangleHit)>) -> Bits {
+    hit.map(|(id, hit)| (id, [hit.t, hit.b1, hit.b2].map(f64::to_bits)))
 }
 
 impl Checker {
@@ -97,16 +113,19 @@ impl Checker {
                 .collect(),
             binary: None,
             hits: 0,
+            rays: Vec::new(),
+            expected: Vec::new(),
+            groups: 0,
+            memory: StreamMemory::default(),
         }
     }
 
     /// A large scene, checked against the tree of stage `bvh`.
     pub(crate) fn large(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checker {
         let checker = Checker::new(triangles, spheres);
-        Checker {
-            binary: Some(construct_bvh(&checker.scene.primitive_bounds(), 4)),
-            ..checker
-        }
+        let mut checker = checker;
+        checker.binary = Some(construct_bvh(&checker.scene.primitive_bounds(), 4));
+        checker
     }
 
     pub(crate) fn check(&mut self, ray: &Ray, skip: Option<PrimId>) {
@@ -115,9 +134,6 @@ impl Checker {
             None => brute_force(&self.scene, ray, skip),
         };
         self.hits += usize::from(expected.is_some());
-        let bits = |hit: Option<(PrimId, TriangleHit)>| {
-            hit.map(|(id, hit)| (id, [hit.t, hit.b1, hit.b2].map(f64::to_bits)))
-        };
         let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
         let mut all_counts = Vec::new();
         for (level, tree) in &self.trees {
@@ -138,6 +154,51 @@ impl Checker {
             all_counts.iter().all(|counts| *counts == all_counts[0]),
             "the counts depend on the instruction set: {all_counts:?}"
         );
+        self.rays.push((*ray, skip));
+        self.expected.push(expected);
+        if self.rays.len() == GROUP_SIZES[self.groups % GROUP_SIZES.len()] {
+            self.check_together();
+        }
+    }
+
+    /// Checks the last rays again, all together.
+    fn check_together(&mut self) {
+        let rays = std::mem::take(&mut self.rays);
+        let expected: Vec<Bits> = self.expected.drain(..).map(bits).collect();
+        let any: Vec<bool> = expected.iter().map(Option::is_some).collect();
+        let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
+        let memory = &mut self.memory;
+        // What is in them is replaced.
+        let (mut hits, mut occluded) = (vec![None; 3], vec![true; 3]);
+        let mut all_counts = Vec::new();
+        for (level, tree) in &self.trees {
+            let mut counts = TestCounts::default();
+            tree.closest_each(&rays, exact, memory, &mut counts, &mut hits);
+            tree.occluded_each(&rays, exact, memory, &mut counts, &mut occluded);
+            let found: Vec<Bits> = hits.iter().copied().map(bits).collect();
+            assert_eq!(found, expected, "{level:?} {rays:?}");
+            assert_eq!(occluded, any, "{level:?} {rays:?}");
+            all_counts.push(counts);
+            let mut one_by_one = TestCounts::default();
+            for ray in rays.chunks(1) {
+                tree.closest_each(ray, exact, memory, &mut one_by_one, &mut hits);
+                tree.occluded_each(ray, exact, memory, &mut one_by_one, &mut occluded);
+            }
+            all_counts.push(one_by_one);
+        }
+        assert!(
+            all_counts.iter().all(|counts| *counts == all_counts[0]),
+            "the counts depend on the instruction set or the group: {all_counts:?}"
+        );
+        self.groups += 1;
+    }
+}
+
+impl Drop for Checker {
+    fn drop(&mut self) {
+        if !std::thread::panicking() {
+            self.check_together();
+        }
     }
 }
 

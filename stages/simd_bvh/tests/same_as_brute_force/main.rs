@@ -299,6 +299,23 @@ fn on_millions_of_rays() {
     }
 }
 
+/// Rays that single precision cannot handle, and rays that enter so many boxes of large triangles
+/// that they need more space for the children to visit than others, among ordinary ones.
+#[test]
+fn on_unusual_and_long_rays_among_others() {
+    let mut random = Random::new(12);
+    let count = 30_000;
+    let mut checker = Checker::large(soup(&mut random, count, 3.0), Vec::new());
+    for i in 0..150 {
+        let of = random.below(count);
+        let target = random.on(&checker.scene.triangles[of]);
+        let o = [0.5, 8.0, 8.0, 1e9][i % 4] * random.direction();
+        let d = (target - o) * [1.0, 1.0, 1e-3, 1e200][i / 4 % 4];
+        checker.check(&Ray::new(o, d), (i % 3 == 0).then_some(PrimId(i as u32)));
+    }
+    assert!(checker.hits > 100, "{} rays hit", checker.hits);
+}
+
 /// The tree prunes most of the boxes and triangles.
 #[test]
 fn few_boxes_and_triangles_are_tested() {

@@ -1,5 +1,6 @@
 // BEGIN SOLUTION(part6.task2)
-//! Samples of lights, as [`kit::Emitter::sample`] takes them, and what they contribute.
+//! Samples of lights, as [`kit::Emitter::sample`] takes them, their densities, and what they
+//! contribute.
 
 use crate::real::{Mask, Real};
 use crate::vec3::Vec3;
@@ -61,13 +62,25 @@ pub fn sample_mesh<R: Real>(mesh: &EmittingMesh, p: Vec3<R>, u: [R; 2]) -> Light
     }
 }
 
+/// The density of the direction `wi` among the samples of a mesh of this `area`, in 1/sr, given that
+/// the ray along `wi` hits the mesh at `distance`, where the unit normal of the front side is
+/// `normal`.
+#[inline(always)]
+pub fn mesh_pdf<R: Real>(area: R, wi: Vec3<R>, distance: R, normal: Vec3<R>) -> R {
+    let zero = area.constant(0.0);
+    let cos = -wi.dot(normal);
+    zero.less(cos)
+        .choose(distance * distance / (cos * area), zero)
+}
+
 impl<R: Real> LightSample<R> {
     /// The light that a surface with the BSDF `f` scatters towards the viewer, if nothing blocks
-    /// the sample: a term of `direct::estimate_direct_lighting_importance`. `wi_z` is the cosine
-    /// between [`LightSample::wi`] and the normal.
+    /// the sample: a term of `direct::estimate_direct_lighting_mis`, and with the `weight` 1 of
+    /// `direct::estimate_direct_lighting_importance`. `wi_z` is the cosine between
+    /// [`LightSample::wi`] and the normal.
     #[inline(always)]
-    pub fn scattered(&self, f: Vec3<R>, wi_z: R) -> Vec3<R> {
-        f * self.radiance * (wi_z.abs() / self.pdf)
+    pub fn scattered(&self, f: Vec3<R>, wi_z: R, weight: R) -> Vec3<R> {
+        f * self.radiance * (weight * wi_z.abs() / self.pdf)
     }
 }
 // END SOLUTION(part6.task2)

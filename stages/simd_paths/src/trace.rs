@@ -61,6 +61,7 @@ pub(crate) fn trace_paths<S: Simd>(
         }
         workspace.queue.count = kept;
         shadows.trace(simd, scene, are_coherent, &mut nearby, workspace, fallback);
+        shadows.trace_bsdf(simd, scene, workspace, fallback);
         shadows.add_light(simd, scene, settings, radiance);
         if kept == 0 {
             break;

@@ -1,0 +1,61 @@
+// BEGIN SOLUTION(part6.task2)
+//! A table of numbers whose rows are appended from lanes and loaded into lanes.
+
+use crate::vec3x8::LANES;
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+
+/// Rows of `N` numbers, stored by columns.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns<const N: usize> {
+    count: usize,
+    columns: [Vec<f64>; N],
+}
+
+impl<const N: usize> Default for Columns<N> {
+    fn default() -> Columns<N> {
+        Columns {
+            count: 0,
+            columns: std::array::from_fn(|_| Vec::new()),
+        }
+    }
+}
+
+impl<const N: usize> Columns<N> {
+    /// Removes all rows.
+    pub(crate) fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// The number of rows.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Appends the rows in the lanes of `mask`.
+    #[inline(always)]
+    pub(crate) fn push<S: Simd>(&mut self, rows: [f64x8<S>; N], mask: mask64x8<S>) {
+        let end = self.count + LANES;
+        if self.columns[0].len() < end {
+            for column in &mut self.columns {
+                column.resize(2 * end, 0.0);
+            }
+        }
+        for i in 0..N {
+            let compressed = rows[i].compress(mask);
+            compressed.store_slice(&mut self.columns[i][self.count..end]);
+        }
+        self.count += mask.to_bitmask().count_ones() as usize;
+    }
+
+    /// Loads eight rows from number `first`, which exists. Lanes after the last row have any
+    /// numbers.
+    #[inline(always)]
+    pub(crate) fn load<S: Simd>(&self, simd: S, first: usize) -> [f64x8<S>; N] {
+        let mut rows = [f64x8::splat(simd, 0.0); N];
+        for i in 0..N {
+            rows[i] = f64x8::from_slice(simd, &self.columns[i][first..first + LANES]);
+        }
+        rows
+    }
+}
+// END SOLUTION(part6.task2)

@@ -35,9 +35,11 @@ impl<const N: usize> Columns<N> {
     #[inline(always)]
     pub(crate) fn push<S: Simd>(&mut self, rows: [f64x8<S>; N], mask: mask64x8<S>) {
         let end = self.count + LANES;
-        if self.columns[0].len() < end {
+        // Eight numbers are loaded from any row.
+        let size = end + LANES;
+        if self.columns[0].len() < size {
             for column in &mut self.columns {
-                column.resize(2 * end, 0.0);
+                column.resize(2 * size, 0.0);
             }
         }
         for i in 0..N {
@@ -56,6 +58,39 @@ impl<const N: usize> Columns<N> {
             rows[i] = f64x8::from_slice(simd, &self.columns[i][first..first + LANES]);
         }
         rows
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    #[test]
+    fn rows_are_loaded_in_the_order_in_which_they_were_pushed() {
+        dispatch!(Level::new(), simd => check(simd));
+    }
+
+    /// Pushes rows until there are many, each time as many as the bits of a number.
+    #[inline(always)]
+    fn check<S: Simd>(simd: S) {
+        let mut columns = Columns::<2>::default();
+        let mut expected = Vec::new();
+        for bits in 0..256 {
+            let row = f64x8::from_fn(simd, |lane| (8 * bits + lane as u64) as f64);
+            columns.push([row, -row], mask64x8::from_bitmask(simd, bits));
+            let pushed = (0..LANES).filter(|lane| bits >> lane & 1 == 1);
+            expected.extend(pushed.map(|lane| row[lane]));
+            assert_eq!(columns.count(), expected.len());
+            for (first, rows) in (0..).step_by(LANES).zip(expected.chunks(LANES)) {
+                let [loaded, negative] = columns.load(simd, first);
+                for (lane, &number) in rows.iter().enumerate() {
+                    assert_eq!((loaded[lane], negative[lane]), (number, -number));
+                }
+            }
+        }
+        columns.clear();
+        assert_eq!(columns.count(), 0);
     }
 }
 // END SOLUTION(part6.task2)

@@ -5,6 +5,7 @@
 use crate::real::{Mask, Real};
 use crate::vec3::Vec3;
 use kit::EmittingMesh;
+use kit::warp::UNIFORM_HEMISPHERE_PDF;
 
 /// A sample of a light.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +60,25 @@ pub fn sample_mesh<R: Real>(mesh: &EmittingMesh, p: Vec3<R>, u: [R; 2]) -> Light
         distance,
         pdf,
         radiance: Vec3::constant(like, radiance),
+    }
+}
+
+/// Samples a sky, which sends `radiance` from every direction with `y >= 0`, with the height `u` in
+/// [0, 1) and the sine and cosine of a uniform angle.
+#[inline(always)]
+pub fn sample_sky<R: Real>(radiance: kit::Vec3, u: R, (sin, cos): (R, R)) -> LightSample<R> {
+    let (zero, one) = (u.constant(0.0), u.constant(1.0));
+    let r = (one - u * u).max(zero).sqrt();
+    LightSample {
+        exists: zero.at_most(u),
+        wi: Vec3 {
+            x: r * cos,
+            y: u,
+            z: r * sin,
+        },
+        distance: u.constant(f64::INFINITY),
+        pdf: u.constant(UNIFORM_HEMISPHERE_PDF),
+        radiance: Vec3::constant(u, radiance),
     }
 }
 

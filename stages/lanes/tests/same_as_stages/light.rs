@@ -10,10 +10,11 @@ use direct::{
 use kit::emitting_mesh::EmittingTriangle;
 use kit::{
     BsdfSample, Emitter, EmittingMesh, Frame, LitScene, Material, PixelSampler, PrimId, Ray,
-    Scattering, Scene, Spectrum, Surface, Vec2, Vec3,
+    Scattering, Scene, Spectrum, Surface, Vec2, Vec3, math,
 };
 use lanes::mis::power_heuristic;
 use lanes::{Real, diffuse, light};
+use std::f64::consts::TAU;
 
 /// A lamp of one triangle, of several or of some without area.
 fn mesh(random: &mut Random) -> Option<EmittingMesh> {
@@ -193,6 +194,57 @@ fn estimates_of_direct_light() {
         }
     }
     assert!(lit_points > 1000, "{lit_points} points are lit");
+}
+
+/// From `u` and the sine and cosine of the angle: whether there is a sample, its direction, distance,
+/// density and radiance.
+struct SampledSky(Vec3);
+
+impl Formula<3, 9> for SampledSky {
+    #[inline(always)]
+    fn compute<R: Real>(&self, [u, sin, cos]: [R; 3]) -> [R; 9] {
+        let sample = light::sample_sky(self.0, u, (sin, cos));
+        let [x, y, z] = coordinates(sample.wi);
+        let [r, g, b] = coordinates(sample.radiance);
+        let exists = as_number(sample.exists, u);
+        [exists, x, y, z, sample.distance, sample.pdf, r, g, b]
+    }
+}
+
+#[test]
+fn samples_of_skies() {
+    let mut random = Random::new(16);
+    let radiance = Spectrum::new(0.25, 3.0, 0.0);
+    let last = 1.0 - f64::EPSILON / 2.0;
+    let points: Vec<Vec2> = (0..4000)
+        .map(|_| {
+            let any = Vec2::new(random.one(), random.one());
+            random.of(&[any, any, Vec2::new(0.0, any.y), Vec2::new(last, any.x)])
+        })
+        .collect();
+    let inputs: Vec<[f64; 3]> = points
+        .iter()
+        .map(|u| {
+            let (sin, cos) = math::sin_cos(TAU * u.y);
+            [u.x, sin, cos]
+        })
+        .collect();
+    let results = at_every_width(&SampledSky(radiance.to_array().into()), &inputs);
+    for (u, result) in points.iter().zip(results) {
+        let expected = Emitter::Sky { radiance }
+            .sample(Vec3::ZERO, *u)
+            .expect("a sky is visible from everywhere");
+        let expected: [f64; 9] = join(&[
+            &[1.0],
+            &expected.wi.to_array(),
+            &[expected.distance, expected.pdf],
+            &expected.radiance.to_array(),
+        ]);
+        assert!(
+            (0..9).all(|i| same(result[i], expected[i])),
+            "{result:?}, expected {expected:?} for {u}"
+        );
+    }
 }
 
 /// From the direction, the distance and the normal: the density.

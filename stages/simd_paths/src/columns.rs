@@ -42,9 +42,9 @@ impl<const N: usize> Columns<N> {
                 column.resize(2 * size, 0.0);
             }
         }
-        for i in 0..N {
-            let compressed = rows[i].compress(mask);
-            compressed.store_slice(&mut self.columns[i][self.count..end]);
+        for (row, column) in rows.iter().zip(&mut self.columns) {
+            let compressed = row.compress(mask);
+            compressed.store_slice(&mut column[self.count..end]);
         }
         self.count += mask.to_bitmask().count_ones() as usize;
     }
@@ -54,8 +54,8 @@ impl<const N: usize> Columns<N> {
     #[inline(always)]
     pub(crate) fn load<S: Simd>(&self, simd: S, first: usize) -> [f64x8<S>; N] {
         let mut rows = [f64x8::splat(simd, 0.0); N];
-        for i in 0..N {
-            rows[i] = f64x8::from_slice(simd, &self.columns[i][first..first + LANES]);
+        for (row, column) in rows.iter_mut().zip(&self.columns) {
+            *row = f64x8::from_slice(simd, &column[first..first + LANES]);
         }
         rows
     }

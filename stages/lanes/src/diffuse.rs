@@ -2,7 +2,7 @@
 //! Diffuse surfaces, as `direct::lambert_f` and `direct::lambert_sample`, in the local space of the
 //! surface, where z is the normal.
 
-use crate::real::Real;
+use crate::real::{Mask, Real};
 use crate::vec3::Vec3;
 use std::f64::consts::FRAC_1_PI;
 
@@ -18,15 +18,34 @@ pub fn on_same_side<R: Real>(wo_z: R, wi_z: R) -> R::Mask {
     wo_z.constant(0.0).less(wo_z * wi_z)
 }
 
+/// The density with which [`lambert_sample`] samples a direction with this `wi_z`, in 1/sr, as
+/// `direct::lambert_pdf`.
+#[inline(always)]
+pub fn lambert_pdf<R: Real>(wo_z: R, wi_z: R) -> R {
+    let pdf = wi_z.abs() * wi_z.constant(FRAC_1_PI);
+    on_same_side(wo_z, wi_z).choose(pdf, wi_z.constant(0.0))
+}
+
+/// A sampled direction.
+#[derive(Clone, Copy, Debug)]
+pub struct DiffuseSample<R> {
+    /// The unit direction.
+    pub wi: Vec3<R>,
+    /// Its density, in 1/sr.
+    pub pdf: R,
+    /// The weight of the path along it: `f · cos θ / pdf`.
+    pub weight: Vec3<R>,
+}
+
 /// Samples a direction on the side of `wo_z` from `u` in [0, 1) and the sine and cosine of a
-/// uniform angle. Returns it and the weight of the path: `f · cos θ / pdf`.
+/// uniform angle.
 #[inline(always)]
 pub fn lambert_sample<R: Real>(
     reflectance: Vec3<R>,
     wo_z: R,
     u: R,
     (sin, cos): (R, R),
-) -> (Vec3<R>, Vec3<R>) {
+) -> DiffuseSample<R> {
     let r = u.sqrt();
     let z = (u.constant(1.0) - u).sqrt();
     let wi = Vec3 {
@@ -35,6 +54,10 @@ pub fn lambert_sample<R: Real>(
         z: z.copysign(wo_z),
     };
     let pdf = z * z.constant(FRAC_1_PI);
-    (wi, lambert_f(reflectance) * (z / pdf))
+    DiffuseSample {
+        wi,
+        pdf,
+        weight: lambert_f(reflectance) * (z / pdf),
+    }
 }
 // END SOLUTION(part6.task2)

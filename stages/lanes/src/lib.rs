@@ -4,7 +4,7 @@
 //! numbers have in addition), `vec3` and `shapes` (vectors, rays, triangles, spheres).
 // BEGIN SOLUTION(part6.task2)
 //! Then the formulas: `camera`, `triangle`, `sphere`, `record` and `surface` (rays, hits and the
-//! step off a surface), `frame`, `light`, `sin_cos`, `diffuse`, `specular` and `roulette`.
+//! step off a surface), `frame`, `light`, `mis`, `sin_cos`, `diffuse`, `specular` and `roulette`.
 // END SOLUTION(part6.task2)
 //!
 //! A stage computes with plain `f64`. What Part 6 computes in lanes and what `kernels` compares in
@@ -24,6 +24,7 @@ pub mod camera;
 pub mod diffuse;
 pub mod frame;
 pub mod light;
+pub mod mis;
 pub mod record;
 pub mod roulette;
 pub mod sin_cos;

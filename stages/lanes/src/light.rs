@@ -1,9 +1,11 @@
 // BEGIN SOLUTION(part6.task2)
-//! Samples of lights, as [`kit::Emitter::sample`] takes them, and what they contribute.
+//! Samples of lights, as [`kit::Emitter::sample`] takes them, their densities, and what they
+//! contribute.
 
 use crate::real::{Mask, Real};
 use crate::vec3::Vec3;
 use kit::EmittingMesh;
+use kit::warp::UNIFORM_HEMISPHERE_PDF;
 
 /// A sample of a light.
 #[derive(Clone, Copy, Debug)]
@@ -61,13 +63,44 @@ pub fn sample_mesh<R: Real>(mesh: &EmittingMesh, p: Vec3<R>, u: [R; 2]) -> Light
     }
 }
 
+/// Samples a sky, which sends `radiance` from every direction with `y >= 0`, with the height `u` in
+/// [0, 1) and the sine and cosine of a uniform angle.
+#[inline(always)]
+pub fn sample_sky<R: Real>(radiance: kit::Vec3, u: R, (sin, cos): (R, R)) -> LightSample<R> {
+    let (zero, one) = (u.constant(0.0), u.constant(1.0));
+    let r = (one - u * u).max(zero).sqrt();
+    LightSample {
+        exists: zero.at_most(u),
+        wi: Vec3 {
+            x: r * cos,
+            y: u,
+            z: r * sin,
+        },
+        distance: u.constant(f64::INFINITY),
+        pdf: u.constant(UNIFORM_HEMISPHERE_PDF),
+        radiance: Vec3::constant(u, radiance),
+    }
+}
+
+/// The density of the direction `wi` among the samples of a mesh of this `area`, in 1/sr, given that
+/// the ray along `wi` hits the mesh at `distance`, where the unit normal of the front side is
+/// `normal`.
+#[inline(always)]
+pub fn mesh_pdf<R: Real>(area: R, wi: Vec3<R>, distance: R, normal: Vec3<R>) -> R {
+    let zero = area.constant(0.0);
+    let cos = -wi.dot(normal);
+    zero.less(cos)
+        .choose(distance * distance / (cos * area), zero)
+}
+
 impl<R: Real> LightSample<R> {
     /// The light that a surface with the BSDF `f` scatters towards the viewer, if nothing blocks
-    /// the sample: a term of `direct::estimate_direct_lighting_importance`. `wi_z` is the cosine
-    /// between [`LightSample::wi`] and the normal.
+    /// the sample: a term of `direct::estimate_direct_lighting_mis`, and with the `weight` 1 of
+    /// `direct::estimate_direct_lighting_importance`. `wi_z` is the cosine between
+    /// [`LightSample::wi`] and the normal.
     #[inline(always)]
-    pub fn scattered(&self, f: Vec3<R>, wi_z: R) -> Vec3<R> {
-        f * self.radiance * (wi_z.abs() / self.pdf)
+    pub fn scattered(&self, f: Vec3<R>, wi_z: R, weight: R) -> Vec3<R> {
+        f * self.radiance * (weight * wi_z.abs() / self.pdf)
     }
 }
 // END SOLUTION(part6.task2)

@@ -17,8 +17,8 @@ pub enum AccelKind {
     /// The binary tree of stage `bvh`.
     Bvh,
     /// The wide tree of stage `simd_bvh`. Paths are traced in packets of eight by stage
-    /// `simd_paths`, unless direct light samples the hemisphere or uses multiple importance
-    /// sampling, effects are forced, or batches have one or two samples (`-a 2`).
+    /// `simd_paths`, unless direct light samples the hemisphere (`-H`), effects are forced, or
+    /// batches have one or two samples (`-a 2`).
     Simd,
 }
 

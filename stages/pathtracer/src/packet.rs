@@ -54,7 +54,7 @@ impl<'a> PacketRenderer<'a> {
         let is_supported = lit.has_light()
             && settings.max_depth > 0
             && job.samples > 0
-            && settings.direct_sampling == DirectSampling::Lights
+            && settings.direct_sampling != DirectSampling::Hemisphere
             && !settings.force_effects
             // One or two samples at a time would leave most lanes idle.
             && settings.adaptive.is_none_or(|(batch, _)| batch > 2);
@@ -79,6 +79,7 @@ impl<'a> PacketRenderer<'a> {
                 light_samples: settings.light_samples,
                 max_depth: settings.max_depth,
                 has_textures: !textures.is_empty(),
+                samples_bsdf: settings.direct_sampling == DirectSampling::Mis,
                 min_bounces: settings.roulette.then_some(MIN_BOUNCES),
             },
         })
@@ -412,6 +413,11 @@ mod tests {
         assert!(
             uses_packets(AccelKind::Simd, lights) && uses_packets(AccelKind::Simd, adaptive(3))
         );
+        let mis = LightSettings {
+            direct_sampling: DirectSampling::Mis,
+            ..lights
+        };
+        assert!(uses_packets(AccelKind::Simd, mis));
         assert!(!uses_packets(AccelKind::Bvh, lights) && !uses_packets(AccelKind::Brute, lights));
         let ruled_out = [
             adaptive(2),
@@ -420,7 +426,7 @@ mod tests {
                 ..lights
             },
             LightSettings {
-                direct_sampling: DirectSampling::Mis,
+                direct_sampling: DirectSampling::Hemisphere,
                 ..lights
             },
             LightSettings {

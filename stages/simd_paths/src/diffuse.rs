@@ -11,8 +11,9 @@ use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::surface::SHADOW_GAP;
-use lanes::diffuse::{lambert_f, lambert_sample, on_same_side};
+use lanes::diffuse::{DiffuseSample, lambert_f, lambert_pdf, lambert_sample, on_same_side};
 use lanes::frame::Frame;
+use lanes::mis::power_heuristic;
 use lanes::roulette;
 use std::f64::consts::TAU;
 
@@ -50,7 +51,11 @@ impl<S: Simd> PathPacket<'_, S> {
                     min_t: zero,
                     max_t: light.distance * (1.0 - SHADOW_GAP),
                 };
-                let light = light.scattered(f, wi_z);
+                let mut weight = f64x8::splat(simd, 1.0);
+                if self.settings.samples_bsdf && !emitter.is_delta() {
+                    weight = power_heuristic(light.pdf, lambert_pdf(wo_z, wi_z));
+                }
+                let light = light.scattered(f, wi_z, weight);
                 shadows.push(number, &rays, skip, active, light);
             }
         }
@@ -69,12 +74,7 @@ impl<S: Simd> PathPacket<'_, S> {
     ) -> u64 {
         let simd = self.simd;
         let zero = f64x8::splat(simd, 0.0);
-        let u = self.next_2d();
-        // The plain path tracer uses this number to choose between reflection and refraction. A
-        // diffuse surface does not need it.
-        self.samplers.skip_1d();
-        let angle = sin_cos(u[1] * TAU);
-        let (wi, weight) = lambert_sample(surfaces.color, wo_z, u[0], angle);
+        let DiffuseSample { wi, weight, .. } = self.sample_diffuse(surfaces.color, wo_z);
         // No light is scattered towards a viewer in the plane of the surface.
         let mask = mask64x8::from_bitmask(simd, diffuse);
         let continues = mask & wo_z.simd_ne(zero);
@@ -88,6 +88,20 @@ impl<S: Simd> PathPacket<'_, S> {
         self.paths.throughput = throughput.masked_or(mask, self.paths.throughput);
         self.paths.emission_counts = mask.select(zero, self.paths.emission_counts);
         (continues & survivors).to_bitmask()
+    }
+
+    /// Samples a direction at diffuse surfaces of this `color`.
+    #[inline(always)]
+    pub(crate) fn sample_diffuse(
+        &mut self,
+        color: Vec3x8<S>,
+        wo_z: f64x8<S>,
+    ) -> DiffuseSample<f64x8<S>> {
+        let u = self.next_2d();
+        // The plain path tracer uses this number to choose between reflection and refraction. A
+        // diffuse surface does not need it.
+        self.samplers.skip_1d();
+        lambert_sample(color, wo_z, u[0], sin_cos(u[1] * TAU))
     }
 
     /// Plays Russian roulette, unless it is switched off. Returns the new throughputs and the

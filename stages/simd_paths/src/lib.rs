@@ -10,7 +10,8 @@
 //! and how idle lanes are avoided), `packet` (one bounce), `intersection` and `primitive_list`
 //! (with and without a tree), `beam` (rays that are close to each other), `surface_packet` and
 //! `material_class` (what was hit), `light`, `shadow_queue`, `sin_cos` and `diffuse` (direct light
-//! and scattering at diffuse surfaces), `specular` (mirrors and smooth glass), `other_materials`
+//! and scattering at diffuse surfaces), `columns` and `bsdf_rays` (multiple importance sampling),
+//! `specular` (mirrors and smooth glass), `other_materials`
 //! (everything else, by the fallback).
 //!
 //! The formulas are those of the crate `lanes`, which performs the operations of the stages in the
@@ -25,7 +26,9 @@
 
 // BEGIN SOLUTION(part6.task2)
 mod beam;
+mod bsdf_rays;
 mod camera;
+mod columns;
 mod diffuse;
 mod intersection;
 mod lane_mask;

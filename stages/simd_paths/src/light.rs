@@ -2,10 +2,12 @@
 //! Samples a light for eight points at once.
 
 use crate::lane_mask::lanes;
+use crate::sin_cos::sin_cos;
 use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Emitter, Vec2};
 use lanes::light::{self, LightSample};
+use std::f64::consts::TAU;
 
 /// Emitters with more triangles are sampled point by point.
 const MAX_TRIANGLES: usize = 4;
@@ -21,6 +23,10 @@ pub(crate) fn sample_light<S: Simd>(
 ) -> LightSample<f64x8<S>> {
     match emitter {
         Emitter::Mesh(mesh) if mesh.len() <= MAX_TRIANGLES => light::sample_mesh(mesh, p, u),
+        Emitter::Sky { radiance } => {
+            let radiance = radiance.to_array().into();
+            light::sample_sky(radiance, u[0], sin_cos(u[1] * TAU))
+        }
         _ => sample_each(simd, emitter, p, u, active),
     }
 }

@@ -102,6 +102,9 @@ impl<S: Simd> PathPacket<'_, S> {
             let wo_z = wo.dot(surfaces.n);
             shadows.push_packet(self.paths.throughput, self.paths.index, diffuse);
             self.sample_lights(&surfaces, wo_z, diffuse, shadows);
+            if self.scene.samples_bsdf(self.settings) {
+                self.sample_bsdf(&surfaces, wo_z, diffuse, workspace, shadows, fallback);
+            }
             if bounce < self.settings.max_depth {
                 survivors = self.scatter(bounce, &surfaces, wo_z, diffuse, workspace);
             }

@@ -9,7 +9,7 @@ use crate::shadow_queue::ShadowQueue;
 use crate::specular::SpecularMaterial;
 use crate::{camera, trace};
 use fearless_simd::dispatch;
-use kit::{PrimId, Triangle};
+use kit::{Material, PrimId, Triangle};
 // END SOLUTION(part6.task2)
 
 use crate::{Level, ScalarFallback};
@@ -27,6 +27,11 @@ pub struct PathScene<'a> {
     specular: Vec<Option<SpecularMaterial>>,
     /// The primitives, if there are few; else the fallback traverses a tree.
     pub(crate) list: Option<PrimitiveList>,
+    /// The primitives that emit, if they are few and there is no background: only rays that hit one
+    /// of them find light.
+    pub(crate) lamps: Option<PrimitiveList>,
+    /// Whether there is a light that a ray in a random direction can hit.
+    has_extended_lights: bool,
     pub(crate) has_background: bool,
     /// Whether every triangle has the same normal at its three vertices.
     pub(crate) is_faceted: bool,
@@ -44,6 +49,8 @@ pub struct PathSettings {
     pub max_depth: u32,
     /// Whether surfaces have textures, which the fallback looks up.
     pub has_textures: bool,
+    /// Whether direct light samples the lights and the BSDF (`--mis`); else the lights only.
+    pub samples_bsdf: bool,
     /// Bounces after which Russian roulette starts; `None` switches it off.
     pub min_bounces: Option<u32>,
 }
@@ -120,7 +127,14 @@ impl<'a> PathScene<'a> {
         Some(PathScene {
             materials: materials.clone().map(classify).collect(),
             specular: materials.map(SpecularMaterial::of).collect(),
-            list: PrimitiveList::new(scene),
+            list: PrimitiveList::of(scene, |_| true),
+            lamps: if lit.has_background() {
+                None
+            } else {
+                let emits = |id| matches!(scene.material_of(id), Material::Emission { .. });
+                PrimitiveList::of(scene, emits)
+            },
+            has_extended_lights: lit.emitters.iter().any(|emitter| !emitter.is_delta()),
             has_background: lit.has_background(),
             is_faceted: scene.triangles.iter().all(is_faceted),
             level: Level::new(),
@@ -144,6 +158,12 @@ impl<'a> PathScene<'a> {
     pub(crate) fn specular_of(&self, id: usize) -> Option<&SpecularMaterial> {
         self.specular[self.lit.scene.material_number(PrimId(id as u32))].as_ref()
     }
+
+    /// Whether direct light samples the BSDF.
+    #[inline(always)]
+    pub(crate) fn samples_bsdf(&self, settings: &PathSettings) -> bool {
+        settings.samples_bsdf && self.has_extended_lights
+    }
     // END SOLUTION(part6.task2)
 
     /// The same scene for the instruction set `level` instead of the best one of this machine. The
@@ -157,7 +177,8 @@ impl<'a> PathScene<'a> {
     }
 
     /// Traces a path from each of `starts` and returns its radiance: bit for bit what `raygen` and
-    /// `global` compute one path at a time, with direct light by light sampling.
+    /// `global` compute one path at a time, with direct light by light sampling or, with
+    /// [`PathSettings::samples_bsdf`], by multiple importance sampling.
     pub fn trace(
         &self,
         view: &View,

@@ -3,6 +3,7 @@
 //! rays to one light are traced together; and what the light adds to the paths.
 
 use crate::beam::{BEAM_SIZE, RangeEnds, RayBundle};
+use crate::bsdf_rays::BsdfRays;
 use crate::intersection::TracedRays;
 use crate::lane_mask::lanes;
 use crate::primitive_list::NearbyPrimitives;
@@ -17,8 +18,11 @@ use kit::{Emitter, Spectrum, Vec3};
 pub(crate) struct ShadowQueue {
     /// The shadow rays to each emitter.
     rays: Vec<ShadowRays>,
+    /// With multiple importance sampling, rays in directions that the BSDF has sampled.
+    pub(crate) bsdf_rays: BsdfRays,
     packets: Vec<LitPacket>,
-    /// For each packet all samples of the first emitter, then those of the second one, and so on.
+    /// For each packet all samples of the first emitter, then those of the second one, and so on;
+    /// with multiple importance sampling then those of the BSDF.
     samples: Vec<LightSamples>,
 }
 
@@ -72,6 +76,7 @@ impl ShadowQueue {
         for rays in &mut self.rays {
             rays.count = 0;
         }
+        self.bsdf_rays.clear();
         self.packets.clear();
         self.samples.clear();
     }
@@ -100,6 +105,14 @@ impl ShadowQueue {
             light: [[0.0; LANES]; 3],
             lit: 0,
         });
+    }
+
+    /// Adds samples of the BSDF, whose rays [`ShadowQueue::bsdf_rays`] holds. Returns their numbers.
+    #[inline(always)]
+    pub(crate) fn push_undecided<S: Simd>(&mut self, simd: S) -> f64x8<S> {
+        let first = (self.samples.len() * LANES) as f64;
+        self.push_unlit();
+        f64x8::load_array(simd, LANE_NUMBERS) + first
     }
 
     /// Adds samples of emitter number `emitter`, whose `light` arrives in the lanes of `active`
@@ -187,6 +200,26 @@ impl ShadowQueue {
         }
     }
 
+    /// Traces all rays of BSDF samples.
+    #[inline(always)]
+    pub(crate) fn trace_bsdf<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &PathScene<'_>,
+        workspace: &mut Workspace,
+        fallback: &mut dyn ScalarFallback,
+    ) {
+        let samples = &mut self.samples;
+        let add = |sample: usize, light: Spectrum| {
+            let (packet, lane) = (&mut samples[sample / LANES], sample % LANES);
+            packet.lit |= 1 << lane;
+            for (field, channel) in packet.light.iter_mut().zip(light.to_array()) {
+                field[lane] = channel;
+            }
+        };
+        self.bsdf_rays.trace(simd, scene, workspace, fallback, add);
+    }
+
     /// Adds the light of all samples to `radiance`, in the order of the stage `direct`.
     #[inline(always)]
     pub(crate) fn add_light<S: Simd>(
@@ -200,8 +233,14 @@ impl ShadowQueue {
         let mut samples = self.samples.iter();
         for packet in &self.packets {
             let mut direct = black;
-            for emitter in &scene.lit.emitters {
-                let count = sample_count(emitter, settings);
+            let of_lights = scene.lit.emitters.iter();
+            let of_bsdf = scene
+                .samples_bsdf(settings)
+                .then_some(settings.light_samples);
+            for count in of_lights
+                .map(|emitter| sample_count(emitter, settings))
+                .chain(of_bsdf)
+            {
                 let mut sum = black;
                 for sample in samples.by_ref().take(count as usize) {
                     let with_sample = sum + load_vector(simd, &sample.light);

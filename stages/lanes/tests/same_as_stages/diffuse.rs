@@ -1,5 +1,5 @@
 // BEGIN SOLUTION(part6.task2)
-//! `lanes::diffuse`, `direct::lambert_f` and `direct::lambert_sample`.
+//! `lanes::diffuse`, `direct::lambert_f`, `direct::lambert_pdf` and `direct::lambert_sample`.
 
 use crate::inputs::{Random, coordinates, join, vector};
 use crate::widths::{Formula, as_number, at_every_width, same};
@@ -7,18 +7,19 @@ use kit::{Spectrum, Vec2, Vec3, math};
 use lanes::{Real, diffuse};
 use std::f64::consts::TAU;
 
-/// The reflectance, the z of two directions; the BSDF and whether it is not black.
+/// The reflectance, the z of two directions; the BSDF, whether it is not black, and the density.
 struct Evaluated;
 
-impl Formula<5, 4> for Evaluated {
+impl Formula<5, 5> for Evaluated {
     #[inline(always)]
-    fn compute<R: Real>(&self, input: [R; 5]) -> [R; 4] {
+    fn compute<R: Real>(&self, input: [R; 5]) -> [R; 5] {
         let [r, g, b] = coordinates(diffuse::lambert_f(vector(&input)));
         [
             r,
             g,
             b,
             as_number(diffuse::on_same_side(input[3], input[4]), r),
+            diffuse::lambert_pdf(input[3], input[4]),
         ]
     }
 }
@@ -45,24 +46,28 @@ fn values() {
             ])
         })
         .collect();
-    for (input, [r, g, b, is_same_side]) in inputs.iter().zip(at_every_width(&Evaluated, &inputs)) {
+    let results = at_every_width(&Evaluated, &inputs);
+    for (input, [r, g, b, is_same_side, pdf]) in inputs.iter().zip(results) {
         let [wo, wi] = [input[3], input[4]].map(|z| Vec3::new(0.0, 0.0, z));
         let expected = direct::lambert_f(Spectrum::new(input[0], input[1], input[2]), wo, wi);
         let f = Spectrum::new(r, g, b) * is_same_side;
         assert_eq!(f, expected, "for {input:?}");
+        assert!(same(pdf, direct::lambert_pdf(wo, wi)), "for {input:?}");
     }
 }
 
-/// The reflectance, the viewer's z, `u` and the sine and cosine of an angle; the direction and the
-/// weight.
+/// The reflectance, the viewer's z, `u` and the sine and cosine of an angle; the direction, its
+/// density and the weight.
 struct Sampled;
 
-impl Formula<7, 6> for Sampled {
+impl Formula<7, 7> for Sampled {
     #[inline(always)]
-    fn compute<R: Real>(&self, input: [R; 7]) -> [R; 6] {
+    fn compute<R: Real>(&self, input: [R; 7]) -> [R; 7] {
         let [.., wo_z, u, sin, cos] = input;
-        let (wi, weight) = diffuse::lambert_sample(vector(&input), wo_z, u, (sin, cos));
-        [wi.x, wi.y, wi.z, weight.x, weight.y, weight.z]
+        let sample = diffuse::lambert_sample(vector(&input), wo_z, u, (sin, cos));
+        let [x, y, z] = coordinates(sample.wi);
+        let [r, g, b] = coordinates(sample.weight);
+        [x, y, z, sample.pdf, r, g, b]
     }
 }
 
@@ -86,8 +91,8 @@ fn samples() {
             continue;
         };
         let weight = expected.weight().to_array();
-        let expected: [f64; 6] = join(&[&expected.wi.to_array(), &weight]);
-        let is_same = (0..6).all(|i| same(result[i], expected[i]));
+        let expected: [f64; 7] = join(&[&expected.wi.to_array(), &[expected.pdf], &weight]);
+        let is_same = (0..7).all(|i| same(result[i], expected[i]));
         assert!(
             is_same,
             "{result:?}, expected {expected:?} for {rho:?}, {wo}, {u}"

@@ -1,15 +1,20 @@
 // BEGIN SOLUTION(part6.task2)
-//! `lanes::light`, `kit::Emitter::sample` and `direct::estimate_direct_lighting_importance`.
+//! `lanes::light`, `kit::Emitter::sample`, `kit::Emitter::pdf`,
+//! `direct::estimate_direct_lighting_importance` and `direct::estimate_direct_lighting_mis`.
 
 use crate::inputs::{Random, coordinates, join, vector};
 use crate::widths::{Formula, as_number, at_every_width, same};
-use direct::{estimate_direct_lighting_importance, lambert_f};
+use direct::{
+    estimate_direct_lighting_importance, estimate_direct_lighting_mis, lambert_f, lambert_pdf,
+};
 use kit::emitting_mesh::EmittingTriangle;
 use kit::{
     BsdfSample, Emitter, EmittingMesh, Frame, LitScene, Material, PixelSampler, PrimId, Ray,
-    Scattering, Scene, Spectrum, Surface, Vec2, Vec3,
+    Scattering, Scene, Spectrum, Surface, Vec2, Vec3, math,
 };
+use lanes::mis::power_heuristic;
 use lanes::{Real, diffuse, light};
+use std::f64::consts::TAU;
 
 /// A lamp of one triangle, of several or of some without area.
 fn mesh(random: &mut Random) -> Option<EmittingMesh> {
@@ -84,23 +89,26 @@ fn samples_of_meshes() {
     assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
 }
 
-/// From the point, the normal, the reflectance, the viewer and `u`: the estimate of direct light.
+/// From the point, the normal, the reflectance, the viewer and `u`: the estimate of direct light
+/// by light sampling, and the same part of that by multiple importance sampling.
 struct Estimate<'a>(&'a EmittingMesh);
 
-impl Formula<14, 4> for Estimate<'_> {
+impl Formula<14, 7> for Estimate<'_> {
     #[inline(always)]
-    fn compute<R: Real>(&self, input: [R; 14]) -> [R; 4] {
+    fn compute<R: Real>(&self, input: [R; 14]) -> [R; 7] {
         let (n, wo) = (vector(&input[3..6]), vector(&input[9..12]));
         let sample = light::sample_mesh(self.0, vector(&input), [input[12], input[13]]);
         let wi_z = sample.wi.dot(n);
-        let [r, g, b] =
-            coordinates(sample.scattered(diffuse::lambert_f(vector(&input[6..9])), wi_z));
+        let f = diffuse::lambert_f(vector(&input[6..9]));
+        let [r, g, b] = coordinates(sample.scattered(f, wi_z, wi_z.constant(1.0)));
+        let weight = power_heuristic(sample.pdf, diffuse::lambert_pdf(wo.dot(n), wi_z));
+        let [r_mis, g_mis, b_mis] = coordinates(sample.scattered(f, wi_z, weight));
         let counts = sample.exists & diffuse::on_same_side(wo.dot(n), wi_z);
-        [as_number(counts, r), r, g, b]
+        [as_number(counts, r), r, g, b, r_mis, g_mis, b_mis]
     }
 }
 
-/// Diffuse materials.
+/// Diffuse materials, whose BSDF gives no samples.
 struct Diffuse;
 
 impl Scattering for Diffuse {
@@ -111,12 +119,12 @@ impl Scattering for Diffuse {
         }
     }
 
-    fn pdf(&self, _: &Material, _: Vec3, _: Vec3) -> f64 {
-        unreachable!("only lights are sampled")
+    fn pdf(&self, _: &Material, wo: Vec3, wi: Vec3) -> f64 {
+        lambert_pdf(wo, wi)
     }
 
     fn sample(&self, _: &Material, _: Vec3, _: Vec2, _: f64) -> Option<BsdfSample> {
-        unreachable!("only lights are sampled")
+        None
     }
 }
 
@@ -150,7 +158,17 @@ fn estimates_of_direct_light() {
             };
             let u = sampler.clone().next_2d();
             let mut occluded = |_: &Ray| false;
-            expected.push(estimate_direct_lighting_importance(
+            let weighted = estimate_direct_lighting_mis(
+                &lit,
+                &surface,
+                wo,
+                1,
+                &mut sampler.clone(),
+                &Diffuse,
+                &mut |_| None,
+                &mut occluded,
+            );
+            let unweighted = estimate_direct_lighting_importance(
                 &lit,
                 &surface,
                 wo,
@@ -158,21 +176,116 @@ fn estimates_of_direct_light() {
                 &mut sampler,
                 &Diffuse,
                 &mut occluded,
-            ));
+            );
+            expected.push((unweighted, weighted));
             let vectors = [p, n, colour, wo].map(|v| v.to_array());
             inputs.push(join(&[vectors.as_flattened(), &[u.x, u.y]]));
         }
         let results = at_every_width(&Estimate(&mesh), &inputs);
-        for ((input, [counts, r, g, b]), expected) in inputs.iter().zip(results).zip(expected) {
-            let estimate = if counts == 1.0 {
-                Spectrum::new(r, g, b)
+        for ((input, result), expected) in inputs.iter().zip(results).zip(expected) {
+            let [counts, r, g, b, r_mis, g_mis, b_mis] = result;
+            let estimates = if counts == 1.0 {
+                (Spectrum::new(r, g, b), Spectrum::new(r_mis, g_mis, b_mis))
             } else {
-                Spectrum::BLACK
+                (Spectrum::BLACK, Spectrum::BLACK)
             };
-            assert_eq!(estimate, expected, "for {input:?}, {mesh:?}");
-            lit_points += usize::from(!expected.is_black());
+            assert_eq!(estimates, expected, "for {input:?}, {mesh:?}");
+            lit_points += usize::from(!expected.1.is_black());
         }
     }
     assert!(lit_points > 1000, "{lit_points} points are lit");
+}
+
+/// From `u` and the sine and cosine of the angle: whether there is a sample, its direction, distance,
+/// density and radiance.
+struct SampledSky(Vec3);
+
+impl Formula<3, 9> for SampledSky {
+    #[inline(always)]
+    fn compute<R: Real>(&self, [u, sin, cos]: [R; 3]) -> [R; 9] {
+        let sample = light::sample_sky(self.0, u, (sin, cos));
+        let [x, y, z] = coordinates(sample.wi);
+        let [r, g, b] = coordinates(sample.radiance);
+        let exists = as_number(sample.exists, u);
+        [exists, x, y, z, sample.distance, sample.pdf, r, g, b]
+    }
+}
+
+#[test]
+fn samples_of_skies() {
+    let mut random = Random::new(16);
+    let radiance = Spectrum::new(0.25, 3.0, 0.0);
+    let last = 1.0 - f64::EPSILON / 2.0;
+    let points: Vec<Vec2> = (0..4000)
+        .map(|_| {
+            let any = Vec2::new(random.one(), random.one());
+            random.of(&[any, any, Vec2::new(0.0, any.y), Vec2::new(last, any.x)])
+        })
+        .collect();
+    let inputs: Vec<[f64; 3]> = points
+        .iter()
+        .map(|u| {
+            let (sin, cos) = math::sin_cos(TAU * u.y);
+            [u.x, sin, cos]
+        })
+        .collect();
+    let results = at_every_width(&SampledSky(radiance.to_array().into()), &inputs);
+    for (u, result) in points.iter().zip(results) {
+        let expected = Emitter::Sky { radiance }
+            .sample(Vec3::ZERO, *u)
+            .expect("a sky is visible from everywhere");
+        let expected: [f64; 9] = join(&[
+            &[1.0],
+            &expected.wi.to_array(),
+            &[expected.distance, expected.pdf],
+            &expected.radiance.to_array(),
+        ]);
+        assert!(
+            (0..9).all(|i| same(result[i], expected[i])),
+            "{result:?}, expected {expected:?} for {u}"
+        );
+    }
+}
+
+/// From the direction, the distance and the normal: the density.
+struct Density<'a>(&'a EmittingMesh);
+
+impl Formula<7, 1> for Density<'_> {
+    #[inline(always)]
+    fn compute<R: Real>(&self, input: [R; 7]) -> [R; 1] {
+        let area = input[3].constant(self.0.area());
+        let (wi, normal) = (vector(&input), vector(&input[4..7]));
+        [light::mesh_pdf(area, wi, input[3], normal)]
+    }
+}
+
+#[test]
+fn densities_of_meshes() {
+    let mut random = Random::new(14);
+    let mut counts = [0; 2];
+    for _ in 0..200 {
+        let Some(mesh) = mesh(&mut random) else {
+            continue;
+        };
+        let inputs: Vec<[f64; 7]> = (0..40)
+            .map(|_| {
+                let (wi, normal) = (random.normal(), random.normal());
+                let distance = random.of(&[1.0, 0.0, 1e-300, 1e200]) * random.one();
+                join(&[&wi.to_array(), &[distance], &normal.to_array()])
+            })
+            .collect();
+        let results = at_every_width(&Density(&mesh), &inputs);
+        let emitter = Emitter::Mesh(mesh);
+        for (input, [pdf]) in inputs.iter().zip(results) {
+            let (wi, normal) = (Vec3::from_slice(input), Vec3::from_slice(&input[4..]));
+            let expected = emitter.pdf(Vec3::ZERO, wi, input[3], normal);
+            assert!(
+                same(pdf, expected),
+                "{pdf}, expected {expected} for {input:?}"
+            );
+            counts[usize::from(expected > 0.0)] += 1;
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
 }
 // END SOLUTION(part6.task2)

@@ -7,6 +7,7 @@ mod diffuse;
 mod frame;
 mod inputs;
 mod light;
+mod mis;
 mod record;
 mod roulette;
 mod sin_cos;

@@ -12,6 +12,7 @@ use crate::lane_mask::lanes;
 use crate::ray_packet::{HitPacket, RayPacket};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{PrimId, Ray, Scene, Sphere, Vec3};
+use std::ops::Range;
 use triangle::{AxisPermutedRays, ProjectedVertex};
 
 pub(crate) use nearby::NearbyPrimitives;
@@ -33,7 +34,7 @@ struct ListedTriangle {
     vertices: [u32; 3],
 }
 
-/// The limits of a list. A scene of this size has no nodes in `simd_bvh` either, but the tree
+/// The limits of a list. A whole scene of this size has no nodes in `simd_bvh` either, but the tree
 /// traces one ray at a time: a Cornell box with two spheres takes 1.9 times as long with it (user
 /// time of `pathtracer -s 16 -l 1 -m 5`, median of seven pairs).
 const MAX_TRIANGLES: usize = 16;
@@ -57,11 +58,18 @@ struct PacketTest<S: Simd> {
 }
 
 impl PrimitiveList {
-    /// All primitives of `scene`; `None` if they are too many.
-    pub(crate) fn new(scene: &Scene) -> Option<PrimitiveList> {
-        if scene.triangles.len() > MAX_TRIANGLES || scene.spheres.len() > MAX_SPHERES {
-            return None;
-        }
+    /// The primitives of `scene` that `is_listed` accepts; `None` if they are too many.
+    pub(crate) fn of(scene: &Scene, is_listed: impl Fn(PrimId) -> bool) -> Option<PrimitiveList> {
+        let count = scene.triangles.len() as u32;
+        let listed = |ids: Range<u32>, most: usize| {
+            let ids: Vec<u32> = ids
+                .filter(|&id| is_listed(PrimId(id)))
+                .take(most + 1)
+                .collect();
+            (ids.len() <= most).then_some(ids)
+        };
+        let triangles = listed(0..count, MAX_TRIANGLES)?;
+        let spheres = listed(count..scene.len() as u32, MAX_SPHERES)?;
         let mut vertices: Vec<Vec3> = Vec::new();
         let mut number = |p: Vec3| {
             let bits = |v: Vec3| v.to_array().map(f64::to_bits);
@@ -71,16 +79,19 @@ impl PrimitiveList {
                 vertices.len() - 1
             }) as u32
         };
-        let triangles = (0..).zip(&scene.triangles).map(|(id, t)| ListedTriangle {
-            id,
-            vertices: [t.p0, t.p1, t.p2].map(&mut number),
+        let triangles = triangles.into_iter().map(|id| {
+            let t = &scene.triangles[id as usize];
+            ListedTriangle {
+                id,
+                vertices: [t.p0, t.p1, t.p2].map(&mut number),
+            }
         });
-        let triangles: Vec<ListedTriangle> = triangles.collect();
+        let spheres = spheres.into_iter();
         Some(PrimitiveList {
-            spheres: (triangles.len() as u32..)
-                .zip(scene.spheres.iter().copied())
+            triangles: triangles.collect(),
+            spheres: spheres
+                .map(|id| (id, scene.spheres[(id - count) as usize]))
                 .collect(),
-            triangles,
             vertices,
         })
     }

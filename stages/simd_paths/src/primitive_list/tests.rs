@@ -188,7 +188,7 @@ fn the_list_finds_the_hits_of_brute_force() {
     let mut hits = 0;
     for i in 0..3000 {
         let scene = random.scene([1.0, 1e-9, 1e90][i % 3]);
-        let list = PrimitiveList::new(&scene).expect("few primitives");
+        let list = PrimitiveList::of(&scene, |_| true).expect("few primitives");
         for _ in 0..8 {
             let rays: [Ray; LANES] = std::array::from_fn(|_| random.ray(&scene));
             let skip = std::array::from_fn(|_| match random.below(3) {

@@ -107,6 +107,7 @@ fn with_lists_and_trees_and_every_material_and_light() {
             light_samples: (i % 3) as u32,
             max_depth: 1 + (i % 6) as u32,
             has_textures: i % 8 == 3,
+            samples_bsdf: i % 4 == 1,
             min_bounces: [Some(3), Some(1), None][i % 3],
         };
         let sampling = Sampling {
@@ -123,6 +124,7 @@ const TO_DEPTH_5: PathSettings = PathSettings {
     light_samples: 1,
     max_depth: 5,
     has_textures: false,
+    samples_bsdf: false,
     min_bounces: Some(3),
 };
 

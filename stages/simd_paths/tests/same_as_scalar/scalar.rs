@@ -1,7 +1,10 @@
 // BEGIN SOLUTION(part6.task2)
 //! Scalar paths with the stages, intersected by brute force.
 
-use direct::{estimate_direct_lighting_importance, lambert_f, lambert_pdf, lambert_sample};
+use direct::{
+    estimate_direct_lighting_importance, estimate_direct_lighting_mis, lambert_f, lambert_pdf,
+    lambert_sample,
+};
 use global::{
     estimate_radiance, glass_sample, glossy_f, glossy_pdf, glossy_sample, mirror_sample,
     play_roulette, refraction_sample,
@@ -116,6 +119,16 @@ impl<'a> ScalarPaths<'a> {
             .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
     }
 
+    /// The closest hit of a ray that is counted.
+    fn hit(&self, ray: &Ray, skip: Option<PrimId>) -> Option<Hit> {
+        self.count(|counts| counts.rays += 1);
+        let Some((id, hit)) = self.nearest(ray, skip) else {
+            self.count(|counts| counts.background += u64::from(self.lit.has_background()));
+            return None;
+        };
+        Some(record(self.lit, id, ray, hit))
+    }
+
     fn blocked(&self, ray: &Ray, skip: Option<PrimId>) -> bool {
         (0..self.lit.scene.len() as u32)
             .map(PrimId)
@@ -130,21 +143,26 @@ impl<'a> ScalarPaths<'a> {
         sampler: &mut PixelSampler,
     ) -> Spectrum {
         let samples = self.settings.light_samples;
+        let materials = &Materials(&Cell::new(tint));
+        let origin = (surface.prim, surface.ng);
         let occluded = &mut |ray: &Ray| {
             self.count(|counts| {
                 counts.rays += 1;
                 counts.light_rays += 1;
             });
-            self.blocked(ray, self.skip((surface.prim, surface.ng), ray))
+            self.blocked(ray, self.skip(origin, ray))
         };
+        if self.settings.samples_bsdf {
+            let trace = &mut |ray: &Ray| {
+                self.count(|counts| counts.light_rays += 1);
+                self.hit(ray, self.skip(origin, ray))
+            };
+            return estimate_direct_lighting_mis(
+                self.lit, surface, wo, samples, sampler, materials, trace, occluded,
+            );
+        }
         estimate_direct_lighting_importance(
-            self.lit,
-            surface,
-            wo,
-            samples,
-            sampler,
-            &Materials(&Cell::new(tint)),
-            occluded,
+            self.lit, surface, wo, samples, sampler, materials, occluded,
         )
     }
 
@@ -213,13 +231,8 @@ pub(crate) fn radiance(scalar: &ScalarPaths<'_>, view: &View, start: &PathStart)
         &mut sampler,
         &Materials(&tint),
         &mut |ray| {
-            scalar.count(|counts| counts.rays += 1);
             let skip = origin.and_then(|origin| scalar.skip(origin, ray));
-            let Some((id, hit)) = scalar.nearest(ray, skip) else {
-                scalar.count(|counts| counts.background += u64::from(scalar.lit.has_background()));
-                return None;
-            };
-            let hit = record(scalar.lit, id, ray, hit);
+            let hit = scalar.hit(ray, skip)?;
             origin = Some((hit.prim, hit.ng));
             tint.set(scalar.look_up_texture(&hit));
             Some(hit)

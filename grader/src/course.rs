@@ -63,6 +63,8 @@ pub struct Idea {
     pub case: String,
     /// The aspect.
     pub aspect: Aspect,
+    /// A case that shows the idea, too: if the same aspect is mostly right there, it is not missing.
+    pub or_in: Option<String>,
 }
 
 /// One case and its points.
@@ -248,7 +250,8 @@ impl Task {
                 )
             })?;
         }
-        for Idea { case, .. } in &self.idea {
+        let of_idea = self.idea.iter();
+        for case in of_idea.flat_map(|idea| std::iter::once(&idea.case).chain(&idea.or_in)) {
             ensure(names.contains(case), || {
                 let key = &self.key;
                 format!("`idea` of `{key}` names the case `{case}`, which the task does not have")

@@ -159,6 +159,7 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         NAMES,
         &format!("{}: {verb}: {}", task.key, names.join(", ")),
     );
+    reduced(out, task);
     if reveal.hint == HintLevel::Cases {
         for case in cases.iter().take(DESCRIBED) {
             let text = format!("  {} tests: {}", case.name, checked(&case.about));
@@ -205,6 +206,21 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             rank: 2,
             lines: lines.into(),
         });
+    }
+}
+
+/// Why the core cases that are right give few points, if the idea of the task is missing.
+fn reduced(out: &mut Lines, task: &TaskResult) {
+    let core = task.cases.iter().filter(|case| case.tier == Tier::Core);
+    let reduced: Vec<&CaseResult> = core.filter(|case| case.is_only_reduced()).collect();
+    let why = reduced.first().and_then(|case| case.reductions.first());
+    if let Some(why) = why {
+        let cases = judge::plural(
+            reduced.len(),
+            "other case is right: it",
+            "other cases are right: each",
+        );
+        out.add(1, NAMES, &format!("  {cases} {why}"));
     }
 }
 

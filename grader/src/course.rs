@@ -135,6 +135,13 @@ impl Course {
             .filter(|task| what == "all" || task.key == what || task.part_key() == what)
             .collect();
         if chosen.is_empty() {
+            if let Some((key, case)) = what.split_once('/')
+                && self.tasks().any(|task| task.key == key)
+            {
+                return Err(GraderError::new(format!(
+                    "`{what}` names one case. To run it: `cargo grader {key} --case {case}`"
+                )));
+            }
             if let Some(part) = self.parts.iter().find(|part| part.matches_key(what)) {
                 let keys: Vec<&str> = part.tasks.iter().map(|task| task.key.as_str()).collect();
                 return Err(GraderError::new(format!(
@@ -297,6 +304,23 @@ mod tests {
         );
         assert_eq!(keys("part3.task1,part3").len(), 3);
         assert!(course.select("part1.task1,").is_err());
+    }
+
+    #[test]
+    fn the_error_for_a_case_has_the_command_that_runs_it() {
+        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let error = course
+            .select("part1.task3/range")
+            .expect_err("a case is no task");
+        let command = "`cargo grader part1.task3 --case range`";
+        assert!(error.to_string().ends_with(command), "{error}");
+        let unknown = course
+            .select("part1.task9/range")
+            .expect_err("no such task");
+        assert!(
+            unknown.to_string().contains("The tasks of part 1"),
+            "{unknown}"
+        );
     }
 
     #[test]

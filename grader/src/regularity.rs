@@ -20,6 +20,10 @@ const TELLING: f64 = 0.6;
 /// At most this many circumstances are said.
 const CIRCUMSTANCES: usize = 2;
 
+/// The cause of errors of a certain size, in the sentence about them.
+pub(crate) const FEW_DIGITS: &str =
+    "the precision of f32 (`as f32`, `f32` literals), or of a constant typed with few digits";
+
 /// Sentences without a full stop, the most helpful first; none if nothing is regular.
 pub fn of(task: &str, cases: &[CaseResult], specs: &[Spec]) -> Vec<String> {
     let cases = that_count(cases);
@@ -147,9 +151,7 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
             "{label}: about {} times the right number",
             2.0_f64.powi(power.into())
         ),
-        Class::Rounded => format!(
-            "{label}: off by less than 1 part in 100,000: the precision of f32 (`as f32`, `f32` literals), or of a constant typed with few digits"
-        ),
+        Class::Rounded => format!("{label}: off by less than 1 part in 100,000: {FEW_DIGITS}"),
         _ => return None,
     };
     Some(manner)

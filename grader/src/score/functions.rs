@@ -303,9 +303,8 @@ cases = [
         let task = course.tasks().next().expect("it has a task");
         let score = |each: [Vec<Finding>; 3]| {
             let cases = task.cases.iter().zip(each);
-            let cases = cases.map(|(entry, findings)| {
-                CaseResult::new(entry, "", Status::Passed, findings, &[])
-            });
+            let cases = cases
+                .map(|(entry, findings)| CaseResult::new(entry, "", Status::Passed, findings, &[]));
             TaskResult::new(task, cases.collect()).score
         };
         let right = || findings(RIGHT, RIGHT);

@@ -4,6 +4,7 @@ use super::{Block, Context};
 use crate::chapter::{Section, chapter, section};
 use crate::compile_errors;
 use crate::printed;
+use crate::regularity::FEW_DIGITS;
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
 use crate::report::worst_test;
@@ -246,7 +247,10 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             }
         }
         None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
-            out.add(2, 1, "  The answers match no known mistake.");
+            let common = &report.regularities;
+            if !common.iter().any(|says| says.contains(FEW_DIGITS)) {
+                out.add(2, 1, "  The answers match no known mistake.");
+            }
             if reveal.hint >= HintLevel::Remedy {
                 read_more(out, &report.result.key, Section::Contract);
             }

@@ -408,7 +408,12 @@ fn missing_ideas_are_told_at_any_width() {
             width,
             ..Page::default()
         };
-        let text = format_screen(&report, &context("part1"), reveal(HintLevel::Findings), page);
+        let text = format_screen(
+            &report,
+            &context("part1"),
+            reveal(HintLevel::Findings),
+            page,
+        );
         text.lines().map(str::to_owned).collect()
     };
     let wide = lines(120);
@@ -423,4 +428,27 @@ fn missing_ideas_are_told_at_any_width() {
         let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
         assert!(text.join(" ").contains(told.trim()), "{lines:?}");
     }
+}
+
+#[test]
+fn a_cause_that_is_told_is_not_called_unknown() {
+    let says = |common: &str| {
+        let wrong = TaskReport {
+            regularities: vec![common.into()],
+            ..task(
+                "part1.task3",
+                "",
+                1.0,
+                vec![case("front_face", Tier::Core, "your result: t = 2.32")],
+            )
+        };
+        let context = context("part1.task3");
+        let text = screen(vec![wrong], &context, reveal(HintLevel::Mistake));
+        text.contains("match no known mistake")
+    };
+    assert!(says("wrong: t"));
+    assert!(!says(&format!(
+        "t: off by little: {}",
+        crate::regularity::FEW_DIGITS
+    )));
 }

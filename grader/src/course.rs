@@ -63,6 +63,8 @@ pub struct Idea {
     pub case: String,
     /// The aspect.
     pub aspect: Aspect,
+    /// A case that shows the idea, too: if the same aspect is mostly right there, it is not missing.
+    pub or_in: Option<String>,
 }
 
 /// One case and its points.
@@ -133,6 +135,13 @@ impl Course {
             .filter(|task| what == "all" || task.key == what || task.part_key() == what)
             .collect();
         if chosen.is_empty() {
+            if let Some((key, case)) = what.split_once('/')
+                && self.tasks().any(|task| task.key == key)
+            {
+                return Err(GraderError::new(format!(
+                    "`{what}` names one case. To run it: `cargo grader {key} --case {case}`"
+                )));
+            }
             if let Some(part) = self.parts.iter().find(|part| part.matches_key(what)) {
                 let keys: Vec<&str> = part.tasks.iter().map(|task| task.key.as_str()).collect();
                 return Err(GraderError::new(format!(
@@ -248,7 +257,8 @@ impl Task {
                 )
             })?;
         }
-        for Idea { case, .. } in &self.idea {
+        let of_idea = self.idea.iter();
+        for case in of_idea.flat_map(|idea| std::iter::once(&idea.case).chain(&idea.or_in)) {
             ensure(names.contains(case), || {
                 let key = &self.key;
                 format!("`idea` of `{key}` names the case `{case}`, which the task does not have")
@@ -294,6 +304,23 @@ mod tests {
         );
         assert_eq!(keys("part3.task1,part3").len(), 3);
         assert!(course.select("part1.task1,").is_err());
+    }
+
+    #[test]
+    fn the_error_for_a_case_has_the_command_that_runs_it() {
+        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let error = course
+            .select("part1.task3/range")
+            .expect_err("a case is no task");
+        let command = "`cargo grader part1.task3 --case range`";
+        assert!(error.to_string().ends_with(command), "{error}");
+        let unknown = course
+            .select("part1.task9/range")
+            .expect_err("no such task");
+        assert!(
+            unknown.to_string().contains("The tasks of part 1"),
+            "{unknown}"
+        );
     }
 
     #[test]

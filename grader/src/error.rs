@@ -23,7 +23,9 @@ impl GraderError {
 /// The cause of an error about a temporary file, without the file's random name.
 pub fn without_path(error: &std::io::Error) -> String {
     let inner = error.get_ref().and_then(std::error::Error::source);
-    inner.map_or_else(|| error.to_string(), ToString::to_string)
+    let text = inner.map_or_else(|| error.to_string(), ToString::to_string);
+    // `tempfile` adds the path to the text, and has no source.
+    text.split(" at path \"").next().unwrap_or_default().into()
 }
 
 impl fmt::Display for GraderError {
@@ -33,3 +35,18 @@ impl fmt::Display for GraderError {
 }
 
 impl std::error::Error for GraderError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_temporary_files_are_left_out() {
+        let error = tempfile::Builder::new()
+            .tempfile_in("no/such/folder")
+            .expect_err("the folder does not exist");
+        assert!(error.to_string().contains("no/such/folder"));
+        assert!(!without_path(&error).contains("folder\""), "{error}");
+        assert!(without_path(&error).contains("os error"), "{error}");
+    }
+}

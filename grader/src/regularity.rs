@@ -20,6 +20,10 @@ const TELLING: f64 = 0.6;
 /// At most this many circumstances are said.
 const CIRCUMSTANCES: usize = 2;
 
+/// The cause of errors of a certain size, in the sentence about them.
+pub(crate) const FEW_DIGITS: &str =
+    "the precision of f32 (`as f32`, `f32` literals), or of a constant typed with few digits";
+
 /// Sentences without a full stop, the most helpful first; none if nothing is regular.
 pub fn of(task: &str, cases: &[CaseResult], specs: &[Spec]) -> Vec<String> {
     let cases = that_count(cases);
@@ -28,9 +32,10 @@ pub fn of(task: &str, cases: &[CaseResult], specs: &[Spec]) -> Vec<String> {
     let Some(aspect) = main_aspect(&cases) else {
         return sentences;
     };
-    sentences.extend(functions(&cases));
+    let only = only_function(&cases);
+    sentences.extend(only.map(|name| format!("only the answers of {name} are wrong")));
     sentences.extend(manner(&cases, aspect));
-    sentences.extend(where_wrong(task, &cases, aspect, specs));
+    sentences.extend(where_wrong(task, &cases, aspect, specs, only));
     sentences
 }
 
@@ -100,15 +105,16 @@ fn fields(cases: &[&CaseResult]) -> Option<String> {
     tells.then(|| format!("wrong: {}; all other fields are right", wrong.join(", ")))
 }
 
-/// Which functions are wrong, in tasks of several.
-fn functions(cases: &[&CaseResult]) -> Option<String> {
+/// The function whose answers alone are wrong, in tasks of several, or the path through it
+/// (`ns_aa=1`).
+fn only_function<'a>(cases: &[&'a CaseResult]) -> Option<&'a str> {
     let faults = cases.iter().flat_map(|case| &case.findings);
     let of_faults: BTreeSet<Option<&str>> = faults
         .flat_map(|finding| finding.faults.iter().map(|fault| fault.function))
         .collect();
     let names: Option<Vec<&str>> = of_faults.into_iter().collect();
     match names?.as_slice() {
-        [name] => Some(format!("only the answers of {name} are wrong")),
+        [name] => Some(name),
         _ => None,
     }
 }
@@ -145,9 +151,7 @@ fn manner(cases: &[&CaseResult], aspect: Aspect) -> Option<String> {
             "{label}: about {} times the right number",
             2.0_f64.powi(power.into())
         ),
-        Class::Rounded => format!(
-            "{label}: off by less than 1 part in 100,000: the precision of f32 (`as f32`, `f32` literals), or of a constant typed with few digits"
-        ),
+        Class::Rounded => format!("{label}: off by less than 1 part in 100,000: {FEW_DIGITS}"),
         _ => return None,
     };
     Some(manner)
@@ -173,7 +177,10 @@ fn where_wrong(
     cases: &[&CaseResult],
     aspect: Aspect,
     specs: &[Spec],
+    only: Option<&str>,
 ) -> Option<String> {
+    // What `only_function` says already.
+    let said = only.map(|path| path.replace('=', " is ").replace('>', " is above "));
     let mut wrong = 0;
     let mut others = 0;
     let mut counts: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
@@ -197,6 +204,7 @@ fn where_wrong(
         .filter(|(_, [of_wrong, of_others])| {
             *of_wrong == wrong && *of_others as f64 <= TELLING * others as f64
         })
+        .filter(|(circumstance, _)| said.as_deref() != Some(circumstance))
         .map(|(circumstance, [_, of_others])| (of_others, circumstance))
         .collect();
     telling.sort_unstable();
@@ -254,6 +262,29 @@ mod tests {
                 "wrong only where the ray starts inside the sphere",
             ]
         );
+    }
+
+    #[test]
+    fn a_path_that_only_one_circumstance_takes_is_said_once() {
+        const TASK: &str = "part1.task1";
+        let mut specs = judge::cases::all(0);
+        specs.retain(|spec| spec.task == TASK);
+        let pixels = specs.iter().filter_map(|spec| match &spec.work {
+            wire::Work::Pixels(work) => Some((spec, work.ns_aa, work.pixels.len())),
+            _ => None,
+        });
+        let cases = pixels.map(|(spec, ns_aa, calls)| {
+            let mut tally = Tally::default();
+            tally.answers_of(if ns_aa == 1 { "ns_aa=1" } else { "ns_aa>1" });
+            for call in 0..calls {
+                let class = (ns_aa == 1).then_some(Class::Named("off"));
+                tally.judge_class(Aspect::Placement, call, class, 1.0, String::new);
+            }
+            CaseResult::failed(spec.name, tally.into_findings())
+        });
+        let cases: Vec<CaseResult> = cases.collect();
+        let sentences = of(TASK, &cases, &specs);
+        assert_eq!(sentences, ["only the answers of ns_aa=1 are wrong"]);
     }
 
     #[test]

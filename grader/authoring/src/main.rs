@@ -26,6 +26,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn usage_names_the_command_that_was_typed() {
+        let error = command().try_get_matches_from(["target/release/authoring", "handout"]);
+        let message = error.expect_err("options are missing").to_string();
+        assert!(message.contains("Usage: grader handout "), "{message}");
+    }
+
+    #[test]
     fn errors_about_numbers_name_the_accepted_values() {
         for (line, expected) in [
             (

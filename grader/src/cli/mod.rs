@@ -216,6 +216,8 @@ pub fn run_to_exit_code(work: impl FnOnce() -> Result<Verdict, GraderError>) -> 
 /// The command line of a program that implements some of the commands of `grader`.
 pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Command {
     Command::new("grader")
+        // Not the name of the file, which nobody typed.
+        .bin_name("grader")
         .version(env!("CARGO_PKG_VERSION"))
         .subcommand_required(true)
         .after_help(EXIT_CODES)

@@ -154,7 +154,14 @@ fn task_line(task: &TaskResult, page: Page) -> String {
     let points = format!("{}/{}", number(task.score), number(task.max_score));
     let padding = " ".repeat(title_width(page).saturating_sub(columns(&title)));
     let before = format!("{}  {title}{padding} {points:>POINTS$}  ", task.key);
-    let status = one_line(&state(task), page.width.saturating_sub(columns(&before)));
+    let room = page.width.saturating_sub(columns(&before));
+    let state = state(task);
+    // What does not fit is said below, in detail.
+    let fitting = match state.split_once(", ") {
+        Some((first, _)) if columns(&state) > room => first,
+        _ => &state,
+    };
+    let status = one_line(fitting, room);
     match page.colours {
         true => {
             let style = style_of(task);

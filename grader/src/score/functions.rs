@@ -161,11 +161,15 @@ pub(super) fn require_idea(task: &Task, cases: &mut [CaseResult]) {
 /// The aspect that shows that `function` does not have the idea of its task, if there is one. A
 /// case without answers shows nothing.
 fn lacking_idea<'a>(task: &'a Task, cases: &[CaseResult], function: &str) -> Option<&'a Idea> {
-    task.idea.iter().find(|idea| {
-        let case = cases.iter().find(|case| case.name == idea.case);
+    let is_right = |idea: &Idea, case: &str| {
+        let case = cases.iter().find(|other| other.name == case);
         let mut findings = case.iter().flat_map(|case| &case.findings);
         let finding = findings.find(|finding| finding.aspect == idea.aspect);
-        finding.and_then(|finding| finding.mostly_right_by(function)) == Some(false)
+        finding.and_then(|finding| finding.mostly_right_by(function))
+    };
+    task.idea.iter().find(|idea| {
+        let elsewhere = idea.or_in.as_ref().and_then(|case| is_right(idea, case));
+        is_right(idea, &idea.case) == Some(false) && elsewhere != Some(true)
     })
 }
 
@@ -287,6 +291,28 @@ cases = [
         assert_eq!(points([misses_most, right(), right()]), (11.5, 0.0));
         let neither = findings([9, 0], [9, 0]);
         assert_eq!(points([neither, right(), right()]), (3.0, 0.0));
+    }
+
+    #[test]
+    fn the_idea_is_not_missing_if_it_shows_in_another_case() {
+        let or_in = COURSE.replace(
+            r#"aspect = "decision" }"#,
+            r#"aspect = "decision", or_in = "edges" }"#,
+        );
+        let course = Course::parse(&or_in).expect("it is valid");
+        let task = course.tasks().next().expect("it has a task");
+        let score = |each: [Vec<Finding>; 3]| {
+            let cases = task.cases.iter().zip(each);
+            let cases = cases
+                .map(|(entry, findings)| CaseResult::new(entry, "", Status::Passed, findings, &[]));
+            TaskResult::new(task, cases.collect()).score
+        };
+        let right = || findings(RIGHT, RIGHT);
+        let wrong = || findings([9, 0], [9, 0]);
+        assert_eq!(score([wrong(), right(), right()]), 12.0);
+        assert_eq!(score([wrong(), wrong(), right()]), 0.0);
+        let unknown = or_in.replace(r#"or_in = "edges""#, r#"or_in = "edge""#);
+        assert!(Course::parse(&unknown).is_err());
     }
 
     #[test]

@@ -14,9 +14,10 @@ use kit::{Hit, PrimId, Ray, Sphere};
 /// Chapter: stages/book/src/part1/task4.md
 ///
 /// With `f = o - center` the intersections are the roots of `a·t² - 2·b·t + c = 0`, where
-/// `a = d·d`, `b = -f·d` and `c = f·f - r²`. The textbook formula, `(b ± sqrt(b² - a·c)) / a`,
-/// loses digits by cancellation in two places: in `b² - a·c` if the sphere is small and far away or
-/// the ray is nearly tangent, and in `b - sqrt(..)` if the origin is near the surface.
+/// `a = d·d`, `b = -f·d` and `c = f·f - r²`, with `r = s.radius`. The textbook formula,
+/// `(b ± sqrt(b² - a·c)) / a`, loses digits by cancellation in two places: in `b² - a·c` if the
+/// sphere is small and far away or the ray is nearly tangent, and in `b - sqrt(..)` if the origin
+/// is near the surface.
 ///
 /// - If the near root is out of range, the far root counts: the ray starts inside, or `min_t` is
 ///   beyond the near root.

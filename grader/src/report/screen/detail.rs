@@ -4,6 +4,7 @@ use super::{Block, Context};
 use crate::chapter::{Section, chapter, section};
 use crate::compile_errors;
 use crate::printed;
+use crate::regularity::FEW_DIGITS;
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
 use crate::report::worst_test;
@@ -159,6 +160,7 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
         NAMES,
         &format!("{}: {verb}: {}", task.key, names.join(", ")),
     );
+    reduced(out, task);
     if reveal.hint == HintLevel::Cases {
         for case in cases.iter().take(DESCRIBED) {
             let text = format!("  {} tests: {}", case.name, checked(&case.about));
@@ -208,6 +210,21 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     }
 }
 
+/// Why the core cases that are right give few points, if the idea of the task is missing.
+fn reduced(out: &mut Lines, task: &TaskResult) {
+    let core = task.cases.iter().filter(|case| case.tier == Tier::Core);
+    let reduced: Vec<&CaseResult> = core.filter(|case| case.is_only_reduced()).collect();
+    let why = reduced.first().and_then(|case| case.reductions.first());
+    if let Some(why) = why {
+        let cases = judge::plural(
+            reduced.len(),
+            "other case is right: it",
+            "other cases are right: each",
+        );
+        out.add(1, NAMES, &format!("  {cases} {why}"));
+    }
+}
+
 /// The first wrong finding of a case, with its worst answer.
 fn worst(case: &CaseResult) -> Option<(&Finding, &Worst)> {
     let wrong = case.findings.iter().filter(|finding| finding.wrong > 0);
@@ -230,7 +247,10 @@ fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             }
         }
         None if reveal.hint >= HintLevel::Mistake && lost_core && !has_crashed => {
-            out.add(2, 1, "  The answers match no known mistake.");
+            let common = &report.regularities;
+            if !common.iter().any(|says| says.contains(FEW_DIGITS)) {
+                out.add(2, 1, "  The answers match no known mistake.");
+            }
             if reveal.hint >= HintLevel::Remedy {
                 read_more(out, &report.result.key, Section::Contract);
             }

@@ -387,3 +387,68 @@ fn only_the_status_is_coloured() {
         )
     );
 }
+
+/// The status is cut where it does not fit, and the cause of the few points has a line of its own.
+#[test]
+fn missing_ideas_are_told_at_any_width() {
+    let mut tally = Tally::default();
+    tally.judge(Aspect::Placement, 0, true, 0.0, String::new);
+    let why = "counts a quarter, because of what is wrong in the case middle: sample positions";
+    let right = |name: &str| CaseResult {
+        tier: Tier::Core,
+        status: Status::Failed,
+        reductions: vec![why.into()],
+        ..CaseResult::failed(name, tally.clone().into_findings())
+    };
+    let wrong = case("middle", Tier::Core, "your result: miss");
+    let cases = vec![wrong, right("edge"), right("corner")];
+    let report = Report::new(vec![task("part1.task1", "The loop", 2.75, cases)], None);
+    let lines = |width: usize| -> Vec<String> {
+        let page = Page {
+            width,
+            ..Page::default()
+        };
+        let text = format_screen(
+            &report,
+            &context("part1"),
+            reveal(HintLevel::Findings),
+            page,
+        );
+        text.lines().map(str::to_owned).collect()
+    };
+    let wide = lines(120);
+    assert!(
+        wide[0].ends_with("  1 case fails, 2 more count a quarter"),
+        "{wide:?}"
+    );
+    let narrow = lines(80);
+    assert!(narrow[0].ends_with("  1 case fails"), "{narrow:?}");
+    let told = format!("  2 other cases are right: each {why}");
+    for lines in [wide, narrow] {
+        let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
+        assert!(text.join(" ").contains(told.trim()), "{lines:?}");
+    }
+}
+
+#[test]
+fn a_cause_that_is_told_is_not_called_unknown() {
+    let says = |common: &str| {
+        let wrong = TaskReport {
+            regularities: vec![common.into()],
+            ..task(
+                "part1.task3",
+                "",
+                1.0,
+                vec![case("front_face", Tier::Core, "your result: t = 2.32")],
+            )
+        };
+        let context = context("part1.task3");
+        let text = screen(vec![wrong], &context, reveal(HintLevel::Mistake));
+        text.contains("match no known mistake")
+    };
+    assert!(says("wrong: t"));
+    assert!(!says(&format!(
+        "t: off by little: {}",
+        crate::regularity::FEW_DIGITS
+    )));
+}

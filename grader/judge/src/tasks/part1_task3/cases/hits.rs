@@ -84,7 +84,28 @@ pub(super) fn close_up() -> Work {
             probes.ray(rng.ray_to(&triangle, b, side, distance));
         }
     }
+    for _ in 0..10 {
+        let triangle = small(&rng.triangle());
+        probes.triangle(&triangle);
+        for _ in 0..5 {
+            let (b, side) = (rng.inside(MARGIN), rng.one_of(&[1.0, -1.0]));
+            let distance = rng.range(0.05, 5.0);
+            probes.ray(rng.ray_to(&triangle, b, side, distance));
+        }
+    }
     probes.work()
+}
+
+/// The triangle a hundred times as small, like one of 100,000 in a mesh of size 1: its determinant
+/// is about 1e-4, far above the 1e-7 or 1e-8 that textbooks take for a ray in its plane.
+fn small(triangle: &Triangle) -> Triangle {
+    let [p0, p1, p2] = [triangle.p0, triangle.p1, triangle.p2].map(|p| 0.01 * p);
+    Triangle {
+        p0,
+        p1,
+        p2,
+        ..*triangle
+    }
 }
 
 /// A heap of triangles, and rays through it from all directions.

@@ -93,8 +93,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Normal, GeometricNormal, Barycentrics]),
         case(
             "close_up",
-            "Hits at distances from 0.0001 to 0.01: the range starts at min_t. Pitfall: a lower \
-             bound on t of your own leaves holes close to the camera.",
+            "Hits at distances from 0.0001 to 0.01: the range starts at min_t. Then triangles as \
+             small as those of a fine mesh. Pitfall: a lower bound on t of your own leaves holes \
+             close to the camera, one on the determinant lets small triangles vanish.",
             hits::close_up(),
         )
         .only(&[HitOrMiss, T]),

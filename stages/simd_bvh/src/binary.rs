@@ -129,9 +129,9 @@ impl BinaryNode {
     }
 }
 
-/// Builds a tree over `prims`, one or more, with at most [`LANES`] in a leaf, and puts them into the
-/// tree's order. Spheres have numbers from `first_sphere` on. Ids in a leaf ascend. The result does
-/// not depend on the number of threads.
+/// Builds a tree over `prims`, one or more, with at most [`LANES`] in a leaf, and puts them into
+/// the tree's order. Spheres have numbers from `first_sphere` on. Ids in a leaf ascend. The result
+/// does not depend on the number of threads.
 pub(crate) fn build(prims: &mut [BuildPrimitive], first_sphere: u32, level: Level) -> BinaryTree {
     let builder = Builder {
         first_sphere,

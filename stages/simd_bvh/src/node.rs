@@ -8,9 +8,9 @@ use kit::{Aabb, Vec3};
 
 /// The boxes of up to eight children in the tree's space, one per lane, and the children.
 ///
-/// The boxes contain their primitives with a margin, as [`PackedBox`] describes. Single precision halves the
-/// memory and the width of the lanes. It cannot change a hit: boxes only cull, and hits come from
-/// the tests of the primitives.
+/// The boxes contain their primitives with a margin, as [`PackedBox`] describes. Single precision
+/// halves the memory and the width of the lanes. It cannot change a hit: boxes only cull, and hits
+/// come from the tests of the primitives.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {

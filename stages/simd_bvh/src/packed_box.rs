@@ -4,11 +4,12 @@
 //! # Why a box contains every hit of its primitive
 //!
 //! The scalar kernels have a few rounding errors, each of about 2⁻⁵³ of the primitive's size, so
-//! they may report a hit for a ray that passes a primitive at such a distance. [`PackedBox::around`]
-//! enlarges the box of each primitive in double precision by [`MARGIN`] of its largest edge and by
-//! [`MIN_MARGIN`], and then rounds each plane outwards. All later boxes are unions of these, and
-//! the larger of two numbers has no rounding error. So the box of a node contains the enlarged box
-//! of every primitive below it, and a ray that hits the primitive also hits the boxes above it.
+//! they may report a hit for a ray that passes a primitive at such a distance.
+//! [`PackedBox::around`] enlarges the box of each primitive in double precision by [`MARGIN`] of
+//! its largest edge and by [`MIN_MARGIN`], and then rounds each plane outwards. All later boxes are
+//! unions of these, and the larger of two numbers has no rounding error. So the box of a node
+//! contains the enlarged box of every primitive below it, and a ray that hits the primitive also
+//! hits the boxes above it.
 
 use crate::rounding::at_most;
 use crate::sah::LANES;

@@ -21,7 +21,8 @@ pub(crate) struct WideNodes {
     pub(crate) sphere_blocks: Vec<Range<u32>>,
 }
 
-/// The wide tree for `tree`, whose root is not a leaf of one block. `prims` are in the tree's order.
+/// The wide tree for `tree`, whose root is not a leaf of one block. `prims` are in the tree's
+/// order.
 pub(crate) fn widen(tree: &BinaryTree, prims: &[BuildPrimitive]) -> (WideNodes, Child) {
     let root = tree.root();
     let size = root.get().size;

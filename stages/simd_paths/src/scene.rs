@@ -102,7 +102,7 @@ pub struct Counts {
 
 /// The number of paths that are traced together, in packets of eight. Multiples of it waste the
 /// fewest lanes.
-pub const BATCH_SIZE: usize = 128;
+pub const BATCH_SIZE: usize = 256;
 
 /// The memory that a thread reuses from batch to batch.
 #[derive(Clone, Debug, Default)]

@@ -6,11 +6,13 @@
 //! these are few, the rays are first tested against them alone, and only the rays that hit one are
 //! traced through the scene: most rays miss the lamps.
 
+use crate::beam::{RangeEnds, RayBundle};
 use crate::columns::Columns;
+use crate::intersection::{HitSource, TracedRays, closest};
 use crate::lane_mask::lanes;
 use crate::material_class::MaterialClass;
 use crate::packet::PathPacket;
-use crate::ray_packet::{HitPacket, RayPacket, prim_id};
+use crate::ray_packet::{HitPacket, RayPacket};
 use crate::shadow_queue::ShadowQueue;
 use crate::surface_packet::SurfacePacket;
 use crate::vec3x8::{LANES, Vec3x8};
@@ -24,6 +26,9 @@ use lanes::mis::power_heuristic;
 
 /// The numbers of a ray: see [`BsdfRay`].
 const COLUMNS: usize = 15;
+
+/// The number of the column [`BsdfRay::skip`].
+const SKIP: usize = 13;
 
 /// The rays of a bounce that may find light.
 #[derive(Clone, Debug, Default)]
@@ -107,17 +112,25 @@ impl BsdfRays {
         &self,
         simd: S,
         scene: &PathScene<'_>,
+        traced: &mut TracedRays,
         workspace: &mut Workspace,
         fallback: &mut dyn ScalarFallback,
         mut add: impl FnMut(usize, Spectrum),
     ) {
+        if scene.list.is_none() && self.0.count() > 0 {
+            traced.trace(&self.bundle(), fallback);
+        }
         for first in (0..self.0.count()).step_by(LANES) {
             let active = (1 << (self.0.count() - first).min(LANES)) - 1;
             let bsdf_rays = BsdfRay::of(self.0.load(simd, first));
             let rays = unlimited(simd, bsdf_rays.o, bsdf_rays.d);
+            let source = match &scene.list {
+                Some(list) => HitSource::List(list),
+                None => traced.hits(first, LANES),
+            };
             let hits = closest(
                 simd,
-                scene,
+                source,
                 &rays,
                 active,
                 bsdf_rays.skip,
@@ -145,6 +158,19 @@ impl BsdfRays {
                     add(bsdf_rays.sample[lane] as usize, background * weight);
                 }
             }
+        }
+    }
+
+    /// All rays.
+    fn bundle(&self) -> RayBundle<'_> {
+        let vector = |i: usize| [i, i + 1, i + 2].map(|i| self.0.column(i));
+        RayBundle {
+            count: self.0.count(),
+            o: vector(0),
+            d: vector(3),
+            min_t: 0.0,
+            max_t: RangeEnds::All(f64::INFINITY),
+            skip: self.0.column(SKIP),
         }
     }
 }
@@ -188,7 +214,7 @@ impl<S: Simd> BsdfRay<S> {
             p: vector(6),
             weight: vector(9),
             pdf: columns[12],
-            skip: columns[13],
+            skip: columns[SKIP],
             sample: columns[14],
         }
     }
@@ -253,30 +279,6 @@ fn unlimited<S: Simd>(simd: S, o: Vec3x8<S>, d: Vec3x8<S>) -> RayPacket<S> {
         min_t: f64x8::splat(simd, 0.0),
         max_t: f64x8::splat(simd, f64::INFINITY),
     }
-}
-
-/// The closest hits in the lanes of `active` with any primitive of the scene but `skip`.
-#[inline(always)]
-fn closest<S: Simd>(
-    simd: S,
-    scene: &PathScene<'_>,
-    rays: &RayPacket<S>,
-    active: u64,
-    skip: f64x8<S>,
-    workspace: &mut Workspace,
-    fallback: &mut dyn ScalarFallback,
-) -> HitPacket<S> {
-    if let Some(list) = &scene.list {
-        workspace.counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
-        return list.closest(simd, rays, active, skip, &mut workspace.scratch, fallback);
-    }
-    let mut hits = HitPacket::none(simd, rays.max_t);
-    for lane in lanes(active) {
-        if let Some((id, hit)) = fallback.closest(&rays.lane(lane), prim_id(skip[lane])) {
-            hits.set(lane, id, hit);
-        }
-    }
-    hits
 }
 
 /// The radiance of skies and environment maps along `d` from `p`, each with the weight of a sample

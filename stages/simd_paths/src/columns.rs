@@ -31,6 +31,11 @@ impl<const N: usize> Columns<N> {
         self.count
     }
 
+    /// Column number `i`: the numbers of all rows and others behind them.
+    pub(crate) fn column(&self, i: usize) -> &[f64] {
+        &self.columns[i]
+    }
+
     /// Appends the rows in the lanes of `mask`.
     #[inline(always)]
     pub(crate) fn push<S: Simd>(&mut self, rows: [f64x8<S>; N], mask: mask64x8<S>) {

@@ -206,6 +206,7 @@ impl ShadowQueue {
         &mut self,
         simd: S,
         scene: &PathScene<'_>,
+        traced: &mut TracedRays,
         workspace: &mut Workspace,
         fallback: &mut dyn ScalarFallback,
     ) {
@@ -217,7 +218,8 @@ impl ShadowQueue {
                 field[lane] = channel;
             }
         };
-        self.bsdf_rays.trace(simd, scene, workspace, fallback, add);
+        self.bsdf_rays
+            .trace(simd, scene, traced, workspace, fallback, add);
     }
 
     /// Adds the light of all samples to `radiance`, in the order of the stage `direct`.

@@ -85,7 +85,7 @@ pub(crate) fn trace_paths<S: Simd>(
             workspace,
             fallback,
         );
-        shadows.trace_bsdf(simd, scene, workspace, fallback);
+        shadows.trace_bsdf(simd, scene, &mut traced, workspace, fallback);
         shadows.add_light(simd, scene, settings, radiance);
         if kept == 0 {
             break;

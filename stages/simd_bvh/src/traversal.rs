@@ -85,8 +85,8 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
         let nodes = &self.tree.nodes[..];
         let mut stack = StackMemory::new();
         let mut len = 0;
-        // In memory: an operation can broadcast a number from there, while broadcasts before the
-        // loop would take more registers than there are.
+        // In memory: operations read the numbers from there, while loads before the loop would take
+        // more registers than there are.
         let boxes = std::hint::black_box(&boxes);
         match self.tree.roots[..] {
             // Apart from the loop, because there is no other entry beside it.

@@ -63,7 +63,8 @@ pub struct Idea {
     pub case: String,
     /// The aspect.
     pub aspect: Aspect,
-    /// A case that shows the idea, too: if the same aspect is mostly right there, it is not missing.
+    /// Another case that shows the idea: if the aspect is mostly right there, the idea is not
+    /// missing.
     pub or_in: Option<String>,
 }
 

@@ -82,8 +82,8 @@ pub fn sample_sky<R: Real>(radiance: kit::Vec3, u: R, (sin, cos): (R, R)) -> Lig
     }
 }
 
-/// The density of the direction `wi` among the samples of a mesh of this `area`, in 1/sr, given that
-/// the ray along `wi` hits the mesh at `distance`, where the unit normal of the front side is
+/// The density of the direction `wi` among the samples of a mesh of this `area`, in 1/sr, given
+/// that the ray along `wi` hits the mesh at `distance`, where the unit normal of the front side is
 /// `normal`.
 #[inline(always)]
 pub fn mesh_pdf<R: Real>(area: R, wi: Vec3<R>, distance: R, normal: Vec3<R>) -> R {

@@ -21,8 +21,8 @@ impl SlotQueue {
 
     /// Removes all slots and returns how many there were. [`SlotQueue::get`] still returns them.
     ///
-    /// They may be pushed again while they are read: after slot number `i` was read, at most `i + 1`
-    /// of them have been pushed.
+    /// They may be pushed again while they are read, as long as at most `i + 1` of them have been
+    /// pushed when number `i` has been read.
     #[inline(always)]
     pub(crate) fn take(&mut self) -> usize {
         std::mem::take(&mut self.count)

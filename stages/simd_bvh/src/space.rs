@@ -117,7 +117,7 @@ fn median_center(count: usize, bounds: impl Fn(usize) -> Option<Aabb>) -> Option
     Some(median)
 }
 
-/// The number of boxes whose centres are compared.
+/// At most this many boxes, evenly spaced in the list, determine the centre of the space.
 const SAMPLE: usize = 1 << 11;
 
 /// A thread reads at least this many boxes at once.

@@ -22,8 +22,8 @@ pub struct StreamMemory {
 }
 
 impl WideBvh {
-    /// The closest hit of each of `rays`, in their order, in place of what `hits` holds: those of
-    /// [`WideBvh::closest`], bit for bit, whichever rays are traced together.
+    /// Replaces the contents of `hits` by the closest hit of each of `rays`, in their order: those
+    /// of [`WideBvh::closest`], bit for bit, whichever rays are traced together.
     ///
     /// A ray comes with the primitive that it cannot hit. `exact` is that of [`WideBvh::closest`].
     /// Adds the tests to `counts`: there may be a few more or less than for
@@ -39,20 +39,15 @@ impl WideBvh {
     ) {
         // BEGIN SOLUTION(part6.task1)
         hits.clear();
-        let slots = memory.slots();
-        dispatch!(self.level, simd => {
-            let tree = self;
-            for rays in rays.chunks(GROUP_SIZE) {
-                StreamTraversal::<_, false> { simd, tree, rays, slots, exact, counts }.trace();
-                hits.extend(slots[..rays.len()].iter().map(|slot| slot.found.closest));
-            }
+        self.trace_groups::<false>(rays, exact, memory, counts, |slots| {
+            hits.extend(slots.iter().map(|slot| slot.found.closest));
         });
         // STUB: kit::hole!("part6.task1", self, rays, exact, memory, counts, hits)
         // END SOLUTION(part6.task1)
     }
 
-    /// Whether each of `rays` hits anything, in their order, in place of what `occluded` holds: the
-    /// results of [`WideBvh::occluded`]. Otherwise like [`WideBvh::closest_each`].
+    /// Replaces the contents of `occluded` by whether each of `rays` hits anything, in their order:
+    /// the results of [`WideBvh::occluded`]. Otherwise like [`WideBvh::closest_each`].
     pub fn occluded_each(
         &self,
         rays: &[(Ray, Option<PrimId>)],
@@ -63,17 +58,33 @@ impl WideBvh {
     ) {
         // BEGIN SOLUTION(part6.task1)
         occluded.clear();
-        let slots = memory.slots();
-        dispatch!(self.level, simd => {
-            let tree = self;
-            for rays in rays.chunks(GROUP_SIZE) {
-                StreamTraversal::<_, true> { simd, tree, rays, slots, exact, counts }.trace();
-                occluded.extend(slots[..rays.len()].iter().map(|slot| slot.is_hit));
-            }
+        self.trace_groups::<true>(rays, exact, memory, counts, |slots| {
+            occluded.extend(slots.iter().map(|slot| slot.is_hit));
         });
         // STUB: kit::hole!("part6.task1", self, rays, exact, memory, counts, occluded)
         // END SOLUTION(part6.task1)
     }
+
+    // BEGIN SOLUTION(part6.task1)
+    /// Traces `rays` group by group, and passes the slots of each group to `add`.
+    fn trace_groups<const ANY: bool>(
+        &self,
+        rays: &[(Ray, Option<PrimId>)],
+        exact: &mut ExactTest,
+        memory: &mut StreamMemory,
+        counts: &mut TestCounts,
+        mut add: impl FnMut(&[RaySlot]),
+    ) {
+        let slots = memory.slots();
+        dispatch!(self.level, simd => {
+            let tree = self;
+            for rays in rays.chunks(GROUP_SIZE) {
+                StreamTraversal::<_, ANY> { simd, tree, rays, slots, exact, counts }.trace();
+                add(&slots[..rays.len()]);
+            }
+        });
+    }
+    // END SOLUTION(part6.task1)
 }
 
 // BEGIN SOLUTION(part6.task1)

@@ -1,11 +1,11 @@
 // BEGIN SOLUTION(part6.task1)
 //! The traversal of the tree by a group of rays together.
 //!
-//! One ray waits most of the time: each step depends on the one before, and the processor guesses
-//! wrong whether a node or a block comes next and whether a triangle is hit. Here each loop does the
-//! same step for all rays that need it, so steps of different rays overlap and there is nothing to
-//! guess: first nodes, until no ray needs one, then a block of triangles for each ray, and then what
-//! the blocks leave undecided.
+//! One ray waits most of the time: each step depends on the one before, and the processor often
+//! mispredicts whether a node or a block comes next and whether a triangle is hit. Here each loop
+//! does the same step for all rays that need it, so steps of different rays overlap and few
+//! branches are mispredicted: first nodes, until no ray needs one, then a block of triangles for
+//! each ray, and then what the blocks leave undecided.
 
 use crate::intersect::{ExactTest, TestCounts};
 use crate::node::Child;
@@ -146,25 +146,17 @@ impl<S: Simd, const ANY: bool> StreamTraversal<'_, '_, S, ANY> {
                 );
             }
             for (edges, &(number, child)) in edges.iter().zip(&undecided).take(undecided_count) {
-                self.test_edges(number, child, edges);
-                let slot = &self.slots[number % GROUP_SIZE];
-                let is_done = ANY && slot.is_hit;
-                queues.push(
-                    number,
-                    if is_done {
-                        Child::NONE
-                    } else {
-                        slot.stack.top()
-                    },
-                );
+                let is_hit = self.test_edges(number, child, edges);
+                self.go_on(queues, number, is_hit);
             }
         }
         self.counts.prim_tests += prim_tests;
     }
 
-    /// Tests the block `child`, whose triangles may be hit where `edges` say so.
+    /// Tests the block `child`, whose triangles may be hit where `edges` say so. Returns whether
+    /// one is hit.
     #[inline(always)]
-    fn test_edges(&mut self, number: usize, child: Child, edges: &FilterEdges<S>) {
+    fn test_edges(&mut self, number: usize, child: Child, edges: &FilterEdges<S>) -> bool {
         let (ray, _) = &self.rays[number];
         let slot = &mut self.slots[number % GROUP_SIZE];
         let block = &self.tree.blocks[child.index()];
@@ -191,12 +183,7 @@ impl<S: Simd, const ANY: bool> StreamTraversal<'_, '_, S, ANY> {
                 slot.add_candidate(self.tree, at, interval, ray, self.exact);
             }
         }
-        if is_hit {
-            slot.is_hit = true;
-            if !ANY {
-                slot.cull(self.simd);
-            }
-        }
+        is_hit
     }
 
     /// Tests a block of spheres for each ray that needs one.
@@ -217,22 +204,23 @@ impl<S: Simd, const ANY: bool> StreamTraversal<'_, '_, S, ANY> {
                 let id = block.id(lane);
                 is_hit |= slot.skip != id && slot.test_scalar(id, ray, self.exact);
             }
-            if is_hit {
-                slot.is_hit = true;
-                if !ANY {
-                    slot.cull(self.simd);
-                }
-            }
-            let is_done = ANY && is_hit;
-            queues.push(
-                number,
-                if is_done {
-                    Child::NONE
-                } else {
-                    slot.stack.top()
-                },
-            );
+            self.go_on(queues, number, is_hit);
         }
+    }
+
+    /// Queues a ray for what it needs after a block in which it has a hit or not. With `ANY` it
+    /// needs nothing after a hit.
+    #[inline(always)]
+    fn go_on(&mut self, queues: &mut SlotQueues, number: usize, is_hit: bool) {
+        let slot = &mut self.slots[number % GROUP_SIZE];
+        if is_hit {
+            slot.is_hit = true;
+            if ANY {
+                return;
+            }
+            slot.cull(self.simd);
+        }
+        queues.push(number, slot.stack.top());
     }
 }
 // END SOLUTION(part6.task1)

@@ -60,8 +60,8 @@ pub trait ScalarFallback {
     /// Whether any primitive but `skip` is hit in the ray's range.
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool;
 
-    /// [`ScalarFallback::closest`] of each of `rays`, in their order, in place of what `hits` holds.
-    /// A ray comes with the primitive that it cannot hit.
+    /// Replaces the contents of `hits` by [`ScalarFallback::closest`] of each of `rays`, in their
+    /// order. A ray comes with the primitive that it cannot hit.
     fn closest_each(
         &mut self,
         rays: &[(Ray, Option<PrimId>)],
@@ -71,8 +71,8 @@ pub trait ScalarFallback {
         hits.extend(rays.iter().map(|(ray, skip)| self.closest(ray, *skip)));
     }
 
-    /// [`ScalarFallback::occluded`] of each of `rays`, in their order, in place of what `occluded`
-    /// holds.
+    /// Replaces the contents of `occluded` by [`ScalarFallback::occluded`] of each of `rays`, in
+    /// their order.
     fn occluded_each(&mut self, rays: &[(Ray, Option<PrimId>)], occluded: &mut Vec<bool>) {
         occluded.clear();
         occluded.extend(rays.iter().map(|(ray, skip)| self.occluded(ray, *skip)));

@@ -107,7 +107,8 @@ impl ShadowQueue {
         });
     }
 
-    /// Adds samples of the BSDF, whose rays [`ShadowQueue::bsdf_rays`] holds. Returns their numbers.
+    /// Adds samples of the BSDF, whose rays [`ShadowQueue::bsdf_rays`] holds. Returns their
+    /// numbers.
     #[inline(always)]
     pub(crate) fn push_undecided<S: Simd>(&mut self, simd: S) -> f64x8<S> {
         let first = (self.samples.len() * LANES) as f64;

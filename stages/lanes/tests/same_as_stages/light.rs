@@ -196,8 +196,8 @@ fn estimates_of_direct_light() {
     assert!(lit_points > 1000, "{lit_points} points are lit");
 }
 
-/// From `u` and the sine and cosine of the angle: whether there is a sample, its direction, distance,
-/// density and radiance.
+/// From `u` and the sine and cosine of the angle: whether there is a sample, its direction,
+/// distance, density and radiance.
 struct SampledSky(Vec3);
 
 impl Formula<3, 9> for SampledSky {

@@ -39,7 +39,7 @@ impl WideBvh {
     ) {
         // BEGIN SOLUTION(part6.task1)
         hits.clear();
-        self.trace_groups::<false>(rays, exact, memory, counts, |slots| {
+        memory.trace_groups::<false>(self, rays, exact, counts, |slots| {
             hits.extend(slots.iter().map(|slot| slot.found.closest));
         });
         // STUB: kit::hole!("part6.task1", self, rays, exact, memory, counts, hits)
@@ -58,37 +58,34 @@ impl WideBvh {
     ) {
         // BEGIN SOLUTION(part6.task1)
         occluded.clear();
-        self.trace_groups::<true>(rays, exact, memory, counts, |slots| {
+        memory.trace_groups::<true>(self, rays, exact, counts, |slots| {
             occluded.extend(slots.iter().map(|slot| slot.is_hit));
         });
         // STUB: kit::hole!("part6.task1", self, rays, exact, memory, counts, occluded)
         // END SOLUTION(part6.task1)
     }
+}
 
-    // BEGIN SOLUTION(part6.task1)
-    /// Traces `rays` group by group, and passes the slots of each group to `add`.
+// BEGIN SOLUTION(part6.task1)
+impl StreamMemory {
+    /// Traces `rays` through `tree` group by group, and passes the slots of each group to `add`.
     fn trace_groups<const ANY: bool>(
-        &self,
+        &mut self,
+        tree: &WideBvh,
         rays: &[(Ray, Option<PrimId>)],
         exact: &mut ExactTest,
-        memory: &mut StreamMemory,
         counts: &mut TestCounts,
         mut add: impl FnMut(&[RaySlot]),
     ) {
-        let slots = memory.slots();
-        dispatch!(self.level, simd => {
-            let tree = self;
+        let slots = self.slots();
+        dispatch!(tree.level, simd => {
             for rays in rays.chunks(GROUP_SIZE) {
                 StreamTraversal::<_, ANY> { simd, tree, rays, slots, exact, counts }.trace();
                 add(&slots[..rays.len()]);
             }
         });
     }
-    // END SOLUTION(part6.task1)
-}
 
-// BEGIN SOLUTION(part6.task1)
-impl StreamMemory {
     fn slots(&mut self) -> &mut [RaySlot; GROUP_SIZE] {
         self.slots
             .get_or_insert_with(|| Box::new(std::array::from_fn(|_| RaySlot::default())))

@@ -46,7 +46,8 @@ pub struct View {
 /// The default view of a scene on a film.
 ///
 /// This is the camera of the file. If that sees the scene edge-on, the scene is framed from its
-/// direction; without a camera, it is framed from +z.
+/// direction; without a camera, it is framed from +z, or where that shows a flat scene edge-on from
+/// +x or +y.
 pub fn place(scene: &Scene, film: FilmSize) -> View {
     match &scene.camera {
         Some(camera) if is_edge_on(scene) => frame(scene, camera.c2w.z_axis, film),
@@ -54,7 +55,18 @@ pub fn place(scene: &Scene, film: FilmSize) -> View {
             camera: for_film(camera, film),
             target: target_of(camera, scene),
         },
-        None => frame(scene, Vec3::Z, film),
+        None => frame(scene, framing_direction(scene), film),
+    }
+}
+
+/// The direction from which a scene without a camera is framed.
+fn framing_direction(scene: &Scene) -> Vec3 {
+    let extent = scene.bounds().extent();
+    let is_flat = |axis: usize| extent[axis] <= EDGE_ON_TOLERANCE * extent.length();
+    match [is_flat(0), is_flat(1)] {
+        [true, false] => Vec3::X,
+        [false, true] => Vec3::Y,
+        _ => Vec3::Z,
     }
 }
 
@@ -212,6 +224,24 @@ mod tests {
         let distance = 1.5 * 12.0_f64.sqrt();
         assert!((view.camera.pos - center).distance(Vec3::new(0.0, 0.0, distance)) < 1e-12);
         assert!((aspect(&view.camera) - 4.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_flat_scene_without_camera_is_not_seen_edge_on() {
+        for (normal, expected) in [
+            (Vec3::X, Vec3::X),
+            (Vec3::Y, Vec3::Y),
+            (Vec3::Z, Vec3::Z),
+            (Vec3::new(1.0, 1.0, 0.0), Vec3::Z),
+        ] {
+            let (u, v) = normal.normalize().any_orthonormal_pair();
+            let scene = Scene {
+                triangles: vec![Triangle::flat(u, v, -u)],
+                ..Scene::default()
+            };
+            let view = place(&scene, FILM);
+            assert_eq!(view.camera.c2w.z_axis, expected, "{normal}");
+        }
     }
 
     #[test]

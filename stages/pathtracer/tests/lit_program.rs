@@ -47,7 +47,7 @@ fn folder() -> tempfile::TempDir {
 fn pathtracer(folder: &Path, args: &str) -> (String, String) {
     let run = Command::new(cargo_bin!("pathtracer"))
         .current_dir(folder)
-        .args(args.split(' '))
+        .args(args.split_whitespace())
         .assert()
         .success();
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -222,6 +222,38 @@ fn flags_and_lights_without_effect_are_noted() {
     fs::write(folder.path().join("point.dae"), point).expect("a scene file");
     let (_, output) = pathtracer(folder.path(), "-f a.png -r 4 4 -H point.dae");
     assert!(output.contains("-H never hits them"), "{output}");
+}
+
+/// The lamp of the scene, and lamps of other units.
+#[test]
+fn a_picture_in_which_nothing_is_seen_has_a_note() {
+    let folder = folder();
+    let notes = |lamp: &str, args: &str| {
+        let scene = SCENE.replace("5 5 5", lamp);
+        fs::write(folder.path().join("lamp.dae"), scene).expect("a scene file");
+        let args = format!("-f a.png -r 20 20 -s 4 {args} lamp.dae");
+        pathtracer(folder.path(), &args).1
+    };
+    assert_eq!(notes("5 5 5", ""), "");
+    assert_eq!(notes("0.0005 0.0005 0.0005", "--shade normals"), "");
+    for (lamp, name) in [
+        ("0.0005 0.0005 0.0005", "black"),
+        ("50000 50000 50000", "white"),
+    ] {
+        let note = notes(lamp, "");
+        let (before, exposure) = note.split_once("--exposure ").expect("a proposal");
+        assert!(before.contains(&format!("nearly {name}")), "{note}");
+        let exposure = exposure.trim().trim_matches('`');
+        assert_eq!(notes(lamp, &format!("--exposure {exposure}")), "");
+    }
+    assert!(notes("5 5 5", "-m 0").contains("no ray reaches anything that is lit"));
+    let camera = "50 35 1.33 0.1 100\n0 0 9 0 0 10\n0 0 1 0.1 100\n1 0 0 0 -1 0 0 0 -1\n20 20 30\n";
+    fs::write(folder.path().join("away.txt"), camera).expect("a camera file");
+    let note = notes("5 5 5", "--shade normals -c away.txt");
+    assert!(
+        note.contains("no ray of the camera hits anything"),
+        "{note}"
+    );
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The `pathtracer` program: renders a scene file to a picture file.
 
+mod brightness;
 mod budget;
 mod explain;
 mod export;

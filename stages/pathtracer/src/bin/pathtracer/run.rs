@@ -1,5 +1,6 @@
 //! The steps of a run: load, build, render, write, report.
 
+use crate::brightness;
 use crate::budget::{Budget, SAMPLES_PER_PASS};
 use crate::explain;
 use crate::export;
@@ -116,6 +117,10 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
         "{}",
         summary::rendering(&job, &rendered, thread_count, time)
     );
+    let is_lit = matches!(prepared.picture, Picture::Lit(_));
+    if let Some(note) = brightness::note(&rendered, args.tone(), is_lit) {
+        eprintln!("{note}");
+    }
     match outputs.picture {
         PictureFile::Picture(file) => file.write(&rendered.film, cell)?,
         PictureFile::Sums(_) if stop.is_interrupted() => {

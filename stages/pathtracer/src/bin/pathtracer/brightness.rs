@@ -5,7 +5,7 @@ use kit::Spectrum;
 use pathtracer::{Rendered, Tone};
 
 /// Below this byte a pixel looks black.
-const DARK: u8 = 16;
+const DARK: u8 = 32;
 
 /// If at least this share of the pixels that are not black is white, nothing can be told apart.
 const WHITE_SHARE: f64 = 0.75;

@@ -126,7 +126,8 @@ pub fn read(
     let submission = submission.map_err(|error| {
         // The folder may be a temporary one, with another name every time.
         let root = format!("{}/", opened.root.display());
-        Unreadable::Damaged(error.to_string().replace(&root, ""))
+        let why = error.to_string().replace(&root, "");
+        Unreadable::Damaged(format!("cannot be used: {why}"))
     })?;
     let mut sources = BTreeMap::new();
     for (stage, files) in &submission.stages {

@@ -1,7 +1,7 @@
 //! The page of the class.
 
 use super::{escape, page as whole_page};
-use crate::collect::{Class, points};
+use crate::collect::{Class, Row, Status, points};
 use crate::likeness::{self, EXPECTED};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -53,15 +53,21 @@ fn middle(class: &Class) -> String {
 
 /// The submissions that a person has to look at.
 fn without_score(class: &Class) -> String {
-    let mut rows = class
+    let without = class.rows.iter().filter(|row| row.score.is_none());
+    let unreadable = class
         .rows
         .iter()
-        .filter(|row| row.score.is_none())
-        .peekable();
+        .filter(|row| matches!(row.status, Status::Unreadable(_)));
+    listed("No score", without) + &listed("Could not be read: no points", unreadable)
+}
+
+/// A list of rows, each with what is wrong; empty if there are none.
+fn listed<'a>(heading: &str, rows: impl Iterator<Item = &'a Row>) -> String {
+    let mut rows = rows.peekable();
     if rows.peek().is_none() {
         return String::new();
     }
-    let mut html = String::from("<h2>No score</h2>\n<ul>");
+    let mut html = format!("<h2>{heading}</h2>\n<ul>");
     for row in rows {
         let why = row.status.detail().unwrap_or_default();
         let _ = write!(

@@ -385,6 +385,21 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
+    fn a_name_cannot_write_a_line_of_the_report() {
+        let (_folder, submission) = read(&[(
+            "stages/intersect/src/a\nscore 80 of 80.rs",
+            b"fn f() { std::fs::read(\"x\"); }\r\n",
+        )]);
+        let submission = submission.unwrap();
+        let lines = submission.reaches_out.iter().chain(&submission.notes);
+        for line in lines.clone() {
+            assert!(line.contains("a\\nscore") && !line.contains('\n'), "{line}");
+        }
+        assert_eq!(lines.count(), 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
     fn a_pipe_is_not_opened() {
         let (folder, _) = read(&[("stages/intersect/src/lib.rs", b"")]);
         let made = std::process::Command::new("mkfifo")

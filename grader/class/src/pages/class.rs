@@ -202,7 +202,7 @@ fn mistakes(class: &Class) -> String {
     if known.is_empty() {
         html.push_str("<p>None is known by name.</p>\n");
     } else {
-        html.push_str("<div class=\"scroll\"><table>\n<tr><th class=\"number\">students</th><th>task</th><th>mistake</th></tr>\n");
+        html.push_str("<div class=\"scroll\"><table>\n<thead><tr><th class=\"number\">students</th><th>task</th><th>mistake</th></tr></thead>\n<tbody>\n");
         for ((task, name), mistake) in known.iter().take(MOST_MISTAKES) {
             let perhaps = match mistake.perhaps {
                 0 => String::new(),
@@ -217,7 +217,7 @@ fn mistakes(class: &Class) -> String {
                 escape(&about_code(mistake.says))
             );
         }
-        html.push_str("</table></div>\n");
+        html.push_str("</tbody></table></div>\n");
     }
     let unnamed: Vec<String> = unnamed
         .iter()
@@ -267,7 +267,7 @@ fn pairs(class: &Class) -> String {
         html,
         "<p>These submissions have the same wrong answers, or the same files. This is a question, not an accusation: they may come from one group, one tutor or one page on the web. Ask both to explain a line. A pair is listed if fewer than {EXPECTED} pairs of this class would be expected to agree so by chance, given how often its students make each mistake, or if the files of a stage are equal.</p>"
     );
-    html.push_str("<div class=\"scroll\"><table>\n<tr><th>who</th><th>the same wrong answers</th><th>the same files</th><th class=\"number\">pairs expected<br>by chance</th></tr>\n");
+    html.push_str("<div class=\"scroll\"><table>\n<thead><tr><th>who</th><th>the same wrong answers</th><th>the same files</th><th class=\"number\">pairs expected<br>by chance</th></tr></thead>\n<tbody>\n");
     for pair in &pairs {
         let tasks: Vec<String> = pair
             .tasks
@@ -294,21 +294,21 @@ fn pairs(class: &Class) -> String {
             escape(&pair.stages.join(" "))
         );
     }
-    html + "</table></div>\n"
+    html + "</tbody></table></div>\n"
 }
 
 fn students(class: &Class, page_names: &[String]) -> String {
     let mut html = String::from(
-        "<h2>All submissions</h2>\n<div class=\"scroll\"><table>\n<tr><th>submission</th><th>status</th><th class=\"number\">points</th><th class=\"number\">extra</th>",
+        "<h2>All submissions</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>submission</th><th>status</th><th class=\"number\">points</th><th class=\"number\">extra</th>",
     );
     for task in &class.plan.tasks {
         let _ = write!(html, "<th class=\"number\">{}</th>", escape(&task.key));
     }
-    html.push_str("<th>notes</th></tr>\n");
+    html.push_str("<th>notes</th></tr></thead>\n<tbody>\n");
     for (row, page) in class.rows.iter().zip(page_names) {
         let _ = write!(
             html,
-            "<tr><td class=\"name\"><a href=\"students/{}.html\">{}</a></td><td>{}</td>",
+            "<tr><td class=\"name\"><a href=\"students/{}.html\">{}</a></td><td class=\"status\">{}</td>",
             escape(page),
             escape(&row.name),
             row.status.label()
@@ -341,7 +341,7 @@ fn students(class: &Class, page_names: &[String]) -> String {
             escape(&notes.join("; "))
         );
     }
-    html + "</table></div>\n"
+    html + "</tbody></table></div>\n"
 }
 
 #[cfg(test)]

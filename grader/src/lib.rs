@@ -19,6 +19,7 @@
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
 //! goldens), `cost` (time against accuracy).
 
+mod cargo_run;
 mod changed_signature;
 mod channel;
 pub mod chapter;

@@ -4,7 +4,8 @@ mod report;
 
 pub use report::{Case, Diagnosis, Finding, StudentReport, Task};
 
-use crate::plan::{Out, Plan, Planned, State};
+use crate::out::Out;
+use crate::plan::{Plan, Planned, State};
 use crate::unit::{self, Outcome, Unit};
 use grader::error::GraderError;
 use std::collections::BTreeMap;

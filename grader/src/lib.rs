@@ -10,6 +10,7 @@
 //! - the crate [`judge`]: which answers are right
 //! - [`score`]: points; [`diagnosis`] and [`signature`]: the likely mistake; [`speedup`]: times
 //! - [`picture`]: what the code renders; [`chapter`]: where the book explains it
+//! - [`given`]: files that students were given and changed
 //! - [`report`]: the output; [`results`] and [`next_task`]: what is known from earlier runs
 //!
 //! [`watch`] grades whenever a file is saved. [`explain`] draws what a case tests.
@@ -18,6 +19,7 @@
 //! check, mutants), `submission` (grading what students hand in), `review` (reviewing and accepting
 //! goldens), `cost` (time against accuracy).
 
+mod cargo_run;
 mod changed_signature;
 mod channel;
 pub mod chapter;
@@ -34,6 +36,7 @@ pub mod diagnosis;
 pub mod error;
 pub mod explain;
 mod fresh_cases;
+pub mod given;
 pub mod grade;
 pub mod interrupt;
 pub mod launcher;

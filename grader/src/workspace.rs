@@ -38,11 +38,16 @@ impl Workspace {
         &self.root
     }
 
+    /// Whether this is the course's full checkout, not a handout.
+    pub fn is_full(&self) -> bool {
+        // The test of the goldens tests the reference. So no handout contains its manifest.
+        self.root.join("golden/Cargo.toml").is_file()
+    }
+
     /// Returns an error with the reason `work` if this is a handout and not the course's full
     /// checkout.
     pub fn ensure_full(&self, work: &str) -> Result<(), GraderError> {
-        // The test of the goldens tests the reference. So no handout contains its manifest.
-        if self.root.join("golden/Cargo.toml").is_file() {
+        if self.is_full() {
             return Ok(());
         }
         Err(GraderError::new(format!(

@@ -3,6 +3,8 @@
 
 use authoring::handout::Handout;
 use authoring::handout::carve::Carver;
+use grader::course::Course;
+use grader::given::{self, GivenFiles};
 use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -173,6 +175,38 @@ fn a_handout_contains_the_students_files_and_no_others() {
 
 /// The largest size of a handout in bytes.
 const LARGEST: usize = 6_500_000;
+
+#[test]
+fn the_list_of_given_files_says_what_decides_points() {
+    let handout = handout(2);
+    let given = GivenFiles::parse(text(handout, given::LIST));
+    let decides = |path: &str| given.decides(Path::new(path));
+    for path in [
+        "Cargo.toml",
+        "stages/course.toml",
+        "stages/kit/src/ray.rs",
+        "stages/intersect/Cargo.toml",
+        "scenes/meshes/src/lib.rs",
+        "golden/part1.task3.pack",
+        "grader/judge/src/lib.rs",
+    ] {
+        assert!(decides(path), "{path}");
+    }
+    for path in [
+        "stages/viewer/src/main.rs",
+        "stages/book/src/introduction.md",
+    ] {
+        assert!(has(handout, path) && !decides(path), "{path}");
+    }
+    let course = Course::read(&workspace()).expect("the course");
+    let stages = course.stages();
+    for (path, contents) in &handout.files {
+        let is_src_of = |stage: &&str| path.starts_with(format!("stages/{stage}/src"));
+        let is_given = !stages.iter().any(is_src_of) && path != Path::new(given::LIST);
+        let listed = given.is_original(path, contents);
+        assert_eq!(listed, is_given.then_some(true), "{}", path.display());
+    }
+}
 
 #[test]
 fn a_handout_is_small() {

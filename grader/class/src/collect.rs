@@ -4,7 +4,8 @@ mod report;
 
 pub use report::{Case, Diagnosis, Finding, StudentReport, Task};
 
-use crate::plan::{Out, Plan, Planned, State};
+use crate::out::Out;
+use crate::plan::{Plan, Planned, State};
 use crate::unit::{self, Outcome, Unit};
 use grader::error::GraderError;
 use std::collections::BTreeMap;
@@ -43,8 +44,10 @@ pub enum Status {
     DoesNotCompile,
     /// It exceeded this limit.
     OverLimit(String),
-    /// It has no score yet: the machine failed, or what was handed in cannot be read. A person has
-    /// to look at it.
+    /// What was handed in is no submission that can be read: what is wrong with it. Nothing of it
+    /// could be graded, so it has no points.
+    Unreadable(String),
+    /// It has no score yet: the machine failed. A person has to look at it.
     Infrastructure(String),
 }
 
@@ -55,14 +58,17 @@ impl Status {
             Status::Graded => "graded",
             Status::DoesNotCompile => "does not compile",
             Status::OverLimit(_) => "over a limit",
+            Status::Unreadable(_) => "could not be read",
             Status::Infrastructure(_) => "infrastructure",
         }
     }
 
-    /// Which limit or what failure it is.
+    /// Which limit, which damage or what failure it is.
     pub fn detail(&self) -> Option<&str> {
         match self {
-            Status::OverLimit(what) | Status::Infrastructure(what) => Some(what),
+            Status::OverLimit(what) | Status::Unreadable(what) | Status::Infrastructure(what) => {
+                Some(what)
+            }
             _ => None,
         }
     }
@@ -147,14 +153,12 @@ fn row(out: &Out, planned: &Planned) -> Result<Row, GraderError> {
     let (key, notes) = match &planned.state {
         State::Unit { key, notes, .. } => (key, notes),
         State::TooLarge(limit) => {
-            let status = Status::OverLimit(format!("it {limit}"));
+            let status = Status::OverLimit(format!("{} {limit}", planned.file));
             return Ok(without_unit(status, Some(Score::default())));
         }
         State::Unreadable(why) => {
-            return Ok(without_unit(
-                Status::Infrastructure(format!("it {why}")),
-                None,
-            ));
+            let status = Status::Unreadable(format!("{} {why}", planned.file));
+            return Ok(without_unit(status, Some(Score::default())));
         }
     };
     let Some(unit) = unit::load(out, key)? else {

@@ -11,6 +11,7 @@
 //! - [`entries`] and [`intake`]: the folder of the class; archives, clones and odd layouts
 //! - [`course_hash`]: what scores depend on
 //! - [`plan`]: which units a class needs; `OUT/class.json`
+//! - [`out`]: the folder `OUT`
 //! - [`mod@unit`]: the result of one unit, and how it is graded
 //! - [`pool`]: grades units on this machine, several at a time
 //! - [`tables`]: writes what [`collect`] reads: [`gradebook`], [`pages`], with [`likeness`]
@@ -24,6 +25,7 @@ pub mod gradebook;
 pub mod hash;
 pub mod intake;
 pub mod likeness;
+pub mod out;
 pub mod pages;
 pub mod plan;
 pub mod pool;

@@ -11,7 +11,7 @@ use grader::report::write_whole;
 use grader::workspace::Workspace;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use submission::read::Submission;
 
 /// The version of the files in `OUT`.
@@ -126,7 +126,8 @@ pub fn read(
     let submission = submission.map_err(|error| {
         // The folder may be a temporary one, with another name every time.
         let root = format!("{}/", opened.root.display());
-        Unreadable::Damaged(error.to_string().replace(&root, ""))
+        let why = error.to_string().replace(&root, "");
+        Unreadable::Damaged(format!("cannot be used: {why}"))
     })?;
     let mut sources = BTreeMap::new();
     for (stage, files) in &submission.stages {
@@ -361,62 +362,5 @@ impl Settings {
             ));
         }
         all
-    }
-}
-
-/// The folder `OUT`.
-#[derive(Clone, Debug)]
-pub struct Out(PathBuf);
-
-impl Out {
-    /// Creates the folder, if there is none.
-    pub fn create(path: &Path) -> Result<Out, GraderError> {
-        for folder in [
-            path.to_path_buf(),
-            path.join("units"),
-            path.join("failures"),
-        ] {
-            std::fs::create_dir_all(&folder)
-                .map_err(|e| GraderError::file("create", &folder, e))?;
-        }
-        let path = path
-            .canonicalize()
-            .map_err(|e| GraderError::file("open", path, e))?;
-        Ok(Out(path))
-    }
-
-    /// The file or folder `name` in it.
-    pub fn join(&self, name: impl AsRef<Path>) -> PathBuf {
-        self.0.join(name)
-    }
-
-    /// Its path.
-    pub fn path(&self) -> &Path {
-        &self.0
-    }
-
-    /// The plan that the tables show.
-    pub fn plan(&self) -> PathBuf {
-        self.join("class.json")
-    }
-
-    /// The plan that a regrade would replace it by.
-    pub fn proposed_plan(&self) -> PathBuf {
-        self.join("regrade.json")
-    }
-
-    /// The result of a unit.
-    pub fn unit(&self, key: &str) -> PathBuf {
-        self.join(Path::new("units").join(format!("{key}.json")))
-    }
-
-    /// Why a unit could not be graded.
-    pub fn failure(&self, key: &str) -> PathBuf {
-        self.join(Path::new("failures").join(format!("{key}.txt")))
-    }
-
-    /// Whether the result of a unit is stored.
-    pub fn has(&self, key: &str) -> bool {
-        self.unit(key).is_file()
     }
 }

@@ -1,7 +1,8 @@
 //! Grades units on this machine, several at a time: each in a process of its own, so that no
 //! submission can stop another one.
 
-use crate::plan::{Out, Planned};
+use crate::out::Out;
+use crate::plan::Planned;
 use crate::progress::Progress;
 use grader::child_processes;
 use grader::error::GraderError;

@@ -26,6 +26,11 @@ struct State {
 /// A line on a terminal is not longer than this.
 const COLUMNS: usize = 79;
 
+/// The name of a submission for a terminal: a file of any name may have been handed in.
+fn shown(planned: &Planned) -> String {
+    submission::visible_in_line(&planned.name)
+}
+
 impl Progress {
     /// The progress of a run over so many units, which begins now.
     pub fn start(units: usize) -> Progress {
@@ -51,13 +56,15 @@ impl Progress {
             state.failed += 1;
             self.print_line(
                 &mut state,
-                &format!("{}: infrastructure: {why}", planned.name),
+                &format!("{}: infrastructure: {why}", shown(planned)),
             );
         }
         let left = time_left(state.started.elapsed(), state.done, self.units);
         let line = format!(
             "{} of {} graded{left}: {}",
-            state.done, self.units, planned.name
+            state.done,
+            self.units,
+            shown(planned)
         );
         match self.is_terminal {
             true => show(&mut state, &line),
@@ -73,7 +80,7 @@ impl Progress {
         if let Ok(mut state) = self.state.lock() {
             let line = format!(
                 "{}: infrastructure, will be tried again: {why}",
-                planned.name
+                shown(planned)
             );
             self.print_line(&mut state, &line);
         }

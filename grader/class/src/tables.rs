@@ -2,7 +2,8 @@
 //! are a function of the plan and of the units in `OUT`: the same bytes, whichever machines graded.
 
 use crate::collect::Class;
-use crate::plan::{Out, Plan};
+use crate::out::Out;
+use crate::plan::Plan;
 use crate::{entries, gradebook, pages};
 use grader::error::GraderError;
 use grader::report::{HintLevel, write_whole};

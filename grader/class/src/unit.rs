@@ -3,7 +3,8 @@
 use crate::course_hash;
 use crate::hash;
 use crate::intake::Unreadable;
-use crate::plan::{self, Out, Plan, Planned, State};
+use crate::out::Out;
+use crate::plan::{self, Plan, Planned, State};
 use grader::crash::CrashKind;
 use grader::error::GraderError;
 use grader::grade::GradeRequest;

@@ -111,6 +111,7 @@ fn what_is_no_submission_is_said() {
     ]);
     let whole = zip(&[(LIB, &[b'x'; 4000])]);
     for (bytes, expected) in [
+        (Vec::new(), "is empty, a file of 0 bytes"),
         (
             b"%PDF-1.7".to_vec(),
             "is neither a folder nor a zip, tar or tar.gz file",

@@ -2,7 +2,7 @@
 
 use class::collect::Class;
 use class::likeness::{self, EXPECTED, Pair};
-use class::plan::Out;
+use class::out::Out;
 use serde_json::{Value, json};
 use std::path::Path;
 

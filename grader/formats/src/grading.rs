@@ -149,6 +149,9 @@ fn notes(report: &SubmissionReport) -> String {
     for stage in &report.missing {
         let _ = writeln!(text, "not handed in: stages/{stage}/src");
     }
+    if let Some(sentence) = report.about_changed_given() {
+        let _ = writeln!(text, "{sentence}");
+    }
     if !report.ignored.is_empty() {
         let named = report.ignored.iter().take(IGNORED_NAMED);
         let named: Vec<&str> = named.map(String::as_str).collect();

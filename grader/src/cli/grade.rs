@@ -3,6 +3,7 @@
 use super::{Format, Verdict, case, path_argument, seed_argument, seed_of, whole_number};
 use crate::course::{Course, Task};
 use crate::error::GraderError;
+use crate::given;
 use crate::grade::{self, GradeRequest, Graded};
 use crate::next_task;
 use crate::printed;
@@ -162,6 +163,9 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
                 println!("{}", printed::format(printed));
             }
             print!("{}", report::table::format_report(report, reveal));
+            if let Some(sentence) = given::sentence(&given::changed(&workspace)?) {
+                println!("{sentence}");
+            }
         }
         Format::Table => {
             let context = run.context(&workspace, &request.what)?;
@@ -278,6 +282,7 @@ impl GradedRun {
             next: next_task::first_open(&known, &tasks).cloned(),
             compiler: self.quiet.then(|| self.graded.compiler.clone()),
             printed: self.graded.printed.clone(),
+            changed_given: given::changed(workspace)?,
         })
     }
 }

@@ -10,6 +10,7 @@ use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, wrap_to};
 use super::{Report, Reveal, TaskReport};
 use crate::chapter::chapter;
+use crate::given;
 use crate::printed::Printed;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::sources::Place;
@@ -28,6 +29,8 @@ pub struct Context {
     pub compiler: Option<String>,
     /// What the student's code printed.
     pub printed: Vec<Printed>,
+    /// The given files that were changed: [`crate::given::changed`].
+    pub changed_given: Vec<String>,
 }
 
 /// Some lines that stay together.
@@ -58,6 +61,12 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
             blocks.extend(success(report, context, page));
             blocks.push(score(report, page));
         }
+    }
+    if let Some(sentence) = given::sentence(&context.changed_given) {
+        blocks.push(Block {
+            rank: 0,
+            lines: wrap_to(&sentence, 2, page.width, 4),
+        });
     }
     fit(&mut blocks, page.height);
     let lines = blocks.iter().flat_map(|block| &block.lines);

@@ -17,6 +17,7 @@ mod by_heart;
 pub mod clean_workspace;
 pub mod containment;
 pub mod file_tree;
+mod given;
 mod jail;
 pub mod one;
 pub mod packages;
@@ -26,7 +27,7 @@ mod source_file;
 mod toolchain;
 mod visible;
 
-pub use visible::visible;
+pub use visible::{visible, visible_in_line};
 
 use crate::file_tree::Files;
 use clean_workspace::CleanWorkspace;
@@ -40,6 +41,7 @@ use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
 use read::Submission;
 use serde::Serialize;
+use std::path::PathBuf;
 
 /// The report about a submission.
 #[derive(Clone, Debug, Serialize)]
@@ -51,8 +53,10 @@ pub struct SubmissionReport {
     pub together: Option<Report>,
     /// Stages under test that were not handed in.
     pub missing: Vec<String>,
-    /// Files that a submission may not contain.
+    /// Files that are not graded, and are not as the student was given them.
     pub ignored: Vec<String>,
+    /// Those of them that decide points in the student's own runs, such as `stages/kit`.
+    pub changed_given: Vec<String>,
     /// Lines of the student's code that may access files or start programs.
     pub reaches_out: Vec<String>,
     /// A sentence for each task whose answers were learned by heart. It has no points.
@@ -71,6 +75,11 @@ pub struct SubmissionReport {
 }
 
 impl SubmissionReport {
+    /// A sentence about given files that were changed; `None` if none was.
+    pub fn about_changed_given(&self) -> Option<String> {
+        about_changed_given(&self.changed_given)
+    }
+
     /// Grades `submission` in the clean workspace `clean`.
     pub fn of(
         submission: &Submission,
@@ -85,11 +94,8 @@ impl SubmissionReport {
             scores: Report::new(Vec::new(), None),
             together: None,
             missing: Vec::new(),
-            ignored: submission
-                .ignored
-                .iter()
-                .map(|path| path.display().to_string())
-                .collect(),
+            ignored: names(&submission.ignored),
+            changed_given: names(&submission.changed_given),
             reaches_out: submission.reaches_out.clone(),
             by_heart: Vec::new(),
             seed: request.seed,
@@ -161,6 +167,29 @@ impl SubmissionReport {
         }
         Ok(report)
     }
+}
+
+/// How many files [`about_changed_given`] names.
+const NAMED: usize = 5;
+
+/// A sentence about given files that were changed; `None` if there are none.
+pub fn about_changed_given(files: &[String]) -> Option<String> {
+    let named = files.get(..NAMED).unwrap_or(files).join(", ");
+    let more = match files.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let count = files.len();
+    (count > 0).then(|| {
+        format!("given files were changed, and graded with the course's own instead: {named}{more}")
+    })
+}
+
+fn names(paths: &[PathBuf]) -> Vec<String> {
+    let names = paths
+        .iter()
+        .map(|path| visible_in_line(&path.display().to_string()));
+    names.collect()
 }
 
 /// The scores of the tasks that were graded and of those that could not be, ordered by key.

@@ -84,6 +84,9 @@ fn moved(matches: &ArgMatches, folder: &Path) -> GraderError {
 fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     let mut text = String::new();
     let reveal = Reveal { hint, extra: true };
+    if let Some(sentence) = report.about_changed_given() {
+        let _ = writeln!(text, "{sentence}");
+    }
     if !report.ignored.is_empty() {
         let named = report.ignored.iter().take(IGNORED_NAMED);
         let _ = writeln!(

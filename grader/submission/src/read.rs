@@ -1,11 +1,11 @@
 //! Reads what a student handed in: the source files of stages, and nothing else.
 
 use crate::file_tree::Files;
-use crate::{scan, source_file};
+use crate::given::Given;
+use crate::{scan, source_file, visible_in_line};
 use grader::course::Course;
 use grader::error::GraderError;
 use std::collections::BTreeMap;
-use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 
 /// The files of a submission. Reading them runs none of its code.
@@ -16,6 +16,9 @@ pub struct Submission {
     /// Paths of files that are not graded: they are not source files of a stage, and they differ
     /// from the course's own.
     pub ignored: Vec<PathBuf>,
+    /// Those of them that decide points in the student's own runs, such as `stages/kit`: the
+    /// student was given them and changed them.
+    pub changed_given: Vec<PathBuf>,
     /// Lines that may access files or start programs. A person should check them.
     pub reaches_out: Vec<String>,
     /// What was unusual about files and was mended or will not compile, as sentences.
@@ -30,9 +33,6 @@ const MAX_FILES: usize = 500;
 
 /// The maximum number of files and folders in a submission.
 const MAX_ENTRIES: usize = 50_000;
-
-/// Files that differ from the course's own in every handout.
-const EXPECTED_TO_DIFFER: [&str; 4] = ["README.md", "Cargo.lock", "Cargo.toml", "report.json"];
 
 /// Folders whose contents are not read.
 const SKIPPED_FOLDERS: [&str; 2] = ["target", ".git"];
@@ -88,6 +88,7 @@ impl Submission {
                 && names.next().is_some_and(|src| src == "src")
                 && path.extension().is_some_and(|extension| extension == "rs")
         };
+        let given = Given::of(&top, &stages_folder, trusted);
         let mut entries = 0;
         walk(&top, &mut entries, &mut |path| {
             let name = path.strip_prefix(&top).unwrap_or(path);
@@ -96,11 +97,15 @@ impl Submission {
             } else {
                 name.to_path_buf()
             };
-            if !is_source(path) && !is_unchanged(path, &path_in_course, trusted) {
+            if !is_source(path) && !given.is_unchanged(path, &path_in_course) {
                 submission.ignored.push(name.to_path_buf());
+                if given.decides(&path_in_course) {
+                    submission.changed_given.push(name.to_path_buf());
+                }
             }
         })?;
         submission.ignored.sort();
+        submission.changed_given.sort();
         submission.notes = notes.into_iter().map(note).collect();
         Ok(submission)
     }
@@ -166,7 +171,10 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
                 let file = source_file::read(top, &path)?;
                 let name = path.strip_prefix(top).unwrap_or(&path).display();
                 if let Some(note) = file.note {
-                    notes.entry(note).or_default().push(name.to_string());
+                    notes
+                        .entry(note)
+                        .or_default()
+                        .push(visible_in_line(&name.to_string()));
                 }
                 files.insert(below, file.text);
                 if files.len() > MAX_FILES {
@@ -215,54 +223,6 @@ fn walk(
     Ok(())
 }
 
-/// Whether the file `path` counts as unchanged: either it equals the course's own file `name`,
-/// apart from the solutions and tests that handouts do not contain, or `name` differs in every
-/// handout.
-fn is_unchanged(path: &Path, name: &Path, trusted: &Path) -> bool {
-    if EXPECTED_TO_DIFFER
-        .iter()
-        .any(|expected| name == Path::new(expected))
-    {
-        return true;
-    }
-    let ours = trusted.join(name);
-    // A pipe or a device may never end, and carving makes no file larger.
-    let is_candidate = |ours: &Metadata, theirs: &Metadata| {
-        theirs.is_file() && ours.is_file() && theirs.len() <= ours.len()
-    };
-    let (Ok(of_theirs), Ok(of_ours)) = (path.symlink_metadata(), ours.metadata()) else {
-        return false;
-    };
-    if !is_candidate(&of_ours, &of_theirs) {
-        return false;
-    }
-    let (Ok(theirs), Ok(ours)) = (std::fs::read(path), std::fs::read(ours)) else {
-        return false;
-    };
-    let without_tests = || {
-        String::from_utf8(ours.clone()).map(|text| crate::packages::manifest::without_tests(&text))
-    };
-    theirs == ours
-        || name.ends_with("Cargo.toml")
-            && without_tests().is_ok_and(|manifest| theirs == manifest.as_bytes())
-        || is_carved(
-            &String::from_utf8_lossy(&theirs),
-            &String::from_utf8_lossy(&ours),
-        )
-}
-
-/// Whether `theirs` may be what carving left of `ours`, a file with solutions: each line of it is
-/// also in `ours`, perhaps in a stub or with other line breaks.
-fn is_carved(theirs: &str, ours: &str) -> bool {
-    let without_spaces =
-        |text: &str| -> String { text.chars().filter(|c| !c.is_whitespace()).collect() };
-    let all_of_ours = without_spaces(&ours.replace("// STUB:", ""));
-    ours.contains("// BEGIN SOLUTION(")
-        && theirs
-            .lines()
-            .all(|line| all_of_ours.contains(&without_spaces(line)))
-}
-
 /// Finds lines that may access files outside their module tree or start programs. A person should
 /// check whether they are harmless.
 fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
@@ -274,10 +234,8 @@ fn reaches_out(stage: &str, files: &Files) -> Vec<String> {
                 .into_iter()
                 .find(|word| code.contains(word));
             if let Some(word) = suspicious {
-                found.push(format!(
-                    "stages/{stage}/src/{}:{number}: `{word}`",
-                    path.display()
-                ));
+                let path = visible_in_line(&path.display().to_string());
+                found.push(format!("stages/{stage}/src/{path}:{number}: `{word}`"));
             }
         }
     }
@@ -423,6 +381,21 @@ mod tests {
             second,
             "Windows line ends (CRLF), read as LF: stages/intersect/src/b.rs and 1 more"
         );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_cannot_write_a_line_of_the_report() {
+        let (_folder, submission) = read(&[(
+            "stages/intersect/src/a\nscore 80 of 80.rs",
+            b"fn f() { std::fs::read(\"x\"); }\r\n",
+        )]);
+        let submission = submission.unwrap();
+        let lines = submission.reaches_out.iter().chain(&submission.notes);
+        for line in lines.clone() {
+            assert!(line.contains("a\\nscore") && !line.contains('\n'), "{line}");
+        }
+        assert_eq!(lines.count(), 2);
     }
 
     #[cfg(unix)]

@@ -14,6 +14,13 @@ pub fn visible(text: &str) -> String {
     visible
 }
 
+/// `text` as a part of one line: also its ends of lines and tabs are escaped. A file's name may
+/// contain them, and what follows would look like a line of the report.
+pub fn visible_in_line(text: &str) -> String {
+    let text = visible(text);
+    text.replace('\n', "\\n").replace('\t', "\\t")
+}
+
 fn is_harmless(c: char) -> bool {
     // The characters of the second range change the direction of what follows.
     let turns =
@@ -29,6 +36,10 @@ mod tests {
     fn only_what_a_terminal_obeys_is_escaped() {
         assert_eq!(visible("a\tb é …\n"), "a\tb é …\n");
         assert_eq!(visible("\u{1b}[2Jx\r\u{7}"), "\\u{1b}[2Jx\\u{d}\\u{7}");
+        assert_eq!(
+            visible_in_line("a\nscore 80 of 80\t"),
+            "a\\nscore 80 of 80\\t"
+        );
         assert_eq!(
             visible("\u{202e}08 fo 08\u{9b}"),
             "\\u{202e}08 fo 08\\u{9b}"

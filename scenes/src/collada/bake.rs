@@ -58,6 +58,16 @@ impl TriangleTransform {
     }
 }
 
+/// Whether a triangle has no area.
+pub(super) fn is_flat(triangle: &Triangle) -> bool {
+    let (a, b) = (triangle.p1 - triangle.p0, triangle.p2 - triangle.p0);
+    // Scaled, so that the product of two short edges does not underflow.
+    match (unit(a), unit(b)) {
+        (Some(a), Some(b)) => a.cross(b) == Vec3::ZERO,
+        _ => true,
+    }
+}
+
 /// `v` normalised without overflow or underflow.
 fn unit(v: Vec3) -> Option<Vec3> {
     (v / v.abs().max_element()).try_normalize()

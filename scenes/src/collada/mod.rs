@@ -220,15 +220,22 @@ fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
         .chars()
         .take(pos.col.saturating_sub(1) as usize);
     let at = line_start + column.map(char::len_utf8).sum::<usize>();
-    let help = match error {
-        roxmltree::Error::DtdDetected => {
-            "remove the <!ENTITY ...> of the <!DOCTYPE>: COLLADA needs none"
-        }
-        _ => {
-            "correct the XML here, or export the file again; an incomplete download is a common cause"
-        }
+    let general =
+        "correct the XML here, or export the file again; an incomplete download is a common cause";
+    let (why, at, help) = match error {
+        roxmltree::Error::DtdDetected => (
+            "it declares entities".to_string(),
+            text.find("<!ENTITY").unwrap_or(at),
+            "remove the <!ENTITY ...> of the <!DOCTYPE>: COLLADA needs none",
+        ),
+        roxmltree::Error::UnclosedRootNode => (
+            "it ends before all elements are closed".to_string(),
+            text.trim_end().char_indices().last().map_or(at, |(i, _)| i),
+            "export the file again, or complete the download: its end is missing",
+        ),
+        _ => (error.to_string(), at, general),
     };
-    Diagnostic::about_file(name, format!("the file is not well-formed XML: {error}"))
+    Diagnostic::about_file(name, format!("the file is not well-formed XML: {why}"))
         .at(text, at..at + 1, "the parser stops here")
         .help(help)
         .into()

@@ -162,6 +162,7 @@ impl<'r, 'a> Builder<'r, 'a> {
         match &*shape.shape {
             Shape::Mesh(parts) => {
                 let transform = TriangleTransform::new(*to_world);
+                let first = self.scene.triangles.len();
                 for (part, material) in parts.iter().zip(&shape.materials) {
                     let object = self.add_object(&shape.name, *material);
                     if !part.tex_coords.is_empty() {
@@ -181,6 +182,14 @@ impl<'r, 'a> Builder<'r, 'a> {
                     self.scene
                         .object_of
                         .resize(self.scene.triangles.len(), object);
+                }
+                let placed = &self.scene.triangles[first..];
+                if !placed.is_empty() && placed.iter().all(bake::is_flat) {
+                    let title = "this shape has no area after its transform";
+                    self.doc
+                        .on(shape.instance, title, "no ray hits it")
+                        .help("look for a scale of 0")
+                        .warn();
                 }
             }
             Shape::Sphere { radius } => {

@@ -17,12 +17,12 @@ fn tokens<'a>(
     texts.flat_map(move |node| {
         let range = node.range();
         let raw = &source[range.clone()];
-        let plain = !raw.contains(['&', '<']);
-        let text = if plain {
-            raw
-        } else {
-            node.text().unwrap_or_default()
-        };
+        let parsed = node.text().unwrap_or_default();
+        // The range of text before a CDATA section ends where that begins, the text does not.
+        // Line ends count once.
+        let is_whole = parsed.len() == raw.len() - raw.matches("\r\n").count();
+        let plain = is_whole && !raw.contains(['&', '<']);
+        let text = if plain { raw } else { parsed };
         text.split_ascii_whitespace().map(move |token| {
             let range = if plain {
                 let start = range.start + (token.as_ptr() as usize - text.as_ptr() as usize);

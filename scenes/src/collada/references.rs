@@ -4,22 +4,28 @@ use super::document::{Document, Element, tag, truncated};
 use super::finding::Finding;
 use super::uri::{last_segment, percent_decoded};
 use crate::diagnostic::SceneError;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Elements by tag and id. For a duplicate id, the first element.
 pub(super) struct Ids<'a> {
     by_id: HashMap<(&'a str, &'a str), Element<'a>>,
+    /// The tags and ids that several elements have.
+    ambiguous: HashSet<(&'a str, &'a str)>,
 }
 
 impl<'a> Ids<'a> {
     pub(super) fn of(xml: &'a roxmltree::Document<'a>) -> Ids<'a> {
         let mut by_id = HashMap::new();
+        let mut ambiguous = HashSet::new();
         for element in xml.descendants().filter(|node| node.is_element()) {
             if let Some(id) = element.attribute("id") {
-                by_id.entry((tag(element), id)).or_insert(element);
+                let key = (tag(element), id);
+                if *by_id.entry(key).or_insert(element) != element {
+                    ambiguous.insert(key);
+                }
             }
         }
-        Ids { by_id }
+        Ids { by_id, ambiguous }
     }
 
     /// The element with this tag and id. An id in a URI may be percent-encoded.
@@ -75,6 +81,12 @@ impl<'a> Document<'a> {
         tag: &'a str,
     ) -> Result<Element<'a>, SceneError> {
         let reference = self.attribute(element, name)?;
+        let id = self.own_id(reference).unwrap_or_default();
+        if self.ids().ambiguous.contains(&(tag, id)) {
+            let title = format!("several <{tag}> have the id `{}`", truncated(id));
+            self.on_attribute(element, name, title, "using the first one")
+                .warn();
+        }
         self.find(reference, tag)
             .ok_or_else(|| self.unresolved(element, name, tag).into())
     }

@@ -327,6 +327,19 @@ fn malformed_xml_is_an_error_with_its_position() {
         "{cut}"
     );
     assert!(cut.0.line_and_column().is_some());
+    let end = "\n</COLLADA>\n";
+    let lines = SMALL.trim_end().lines().count();
+    assert_error(
+        &error(end, "\n\n"),
+        "the file is not well-formed XML: it ends before all elements are closed",
+        lines - 1,
+    );
+    let entity = "<!DOCTYPE COLLADA [\n<!ENTITY a \"b\">\n]>\n<COLLADA ";
+    assert_error(
+        &error("<COLLADA ", entity),
+        "the file is not well-formed XML: it declares entities",
+        3,
+    );
     assert_error(
         &error("</mesh>", "</mash>"),
         "the file is not well-formed XML: expected 'mesh' tag, not 'mash' at 38:7",

@@ -169,7 +169,10 @@ fn normals_are_finite_under_singular_transforms() {
     for t in square_under("1 0 0 0  0 1 0 0  0 0 0 0  0 0 0 1") {
         assert_near(t.n0, Vec3::Z);
     }
-    for t in square_under("0 0 0 0  0 0 0 0  0 0 0 0  0 0 0 1") {
+    let nothing = edited("1 0 0 0  0 1 0 0  0 0 1 0", "0 0 0 0  0 0 0 0  0 0 0 0");
+    let loaded = scenes::parse("small.dae", &nothing).unwrap();
+    assert_eq!(loaded.warnings.len(), 1, "it says that there is no area");
+    for t in loaded.scene.triangles {
         assert!(t.n0.is_finite());
     }
     for t in square_under("1e-200 0 0 0  0 1e-200 0 0  0 0 1e-200 0  0 0 0 1") {

@@ -6,6 +6,18 @@ use kit::{Material, Scene, Spectrum};
 /// Text to replace, its replacement, the title of the warning, and its label.
 const WARNINGS: &[(&str, &str, &str, &str)] = &[
     (
+        "id=\"ball\">",
+        "id=\"square\"/><geometry id=\"ball\">",
+        "several <geometry> have the id `square`",
+        "using the first one",
+    ),
+    (
+        "<matrix>1 0 0 0  0 1 0 0",
+        "<matrix>0 0 0 0  0 0 0 0",
+        "this shape has no area after its transform",
+        "no ray hits it",
+    ),
+    (
         "0 0 0 1</matrix>",
         "0 0 0</matrix>",
         "<matrix> has 15 numbers",

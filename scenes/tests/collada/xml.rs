@@ -26,6 +26,19 @@ fn comments_and_processing_instructions_may_be_anywhere() {
 }
 
 #[test]
+fn character_data_sections_are_text() {
+    for (indices, line_end) in [
+        ("<![CDATA[0 1 2 0 2 3]]>", "\n"),
+        ("0 1 <![CDATA[2 0]]> 2 3", "\n"),
+        ("0\n1\n2\n<![CDATA[0 2]]> 3", "\r\n"),
+        ("0 1 2 0 <![CDATA[2]]><!-- a --> <![CDATA[3 ]]>", "\n"),
+    ] {
+        let text = edited("0 1 2 0 2 3", indices).replace('\n', line_end);
+        assert_eq!(read("small.dae", &text), expected(), "{indices}");
+    }
+}
+
+#[test]
 fn document_types_without_entities_are_allowed() {
     let declaration = "<?xml version=\"1.0\"?>";
     for doctype in [

@@ -44,12 +44,19 @@ const LEFT_OUT: [&str; 5] = [
 pub(super) struct FileSelection<'a> {
     members: &'a [Member],
     needed: BTreeSet<&'a str>,
+    /// The crates that a student's points are computed with.
+    grading: BTreeSet<&'a str>,
 }
 
 impl<'a> FileSelection<'a> {
     pub(super) fn new(members: &'a [Member]) -> FileSelection<'a> {
         let needed = members::with_dependencies(members, PROGRAMS);
-        FileSelection { members, needed }
+        let grading = members::with_dependencies(members, &["grader", "worker"]);
+        FileSelection {
+            members,
+            needed,
+            grading,
+        }
     }
 
     /// Whether a handout contains the file `path`, apart from files that consist of solutions only.
@@ -87,6 +94,27 @@ impl<'a> FileSelection<'a> {
         let inside = path.strip_prefix(&owner.folder).unwrap_or(path);
         self.needed.contains(owner.name.as_str())
             && (!is_grader_crate(owner) || is_manifest || inside.starts_with("src"))
+    }
+
+    /// Whether students write the file `path`, of one of the `stages`.
+    pub(super) fn is_written(&self, path: &Path, stages: &[&str]) -> bool {
+        self.owner(path).is_some_and(|owner| {
+            stages.contains(&owner.name.as_str()) && path.starts_with(owner.folder.join("src"))
+        })
+    }
+
+    /// Whether the points of a student's run depend on the given file `path`.
+    pub(super) fn decides_points(&self, path: &Path) -> bool {
+        if path.extension().is_some_and(|extension| extension == "md") {
+            return false;
+        }
+        match self.owner(path) {
+            Some(owner) => owner.name == "golden" || self.grading.contains(owner.name.as_str()),
+            None => {
+                let others = ["Cargo.toml", "stages/course.toml", ".cargo/config.toml"];
+                others.iter().any(|other| path == Path::new(other))
+            }
+        }
     }
 
     /// The crate that contains the file `path`.

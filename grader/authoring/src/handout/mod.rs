@@ -15,6 +15,7 @@ use carve::Carver;
 use file_selection::FileSelection;
 use grader::course::{Course, stages_of};
 use grader::error::GraderError;
+use grader::given::{self, GivenFiles};
 use grader::packed;
 use grader::workspace::Workspace;
 use std::collections::{BTreeMap, BTreeSet};
@@ -89,6 +90,7 @@ impl Handout {
             .files
             .insert("README.md".into(), readme.into_bytes());
         lock::remove_unused(&mut handout.files)?;
+        handout.list_given(&selection, &course);
         Ok(handout)
     }
 
@@ -245,6 +247,18 @@ impl Handout {
             *manifest = manifest::with_default_members(&old, &folders).into_bytes();
         }
         Ok(())
+    }
+
+    /// Adds the list of the files that students do not write.
+    fn list_given(&mut self, selection: &FileSelection, course: &Course) {
+        let mut given = GivenFiles::default();
+        for (path, contents) in &self.files {
+            if !selection.is_written(path, &course.stages()) {
+                given.add(path, contents, selection.decides_points(path));
+            }
+        }
+        let list = given.to_text().into_bytes();
+        self.files.insert(given::LIST.into(), list);
     }
 
     /// Replaces the snapshots and signatures of each task by its pack: as text they would take most

@@ -1,6 +1,7 @@
 //! Divides a class among machines: shards, and one command for each unit.
 
-use crate::plan::{Out, Plan};
+use crate::out::Out;
+use crate::plan::Plan;
 use crate::pool::Job;
 use grader::error::GraderError;
 use std::ffi::OsStr;

@@ -1,10 +1,11 @@
 //! Runs `grader class`.
 
 use super::engines::{Shard, UnitCommand, missing};
-use crate::collect::Class;
+use crate::collect::{Class, Status};
 use crate::course_hash;
 use crate::intake::Revision;
-use crate::plan::{Out, Plan, Settings};
+use crate::out::Out;
+use crate::plan::{Plan, Settings};
 use crate::progress::Progress;
 use crate::{pool, regrade, tables, unit};
 use clap::ArgMatches;
@@ -15,6 +16,7 @@ use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
 use submission::arguments::containment;
 use submission::one::{GradingCourse, random_seed};
+use submission::visible_in_line;
 
 /// Runs the command.
 pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
@@ -232,8 +234,14 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Verdict, 
     });
     let class = tables::write(out, plan, hint.unwrap_or(HintLevel::Findings))?;
     println!("{}", class.summary());
-    for row in class.rows.iter().filter(|row| row.score.is_none()) {
-        println!("no score: {}: {}", row.name, row.status);
+    for row in &class.rows {
+        let what = match (&row.score, &row.status) {
+            (None, _) => "no score",
+            (Some(_), Status::Unreadable(_)) => "no points",
+            _ => continue,
+        };
+        let why = visible_in_line(&format!("{}: {}", row.name, row.status));
+        println!("{what}: {why}");
     }
     println!(
         "seed {}; tables: {}",

@@ -23,6 +23,9 @@ pub struct StudentReport {
     /// Files that are not graded.
     #[serde(default)]
     pub ignored: Vec<String>,
+    /// Those of them that decide points in the student's own runs.
+    #[serde(default)]
+    pub changed_given: Vec<String>,
     /// Lines that a person should check.
     #[serde(default)]
     pub reaches_out: Vec<String>,
@@ -150,12 +153,14 @@ impl StudentReport {
         if !broken.is_empty() {
             notes.push(format!("does not compile: {}", broken.join(" ")));
         }
-        match self.ignored.as_slice() {
-            [] => {}
-            [file] => notes.push(format!("ignored: {file}")),
-            [file, more @ ..] => {
-                notes.push(format!("ignored: {file} and {} more files", more.len()))
-            }
+        notes.extend(submission::about_changed_given(&self.changed_given));
+        let is_said = |file: &&String| self.changed_given.contains(*file);
+        let mut others = self.ignored.iter().filter(|file| !is_said(file));
+        if let Some(file) = others.next() {
+            notes.push(match others.count() {
+                0 => format!("ignored: {file}"),
+                more => format!("ignored: {file} and {more} more files"),
+            });
         }
         if !self.reaches_out.is_empty() {
             notes.push(format!("please check {}", self.reaches_out.join(" ")));

@@ -49,6 +49,12 @@ pub(super) fn form(path: &Path) -> io::Result<Option<Form>> {
 pub(super) fn unpack(path: &Path, unpacker: &mut Unpacker) -> Result<(), Unreadable> {
     let failed = |e: io::Error| Unreadable::Machine(GraderError::file("read", path, e));
     let Some(form) = form(path).map_err(failed)? else {
+        let kind = path.symlink_metadata().map_err(failed)?;
+        if kind.is_file() && kind.len() == 0 {
+            return Err(Unreadable::Damaged(
+                "is empty, a file of 0 bytes: the upload failed. Ask for it again".into(),
+            ));
+        }
         return Err(Unreadable::Damaged(
             "is neither a folder nor a zip, tar or tar.gz file".into(),
         ));

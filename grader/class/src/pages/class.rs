@@ -1,7 +1,7 @@
 //! The page of the class.
 
 use super::{escape, page as whole_page};
-use crate::collect::{Class, points};
+use crate::collect::{Class, Row, Status, points};
 use crate::likeness::{self, EXPECTED};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -53,15 +53,21 @@ fn middle(class: &Class) -> String {
 
 /// The submissions that a person has to look at.
 fn without_score(class: &Class) -> String {
-    let mut rows = class
+    let without = class.rows.iter().filter(|row| row.score.is_none());
+    let unreadable = class
         .rows
         .iter()
-        .filter(|row| row.score.is_none())
-        .peekable();
+        .filter(|row| matches!(row.status, Status::Unreadable(_)));
+    listed("No score", without) + &listed("Could not be read: no points", unreadable)
+}
+
+/// A list of rows, each with what is wrong; empty if there are none.
+fn listed<'a>(heading: &str, rows: impl Iterator<Item = &'a Row>) -> String {
+    let mut rows = rows.peekable();
     if rows.peek().is_none() {
         return String::new();
     }
-    let mut html = String::from("<h2>No score</h2>\n<ul>");
+    let mut html = format!("<h2>{heading}</h2>\n<ul>");
     for row in rows {
         let why = row.status.detail().unwrap_or_default();
         let _ = write!(
@@ -196,7 +202,7 @@ fn mistakes(class: &Class) -> String {
     if known.is_empty() {
         html.push_str("<p>None is known by name.</p>\n");
     } else {
-        html.push_str("<div class=\"scroll\"><table>\n<tr><th class=\"number\">students</th><th>task</th><th>mistake</th></tr>\n");
+        html.push_str("<div class=\"scroll\"><table>\n<thead><tr><th class=\"number\">students</th><th>task</th><th>mistake</th></tr></thead>\n<tbody>\n");
         for ((task, name), mistake) in known.iter().take(MOST_MISTAKES) {
             let perhaps = match mistake.perhaps {
                 0 => String::new(),
@@ -211,7 +217,7 @@ fn mistakes(class: &Class) -> String {
                 escape(&about_code(mistake.says))
             );
         }
-        html.push_str("</table></div>\n");
+        html.push_str("</tbody></table></div>\n");
     }
     let unnamed: Vec<String> = unnamed
         .iter()
@@ -261,7 +267,7 @@ fn pairs(class: &Class) -> String {
         html,
         "<p>These submissions have the same wrong answers, or the same files. This is a question, not an accusation: they may come from one group, one tutor or one page on the web. Ask both to explain a line. A pair is listed if fewer than {EXPECTED} pairs of this class would be expected to agree so by chance, given how often its students make each mistake, or if the files of a stage are equal.</p>"
     );
-    html.push_str("<div class=\"scroll\"><table>\n<tr><th>who</th><th>the same wrong answers</th><th>the same files</th><th class=\"number\">pairs expected<br>by chance</th></tr>\n");
+    html.push_str("<div class=\"scroll\"><table>\n<thead><tr><th>who</th><th>the same wrong answers</th><th>the same files</th><th class=\"number\">pairs expected<br>by chance</th></tr></thead>\n<tbody>\n");
     for pair in &pairs {
         let tasks: Vec<String> = pair
             .tasks
@@ -288,21 +294,21 @@ fn pairs(class: &Class) -> String {
             escape(&pair.stages.join(" "))
         );
     }
-    html + "</table></div>\n"
+    html + "</tbody></table></div>\n"
 }
 
 fn students(class: &Class, page_names: &[String]) -> String {
     let mut html = String::from(
-        "<h2>All submissions</h2>\n<div class=\"scroll\"><table>\n<tr><th>submission</th><th>status</th><th class=\"number\">points</th><th class=\"number\">extra</th>",
+        "<h2>All submissions</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>submission</th><th>status</th><th class=\"number\">points</th><th class=\"number\">extra</th>",
     );
     for task in &class.plan.tasks {
         let _ = write!(html, "<th class=\"number\">{}</th>", escape(&task.key));
     }
-    html.push_str("<th>notes</th></tr>\n");
+    html.push_str("<th>notes</th></tr></thead>\n<tbody>\n");
     for (row, page) in class.rows.iter().zip(page_names) {
         let _ = write!(
             html,
-            "<tr><td class=\"name\"><a href=\"students/{}.html\">{}</a></td><td>{}</td>",
+            "<tr><td class=\"name\"><a href=\"students/{}.html\">{}</a></td><td class=\"status\">{}</td>",
             escape(page),
             escape(&row.name),
             row.status.label()
@@ -335,7 +341,7 @@ fn students(class: &Class, page_names: &[String]) -> String {
             escape(&notes.join("; "))
         );
     }
-    html + "</table></div>\n"
+    html + "</tbody></table></div>\n"
 }
 
 #[cfg(test)]

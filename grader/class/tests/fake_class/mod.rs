@@ -3,7 +3,8 @@
 
 use class::collect::points;
 use class::hash;
-use class::plan::{Out, Plan};
+use class::out::Out;
+use class::plan::Plan;
 use class::tables;
 use grader::report::HintLevel;
 use serde_json::{Value, json};

@@ -102,6 +102,7 @@ fn any_report_is_one_screen() {
                     first: vec!["x".into(); 1000],
                     ..Printed::default()
                 }],
+                changed_given: vec![nasty(5); 9],
                 compiler: Some(format!("error: {}\n", nasty(300))),
                 ..context("part1")
             };
@@ -451,4 +452,16 @@ fn a_cause_that_is_told_is_not_called_unknown() {
         "t: off by little: {}",
         crate::regularity::FEW_DIGITS
     )));
+}
+
+#[test]
+fn changed_given_files_are_told_even_if_all_is_complete() {
+    let complete = task("part1.task1", "A task", 30.0, Vec::new());
+    let context = Context {
+        changed_given: vec!["stages/kit/src/ray.rs".into()],
+        ..context("part1.task1")
+    };
+    let text = screen(vec![complete], &context, reveal(HintLevel::Cases));
+    let says = "Given file stages/kit/src/ray.rs differs from the handout.";
+    assert!(text.contains(says), "{text}");
 }

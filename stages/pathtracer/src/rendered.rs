@@ -84,13 +84,12 @@ impl Rendered {
         let width = self.film.size().w as usize;
         for (i, (x, y)) in tile.cell.pixels().enumerate() {
             let pixel = y as usize * width + x as usize;
-            let before = self.film.get(x, y);
             let merged = match self.sums.get_mut(pixel) {
                 Some(sum) => {
                     sum.merge(&tile.sums[i]);
                     Some(sum.mean())
                 }
-                None => mean(before, tile.pixels[i]),
+                None => mean(self.film.get(x, y), tile.pixels[i]),
             };
             if let Some(mean) = merged {
                 self.film.set(x, y, mean);

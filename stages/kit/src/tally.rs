@@ -14,6 +14,15 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// The tally of the finite number `x`, added `n` times.
+    pub fn of_equal(x: f64, n: u64) -> Tally {
+        Tally {
+            n,
+            mean: if n > 0 { x } else { 0.0 },
+            m2: 0.0,
+        }
+    }
+
     /// Adds `x` to the numbers.
     #[inline]
     pub fn push(&mut self, x: f64) {
@@ -134,6 +143,16 @@ mod tests {
             assert_eq!(left.count(), 7);
             assert!((left.mean() - whole.mean()).abs() < 1e-15);
             assert!((left.variance() - whole.variance()).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn equal_numbers_are_added_at_once() {
+        for x in [0.0, 0.1, -3.7e9, 1e-310] {
+            for n in 0..20 {
+                let one_by_one: Tally = std::iter::repeat_n(x, n).collect();
+                assert_eq!(Tally::of_equal(x, n as u64), one_by_one);
+            }
         }
     }
 

@@ -141,14 +141,19 @@ pub enum PixelSum {
 impl Default for PixelSum {
     /// No samples.
     fn default() -> PixelSum {
-        PixelSum::Exact {
-            sums: Default::default(),
-            samples: 0,
-        }
+        PixelSum::black(0)
     }
 }
 
 impl PixelSum {
+    /// This many black samples.
+    pub fn black(samples: u32) -> PixelSum {
+        PixelSum::Exact {
+            sums: Default::default(),
+            samples,
+        }
+    }
+
     /// Adds a sample.
     #[inline]
     pub fn push(&mut self, radiance: Spectrum) {

@@ -189,21 +189,6 @@ impl<'a> PacketRenderer<'a> {
         pixels: &mut [PathStart],
         count: u32,
     ) -> Vec<Spectrum> {
-        let mut starts = Vec::with_capacity(pixels.len() * count as usize);
-        for start in pixels {
-            // A local copy stays in registers: reading what was just written piece by piece stalls.
-            let mut sampler = start.sampler.clone();
-            starts.extend((0..count).map(|_| {
-                if !self.view.centered {
-                    sampler.start_sample();
-                }
-                PathStart {
-                    pixel: start.pixel,
-                    sampler: sampler.clone(),
-                }
-            }));
-            start.sampler = sampler;
-        }
         let mut fallback = Fallback {
             integrator,
             tree: self.tree,
@@ -214,11 +199,15 @@ impl<'a> PacketRenderer<'a> {
         let samples = self.scene.trace(
             &self.view,
             &self.paths,
-            &starts,
+            pixels,
+            count,
             &mut memory.paths,
             &mut fallback,
         );
         integrator.counting(|counters| *counters += fallback.counters);
+        for pixel in pixels {
+            pixel.sampler.start_samples(count);
+        }
         samples
     }
 }
@@ -231,11 +220,15 @@ struct Memory {
 }
 
 /// The samples that are traced at once, a few batches of them.
-const MAX_SAMPLES: usize = 4 * BATCH_SIZE;
+const MAX_SAMPLES: usize = 16 * BATCH_SIZE;
 
 /// The sum of all samples of a pixel, and the tally of their luminances: what the sampling loop of
 /// stage `raygen` leads to. `None` if the sum cannot be exact and depends on the loop.
 fn exact_sum_of(samples: &[Spectrum]) -> Option<(PixelSum, Tally)> {
+    if samples.iter().all(|&radiance| radiance == Spectrum::BLACK) {
+        let count = samples.len() as u32;
+        return Some((PixelSum::black(count), Tally::of_equal(0.0, count.into())));
+    }
     let (mut sum, mut luminance) = (PixelSum::default(), Tally::default());
     for &radiance in samples {
         luminance.push(radiance.luminance());

@@ -114,7 +114,7 @@ impl Passes<'_> {
         job
     }
 
-    /// Adds the tiles that are finished before `stop` is set.
+    /// Adds the tiles that are finished before `stop` is set, and updates the film.
     fn render_tiles(
         &self,
         job: &Job,
@@ -124,11 +124,11 @@ impl Passes<'_> {
         tile_done: &(dyn Fn(TileDone) + Sync),
     ) {
         let tiles: Vec<Cell> = centre_first(job.cell);
-        let picture = Mutex::new(picture);
+        let adding = Mutex::new(&mut *picture);
         let finish = |tile: RenderedTile| {
             // `stop` is never reset: if it is not set now, it was not set during the tile.
             if !stop.load(Ordering::Relaxed) {
-                let mut picture = picture.lock().expect("adding a tile does not panic");
+                let mut picture = adding.lock().expect("adding a tile does not panic");
                 picture.add_tile(&tile);
                 drop(picture);
                 tile_done(TileDone {
@@ -139,6 +139,7 @@ impl Passes<'_> {
         };
         self.scene
             .render_tiles(job, settings, &tiles, stop, &finish);
+        picture.update_film();
     }
 }
 

@@ -80,19 +80,15 @@ impl Rendered {
 
     /// Averages the pixels of a tile with those of the picture, each sample with the same weight. A
     /// pixel without samples is replaced.
+    ///
+    /// If exact sums are kept, the film stays as it is until [`Rendered::update_film`].
     pub fn add_tile(&mut self, tile: &RenderedTile) {
         let width = self.film.size().w as usize;
         for (i, (x, y)) in tile.cell.pixels().enumerate() {
             let pixel = y as usize * width + x as usize;
-            let before = self.film.get(x, y);
-            let merged = match self.sums.get_mut(pixel) {
-                Some(sum) => {
-                    sum.merge(&tile.sums[i]);
-                    Some(sum.mean())
-                }
-                None => mean(before, tile.pixels[i]),
-            };
-            if let Some(mean) = merged {
+            if let Some(sum) = self.sums.get_mut(pixel) {
+                sum.merge(&tile.sums[i]);
+            } else if let Some(mean) = mean(self.film.get(x, y), tile.pixels[i]) {
                 self.film.set(x, y, mean);
             }
             if let Some(tally) = tile.luminance.get(i) {
@@ -101,6 +97,14 @@ impl Rendered {
         }
         self.counters += tile.counters;
         self.effects = self.effects + tile.effects;
+    }
+
+    /// Sets the film to the means of the exact sums, if they are kept. One by one for each tile this
+    /// would wait for memory.
+    pub fn update_film(&mut self) {
+        for ((x, y), sum) in self.film.size().whole().pixels().zip(&self.sums) {
+            self.film.set(x, y, sum.mean());
+        }
     }
 
     /// The number of pixels with a NaN. There should be none.

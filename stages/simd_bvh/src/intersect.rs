@@ -86,7 +86,7 @@ impl WideBvh {
         counts: &mut TestCounts,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
-        dispatch!(self.level, _simd => region::find(self, region, most, ids, counts))
+        dispatch!(self.level, simd => region::find(simd, self, region, most, ids, counts))
         // STUB: kit::hole!("part6.task1", self, region, most, ids, counts)
         // END SOLUTION(part6.task1)
     }

@@ -3,57 +3,61 @@
 
 use crate::intersect::TestCounts;
 use crate::node::{Child, ChildKind, Node, Side};
-use crate::sah::LANES;
+use crate::rounding::at_least;
 use crate::space::TreeSpace;
 use crate::wide::WideBvh;
+use fearless_simd::{Simd, f32x8, prelude::*};
 use kit::{PrimId, Vec3};
 
-/// A half-space in the tree's space: the points `p` with `normal·p <= offset`.
+/// A half-space in the tree's space, in single precision: all points `p` of the tree that are in
+/// the half-space have `normal·p <= offset`.
 struct LocalHalfSpace {
-    normal: [f64; 3],
-    offset: f64,
+    /// The absolute values of its coordinates have a sum of 1.
+    normal: [f32; 3],
+    /// By axis the side of a box that is deepest in the half-space.
+    sides: [Side; 3],
+    offset: f32,
 }
 
 /// The share of a sum's terms by which half-spaces are enlarged: much more than the rounding
-/// errors.
+/// errors in double precision.
 const MARGIN: f64 = 1e-10;
+
+/// The share of the tree's size by which half-spaces are enlarged: four times the rounding errors
+/// of `normal·p` in single precision.
+const SINGLE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
 impl LocalHalfSpace {
     fn new((normal, offset): (Vec3, f64), space: &TreeSpace) -> LocalHalfSpace {
         // A point p in world space is at p·scale - shift.
         let (shifted, scaled) = (normal * space.shift, offset * space.scale);
         let size = scaled.abs() + shifted.abs().element_sum();
+        let offset = scaled - shifted.element_sum() + MARGIN * size;
+        // With a normal of length 0 this is not a number. Then no box is outside.
+        let unit = 1.0 / normal.abs().element_sum();
         LocalHalfSpace {
-            normal: normal.to_array(),
-            offset: scaled - shifted.element_sum() + MARGIN * size,
+            normal: (normal * unit).to_array().map(|n| n as f32),
+            sides: normal.to_array().map(|n| Side::crossed(n)[0]),
+            offset: at_least(offset * unit + SINGLE_MARGIN * space.size),
         }
     }
 
     /// The children of `node`, one bit each, whose boxes are outside for certain.
     #[inline(always)]
-    fn outside(&self, node: &Node) -> u32 {
-        let (mut least, mut size) = ([0.0; LANES], [0.0; LANES]);
+    fn outside<S: Simd>(&self, simd: S, node: &Node) -> u32 {
+        let mut least = f32x8::splat(simd, 0.0);
         for axis in 0..3 {
-            // The corner that is deepest in the half-space.
-            let [side, _] = Side::crossed(self.normal[axis]);
-            let planes = node.planes(axis, side);
-            for lane in 0..LANES {
-                let term = self.normal[axis] * f64::from(planes[lane]);
-                least[lane] += term;
-                size[lane] += term.abs();
-            }
+            let planes = f32x8::load_array_ref(simd, node.planes(axis, self.sides[axis]));
+            least += planes * self.normal[axis];
         }
-        let mut outside = 0;
-        for lane in 0..LANES {
-            outside |= u32::from(self.offset < least[lane] - MARGIN * size[lane]) << lane;
-        }
-        outside
+        least.simd_gt(self.offset).to_bitmask() as u32
     }
 }
 
 /// Adds the primitives of the boxes in `region` to `ids`, as [`WideBvh::primitives_in`] describes.
 #[inline(always)]
-pub(crate) fn find(
+pub(crate) fn find<S: Simd>(
+    simd: S,
     tree: &WideBvh,
     region: &[(Vec3, f64)],
     most: usize,
@@ -75,7 +79,7 @@ pub(crate) fn find(
                 counts.box_tests += u64::from(count);
                 let mut inside = (1_u32 << count) - 1;
                 for half_space in &region {
-                    inside &= !half_space.outside(node);
+                    inside &= !half_space.outside(simd, node);
                 }
                 while inside != 0 {
                     pending.push(Child(node.children[inside.trailing_zeros() as usize]));

@@ -19,9 +19,9 @@ pub(crate) struct SimdBoxTest {
     lines: Lines,
     /// The bits of the start of the range, moved down. It is not negative.
     min_t: Key,
-    /// The order of the children, and which of its bytes go where: the farthest child first.
+    /// The order of the children, and whether it is reversed.
     order: usize,
-    places: [u8; 32],
+    is_reversed: bool,
 }
 
 /// Children of a node whose boxes a ray hits: the first `count` lanes.
@@ -32,14 +32,12 @@ pub(crate) struct BoxHits<S: Simd> {
 }
 
 /// For each axis the `t` at which the ray crosses planes at `b`: `b·slope + entering` for those by
-/// which it enters boxes, `b·slope + leaving` for those by which it leaves. The numbers are in all
-/// lanes, because operations read them from memory.
+/// which it enters boxes, `b·slope + leaving` for those by which it leaves.
 #[derive(Clone, Debug, Default)]
-#[repr(C, align(32))]
 struct Lines {
-    slope: [[f32; LANES]; 3],
-    entering: [[f32; LANES]; 3],
-    leaving: [[f32; LANES]; 3],
+    slope: [f32; 3],
+    entering: [f32; 3],
+    leaving: [f32; 3],
     first: [Side; 3],
     last: [Side; 3],
 }
@@ -49,11 +47,11 @@ impl Lines {
     /// integers.
     #[inline(always)]
     fn at<S: Simd>(&self, simd: S, node: &Node, axis: usize) -> [i32x8<S>; 2] {
-        let slope = f32x8::load_array_ref(simd, &self.slope[axis]);
+        let slope = f32x8::splat(simd, self.slope[axis]);
         let first = f32x8::load_array_ref(simd, node.planes(axis, self.first[axis]));
         let last = f32x8::load_array_ref(simd, node.planes(axis, self.last[axis]));
-        let entering = f32x8::load_array_ref(simd, &self.entering[axis]);
-        let leaving = f32x8::load_array_ref(simd, &self.leaving[axis]);
+        let entering = f32x8::splat(simd, self.entering[axis]);
+        let leaving = f32x8::splat(simd, self.leaving[axis]);
         [
             first.mul_add_precise(slope, entering).bitcast(),
             last.mul_add_precise(slope, leaving).bitcast(),
@@ -96,16 +94,16 @@ impl SimdBoxTest {
         ];
         SimdBoxTest {
             lines: Lines {
-                slope: splats(simd, inverse),
-                entering: splats(simd, offset - error),
-                leaving: splats(simd, offset + error),
+                slope: first_three(inverse),
+                entering: first_three(offset - error),
+                leaving: first_three(offset + error),
                 first: [x[0], y[0], z[0]],
                 last: [x[1], y[1], z[1]],
             },
             // No part of the tree has a negative `t`. The sum with 0 is not -0.
             min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE) + 0.0).to_bits(),
             order,
-            places: PLACES[usize::from(is_reversed)],
+            is_reversed,
         }
     }
 
@@ -129,8 +127,8 @@ impl SimdBoxTest {
             f64::from_bits(u64::from_le_bytes(node.orders[self.order & 3])),
         );
         let order = order.bitcast::<u8x32<S>>();
-        let order = order.swizzle_dyn_within_blocks(u8x32::load_array_ref(simd, &self.places))
-            | u8x32::load_array_ref(simd, &BYTES);
+        let places = u8x32::load_array_ref(simd, &PLACES[usize::from(self.is_reversed)]);
+        let order = order.swizzle_dyn_within_blocks(places) | u8x32::load_array_ref(simd, &BYTES);
         let (entry, exit) = (entry.swizzle_dyn(order), exit.swizzle_dyn(order));
         let children = u32x8::load_array_ref(simd, &node.children).swizzle_dyn(order);
         let hit = entry.simd_le(exit);
@@ -150,15 +148,10 @@ pub(crate) fn range_end(max_t: f32) -> Key {
     (end.max(0.0) + 0.0).to_bits()
 }
 
-/// The first three numbers, each in all lanes.
 #[inline(always)]
-fn splats<S: Simd>(simd: S, v: f32x4<S>) -> [[f32; LANES]; 3] {
+fn first_three<S: Simd>(v: f32x4<S>) -> [f32; 3] {
     let [x, y, z, _] = v.to_array();
-    [
-        f32x8::splat(simd, x).to_array(),
-        f32x8::splat(simd, y).to_array(),
-        f32x8::splat(simd, z).to_array(),
-    ]
+    [x, y, z]
 }
 
 /// A vector in single precision, with a 0 behind it.

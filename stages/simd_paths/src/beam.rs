@@ -2,9 +2,10 @@
 //! The region of space that contains a bundle of rays.
 
 use crate::vec3x8::{LANES, Vec3x8};
-use crate::{Beam, HALF_SPACES, HalfSpace};
+use crate::{Beam, HALF_SPACES, HalfSpace, PathStart, View};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
 use kit::{Sphere, Vec3};
+use lanes::camera::CameraAxes;
 
 /// Rays in structure-of-arrays layout. The arrays have a multiple of eight elements.
 pub(crate) struct RayBundle<'a> {
@@ -37,6 +38,14 @@ const MAX_SLOPE: f64 = 2.0;
 /// The share of a sum's terms by which a region is enlarged: much more than the rounding errors, so
 /// that a point that rounding moved out of the region is still in it.
 const MARGIN: f64 = 1e-10;
+
+/// The share of a pixel by which [`Beam::through`] is wider on each side.
+const PIXEL_MARGIN: f64 = 1e-3;
+
+/// The least angle of a pixel, and the least cosine between a ray and the axis, in
+/// [`Beam::through`].
+const MIN_WIDTH: f64 = 1e-8;
+const MIN_COSINE: f64 = 0.1;
 
 impl Beam {
     /// The beam around `rays`: along the axis on which the first ray advances most, every ray is
@@ -108,6 +117,61 @@ impl Beam {
             normal: -along_w,
             offset: MARGIN * near.abs() - near + margin,
         };
+        Some(Beam { half_spaces })
+    }
+
+    /// The beam around all camera rays through the pixels of `starts`, in a view without a lens:
+    /// a pyramid between the near and the far clip distance. `None` if it would be too wide or too
+    /// narrow, or if there are no pixels.
+    pub(crate) fn through(view: &View, starts: &[PathStart]) -> Option<Beam> {
+        let (camera, film) = (&view.camera, view.film);
+        let mut low = [f64::INFINITY; 2];
+        let mut high = [-f64::INFINITY; 2];
+        for &PathStart { pixel: (x, y), .. } in starts {
+            for (axis, at) in [x, y].into_iter().enumerate() {
+                low[axis] = low[axis].min(f64::from(at) - PIXEL_MARGIN);
+                high[axis] = high[axis].max(f64::from(at) + 1.0 + PIXEL_MARGIN);
+            }
+        }
+        let axes = CameraAxes::of(camera, 0.0);
+        let size = [film.w, film.h].map(f64::from);
+        let corners = [
+            [low[0], low[1]],
+            [high[0], low[1]],
+            [high[0], high[1]],
+            [low[0], high[1]],
+        ];
+        let corners = corners.map(|[x, y]| {
+            let d = axes.direction([x / size[0], y / size[1]]);
+            Vec3::new(d.x, d.y, d.z)
+        });
+        let axis = corners.into_iter().sum::<Vec3>().normalize();
+        let mut least_cosine = 1.0_f64;
+        let mut half_spaces = [HalfSpace {
+            normal: -axis,
+            offset: 0.0,
+        }; HALF_SPACES];
+        for (i, corner) in corners.into_iter().enumerate() {
+            let normal = corner.cross(corners[(i + 1) % 4]);
+            // The rounding errors of directions are much smaller than the margin of a pixel.
+            let pixels = high[i % 2] - low[i % 2];
+            let is_in_bounds =
+                normal.length() > MIN_WIDTH * pixels && corner.dot(axis) > MIN_COSINE;
+            if !is_in_bounds {
+                return None;
+            }
+            least_cosine = least_cosine.min(corner.dot(axis));
+            half_spaces[i].normal = -normal * normal.dot(axis).signum();
+        }
+        half_spaces[4].offset = -camera.n_clip * least_cosine * (1.0 - MARGIN);
+        half_spaces[5] = HalfSpace {
+            normal: axis,
+            offset: camera.f_clip * (1.0 + MARGIN),
+        };
+        for HalfSpace { normal, offset } in &mut half_spaces {
+            let margin = MARGIN * normal.length() * camera.pos.length();
+            *offset += normal.dot(camera.pos) + margin;
+        }
         Some(Beam { half_spaces })
     }
 }
@@ -222,6 +286,90 @@ impl<S: Simd> BeamLanes<S> {
         let size = terms.x.abs() + terms.y.abs() + terms.z.abs();
         let least = terms.x + terms.y + terms.z - size * MARGIN - reach;
         self.offset.simd_lt(least).to_bitmask()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::{Camera, FilmSize, PixelSampler};
+
+    /// Cameras near the origin and far away, with wide and narrow fields of view.
+    fn views() -> Vec<View> {
+        let mut views = Vec::new();
+        for (pos, h_fov) in [(Vec3::ZERO, 60.0), (Vec3::new(4e5, -3.0, 0.1), 8.0)] {
+            for target in [pos + Vec3::Z, pos + Vec3::new(0.3, -1.0, 0.2)] {
+                let camera = Camera {
+                    pos,
+                    c2w: Camera::look_at(pos, target, Vec3::new(0.1, 1.0, 0.3)).unwrap(),
+                    h_fov,
+                    v_fov: 0.7 * h_fov,
+                    n_clip: 0.25,
+                    f_clip: 900.0,
+                };
+                views.push(View {
+                    camera,
+                    film: FilmSize { w: 480, h: 360 },
+                    has_lens: false,
+                    centered: false,
+                });
+            }
+        }
+        views
+    }
+
+    fn start(x: u32, y: u32) -> PathStart {
+        PathStart {
+            pixel: (x, y),
+            sampler: PixelSampler::new(x, y, 1),
+        }
+    }
+
+    /// The point at `t` on the camera ray through `at`, in pixels.
+    fn point(view: &View, at: [f64; 2], t: f64) -> Vec3 {
+        let axes = CameraAxes::of(&view.camera, 0.0);
+        let d = axes.direction([at[0] / 480.0, at[1] / 360.0]);
+        view.camera.pos + t * Vec3::new(d.x, d.y, d.z)
+    }
+
+    #[test]
+    fn a_beam_through_pixels_is_around_their_rays_and_no_others() {
+        for view in views() {
+            let starts = [start(100, 200), start(107, 200), start(103, 203)];
+            let beam = Beam::through(&view, &starts).expect("a narrow beam");
+            let is_inside = |p: Vec3| {
+                let mut half_spaces = beam.half_spaces.iter();
+                half_spaces.all(|h| h.normal.dot(p) <= h.offset)
+            };
+            let mut sampler = PixelSampler::new(3, 4, 5);
+            for _ in 0..1000 {
+                let u = sampler.next_2d();
+                // On the borders, too.
+                let u = (1.2 * u - 0.1).clamp(kit::Vec2::ZERO, kit::Vec2::ONE);
+                let at = [100.0 + 8.0 * u.x, 200.0 + 4.0 * u.y];
+                for t in [0.25, 0.3, 7.0, 900.0] {
+                    assert!(is_inside(point(&view, at, t)), "{view:?} {at:?} {t}");
+                }
+                for (x, y) in [(-8.1, 0.0), (8.1, 0.0), (0.0, -4.1), (0.0, 4.1)] {
+                    let beside = [at[0] + x, at[1] + y];
+                    assert!(!is_inside(point(&view, beside, 7.0)), "{beside:?}");
+                }
+                assert!(!is_inside(point(&view, at, 0.2)));
+                assert!(!is_inside(point(&view, at, 910.0)));
+            }
+        }
+    }
+
+    #[test]
+    fn there_is_no_beam_through_pixels_that_are_too_small_or_too_wide() {
+        let view = views().swap_remove(0);
+        assert_eq!(Beam::through(&view, &[]), None);
+        for h_fov in [1e-7, 179.0] {
+            let mut view = view;
+            view.camera.h_fov = h_fov;
+            let starts = [start(0, 0), start(479, 359)];
+            assert_eq!(Beam::through(&view, &starts), None);
+        }
     }
 }
 // END SOLUTION(part6.task2)

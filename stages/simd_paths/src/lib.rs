@@ -45,6 +45,7 @@ mod specular;
 mod surface_packet;
 mod trace;
 mod vec3x8;
+mod visible;
 // END SOLUTION(part6.task2)
 
 mod fallback;

@@ -39,7 +39,7 @@ pub(crate) struct PathLanes<S: Simd> {
     pub(crate) skip: f64x8<S>,
     /// 1 where emission at the next hit counts, 0 where direct light has counted it.
     pub(crate) emission_counts: f64x8<S>,
-    /// The number of the path in its batch.
+    /// The number of the path: of its radiance.
     pub(crate) index: f64x8<S>,
 }
 

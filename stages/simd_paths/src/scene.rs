@@ -1,15 +1,18 @@
 //! A scene prepared for tracing paths in packets.
 
 // BEGIN SOLUTION(part6.task2)
+use crate::camera::{self, CameraPaths};
 use crate::intersection::TracedRays;
 use crate::material_class::{MaterialClass, classify};
 use crate::primitive_list::{NearbyPrimitives, PrimitiveList, Scratch};
 use crate::queue::PathQueue;
 use crate::shadow_queue::ShadowQueue;
 use crate::specular::SpecularMaterial;
-use crate::{camera, trace};
+use crate::trace;
+use crate::visible::VisiblePixels;
 use fearless_simd::dispatch;
 use kit::{Material, PrimId, Triangle};
+use std::mem;
 // END SOLUTION(part6.task2)
 
 use crate::{Level, ScalarFallback};
@@ -68,12 +71,12 @@ pub struct View {
     pub centered: bool,
 }
 
-/// The start of a path: one camera sample.
+/// A pixel, in which paths start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathStart {
     /// Column and row of the pixel.
     pub pixel: (u32, u32),
-    /// The sampler, which has drawn no number of this sample yet.
+    /// The sampler, which has started none of the samples that are traced next.
     pub sampler: PixelSampler,
 }
 
@@ -113,6 +116,7 @@ pub struct Workspace {
     pub(crate) nearby: NearbyPrimitives,
     pub(crate) shadows: ShadowQueue,
     pub(crate) traced: TracedRays,
+    pub(crate) visible: VisiblePixels,
     // END SOLUTION(part6.task2)
     /// The operations so far.
     pub counts: Counts,
@@ -176,30 +180,36 @@ impl<'a> PathScene<'a> {
         // END SOLUTION(part6.task2)
     }
 
-    /// Traces a path from each of `starts` and returns its radiance: bit for bit what `raygen` and
-    /// `global` compute one path at a time, with direct light by light sampling or, with
+    /// Traces paths through the pixels `starts`, the next `samples` of each, and returns their
+    /// radiances, those of the first pixel first: bit for bit what `raygen` and `global` compute
+    /// one path at a time, with direct light by light sampling or, with
     /// [`PathSettings::samples_bsdf`], by multiple importance sampling.
     pub fn trace(
         &self,
         view: &View,
         settings: &PathSettings,
         starts: &[PathStart],
+        samples: u32,
         workspace: &mut Workspace,
         fallback: &mut dyn ScalarFallback,
     ) -> Vec<Spectrum> {
         // BEGIN SOLUTION(part6.task2)
-        let mut radiance = vec![Spectrum::BLACK; starts.len()];
-        for (starts, radiance) in starts
-            .chunks(BATCH_SIZE)
-            .zip(radiance.chunks_mut(BATCH_SIZE))
-        {
-            dispatch!(self.level, simd => {
-                camera::generate_paths(simd, view, starts, &mut workspace.queue, fallback);
-                trace::trace_paths(simd, self, settings, view, workspace, fallback, radiance);
-            });
-        }
+        let samples = samples as usize;
+        let mut radiance = vec![Spectrum::BLACK; starts.len() * samples];
+        let mut visible = mem::take(&mut workspace.visible);
+        dispatch!(self.level, simd => {
+            visible.find(simd, self, view, starts, samples, workspace, fallback);
+            let paths = CameraPaths { starts, pixels: visible.pixels(), samples };
+            for first in (0..paths.pixels.len() * samples).step_by(BATCH_SIZE) {
+                camera::generate_paths(simd, view, paths, first, &mut workspace.queue, fallback);
+                trace::trace_paths(
+                    simd, self, settings, view, workspace, fallback, &mut radiance,
+                );
+            }
+        });
+        workspace.visible = visible;
         radiance
-        // STUB: kit::hole!("part6.task2", self, view, settings, starts, workspace, fallback)
+        // STUB: kit::hole!("part6.task2", self, view, settings, starts, samples, workspace, fallback)
         // END SOLUTION(part6.task2)
     }
 }

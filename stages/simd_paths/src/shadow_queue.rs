@@ -43,7 +43,7 @@ struct ShadowRays {
 struct LitPacket {
     /// Before the bounce.
     throughput: [[f64; LANES]; 3],
-    /// The numbers of the paths in their batch.
+    /// The numbers of the paths.
     index: [f64; LANES],
     /// The lanes with a diffuse surface, one bit each.
     diffuse: u64,

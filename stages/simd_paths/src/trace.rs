@@ -34,6 +34,7 @@ pub(crate) fn trace_paths<S: Simd>(
         let are_coherent = bounce == 1;
         let mut range = [0.0, f64::INFINITY];
         let mut list = None;
+        let mut misses_all = false;
         if are_coherent {
             range = [view.camera.n_clip, view.camera.f_clip];
         }
@@ -52,6 +53,11 @@ pub(crate) fn trace_paths<S: Simd>(
                 if list.is_none() {
                     traced.trace(&rays, fallback);
                 }
+                misses_all = !scene.has_background && list.is_some_and(|list| list.len() == 0);
+            }
+            if misses_all {
+                workspace.counts.rays += (count - first).min(LANES) as u64;
+                continue;
             }
             let hits = match list {
                 Some(list) => HitSource::List(list),

@@ -86,7 +86,13 @@ impl PixelSampler {
     /// is this followed by [`PixelSampler::next_2d`].
     #[inline]
     pub fn start_sample(&mut self) {
-        self.samples_started += 1;
+        self.start_samples(1);
+    }
+
+    /// Starts the next `count` camera samples, at least 1, of which the last is the current one.
+    #[inline]
+    pub fn start_samples(&mut self, count: u32) {
+        self.samples_started += count;
         self.dimension = 0;
     }
 

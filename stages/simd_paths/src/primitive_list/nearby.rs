@@ -39,14 +39,28 @@ impl NearbyPrimitives {
         fallback: &mut dyn ScalarFallback,
     ) -> Option<&PrimitiveList> {
         let beam = Beam::around(simd, rays)?;
-        let lanes = BeamLanes::new(simd, &beam);
+        self.find_in(simd, scene, &beam, MAX_FOUND, fallback)
+    }
+
+    /// All primitives of which a part is in `beam`, and few others. `None` if there are more than
+    /// `most`, including those that are only near, or too many for a list.
+    #[inline(always)]
+    pub(crate) fn find_in<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &PathScene<'_>,
+        beam: &Beam,
+        most: usize,
+        fallback: &mut dyn ScalarFallback,
+    ) -> Option<&PrimitiveList> {
+        let lanes = BeamLanes::new(simd, beam);
         self.list.clear();
         if let Some(all) = &scene.list {
             self.keep_of(all, &lanes);
             return Some(&self.list);
         }
         self.ids.clear();
-        if !fallback.primitives_in(&beam, MAX_FOUND, &mut self.ids) {
+        if !fallback.primitives_in(beam, most, &mut self.ids) {
             return None;
         }
         self.ids.sort_unstable();

@@ -28,39 +28,45 @@ fn view(centered: bool, has_lens: bool) -> View {
     }
 }
 
-fn starts(sampling: Sampling, samples: u32, view: &View) -> Vec<PathStart> {
+fn starts(sampling: Sampling, view: &View) -> Vec<PathStart> {
     let pixels = view.film.whole().pixels();
-    let of = |(x, y)| {
-        let mut sampler = PixelSampler::new(x, y, sampling);
-        (0..samples).map(move |_| {
-            if !view.centered {
-                sampler.start_sample();
-            }
-            PathStart {
-                pixel: (x, y),
-                sampler: sampler.clone(),
-            }
-        })
+    let of = |(x, y)| PathStart {
+        pixel: (x, y),
+        sampler: PixelSampler::new(x, y, sampling),
     };
-    pixels.flat_map(of).collect()
+    pixels.map(of).collect()
 }
 
 /// Traces paths through `lit` as packets and as scalar paths, and compares them. Returns how many
 /// paths have radiance.
 fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &View) -> usize {
-    let samples = if view.centered { 1 } else { 5 };
-    let starts = starts(sampling, samples, view);
+    let samples: u32 = if view.centered { 1 } else { 5 };
+    let starts = starts(sampling, view);
     let scalar = ScalarPaths::new(lit, settings);
-    let expected: Vec<[u64; 3]> = starts
-        .iter()
-        .map(|start| radiance(&scalar, view, start).to_array().map(f64::to_bits))
-        .collect();
+    let mut expected = Vec::new();
+    for start in &starts {
+        let mut start = start.clone();
+        for _ in 0..samples {
+            if !view.centered {
+                start.sampler.start_sample();
+            }
+            expected.push(radiance(&scalar, view, &start).to_array().map(f64::to_bits));
+        }
+    }
     let mut counts = Vec::new();
     for level in instruction_sets() {
         let scene = PathScene::new(lit).expect("a scene").at_level(level);
         let mut fallback = ScalarPaths::new(lit, settings);
         let mut workspace = Workspace::default();
-        let results = scene.trace(view, &settings, &starts, &mut workspace, &mut fallback);
+        let results = scene.trace(
+            view,
+            &settings,
+            &starts,
+            samples,
+            &mut workspace,
+            &mut fallback,
+        );
+        assert_eq!(results.len(), expected.len());
         for (i, (radiance, expected)) in results.iter().zip(&expected).enumerate() {
             let bits = radiance.to_array().map(f64::to_bits);
             assert_eq!(
@@ -118,6 +124,27 @@ fn with_lists_and_trees_and_every_material_and_light() {
         lit_paths += compare(&lit, settings, sampling, &view(i % 7 == 0, i % 9 == 2));
     }
     assert!(lit_paths > 20_000, "{lit_paths} paths have radiance");
+}
+
+/// Most pixels are empty: they get no paths.
+#[test]
+fn with_a_scene_far_away() {
+    let mut random = Random::new(2);
+    let mut lit_paths = 0;
+    for i in 0..60 {
+        let lit = random_scene(&mut random, if i % 2 == 0 { 60 } else { 6 });
+        let mut view = view(false, i % 9 == 2);
+        view.camera.pos = Vec3::new(0.5, -0.2, 12.0);
+        view.camera.f_clip = 16.0;
+        view.film = FilmSize { w: 16, h: 12 };
+        let sampling = Sampling {
+            pattern: pattern(i),
+            seed: i as u64,
+            first_sample: 0,
+        };
+        lit_paths += compare(&lit, TO_DEPTH_5, sampling, &view);
+    }
+    assert!(lit_paths > 2_000, "{lit_paths} paths have radiance");
 }
 
 const TO_DEPTH_5: PathSettings = PathSettings {

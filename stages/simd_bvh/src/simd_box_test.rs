@@ -14,14 +14,18 @@ use kit::Vec3;
 /// where `i = 1/d` is rounded and `c = -o·i` is rounded down for the entry and up for the exit. So
 /// the only error is relative to `t`: 2⁻²³ from `i` and 2⁻²⁴ from the sum. [`SLACK`] covers it,
 /// however far the origin is from the box and the box from 0.
+///
+/// A group of rays keeps its tests small, with numbers of type `f32`. A single ray has them in all
+/// lanes, so that operations can read them from memory.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct SimdBoxTest {
-    lines: Lines,
+#[repr(C, align(32))]
+pub(crate) struct SimdBoxTest<N = f32> {
+    lines: Lines<N>,
     /// The bits of the start of the range, moved down. It is not negative.
     min_t: Key,
-    /// The order of the children, and whether it is reversed.
+    /// The order of the children, and which of its bytes go where: the farthest child first.
     order: usize,
-    is_reversed: bool,
+    places: [u8; 32],
 }
 
 /// Children of a node whose boxes a ray hits: the first `count` lanes.
@@ -34,24 +38,44 @@ pub(crate) struct BoxHits<S: Simd> {
 /// For each axis the `t` at which the ray crosses planes at `b`: `b·slope + entering` for those by
 /// which it enters boxes, `b·slope + leaving` for those by which it leaves.
 #[derive(Clone, Debug, Default)]
-struct Lines {
-    slope: [f32; 3],
-    entering: [f32; 3],
-    leaving: [f32; 3],
+#[repr(C)]
+struct Lines<N> {
+    slope: [N; 3],
+    entering: [N; 3],
+    leaving: [N; 3],
     first: [Side; 3],
     last: [Side; 3],
 }
 
-impl Lines {
+/// A number for all lanes.
+pub(crate) trait Splat {
+    fn splat<S: Simd>(&self, simd: S) -> f32x8<S>;
+}
+
+impl Splat for f32 {
+    #[inline(always)]
+    fn splat<S: Simd>(&self, simd: S) -> f32x8<S> {
+        f32x8::splat(simd, *self)
+    }
+}
+
+impl Splat for [f32; LANES] {
+    #[inline(always)]
+    fn splat<S: Simd>(&self, simd: S) -> f32x8<S> {
+        f32x8::load_array_ref(simd, self)
+    }
+}
+
+impl<N: Splat> Lines<N> {
     /// The bits of the `t` at which the ray enters and leaves the eight slabs of an axis, as signed
     /// integers.
     #[inline(always)]
     fn at<S: Simd>(&self, simd: S, node: &Node, axis: usize) -> [i32x8<S>; 2] {
-        let slope = f32x8::splat(simd, self.slope[axis]);
+        let slope = self.slope[axis].splat(simd);
         let first = f32x8::load_array_ref(simd, node.planes(axis, self.first[axis]));
         let last = f32x8::load_array_ref(simd, node.planes(axis, self.last[axis]));
-        let entering = f32x8::splat(simd, self.entering[axis]);
-        let leaving = f32x8::splat(simd, self.leaving[axis]);
+        let entering = self.entering[axis].splat(simd);
+        let leaving = self.leaving[axis].splat(simd);
         [
             first.mul_add_precise(slope, entering).bitcast(),
             last.mul_add_precise(slope, leaving).bitcast(),
@@ -103,10 +127,36 @@ impl SimdBoxTest {
             // No part of the tree has a negative `t`. The sum with 0 is not -0.
             min_t: (ray.min_t.max(0.0) as f32 * (1.0 / RELATIVE) + 0.0).to_bits(),
             order,
-            is_reversed,
+            places: PLACES[usize::from(is_reversed)],
         }
     }
 
+    /// The same test with its numbers in all lanes.
+    #[inline(always)]
+    pub(crate) fn widened<S: Simd>(&self, simd: S) -> SimdBoxTest<[f32; LANES]> {
+        let Lines {
+            slope,
+            entering,
+            leaving,
+            first,
+            last,
+        } = self.lines;
+        SimdBoxTest {
+            lines: Lines {
+                slope: in_all_lanes(simd, slope),
+                entering: in_all_lanes(simd, entering),
+                leaving: in_all_lanes(simd, leaving),
+                first,
+                last,
+            },
+            min_t: self.min_t,
+            order: self.order,
+            places: self.places,
+        }
+    }
+}
+
+impl<N: Splat> SimdBoxTest<N> {
     /// The children of `node` whose boxes the ray hits before `end`, a [`range_end`], the nearest
     /// last.
     #[inline(always)]
@@ -127,8 +177,8 @@ impl SimdBoxTest {
             f64::from_bits(u64::from_le_bytes(node.orders[self.order & 3])),
         );
         let order = order.bitcast::<u8x32<S>>();
-        let places = u8x32::load_array_ref(simd, &PLACES[usize::from(self.is_reversed)]);
-        let order = order.swizzle_dyn_within_blocks(places) | u8x32::load_array_ref(simd, &BYTES);
+        let order = order.swizzle_dyn_within_blocks(u8x32::load_array_ref(simd, &self.places))
+            | u8x32::load_array_ref(simd, &BYTES);
         let (entry, exit) = (entry.swizzle_dyn(order), exit.swizzle_dyn(order));
         let children = u32x8::load_array_ref(simd, &node.children).swizzle_dyn(order);
         let hit = entry.simd_le(exit);
@@ -146,6 +196,15 @@ pub(crate) fn range_end(max_t: f32) -> Key {
     let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
     // The sum with 0 is not -0.
     (end.max(0.0) + 0.0).to_bits()
+}
+
+#[inline(always)]
+fn in_all_lanes<S: Simd>(simd: S, [x, y, z]: [f32; 3]) -> [[f32; LANES]; 3] {
+    [
+        f32x8::splat(simd, x).to_array(),
+        f32x8::splat(simd, y).to_array(),
+        f32x8::splat(simd, z).to_array(),
+    ]
 }
 
 #[inline(always)]

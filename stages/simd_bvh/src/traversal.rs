@@ -81,7 +81,7 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     fn visit(&mut self, counts: &mut TestCounts) -> bool {
         // Local copies: counters behind a reference would be loaded and stored at every step.
         let (mut box_tests, mut prim_tests) = (0, 0);
-        let boxes = SimdBoxTest::new(self.simd, &self.in_tree);
+        let boxes = SimdBoxTest::new(self.simd, &self.in_tree).widened(self.simd);
         let nodes = &self.tree.nodes[..];
         let mut stack = StackMemory::new();
         let mut len = 0;

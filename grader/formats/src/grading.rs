@@ -152,10 +152,10 @@ fn notes(report: &SubmissionReport) -> String {
     if let Some(sentence) = report.about_changed_given() {
         let _ = writeln!(text, "{sentence}");
     }
-    if !report.ignored.is_empty() {
-        let named = report.ignored.iter().take(IGNORED_NAMED);
-        let named: Vec<&str> = named.map(String::as_str).collect();
-        let more = report.ignored.len() - named.len();
+    let ignored = report.other_ignored();
+    if !ignored.is_empty() {
+        let named = ignored.get(..IGNORED_NAMED).unwrap_or(&ignored);
+        let more = ignored.len() - named.len();
         let more = match more {
             0 => String::new(),
             more => format!(" and {more} more"),

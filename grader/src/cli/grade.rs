@@ -156,7 +156,12 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     };
     let report = &run.graded.report;
     match Format::of(matches) {
-        Format::Json => println!("{}", report::json(report)?),
+        Format::Json => {
+            println!("{}", report::json(report)?);
+            if let Some(sentence) = given::sentence(&given::changed(&workspace)?) {
+                eprintln!("{sentence}");
+            }
+        }
         Format::Table if matches.get_flag("long") => {
             let printed = &run.graded.printed;
             if !printed.is_empty() {

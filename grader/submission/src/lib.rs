@@ -80,6 +80,13 @@ impl SubmissionReport {
         about_changed_given(&self.changed_given)
     }
 
+    /// The ignored files that this sentence is not about: the student's own.
+    pub fn other_ignored(&self) -> Vec<&str> {
+        let is_said = |file: &&String| self.changed_given.contains(*file);
+        let others = self.ignored.iter().filter(|file| !is_said(file));
+        others.map(String::as_str).collect()
+    }
+
     /// Grades `submission` in the clean workspace `clean`.
     pub fn of(
         submission: &Submission,

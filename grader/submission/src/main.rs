@@ -87,8 +87,9 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
     if let Some(sentence) = report.about_changed_given() {
         let _ = writeln!(text, "{sentence}");
     }
-    if !report.ignored.is_empty() {
-        let named = report.ignored.iter().take(IGNORED_NAMED);
+    let ignored = report.other_ignored();
+    if !ignored.is_empty() {
+        let named = ignored.iter().take(IGNORED_NAMED);
         let _ = writeln!(
             text,
             "ignored files (only stages/<stage>/src/**/*.rs is graded):"
@@ -96,7 +97,7 @@ fn show(report: &SubmissionReport, hint: HintLevel) -> String {
         for name in named {
             let _ = writeln!(text, "  {name}");
         }
-        let more = report.ignored.len().saturating_sub(IGNORED_NAMED);
+        let more = ignored.len().saturating_sub(IGNORED_NAMED);
         if more > 0 {
             let _ = writeln!(text, "  and {more} more");
         }

@@ -1,6 +1,7 @@
 // BEGIN SOLUTION(part6.task2)
 //! The region of space that contains a bundle of rays.
 
+use crate::ray_packet::RayPacket;
 use crate::vec3x8::{LANES, Vec3x8};
 use crate::{Beam, HALF_SPACES, HalfSpace, PathStart, View};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
@@ -20,11 +21,43 @@ pub(crate) struct RayBundle<'a> {
     pub(crate) skip: &'a [f64],
 }
 
+impl RayBundle<'_> {
+    /// Eight rays from number `first`, and what they skip. Lanes after the last ray have any
+    /// numbers.
+    #[inline(always)]
+    pub(crate) fn packet<S: Simd>(&self, simd: S, first: usize) -> (RayPacket<S>, f64x8<S>) {
+        let rays = RayPacket {
+            o: load_vector(simd, &self.o, first),
+            d: load_vector(simd, &self.d, first),
+            min_t: f64x8::splat(simd, self.min_t),
+            max_t: self.max_t.load(simd, first),
+        };
+        (rays, load(simd, self.skip, first))
+    }
+
+    /// The lanes of [`RayBundle::packet`] that have a ray, one bit each.
+    #[inline(always)]
+    pub(crate) fn active(&self, first: usize) -> u64 {
+        (1 << (self.count - first).min(LANES)) - 1
+    }
+}
+
 /// The ends of the ranges of a [`RayBundle`].
 #[derive(Clone, Copy)]
 pub(crate) enum RangeEnds<'a> {
     All(f64),
     Each(&'a [f64]),
+}
+
+impl RangeEnds<'_> {
+    /// The ends of eight rays from number `first`.
+    #[inline(always)]
+    fn load<S: Simd>(self, simd: S, first: usize) -> f64x8<S> {
+        match self {
+            RangeEnds::All(max_t) => f64x8::splat(simd, max_t),
+            RangeEnds::Each(ends) => load(simd, ends, first),
+        }
+    }
 }
 
 /// The largest number of rays in a beam, a multiple of eight: fewer are closer to each other, but
@@ -73,10 +106,7 @@ impl Beam {
             let here = first_lanes(simd, rays.count - i);
             let ow = load(simd, rays.o[w], i) * sign;
             let dw = load(simd, rays.d[w], i) * sign;
-            let max_t = match rays.max_t {
-                RangeEnds::All(max_t) => f64x8::splat(simd, max_t),
-                RangeEnds::Each(ends) => load(simd, ends, i),
-            };
+            let max_t = rays.max_t.load(simd, i);
             let (start, end) = (ow + dw * rays.min_t, ow + dw * max_t);
             near = here.select(near.min_precise(start), near);
             far = here.select(far.max_precise(end), far);
@@ -225,6 +255,15 @@ fn first_lanes<S: Simd>(simd: S, count: usize) -> mask64x8<S> {
 #[inline(always)]
 fn load<S: Simd>(simd: S, numbers: &[f64], first: usize) -> f64x8<S> {
     f64x8::from_slice(simd, &numbers[first..first + LANES])
+}
+
+#[inline(always)]
+fn load_vector<S: Simd>(simd: S, fields: &[&[f64]; 3], first: usize) -> Vec3x8<S> {
+    Vec3x8 {
+        x: load(simd, fields[0], first),
+        y: load(simd, fields[1], first),
+        z: load(simd, fields[2], first),
+    }
 }
 
 #[inline(always)]

@@ -118,7 +118,8 @@ impl BsdfRays {
         mut add: impl FnMut(usize, Spectrum),
     ) {
         if scene.list.is_none() && self.0.count() > 0 {
-            traced.trace(&self.bundle(), fallback);
+            let (scratch, counts) = (&mut workspace.scratch, &mut workspace.counts);
+            traced.trace(simd, scene, &self.bundle(), scratch, counts, fallback);
         }
         for first in (0..self.0.count()).step_by(LANES) {
             let active = (1 << (self.0.count() - first).min(LANES)) - 1;
@@ -126,7 +127,7 @@ impl BsdfRays {
             let rays = unlimited(simd, bsdf_rays.o, bsdf_rays.d);
             let source = match &scene.list {
                 Some(list) => HitSource::List(list),
-                None => traced.hits(first, LANES),
+                None => HitSource::Found(traced, first),
             };
             let hits = closest(
                 simd,

@@ -54,6 +54,14 @@ impl<const N: usize> Columns<N> {
         self.count += mask.to_bitmask().count_ones() as usize;
     }
 
+    /// Replaces row number `row`, which exists.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, row: usize, numbers: [f64; N]) {
+        for (column, number) in self.columns.iter_mut().zip(numbers) {
+            column[row] = number;
+        }
+    }
+
     /// Loads eight rows from number `first`, which exists. Lanes after the last row have any
     /// numbers.
     #[inline(always)]

@@ -2,70 +2,127 @@
 //! What rays hit: eight of them with a list of primitives in lanes, or many together with the tree
 //! of the fallback.
 
-use crate::beam::{RangeEnds, RayBundle};
-use crate::primitive_list::PrimitiveList;
-use crate::ray_packet::{HitPacket, RayPacket, prim_id};
-use crate::{ScalarFallback, Workspace};
-use fearless_simd::{Simd, f64x8};
-use kit::{PrimId, Ray, TriangleHit, Vec3};
+use crate::beam::RayBundle;
+use crate::columns::Columns;
+use crate::lane_mask::lanes;
+use crate::primitive_list::{PrimitiveList, Scratch};
+use crate::ray_packet::{HIT_COLUMNS, HitPacket, RayPacket, hit_columns, prim_id};
+use crate::vec3x8::LANES;
+use crate::{Counts, PathScene, ScalarFallback, Workspace};
+use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
+use kit::{PrimId, Ray, TriangleHit};
 
 /// Where the hits of eight rays come from.
 #[derive(Clone, Copy)]
 pub(crate) enum HitSource<'a> {
     /// All primitives that the rays may hit.
     List(&'a PrimitiveList),
-    /// The closest hits, which the fallback has found: one element per lane, from the first on.
-    Found(&'a [Option<(PrimId, TriangleHit)>]),
+    /// The closest hits, found for many rays before: those from this number on.
+    Found(&'a TracedRays, usize),
 }
 
-/// Rays that the fallback traces together, and what they hit.
+/// Rays that are traced together, and what they hit.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TracedRays {
+    /// The closest hit of each ray.
+    hits: Columns<HIT_COLUMNS>,
+    /// The rays that need the tree, and their numbers among all.
     rays: Vec<(Ray, Option<PrimId>)>,
-    hits: Vec<Option<(PrimId, TriangleHit)>>,
+    numbers: Vec<usize>,
+    /// What the tree finds for them.
+    found: Vec<Option<(PrimId, TriangleHit)>>,
     occluded: Vec<bool>,
 }
 
 impl TracedRays {
-    /// Finds the closest hits of `rays`.
-    pub(crate) fn trace(&mut self, rays: &RayBundle<'_>, fallback: &mut dyn ScalarFallback) {
-        self.collect(rays);
-        fallback.closest_each(&self.rays, &mut self.hits);
-    }
-
-    /// The closest hits of the rays from number `first`, at most `most`, after
-    /// [`TracedRays::trace`].
+    /// Finds the closest hits of `bundle`.
     #[inline(always)]
-    pub(crate) fn hits(&self, first: usize, most: usize) -> HitSource<'_> {
-        HitSource::Found(&self.hits[first..self.hits.len().min(first + most)])
-    }
-
-    /// Whether each of `rays` hits anything.
-    pub(crate) fn occluded(
+    pub(crate) fn trace<S: Simd>(
         &mut self,
-        rays: &RayBundle<'_>,
+        simd: S,
+        scene: &PathScene<'_>,
+        bundle: &RayBundle<'_>,
+        scratch: &mut Scratch,
+        counts: &mut Counts,
         fallback: &mut dyn ScalarFallback,
-    ) -> &[bool] {
-        self.collect(rays);
-        fallback.occluded_each(&self.rays, &mut self.occluded);
-        &self.occluded
+    ) {
+        self.hits.clear();
+        self.clear_rays();
+        for first in (0..bundle.count).step_by(LANES) {
+            let (rays, skip) = bundle.packet(simd, first);
+            let mut active = bundle.active(first);
+            let mut hits = HitPacket::none(simd, rays.max_t);
+            if let Some(large) = &scene.large {
+                let list = &large.list;
+                counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
+                hits = list.closest(simd, &rays, active, skip, scratch, fallback);
+                active &= large.may_hit_others(simd, &rays, hits.t);
+            }
+            let rays = RayPacket {
+                max_t: hits.t,
+                ..rays
+            };
+            self.collect(&rays, skip, active, first);
+            let all = mask64x8::splat(simd, true);
+            self.hits.push(hits.columns(), all);
+        }
+        fallback.closest_each(&self.rays, &mut self.found);
+        for (&number, found) in self.numbers.iter().zip(&self.found) {
+            if let Some((id, hit)) = *found {
+                self.hits.set(number, hit_columns(id, hit));
+            }
+        }
     }
 
-    fn collect(&mut self, rays: &RayBundle<'_>) {
-        let (o, d) = (&rays.o, &rays.d);
+    /// Calls `block` with the number of each of the rays in `bundle` that hits anything.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "inlined where it is used")]
+    pub(crate) fn occluded<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &PathScene<'_>,
+        bundle: &RayBundle<'_>,
+        scratch: &mut Scratch,
+        counts: &mut Counts,
+        fallback: &mut dyn ScalarFallback,
+        mut block: impl FnMut(usize),
+    ) {
+        self.clear_rays();
+        for first in (0..bundle.count).step_by(LANES) {
+            let (rays, skip) = bundle.packet(simd, first);
+            let mut active = bundle.active(first);
+            if let Some(large) = &scene.large {
+                let (blocked, tests) = large
+                    .list
+                    .occluded(simd, &rays, active, skip, scratch, fallback);
+                counts.prim_tests += tests;
+                for lane in lanes(blocked) {
+                    block(first + lane);
+                }
+                active &= !blocked & large.may_hit_others(simd, &rays, rays.max_t);
+            }
+            self.collect(&rays, skip, active, first);
+        }
+        fallback.occluded_each(&self.rays, &mut self.occluded);
+        for (&number, &occluded) in self.numbers.iter().zip(&self.occluded) {
+            if occluded {
+                block(number);
+            }
+        }
+    }
+
+    fn clear_rays(&mut self) {
         self.rays.clear();
-        self.rays.extend((0..rays.count).map(|i| {
-            let ray = Ray {
-                o: Vec3::new(o[0][i], o[1][i], o[2][i]),
-                d: Vec3::new(d[0][i], d[1][i], d[2][i]),
-                min_t: rays.min_t,
-                max_t: match rays.max_t {
-                    RangeEnds::All(max_t) => max_t,
-                    RangeEnds::Each(ends) => ends[i],
-                },
-            };
-            (ray, prim_id(rays.skip[i]))
-        }));
+        self.numbers.clear();
+    }
+
+    /// Adds the rays in the lanes of `active`; the number of the first lane is `first`.
+    #[inline(always)]
+    fn collect<S: Simd>(&mut self, rays: &RayPacket<S>, skip: f64x8<S>, active: u64, first: usize) {
+        for lane in lanes(active) {
+            self.rays.push((rays.lane(lane), prim_id(skip[lane])));
+            self.numbers.push(first + lane);
+        }
     }
 }
 
@@ -85,15 +142,7 @@ pub(crate) fn closest<S: Simd>(
             workspace.counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
             list.closest(simd, rays, active, skip, &mut workspace.scratch, fallback)
         }
-        HitSource::Found(found) => {
-            let mut hits = HitPacket::none(simd, rays.max_t);
-            for (lane, hit) in found.iter().enumerate() {
-                if let Some((id, hit)) = *hit {
-                    hits.set(lane, id, hit);
-                }
-            }
-            hits
-        }
+        HitSource::Found(traced, first) => HitPacket::of(traced.hits.load(simd, first)),
     }
 }
 // END SOLUTION(part6.task2)

@@ -32,6 +32,7 @@ mod columns;
 mod diffuse;
 mod intersection;
 mod lane_mask;
+mod large;
 mod light;
 mod material_class;
 mod other_materials;

@@ -21,6 +21,15 @@ pub(crate) struct HitPacket<S: Simd> {
     pub(crate) det: f64x8<S>,
 }
 
+/// The number of fields of a [`HitPacket`].
+pub(crate) const HIT_COLUMNS: usize = 5;
+
+/// One lane of [`HitPacket::columns`]: a hit with primitive `id` that the fallback found.
+#[inline(always)]
+pub(crate) fn hit_columns(id: PrimId, hit: TriangleHit) -> [f64; HIT_COLUMNS] {
+    [f64::from(id.0), hit.t, hit.b1, hit.b2, 1.0]
+}
+
 /// The number that stands for no primitive.
 pub(crate) const NONE: f64 = -1.0;
 
@@ -46,11 +55,28 @@ impl<S: Simd> HitPacket<S> {
     /// Sets the hit of one lane, found by the fallback.
     #[inline(always)]
     pub(crate) fn set(&mut self, lane: usize, id: PrimId, hit: TriangleHit) {
-        self.prim[lane] = f64::from(id.0);
-        self.t[lane] = hit.t;
-        self.v[lane] = hit.b1;
-        self.w[lane] = hit.b2;
-        self.det[lane] = 1.0;
+        let fields = [
+            &mut self.prim,
+            &mut self.t,
+            &mut self.v,
+            &mut self.w,
+            &mut self.det,
+        ];
+        for (field, number) in fields.into_iter().zip(hit_columns(id, hit)) {
+            field[lane] = number;
+        }
+    }
+
+    /// All fields.
+    #[inline(always)]
+    pub(crate) fn columns(&self) -> [f64x8<S>; HIT_COLUMNS] {
+        [self.prim, self.t, self.v, self.w, self.det]
+    }
+
+    /// The hits with these [`HitPacket::columns`].
+    #[inline(always)]
+    pub(crate) fn of([prim, t, v, w, det]: [f64x8<S>; HIT_COLUMNS]) -> HitPacket<S> {
+        HitPacket { prim, t, v, w, det }
     }
 
     /// The hit in a lane that does not miss, with its weights from `weights`.

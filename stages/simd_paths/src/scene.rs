@@ -3,6 +3,7 @@
 // BEGIN SOLUTION(part6.task2)
 use crate::camera::{self, CameraPaths};
 use crate::intersection::TracedRays;
+use crate::large::LargePrimitives;
 use crate::material_class::{MaterialClass, classify};
 use crate::primitive_list::{NearbyPrimitives, PrimitiveList, Scratch};
 use crate::queue::PathQueue;
@@ -30,6 +31,8 @@ pub struct PathScene<'a> {
     specular: Vec<Option<SpecularMaterial>>,
     /// The primitives, if there are few; else the fallback traverses a tree.
     pub(crate) list: Option<PrimitiveList>,
+    /// The large primitives, if testing them apart saves time; never in a scene that has a list.
+    pub(crate) large: Option<LargePrimitives>,
     /// The primitives that emit, if they are few and there is no background: only rays that hit one
     /// of them find light.
     pub(crate) lamps: Option<PrimitiveList>,
@@ -128,10 +131,12 @@ impl<'a> PathScene<'a> {
         // BEGIN SOLUTION(part6.task2)
         let scene = &lit.scene;
         let materials = scene.materials.iter().map(|m| &m.material);
+        let list = PrimitiveList::of(scene, |_| true);
         Some(PathScene {
             materials: materials.clone().map(classify).collect(),
             specular: materials.map(SpecularMaterial::of).collect(),
-            list: PrimitiveList::of(scene, |_| true),
+            large: list.is_none().then(|| LargePrimitives::of(scene)).flatten(),
+            list,
             lamps: if lit.has_background() {
                 None
             } else {

@@ -179,22 +179,21 @@ impl ShadowQueue {
                     list = nearby.find(simd, scene, &bundle, fallback).or(list);
                 }
                 let Some(list) = list else {
-                    let occluded = traced.occluded(&bundle, fallback);
-                    for (i, _) in occluded.iter().enumerate().filter(|(_, blocked)| **blocked) {
-                        block(&mut self.samples, queue.sample[start + i]);
-                    }
+                    let (scratch, counts) = (&mut workspace.scratch, &mut workspace.counts);
+                    let samples = &mut self.samples;
+                    let block = |ray: usize| block(samples, queue.sample[start + ray]);
+                    traced.occluded(simd, scene, &bundle, scratch, counts, fallback, block);
                     continue;
                 };
-                for first in (start..start + bundle.count).step_by(LANES) {
-                    let active = (1 << (start + bundle.count - first).min(LANES)) - 1;
-                    let rays = queue.load(simd, first);
-                    let skip = load(simd, &queue.skip, first);
+                for first in (0..bundle.count).step_by(LANES) {
+                    let active = bundle.active(first);
+                    let (rays, skip) = bundle.packet(simd, first);
                     let scratch = &mut workspace.scratch;
                     let (blocked, tests) =
                         list.occluded(simd, &rays, active, skip, scratch, fallback);
                     workspace.counts.prim_tests += tests;
                     for lane in lanes(blocked) {
-                        block(&mut self.samples, queue.sample[first + lane]);
+                        block(&mut self.samples, queue.sample[start + first + lane]);
                     }
                 }
             }
@@ -275,24 +274,6 @@ impl ShadowRays {
         }
     }
 
-    #[inline(always)]
-    fn load<S: Simd>(&self, simd: S, first: usize) -> RayPacket<S> {
-        RayPacket {
-            o: Vec3x8 {
-                x: load(simd, &self.o[0], first),
-                y: load(simd, &self.o[1], first),
-                z: load(simd, &self.o[2], first),
-            },
-            d: Vec3x8 {
-                x: load(simd, &self.d[0], first),
-                y: load(simd, &self.d[1], first),
-                z: load(simd, &self.d[2], first),
-            },
-            min_t: f64x8::splat(simd, 0.0),
-            max_t: load(simd, &self.max_t, first),
-        }
-    }
-
     /// The rays from number `first`, at most `most`.
     #[inline(always)]
     fn bundle(&self, first: usize, most: usize) -> RayBundle<'_> {
@@ -315,11 +296,6 @@ fn block(samples: &mut [LightSamples], sample: f64) {
 }
 
 // Functions, because closures would not be compiled for the instruction set.
-
-#[inline(always)]
-fn load<S: Simd>(simd: S, field: &[f64], first: usize) -> f64x8<S> {
-    f64x8::from_slice(simd, &field[first..first + LANES])
-}
 
 #[inline(always)]
 fn store<S: Simd>(field: &mut [f64], first: usize, lanes: f64x8<S>, mask: mask64x8<S>) {

@@ -51,7 +51,8 @@ pub(crate) fn trace_paths<S: Simd>(
                     list = nearby.find(simd, scene, &rays, fallback).or(list);
                 }
                 if list.is_none() {
-                    traced.trace(&rays, fallback);
+                    let (scratch, counts) = (&mut workspace.scratch, &mut workspace.counts);
+                    traced.trace(simd, scene, &rays, scratch, counts, fallback);
                 }
                 misses_all = !scene.has_background && list.is_some_and(|list| list.len() == 0);
             }
@@ -61,7 +62,7 @@ pub(crate) fn trace_paths<S: Simd>(
             }
             let hits = match list {
                 Some(list) => HitSource::List(list),
-                None => traced.hits(first % chunk, LANES),
+                None => HitSource::Found(&traced, first % chunk),
             };
             let mut packet = PathPacket {
                 simd,

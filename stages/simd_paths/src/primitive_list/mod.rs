@@ -11,7 +11,7 @@ use crate::ScalarFallback;
 use crate::lane_mask::lanes;
 use crate::ray_packet::{HitPacket, RayPacket};
 use fearless_simd::{Simd, f64x8, mask64x8, prelude::*};
-use kit::{PrimId, Ray, Scene, Sphere, Vec3};
+use kit::{PrimId, Primitive, Ray, Scene, Sphere, Vec3};
 use std::ops::Range;
 use triangle::{AxisPermutedRays, ProjectedVertex};
 
@@ -70,30 +70,35 @@ impl PrimitiveList {
         };
         let triangles = listed(0..count, MAX_TRIANGLES)?;
         let spheres = listed(count..scene.len() as u32, MAX_SPHERES)?;
-        let mut vertices: Vec<Vec3> = Vec::new();
-        let mut number = |p: Vec3| {
-            let bits = |v: Vec3| v.to_array().map(f64::to_bits);
-            let known = vertices.iter().position(|&c| bits(c) == bits(p));
-            known.unwrap_or_else(|| {
-                vertices.push(p);
-                vertices.len() - 1
-            }) as u32
-        };
-        let triangles = triangles.into_iter().map(|id| {
-            let t = &scene.triangles[id as usize];
-            ListedTriangle {
-                id,
-                vertices: [t.p0, t.p1, t.p2].map(&mut number),
+        Some(PrimitiveList::with(
+            scene,
+            triangles.into_iter().chain(spheres),
+        ))
+    }
+
+    /// Primitives number `ids` of `scene`, in ascending order.
+    pub(crate) fn with(scene: &Scene, ids: impl IntoIterator<Item = u32>) -> PrimitiveList {
+        let mut list = PrimitiveList::default();
+        for id in ids {
+            match scene.primitive(PrimId(id)) {
+                Primitive::Triangle(t) => {
+                    let vertices = [t.p0, t.p1, t.p2].map(|p| list.number(p));
+                    list.triangles.push(ListedTriangle { id, vertices });
+                }
+                Primitive::Sphere(sphere) => list.spheres.push((id, *sphere)),
             }
-        });
-        let spheres = spheres.into_iter();
-        Some(PrimitiveList {
-            triangles: triangles.collect(),
-            spheres: spheres
-                .map(|id| (id, scene.spheres[(id - count) as usize]))
-                .collect(),
-            vertices,
-        })
+        }
+        list
+    }
+
+    /// The number of the vertex `p`, which is added if it is new.
+    fn number(&mut self, p: Vec3) -> u32 {
+        let bits = |v: Vec3| v.to_array().map(f64::to_bits);
+        let known = self.vertices.iter().position(|&v| bits(v) == bits(p));
+        known.unwrap_or_else(|| {
+            self.vertices.push(p);
+            self.vertices.len() - 1
+        }) as u32
     }
 
     /// Removes all primitives.

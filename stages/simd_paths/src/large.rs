@@ -2,80 +2,77 @@
 //! The few large primitives of a scene, such as the walls of a room.
 //!
 //! A ray in a room meets its walls far more often than what stands in the room. The walls are a
-//! short list, which lanes test in less time than a tree, and only rays that also cross the box
-//! around all other primitives need the tree.
+//! short list, which lanes test in less time than a tree, and only rays that also cross one of a
+//! few boxes around all other primitives need the tree.
 
 use crate::primitive_list::PrimitiveList;
 use crate::ray_packet::RayPacket;
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, prelude::*};
-use kit::{Aabb, Scene, Vec3};
+use kit::{Aabb, Primitive, Scene, Vec3};
 
 /// The large primitives of a scene, and where all others are.
 #[derive(Clone, Debug)]
 pub(crate) struct LargePrimitives {
     /// The large primitives.
     pub(crate) list: PrimitiveList,
-    /// The box around all others.
-    others: Aabb,
-    /// The largest absolute value of its coordinates.
+    /// Boxes that together contain all others.
+    others: Vec<Aabb>,
+    /// The largest absolute value of their coordinates.
     reach: f64,
 }
 
 /// The largest number of large primitives.
-const MOST: usize = 16;
+const MAX_LARGE: usize = 16;
 
-/// The time of testing one primitive of a list against the time of tracing a ray through a tree
-/// (measured with a room and a mesh of 30,000 triangles).
+/// The largest number of boxes around the others.
+const MAX_BOXES: usize = 8;
+
+/// The time of testing one primitive of a list or one box against the time of tracing a ray through
+/// a tree (measured in a room with a mesh of 30,000 triangles).
 const COST_OF_TEST: f64 = 0.01;
+const COST_OF_BOX: f64 = 0.004;
 
-/// Tests and the share of rays that need the tree as well have to cost less than this, relative to
-/// tracing all rays through the tree.
+/// All tests and the share of the rays that need the tree as well have to cost less than this,
+/// where tracing all rays through the tree costs 1.
 const WORTHWHILE: f64 = 0.75;
 
-/// The share of the coordinates by which the box is enlarged: much more than the rounding errors
+/// The share of the coordinates by which the boxes are enlarged: much more than the rounding errors
 /// of an intersection.
 const MARGIN: f64 = 1e-10;
 
 impl LargePrimitives {
     /// The primitives to be tested apart from the tree; `None` if that would not save time.
     ///
-    /// They are the largest ones. As many are taken as make the expected time least, where a ray
-    /// crosses the box of the others with a probability of the ratio of the surface areas, as in
-    /// the surface area heuristic for trees.
+    /// They are the largest ones, as many as make the expected time least. A ray crosses a box with
+    /// the probability that the surface area heuristic for trees assumes: the ratio of the box's
+    /// surface area to that of the scene.
     pub(crate) fn of(scene: &Scene) -> Option<LargePrimitives> {
-        let bounds = scene.primitive_bounds();
-        let all = scene.bounds().surface_area();
-        let size = |id: &usize| bounds[*id].surface_area();
-        let mut ids: Vec<usize> = (0..bounds.len()).collect();
-        if ids.len() <= MOST {
+        let mut largest = largest(scene);
+        let is_one = |ids: &[(u32, Aabb)], id| ids.iter().any(|&(other, _)| other == id);
+        let mut others = boxes(scene)
+            .filter(|&(id, _)| !is_one(&largest, id))
+            .fold(Aabb::EMPTY, |sum, (_, bounds)| sum.union(bounds));
+        let whole = largest.iter().fold(others, |sum, (_, b)| sum.union(*b));
+        let mut best = (WORTHWHILE, 0, others);
+        for count in (1..=largest.len()).rev() {
+            let cost = COST_OF_TEST * count as f64 + others.surface_area() / whole.surface_area();
+            if cost < best.0 {
+                best = (cost, count, others);
+            }
+            others = others.union(largest[count - 1].1);
+        }
+        let (_, count, others) = best;
+        if count == 0 || others.is_empty() {
             return None;
         }
-        ids.select_nth_unstable_by(MOST, |a, b| size(b).total_cmp(&size(a)));
-        let (large, small) = ids.split_at_mut(MOST);
-        large.sort_by(|a, b| size(b).total_cmp(&size(a)));
-        let around = |ids: &[usize]| {
-            ids.iter()
-                .fold(Aabb::EMPTY, |sum, &id| sum.union(bounds[id]))
-        };
-        let mut others = around(small);
-        let mut best = (WORTHWHILE, None);
-        for count in (1..=MOST).rev() {
-            let cost = COST_OF_TEST * count as f64 + others.surface_area() / all;
-            if cost < best.0 {
-                best = (cost, Some((count, others)));
-            }
-            others = others.union(bounds[large[count - 1]]);
-        }
-        let (count, others) = best.1?;
-        let listed = &mut large[..count];
-        listed.sort_unstable();
-        let list = PrimitiveList::with(scene, listed.iter().map(|&id| id as u32));
-        let reach = others.min.abs().max(others.max.abs()).max_element();
+        largest.truncate(count);
+        largest.sort_unstable_by_key(|&(id, _)| id);
+        let rest = boxes(scene).filter(|&(id, _)| !is_one(&largest, id));
         Some(LargePrimitives {
-            list,
-            others,
-            reach,
+            list: PrimitiveList::with(scene, largest.iter().map(|&(id, _)| id)),
+            others: clusters(rest.map(|(_, b)| b), others, whole.surface_area()),
+            reach: others.min.abs().max(others.max.abs()).max_element(),
         })
     }
 
@@ -87,37 +84,105 @@ impl LargePrimitives {
         rays: &RayPacket<S>,
         max_t: f64x8<S>,
     ) -> u64 {
-        let o = rays.o;
+        let (o, d) = (rays.o, rays.d);
+        let inverse = Vec3x8 {
+            x: 1.0 / d.x,
+            y: 1.0 / d.y,
+            z: 1.0 / d.z,
+        };
         let margin = (o.x.abs() + o.y.abs() + o.z.abs() + self.reach) * MARGIN;
-        let low = self.slab(simd, self.others.min, o, -margin);
-        let high = self.slab(simd, self.others.max, o, margin);
-        let (mut start, mut end) = (rays.min_t, max_t);
-        for ((low, high), d) in low
-            .into_iter()
-            .zip(high)
-            .zip([rays.d.x, rays.d.y, rays.d.z])
-        {
-            let inverse = 1.0 / d;
-            let (a, b) = (low * inverse, high * inverse);
-            start = start.max_precise(a.min_precise(b));
-            end = end.min_precise(a.max_precise(b));
+        // Relative to `t`, too, because the `t` of a hit is rounded.
+        let end = max_t + max_t.abs() * MARGIN;
+        let mut may_hit = 0;
+        for bounds in &self.others {
+            let low = Vec3x8::splat(simd, bounds.min) - o;
+            let high = Vec3x8::splat(simd, bounds.max) - o;
+            let x = slab(low.x - margin, high.x + margin, inverse.x);
+            let y = slab(low.y - margin, high.y + margin, inverse.y);
+            let z = slab(low.z - margin, high.z + margin, inverse.z);
+            let entry = x[0]
+                .max_precise(y[0])
+                .max_precise(z[0].max_precise(rays.min_t));
+            let exit = x[1].min_precise(y[1]).min_precise(z[1].min_precise(end));
+            may_hit |= !exit.simd_lt(entry).to_bitmask();
         }
-        // Relative to `t`, too, because a hit's `t` is rounded. NaN counts as a hit.
-        let end = end + end.abs() * MARGIN;
-        !end.simd_lt(start).to_bitmask() & 0xff
+        may_hit
     }
+}
 
-    /// From `o` to a corner of the box, moved by `margin`.
-    #[inline(always)]
-    fn slab<S: Simd>(
-        &self,
-        simd: S,
-        corner: Vec3,
-        o: Vec3x8<S>,
-        margin: f64x8<S>,
-    ) -> [f64x8<S>; 3] {
-        let corner = Vec3x8::splat(simd, corner) - o;
-        [corner.x + margin, corner.y + margin, corner.z + margin]
+/// The distances at which rays enter and leave the slab between two planes, which are at `low` and
+/// `high` from the origin. A ray inside a plane gives NaN, which the comparisons leave out.
+#[inline(always)]
+fn slab<S: Simd>(low: f64x8<S>, high: f64x8<S>, inverse: f64x8<S>) -> [f64x8<S>; 2] {
+    let (a, b) = (low * inverse, high * inverse);
+    [a.min_precise(b), a.max_precise(b)]
+}
+
+/// All primitives and their boxes, without those that no ray can hit because a coordinate is NaN.
+fn boxes(scene: &Scene) -> impl Iterator<Item = (u32, Aabb)> {
+    let boxes = scene.primitives().map(|primitive| match primitive {
+        Primitive::Triangle(triangle) => triangle.bounds(),
+        Primitive::Sphere(sphere) => Aabb {
+            min: sphere.center - sphere.radius.abs(),
+            max: sphere.center + sphere.radius.abs(),
+        },
+    });
+    (0..).zip(boxes).filter(|(_, bounds)| !bounds.is_empty())
+}
+
+/// The primitives with the largest boxes and these, the largest first.
+fn largest(scene: &Scene) -> Vec<(u32, Aabb)> {
+    let mut largest: Vec<(u32, Aabb)> = Vec::with_capacity(MAX_LARGE + 1);
+    for (id, bounds) in boxes(scene) {
+        let area = bounds.surface_area();
+        let place = largest.partition_point(|(_, other)| other.surface_area() >= area);
+        if place < MAX_LARGE {
+            largest.insert(place, (id, bounds));
+            largest.truncate(MAX_LARGE);
+        }
     }
+    largest
+}
+
+/// A few boxes that together contain all `boxes`, which are in `bounds`; `whole` is the surface
+/// area of the scene.
+///
+/// First there is one for each cell of a grid with boxes' centres in it. Then those whose union
+/// costs least are united, until this would cost more than it saves.
+fn clusters(boxes: impl Iterator<Item = Aabb>, bounds: Aabb, whole: f64) -> Vec<Aabb> {
+    const CELLS: usize = 4;
+    let mut cells = vec![Aabb::EMPTY; CELLS.pow(3)];
+    let per_length = CELLS as f64 / bounds.extent().max(Vec3::splat(f64::MIN_POSITIVE));
+    for member in boxes {
+        let at = (member.centroid() - bounds.min) * per_length;
+        let [x, y, z] = at.to_array().map(|x| (x as usize).min(CELLS - 1));
+        let cell = &mut cells[(z * CELLS + y) * CELLS + x];
+        *cell = cell.union(member);
+    }
+    cells.retain(|cell| !cell.is_empty());
+    while let Some((a, b, growth)) = closest_pair(&cells) {
+        if cells.len() <= MAX_BOXES && growth > COST_OF_BOX * whole {
+            break;
+        }
+        let removed = cells.swap_remove(b);
+        cells[a] = cells[a].union(removed);
+    }
+    cells
+}
+
+/// The two boxes whose union has the least surface area beyond their own, the first one before the
+/// second one, and this area.
+fn closest_pair(boxes: &[Aabb]) -> Option<(usize, usize, f64)> {
+    let pairs = (0..boxes.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+    pairs
+        .map(|(a, b)| {
+            let union = boxes[a].union(boxes[b]).surface_area();
+            (
+                a,
+                b,
+                union - boxes[a].surface_area() - boxes[b].surface_area(),
+            )
+        })
+        .min_by(|a, b| a.2.total_cmp(&b.2))
 }
 // END SOLUTION(part6.task2)

@@ -39,7 +39,7 @@ impl Accel {
         match kind {
             AccelKind::Brute => Accel::Brute,
             AccelKind::Bvh => Accel::Bvh(construct_bvh(&scene.primitive_bounds(), MAX_LEAF_SIZE)),
-            AccelKind::Simd => Accel::Simd(WideBvh::build(&scene.triangles, &scene.spheres)),
+            AccelKind::Simd => Accel::Simd(WideBvh::build_apart(&scene.triangles, &scene.spheres)),
         }
     }
 

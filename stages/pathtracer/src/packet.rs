@@ -19,7 +19,7 @@ use kit::{
     Camera, Hit, LitScene, PixelEstimate, PixelSampler, PrimId, Ray, Scattering, Spectrum, Tally,
     TriangleHit, Vec3,
 };
-use simd_bvh::{StreamMemory, TestCounts, WideBvh};
+use simd_bvh::{StreamMemory, Subset, TestCounts, WideBvh};
 use simd_paths::{
     BATCH_SIZE, Beam, Counts, NextRay, PathScene, PathSettings, PathStart, ScalarFallback,
     ScalarPath, View, Workspace,
@@ -68,7 +68,7 @@ impl<'a> PacketRenderer<'a> {
             tree,
             job,
             settings,
-            scene: PathScene::new(lit)?,
+            scene: PathScene::new(lit, tree.apart())?,
             view: View {
                 camera: job.camera,
                 film: job.film,
@@ -281,7 +281,7 @@ impl ScalarFallback for Fallback<'_, '_> {
         let mut tests = TestCounts::default();
         let exact = &mut |id, ray: &Ray| test_primitive(scene, id, ray);
         self.tree
-            .closest_each(rays, exact, self.stream, &mut tests, hits);
+            .closest_each(Subset::Inner, rays, exact, self.stream, &mut tests, hits);
         self.counters += tests;
     }
 
@@ -289,15 +289,23 @@ impl ScalarFallback for Fallback<'_, '_> {
         let scene = &self.integrator.lit.scene;
         let mut tests = TestCounts::default();
         let exact = &mut |id, ray: &Ray| test_primitive(scene, id, ray);
-        self.tree
-            .occluded_each(rays, exact, self.stream, &mut tests, occluded);
+        self.tree.occluded_each(
+            Subset::Inner,
+            rays,
+            exact,
+            self.stream,
+            &mut tests,
+            occluded,
+        );
         self.counters += tests;
     }
 
     fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {
         let region = beam.half_spaces.map(|h| (h.normal, h.offset));
         let mut tests = TestCounts::default();
-        let are_all = self.tree.primitives_in(&region, most, ids, &mut tests);
+        let are_all = self
+            .tree
+            .primitives_in(Subset::Inner, &region, most, ids, &mut tests);
         self.counters += tests;
         are_all
     }

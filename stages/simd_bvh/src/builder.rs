@@ -2,7 +2,7 @@
 //! Builds the wide tree: from triangles and spheres to nodes and blocks.
 
 use crate::binary;
-use crate::node::Child;
+use crate::large;
 use crate::presplit;
 use crate::sah::{BuildPrimitive, LANES};
 use crate::space::TreeSpace;
@@ -21,14 +21,17 @@ const MAX_TRIANGLES_WITHOUT_NODES: usize = 2 * LANES;
 /// A thread prepares at least this many primitives at once.
 const MIN_PARALLEL: usize = 1 << 11;
 
-/// Builds the tree. A primitive without a finite box that is not empty is omitted.
-pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
+/// Builds the tree, if `with_apart` with large primitives apart. A primitive without a finite box
+/// that is not empty is omitted.
+pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere], with_apart: bool) -> WideBvh {
     let input = Input { triangles, spheres };
     let count = triangles.len() + spheres.len();
     let space = TreeSpace::around(count, |number| input.bounds(number));
     let level = Level::new();
     let mut tree = WideBvh {
         roots: Vec::new(),
+        inner_roots: 0,
+        apart: Vec::new(),
         nodes: Vec::new(),
         blocks: Vec::new(),
         exact_blocks: Vec::new(),
@@ -37,42 +40,44 @@ pub(crate) fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         level,
     };
     let mut prims = input.primitives(&space);
-    let triangle_count = prims.partition_point(|prim| (prim.id() as usize) < triangles.len());
-    if triangle_count <= MAX_TRIANGLES_WITHOUT_NODES && prims.len() - triangle_count <= LANES {
-        let blocks = |range: Range<usize>| -> Vec<Range<u32>> {
-            let starts = range.clone().step_by(LANES);
-            starts
-                .map(|start| start as u32..range.end.min(start + LANES) as u32)
-                .collect()
-        };
-        let blocks = WideNodes {
-            nodes: Vec::new(),
-            triangle_blocks: blocks(0..triangle_count),
-            sphere_blocks: blocks(triangle_count..prims.len()),
-        };
-        let of_triangles = blocks.triangle_blocks.iter().enumerate();
-        let of_spheres = blocks.sphere_blocks.iter().enumerate();
-        tree.roots
-            .extend(of_triangles.map(|(number, range)| Child::triangles(number, range.len())));
-        tree.roots
-            .extend(of_spheres.map(|(number, range)| Child::spheres(number, range.len())));
-        input.fill_blocks(&mut tree, &order(&prims), blocks);
-        return tree;
+    let mut apart = Vec::new();
+    if with_apart {
+        tree.apart = large::choose(|| input.boxes());
+        let is_apart = |prim: &mut BuildPrimitive| tree.apart.contains(&PrimId(prim.id()));
+        apart = prims.extract_if(.., is_apart).collect();
     }
-    let vertices = |id: u32| vertices(&triangles[id as usize]).map(|p| space.point(p));
-    presplit::divide(&mut prims, triangle_count, vertices);
-    let binary_tree = binary::build(&mut prims, triangles.len() as u32, level);
-    let (wide, root) = widen(&binary_tree, &prims);
-    tree.roots.push(root);
-    // The blocks are most of the tree's memory. What is not needed any more goes before.
-    let order = order(&prims);
-    drop((prims, binary_tree));
+    let apart_triangles = input.triangle_count(&apart);
+    let triangle_count = input.triangle_count(&prims);
+    let is_small =
+        triangle_count <= MAX_TRIANGLES_WITHOUT_NODES && prims.len() - triangle_count <= LANES;
+    let (mut wide, mut order);
+    if is_small {
+        wide = WideNodes::default();
+        tree.roots = wide.add_blocks(0..triangle_count, triangle_count..prims.len());
+        order = numbers(&prims);
+    } else {
+        let vertices = |id: u32| vertices(&triangles[id as usize]).map(|p| space.point(p));
+        presplit::divide(&mut prims, triangle_count, vertices);
+        let binary_tree = binary::build(&mut prims, triangles.len() as u32, level);
+        let root;
+        (wide, root) = widen(&binary_tree, &prims);
+        tree.roots.push(root);
+        // The blocks are most of the tree's memory. What is not needed any more goes before.
+        order = numbers(&prims);
+        drop((prims, binary_tree));
+    }
+    tree.inner_roots = tree.roots.len();
+    let first_triangle = order.len();
+    let first_sphere = first_triangle + apart_triangles;
+    order.extend(apart.iter().map(|prim| PrimId(prim.id())));
+    let blocks = wide.add_blocks(first_triangle..first_sphere, first_sphere..order.len());
+    tree.roots.extend(blocks);
     input.fill_blocks(&mut tree, &order, wide);
     tree
 }
 
 /// The numbers of primitives.
-fn order(prims: &[BuildPrimitive]) -> Vec<PrimId> {
+fn numbers(prims: &[BuildPrimitive]) -> Vec<PrimId> {
     let prims = prims.par_iter().with_min_len(MIN_PARALLEL);
     prims.map(|prim| PrimId(prim.id())).collect()
 }
@@ -102,6 +107,17 @@ impl Input<'_> {
             }
         };
         (is_finite && !bounds.is_empty()).then_some(bounds)
+    }
+
+    /// All primitives that have a box, in ascending order.
+    fn boxes(&self) -> impl Iterator<Item = (PrimId, Aabb)> {
+        let numbers = 0..self.triangles.len() + self.spheres.len();
+        numbers.filter_map(|number| Some((PrimId(number as u32), self.bounds(number)?)))
+    }
+
+    /// How many of `prims`, which are in ascending order, are triangles.
+    fn triangle_count(&self, prims: &[BuildPrimitive]) -> usize {
+        prims.partition_point(|prim| (prim.id() as usize) < self.triangles.len())
     }
 
     /// A primitive in the tree's space; [`BuildPrimitive::NONE`] if it has no box.
@@ -173,7 +189,7 @@ mod tests {
         let with_threads = |count| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
             let pool = pool.expect("a pool of threads");
-            let tree = pool.install(|| build(&triangles, &spheres));
+            let tree = pool.install(|| build(&triangles, &spheres, false));
             assert!(tree.nodes.len() > 1000 && tree.spheres.len() > 10);
             format!("{:?} {:?} {:?}", tree.nodes, tree.blocks, tree.spheres)
         };

@@ -8,7 +8,7 @@ use crate::unusual_ray;
 use fearless_simd::dispatch;
 // END SOLUTION(part6.task1)
 
-use crate::wide::WideBvh;
+use crate::wide::{Subset, WideBvh};
 use kit::{PrimId, Ray, TriangleHit, Vec3};
 
 /// The number of tests of a traversal.
@@ -71,7 +71,7 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// Adds all primitives of which a part is in `region` to `ids`, and others that are near; in no
+    /// Adds all primitives of `subset` of which a part is in `region` to `ids`, and others that are near; in no
     /// order, and some perhaps twice. For many rays that are close to each other: what they hit is
     /// among them.
     ///
@@ -80,14 +80,15 @@ impl WideBvh {
     /// meaning. Adds the boxes to `counts`.
     pub fn primitives_in(
         &self,
+        subset: Subset,
         region: &[(Vec3, f64)],
         most: usize,
         ids: &mut Vec<PrimId>,
         counts: &mut TestCounts,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
-        dispatch!(self.level, simd => region::find(simd, self, region, most, ids, counts))
-        // STUB: kit::hole!("part6.task1", self, region, most, ids, counts)
+        dispatch!(self.level, simd => region::find(simd, self, subset, region, most, ids, counts))
+        // STUB: kit::hole!("part6.task1", self, subset, region, most, ids, counts)
         // END SOLUTION(part6.task1)
     }
 }

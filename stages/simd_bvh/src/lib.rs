@@ -7,7 +7,7 @@
 //!
 // BEGIN SOLUTION(part6.task1)
 //! Reading order: `builder` (from triangles to the tree), `packed_box` (boxes during the build),
-//! `presplit` (long thin triangles), `sah` and `binary` (the binary tree of least cost), `collapse`
+//! `presplit` (long thin triangles), `large` (walls), `sah` and `binary` (the binary tree of least cost), `collapse`
 //! and `widen` (from two to eight children per node), `space`, `node`, `triangle_block` and
 //! `sphere_block` (the memory layout of boxes, triangles and spheres), `ray_in_tree`,
 //! `simd_box_test` (eight boxes at a time), `triangle_filter` (eight triangles at a time) and
@@ -33,6 +33,7 @@ mod box_test;
 mod builder;
 mod collapse;
 mod found;
+mod large;
 mod node;
 mod packed_box;
 mod prefetch;
@@ -64,7 +65,7 @@ mod wide;
 pub use fearless_simd::Level;
 pub use intersect::{ExactTest, TestCounts};
 pub use stream::StreamMemory;
-pub use wide::WideBvh;
+pub use wide::{Subset, WideBvh};
 
 /// The earlier name of [`TestCounts`], which programs outside this workspace use.
 pub use intersect::TestCounts as Work;

@@ -5,7 +5,7 @@ use crate::intersect::TestCounts;
 use crate::node::{Child, ChildKind, Node, Side};
 use crate::rounding::at_least;
 use crate::space::TreeSpace;
-use crate::wide::WideBvh;
+use crate::wide::{Subset, WideBvh};
 use fearless_simd::{Simd, f32x8, prelude::*};
 use kit::{PrimId, Vec3};
 
@@ -59,6 +59,7 @@ impl LocalHalfSpace {
 pub(crate) fn find<S: Simd>(
     simd: S,
     tree: &WideBvh,
+    subset: Subset,
     region: &[(Vec3, f64)],
     most: usize,
     ids: &mut Vec<PrimId>,
@@ -66,7 +67,7 @@ pub(crate) fn find<S: Simd>(
 ) -> bool {
     let local = |half_space: &(Vec3, f64)| LocalHalfSpace::new(*half_space, &tree.space);
     let region: Vec<LocalHalfSpace> = region.iter().map(local).collect();
-    let mut pending: Vec<Child> = tree.roots.clone();
+    let mut pending: Vec<Child> = tree.roots_of(subset).to_vec();
     let mut visited = 0;
     while let Some(child) = pending.pop() {
         match child.kind() {
@@ -161,7 +162,7 @@ mod tests {
                 for level in [Level::new(), Level::baseline()] {
                     let tree = tree.clone().at_level(level);
                     let (mut ids, mut counts) = (Vec::new(), TestCounts::default());
-                    assert!(tree.primitives_in(&region, 1000, &mut ids, &mut counts));
+                    assert!(tree.primitives_in(Subset::All, &region, 1000, &mut ids, &mut counts));
                     let missing = expected.iter().find(|id| !ids.contains(id));
                     assert_eq!(missing, None, "{level:?}, region {i}");
                     assert!(counts.box_tests > 0 && counts.prim_tests == 0);
@@ -169,7 +170,7 @@ mod tests {
                     inside += expected.len();
                     let few = &mut Vec::new();
                     let most = ids.len() - 1;
-                    assert!(!tree.primitives_in(&region, most, few, &mut counts));
+                    assert!(!tree.primitives_in(Subset::All, &region, most, few, &mut counts));
                 }
             }
             assert!(inside > 1000 && found < 20 * inside, "{found} {inside}");

@@ -8,7 +8,7 @@ use fearless_simd::dispatch;
 // END SOLUTION(part6.task1)
 
 use crate::intersect::{ExactTest, TestCounts};
-use crate::wide::WideBvh;
+use crate::wide::{Subset, WideBvh};
 use kit::{PrimId, Ray, TriangleHit};
 
 /// The memory of [`WideBvh::closest_each`] and [`WideBvh::occluded_each`], which a thread reuses
@@ -25,12 +25,15 @@ impl WideBvh {
     /// Replaces the contents of `hits` by the closest hit of each of `rays`, in their order: those
     /// of [`WideBvh::closest`], bit for bit, whichever rays are traced together.
     ///
-    /// A ray comes with the primitive that it cannot hit. `exact` is that of [`WideBvh::closest`].
+    /// With [`Subset::Inner`], only primitives that are not apart have to be hit; then a hit is
+    /// the closest one with those, or the closest one of all. A ray comes with the primitive that
+    /// it cannot hit. `exact` is that of [`WideBvh::closest`].
     /// Adds the tests to `counts`: there may be a few more or less than for
     /// [`WideBvh::closest`], which visits some nodes in advance, but they do not depend on which
     /// rays are traced together either.
     pub fn closest_each(
         &self,
+        subset: Subset,
         rays: &[(Ray, Option<PrimId>)],
         exact: &mut ExactTest,
         memory: &mut StreamMemory,
@@ -39,10 +42,10 @@ impl WideBvh {
     ) {
         // BEGIN SOLUTION(part6.task1)
         hits.clear();
-        memory.trace_groups::<false>(self, rays, exact, counts, |slots| {
+        memory.trace_groups::<false>(self, subset, rays, exact, counts, |slots| {
             hits.extend(slots.iter().map(|slot| slot.found.closest));
         });
-        // STUB: kit::hole!("part6.task1", self, rays, exact, memory, counts, hits)
+        // STUB: kit::hole!("part6.task1", self, subset, rays, exact, memory, counts, hits)
         // END SOLUTION(part6.task1)
     }
 
@@ -50,6 +53,7 @@ impl WideBvh {
     /// the results of [`WideBvh::occluded`]. Otherwise like [`WideBvh::closest_each`].
     pub fn occluded_each(
         &self,
+        subset: Subset,
         rays: &[(Ray, Option<PrimId>)],
         exact: &mut ExactTest,
         memory: &mut StreamMemory,
@@ -58,10 +62,10 @@ impl WideBvh {
     ) {
         // BEGIN SOLUTION(part6.task1)
         occluded.clear();
-        memory.trace_groups::<true>(self, rays, exact, counts, |slots| {
+        memory.trace_groups::<true>(self, subset, rays, exact, counts, |slots| {
             occluded.extend(slots.iter().map(|slot| slot.is_hit));
         });
-        // STUB: kit::hole!("part6.task1", self, rays, exact, memory, counts, occluded)
+        // STUB: kit::hole!("part6.task1", self, subset, rays, exact, memory, counts, occluded)
         // END SOLUTION(part6.task1)
     }
 }
@@ -72,15 +76,19 @@ impl StreamMemory {
     fn trace_groups<const ANY: bool>(
         &mut self,
         tree: &WideBvh,
+        subset: Subset,
         rays: &[(Ray, Option<PrimId>)],
         exact: &mut ExactTest,
         counts: &mut TestCounts,
         mut add: impl FnMut(&[RaySlot]),
     ) {
         let slots = self.slots();
+        let roots = tree.roots_of(subset);
         dispatch!(tree.level, simd => {
             for rays in rays.chunks(GROUP_SIZE) {
-                StreamTraversal::<_, ANY> { simd, tree, rays, slots, exact, counts }.trace();
+                StreamTraversal::<_, ANY> {
+                    simd, tree, roots, rays, slots, exact, counts,
+                }.trace();
                 add(&slots[..rays.len()]);
             }
         });

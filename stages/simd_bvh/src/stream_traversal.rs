@@ -22,6 +22,8 @@ use std::hint::select_unpredictable;
 pub(crate) struct StreamTraversal<'a, 'e, S: Simd, const ANY: bool> {
     pub(crate) simd: S,
     pub(crate) tree: &'a WideBvh,
+    /// Where all rays start.
+    pub(crate) roots: &'a [Child],
     /// Each with the primitive that it cannot hit.
     pub(crate) rays: &'a [(Ray, Option<PrimId>)],
     /// One for each ray. They have its hit when the traversal is done.
@@ -66,7 +68,7 @@ impl<S: Simd, const ANY: bool> StreamTraversal<'_, '_, S, ANY> {
         let slot = &mut self.slots[i];
         slot.clear();
         if let Some(in_tree) = RayInTree::new(ray, &self.tree.space)
-            && slot.stack.start(&self.tree.roots)
+            && slot.stack.start(self.roots)
         {
             slot.start(self.simd, &in_tree, *skip);
             return slot.stack.top();

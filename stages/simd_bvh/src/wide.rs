@@ -10,7 +10,7 @@ use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
 
 use fearless_simd::Level;
-use kit::{Aabb, Sphere, Triangle};
+use kit::{Aabb, PrimId, Sphere, Triangle};
 
 /// A wide bounding volume hierarchy over triangles and spheres.
 ///
@@ -20,8 +20,13 @@ use kit::{Aabb, Sphere, Triangle};
 #[derive(Clone, Debug)]
 pub struct WideBvh {
     // BEGIN SOLUTION(part6.task1)
-    /// Where a traversal starts: at the root node, or in a scene of a few blocks at each of them.
+    /// Where a traversal starts: at the root node, or in a scene of a few blocks at each of them;
+    /// and at the blocks of large primitives that are apart.
     pub(crate) roots: Vec<Child>,
+    /// How many of the roots are not blocks of primitives that are apart.
+    pub(crate) inner_roots: usize,
+    /// The primitives that are apart, in ascending order.
+    pub(crate) apart: Vec<PrimId>,
     /// The nodes, the root first.
     pub(crate) nodes: Vec<Node>,
     /// The triangles, in blocks of eight.
@@ -38,13 +43,41 @@ pub struct WideBvh {
     // END SOLUTION(part6.task1)
 }
 
+/// Which primitives of a tree rays may hit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Subset {
+    /// All.
+    #[default]
+    All,
+    /// Those that are not apart ([`WideBvh::build_apart`]). The others may be hit, too.
+    Inner,
+}
+
 impl WideBvh {
     /// Builds the tree. A primitive with a NaN or infinite coordinate or a negative radius is
     /// omitted, because no ray hits it.
     pub fn build(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
         // BEGIN SOLUTION(part6.task1)
-        builder::build(triangles, spheres)
+        builder::build(triangles, spheres, false)
         // STUB: kit::hole!("part6.task1", triangles, spheres)
+        // END SOLUTION(part6.task1)
+    }
+
+    /// Builds the tree with a few large primitives apart, such as the walls of a room, if rays may
+    /// take less time so: a traversal can leave them out ([`Subset::Inner`]), because they are
+    /// beside the root and not below it. Otherwise like [`WideBvh::build`].
+    pub fn build_apart(triangles: &[Triangle], spheres: &[Sphere]) -> WideBvh {
+        // BEGIN SOLUTION(part6.task1)
+        builder::build(triangles, spheres, true)
+        // STUB: kit::hole!("part6.task1", triangles, spheres)
+        // END SOLUTION(part6.task1)
+    }
+
+    /// The primitives that are apart, in ascending order.
+    pub fn apart(&self) -> &[PrimId] {
+        // BEGIN SOLUTION(part6.task1)
+        &self.apart
+        // STUB: kit::hole!("part6.task1", self)
         // END SOLUTION(part6.task1)
     }
 
@@ -84,6 +117,17 @@ impl WideBvh {
         // STUB: kit::hole!("part6.task1", self)
         // END SOLUTION(part6.task1)
     }
+
+    // BEGIN SOLUTION(part6.task1)
+    /// Where a traversal of `subset` starts.
+    #[inline(always)]
+    pub(crate) fn roots_of(&self, subset: Subset) -> &[Child] {
+        match subset {
+            Subset::All => &self.roots,
+            Subset::Inner => &self.roots[..self.inner_roots],
+        }
+    }
+    // END SOLUTION(part6.task1)
 
     /// The boxes of the children of nodes in world space, each with its depth (0 for the children of
     /// the root), breadth first: at most `most` of them. For drawing.

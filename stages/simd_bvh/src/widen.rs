@@ -15,10 +15,40 @@ const MIN_PARALLEL: usize = 256;
 
 /// The nodes of a wide tree, the root first, and the places in the tree's order of the primitives
 /// of each block.
+#[derive(Default)]
 pub(crate) struct WideNodes {
     pub(crate) nodes: Vec<Node>,
     pub(crate) triangle_blocks: Vec<Range<u32>>,
     pub(crate) sphere_blocks: Vec<Range<u32>>,
+}
+
+impl WideNodes {
+    /// Adds blocks that are below no node: of the triangles and the spheres at these places.
+    /// Returns them.
+    pub(crate) fn add_blocks(
+        &mut self,
+        triangles: Range<usize>,
+        spheres: Range<usize>,
+    ) -> Vec<Child> {
+        let mut blocks = Vec::new();
+        for range in ranges(triangles) {
+            blocks.push(Child::triangles(self.triangle_blocks.len(), range.len()));
+            self.triangle_blocks.push(range);
+        }
+        for range in ranges(spheres) {
+            blocks.push(Child::spheres(self.sphere_blocks.len(), range.len()));
+            self.sphere_blocks.push(range);
+        }
+        blocks
+    }
+}
+
+/// The ranges of blocks: [`LANES`] each, the last one may have fewer.
+fn ranges(all: Range<usize>) -> impl Iterator<Item = Range<u32>> {
+    all.clone().step_by(LANES).map(move |start| {
+        let end = all.end.min(start + LANES);
+        start as u32..end as u32
+    })
 }
 
 /// The wide tree for `tree`, whose root is not a leaf of one block. `prims` are in the tree's

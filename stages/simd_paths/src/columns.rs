@@ -54,6 +54,11 @@ impl<const N: usize> Columns<N> {
         self.count += mask.to_bitmask().count_ones() as usize;
     }
 
+    /// Row number `row`, which exists.
+    pub(crate) fn row(&self, row: usize) -> [f64; N] {
+        self.columns.each_ref().map(|column| column[row])
+    }
+
     /// Replaces row number `row`, which exists.
     #[inline(always)]
     pub(crate) fn set(&mut self, row: usize, numbers: [f64; N]) {

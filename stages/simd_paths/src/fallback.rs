@@ -61,7 +61,8 @@ pub trait ScalarFallback {
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool;
 
     /// Replaces the contents of `hits` by [`ScalarFallback::closest`] of each of `rays`, in their
-    /// order. A ray comes with the primitive that it cannot hit.
+    /// order. A ray comes with the primitive that it cannot hit. The primitives that are apart (see
+    /// [`PathScene::new`](crate::PathScene::new)) may be left out.
     fn closest_each(
         &mut self,
         rays: &[(Ray, Option<PrimId>)],
@@ -72,14 +73,14 @@ pub trait ScalarFallback {
     }
 
     /// Replaces the contents of `occluded` by [`ScalarFallback::occluded`] of each of `rays`, in
-    /// their order.
+    /// their order. The primitives that are apart may be left out.
     fn occluded_each(&mut self, rays: &[(Ray, Option<PrimId>)], occluded: &mut Vec<bool>) {
         occluded.clear();
         occluded.extend(rays.iter().map(|(ray, skip)| self.occluded(ray, *skip)));
     }
 
     /// Adds at least the primitives of which a part is in `beam` to `ids`, in any order; some may
-    /// be added twice. Returns false if there are more than `most`, or if finding them would take
+    /// be added twice, and those that are apart may be left out. Returns false if there are more than `most`, or if finding them would take
     /// as long as tracing the rays: then `ids` has no meaning.
     fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool;
 

@@ -68,7 +68,9 @@ impl TracedRays {
         }
         fallback.closest_each(&self.rays, &mut self.found);
         for (&number, found) in self.numbers.iter().zip(&self.found) {
-            if let Some((id, hit)) = *found {
+            if let Some((id, hit)) = *found
+                && self.is_first(number, id, hit.t)
+            {
                 self.hits.set(number, hit_columns(id, hit));
             }
         }
@@ -109,6 +111,13 @@ impl TracedRays {
                 block(number);
             }
         }
+    }
+
+    /// Whether a hit with primitive `id` at `t`, at most that of the hit of ray `number` so far,
+    /// comes before it: at equal `t` the lowest id does.
+    fn is_first(&self, number: usize, id: PrimId, t: f64) -> bool {
+        let [prim, nearest, ..] = self.hits.row(number);
+        t < nearest || prim_id(prim).is_none_or(|known| id < known)
     }
 
     fn clear_rays(&mut self) {

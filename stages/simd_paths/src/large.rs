@@ -9,7 +9,7 @@ use crate::primitive_list::PrimitiveList;
 use crate::ray_packet::RayPacket;
 use crate::vec3x8::Vec3x8;
 use fearless_simd::{Simd, f64x8, prelude::*};
-use kit::{Aabb, Primitive, Scene, Vec3};
+use kit::{Aabb, PrimId, Primitive, Scene, Vec3};
 
 /// The large primitives of a scene, and where all others are.
 #[derive(Clone, Debug)]
@@ -22,58 +22,37 @@ pub(crate) struct LargePrimitives {
     reach: f64,
 }
 
-/// The largest number of large primitives.
-const MAX_LARGE: usize = 16;
-
 /// The largest number of boxes around the others.
 const MAX_BOXES: usize = 8;
 
-/// The time of testing one primitive of a list or one box against the time of tracing a ray through
-/// a tree (measured in a room with a mesh of 30,000 triangles).
-const COST_OF_TEST: f64 = 0.01;
+/// The time of testing one box against the time of tracing a ray through a tree (measured in a room
+/// with a mesh of 30,000 triangles).
 const COST_OF_BOX: f64 = 0.004;
-
-/// All tests and the share of the rays that need the tree as well have to cost less than this,
-/// where tracing all rays through the tree costs 1.
-const WORTHWHILE: f64 = 0.75;
 
 /// The share of the coordinates by which the boxes are enlarged: much more than the rounding errors
 /// of an intersection.
 const MARGIN: f64 = 1e-10;
 
 impl LargePrimitives {
-    /// The primitives to be tested apart from the tree; `None` if that would not save time.
-    ///
-    /// They are the largest ones, as many as make the expected time least. A ray crosses a box with
-    /// the probability that the surface area heuristic for trees assumes: the ratio of the box's
-    /// surface area to that of the scene.
-    pub(crate) fn of(scene: &Scene) -> Option<LargePrimitives> {
-        let mut largest = largest(scene);
-        let is_one = |ids: &[(u32, Aabb)], id| ids.iter().any(|&(other, _)| other == id);
-        let mut others = boxes(scene)
-            .filter(|&(id, _)| !is_one(&largest, id))
-            .fold(Aabb::EMPTY, |sum, (_, bounds)| sum.union(bounds));
-        let whole = largest.iter().fold(others, |sum, (_, b)| sum.union(*b));
-        let mut best = (WORTHWHILE, 0, others);
-        for count in (1..=largest.len()).rev() {
-            let cost = COST_OF_TEST * count as f64 + others.surface_area() / whole.surface_area();
-            if cost < best.0 {
-                best = (cost, count, others);
-            }
-            others = others.union(largest[count - 1].1);
-        }
-        let (_, count, others) = best;
-        if count == 0 || others.is_empty() {
+    /// The primitives `ids` of `scene`, in ascending order; `None` if there are none.
+    pub(crate) fn new(scene: &Scene, ids: &[PrimId]) -> Option<LargePrimitives> {
+        if ids.is_empty() {
             return None;
         }
-        largest.truncate(count);
-        largest.sort_unstable_by_key(|&(id, _)| id);
-        let rest = boxes(scene).filter(|&(id, _)| !is_one(&largest, id));
+        let whole = boxes(scene).fold(Aabb::EMPTY, |sum, (_, bounds)| sum.union(bounds));
+        let others = || boxes(scene).filter(|(id, _)| !ids.contains(id));
+        let others = clusters(|| others().map(|(_, bounds)| bounds), whole.surface_area());
+        let all = others.iter().fold(Aabb::EMPTY, |sum, b| sum.union(*b));
         Some(LargePrimitives {
-            list: PrimitiveList::with(scene, largest.iter().map(|&(id, _)| id)),
-            others: clusters(rest.map(|(_, b)| b), others, whole.surface_area()),
-            reach: others.min.abs().max(others.max.abs()).max_element(),
+            list: PrimitiveList::with(scene, ids),
+            others,
+            reach: all.min.abs().max(all.max.abs()).max_element(),
         })
+    }
+
+    /// Whether primitive `id` is one of them.
+    pub(crate) fn has(&self, id: PrimId) -> bool {
+        self.list.ids().any(|other| other == id.0)
     }
 
     /// The lanes, one bit each, in which a ray may hit one of the other primitives up to `max_t`.
@@ -119,7 +98,7 @@ fn slab<S: Simd>(low: f64x8<S>, high: f64x8<S>, inverse: f64x8<S>) -> [f64x8<S>;
 }
 
 /// All primitives and their boxes, without those that no ray can hit because a coordinate is NaN.
-fn boxes(scene: &Scene) -> impl Iterator<Item = (u32, Aabb)> {
+fn boxes(scene: &Scene) -> impl Iterator<Item = (PrimId, Aabb)> {
     let boxes = scene.primitives().map(|primitive| match primitive {
         Primitive::Triangle(triangle) => triangle.bounds(),
         Primitive::Sphere(sphere) => Aabb {
@@ -127,33 +106,22 @@ fn boxes(scene: &Scene) -> impl Iterator<Item = (u32, Aabb)> {
             max: sphere.center + sphere.radius.abs(),
         },
     });
-    (0..).zip(boxes).filter(|(_, bounds)| !bounds.is_empty())
+    (0..)
+        .map(PrimId)
+        .zip(boxes)
+        .filter(|(_, bounds)| !bounds.is_empty())
 }
 
-/// The primitives with the largest boxes and these, the largest first.
-fn largest(scene: &Scene) -> Vec<(u32, Aabb)> {
-    let mut largest: Vec<(u32, Aabb)> = Vec::with_capacity(MAX_LARGE + 1);
-    for (id, bounds) in boxes(scene) {
-        let area = bounds.surface_area();
-        let place = largest.partition_point(|(_, other)| other.surface_area() >= area);
-        if place < MAX_LARGE {
-            largest.insert(place, (id, bounds));
-            largest.truncate(MAX_LARGE);
-        }
-    }
-    largest
-}
-
-/// A few boxes that together contain all `boxes`, which are in `bounds`; `whole` is the surface
-/// area of the scene.
+/// A few boxes that together contain all `boxes`; `whole` is the surface area of the scene.
 ///
 /// First there is one for each cell of a grid with boxes' centres in it. Then those whose union
 /// costs least are united, until this would cost more than it saves.
-fn clusters(boxes: impl Iterator<Item = Aabb>, bounds: Aabb, whole: f64) -> Vec<Aabb> {
+fn clusters<I: Iterator<Item = Aabb>>(boxes: impl Fn() -> I, whole: f64) -> Vec<Aabb> {
     const CELLS: usize = 4;
+    let bounds = boxes().fold(Aabb::EMPTY, Aabb::union);
     let mut cells = vec![Aabb::EMPTY; CELLS.pow(3)];
     let per_length = CELLS as f64 / bounds.extent().max(Vec3::splat(f64::MIN_POSITIVE));
-    for member in boxes {
+    for member in boxes() {
         let at = (member.centroid() - bounds.min) * per_length;
         let [x, y, z] = at.to_array().map(|x| (x as usize).min(CELLS - 1));
         let cell = &mut cells[(z * CELLS + y) * CELLS + x];

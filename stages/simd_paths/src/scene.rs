@@ -31,7 +31,7 @@ pub struct PathScene<'a> {
     specular: Vec<Option<SpecularMaterial>>,
     /// The primitives, if there are few; else the fallback traverses a tree.
     pub(crate) list: Option<PrimitiveList>,
-    /// The large primitives, if testing them apart saves time; never in a scene that has a list.
+    /// The primitives that the fallback need not find; none in a scene that has a list.
     pub(crate) large: Option<LargePrimitives>,
     /// The primitives that emit, if they are few and there is no background: only rays that hit one
     /// of them find light.
@@ -126,8 +126,10 @@ pub struct Workspace {
 }
 
 impl<'a> PathScene<'a> {
-    /// Prepares `lit`. Returns `None` if packets are not implemented.
-    pub fn new(lit: &'a LitScene) -> Option<PathScene<'a>> {
+    /// Prepares `lit`. The packets test the primitives `apart` themselves, which are in ascending
+    /// order, and the fallback only has to find the others. Returns `None` if packets are not
+    /// implemented.
+    pub fn new(lit: &'a LitScene, apart: &[PrimId]) -> Option<PathScene<'a>> {
         // BEGIN SOLUTION(part6.task2)
         let scene = &lit.scene;
         let materials = scene.materials.iter().map(|m| &m.material);
@@ -135,7 +137,7 @@ impl<'a> PathScene<'a> {
         Some(PathScene {
             materials: materials.clone().map(classify).collect(),
             specular: materials.map(SpecularMaterial::of).collect(),
-            large: list.is_none().then(|| LargePrimitives::of(scene)).flatten(),
+            large: LargePrimitives::new(scene, apart).filter(|_| list.is_none()),
             list,
             lamps: if lit.has_background() {
                 None
@@ -150,7 +152,7 @@ impl<'a> PathScene<'a> {
             lit,
         })
         // STUB: kit::untouched!("part6.task2");
-        // STUB: let _ = lit;
+        // STUB: let _ = (lit, apart);
         // STUB: None
         // END SOLUTION(part6.task2)
     }

@@ -7,7 +7,7 @@ use kit::{
     TriangleHit, Vec3, World, warp,
 };
 use lanes::instruction_sets;
-use simd_bvh::{Level, StreamMemory, TestCounts, WideBvh};
+use simd_bvh::{Level, StreamMemory, Subset, TestCounts, WideBvh};
 
 /// The scalar kernels: intersects `ray` with primitive `id`.
 pub(crate) fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit> {
@@ -173,16 +173,30 @@ impl Checker {
         let mut all_counts = Vec::new();
         for (level, tree) in &self.trees {
             let mut counts = TestCounts::default();
-            tree.closest_each(&rays, exact, memory, &mut counts, &mut hits);
-            tree.occluded_each(&rays, exact, memory, &mut counts, &mut occluded);
+            tree.closest_each(Subset::All, &rays, exact, memory, &mut counts, &mut hits);
+            tree.occluded_each(
+                Subset::All,
+                &rays,
+                exact,
+                memory,
+                &mut counts,
+                &mut occluded,
+            );
             let found: Vec<Bits> = hits.iter().copied().map(bits).collect();
             assert_eq!(found, expected, "{level:?} {rays:?}");
             assert_eq!(occluded, any, "{level:?} {rays:?}");
             all_counts.push(counts);
             let mut one_by_one = TestCounts::default();
             for ray in rays.chunks(1) {
-                tree.closest_each(ray, exact, memory, &mut one_by_one, &mut hits);
-                tree.occluded_each(ray, exact, memory, &mut one_by_one, &mut occluded);
+                tree.closest_each(Subset::All, ray, exact, memory, &mut one_by_one, &mut hits);
+                tree.occluded_each(
+                    Subset::All,
+                    ray,
+                    exact,
+                    memory,
+                    &mut one_by_one,
+                    &mut occluded,
+                );
             }
             all_counts.push(one_by_one);
         }

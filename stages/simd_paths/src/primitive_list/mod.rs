@@ -62,30 +62,25 @@ impl PrimitiveList {
     pub(crate) fn of(scene: &Scene, is_listed: impl Fn(PrimId) -> bool) -> Option<PrimitiveList> {
         let count = scene.triangles.len() as u32;
         let listed = |ids: Range<u32>, most: usize| {
-            let ids: Vec<u32> = ids
-                .filter(|&id| is_listed(PrimId(id)))
-                .take(most + 1)
-                .collect();
+            let ids = ids.map(PrimId).filter(|&id| is_listed(id));
+            let ids: Vec<PrimId> = ids.take(most + 1).collect();
             (ids.len() <= most).then_some(ids)
         };
         let triangles = listed(0..count, MAX_TRIANGLES)?;
         let spheres = listed(count..scene.len() as u32, MAX_SPHERES)?;
-        Some(PrimitiveList::with(
-            scene,
-            triangles.into_iter().chain(spheres),
-        ))
+        Some(PrimitiveList::with(scene, &[triangles, spheres].concat()))
     }
 
     /// Primitives number `ids` of `scene`, in ascending order.
-    pub(crate) fn with(scene: &Scene, ids: impl IntoIterator<Item = u32>) -> PrimitiveList {
+    pub(crate) fn with(scene: &Scene, ids: &[PrimId]) -> PrimitiveList {
         let mut list = PrimitiveList::default();
-        for id in ids {
-            match scene.primitive(PrimId(id)) {
+        for &id in ids {
+            match scene.primitive(id) {
                 Primitive::Triangle(t) => {
                     let vertices = [t.p0, t.p1, t.p2].map(|p| list.number(p));
-                    list.triangles.push(ListedTriangle { id, vertices });
+                    list.triangles.push(ListedTriangle { id: id.0, vertices });
                 }
-                Primitive::Sphere(sphere) => list.spheres.push((id, *sphere)),
+                Primitive::Sphere(sphere) => list.spheres.push((id.0, *sphere)),
             }
         }
         list
@@ -108,9 +103,20 @@ impl PrimitiveList {
         self.spheres.clear();
     }
 
+    /// Puts the primitives in ascending order.
+    fn sort(&mut self) {
+        self.triangles.sort_unstable_by_key(|triangle| triangle.id);
+        self.spheres.sort_unstable_by_key(|&(id, _)| id);
+    }
+
     /// The number of primitives.
     pub(crate) fn len(&self) -> usize {
         self.triangles.len() + self.spheres.len()
+    }
+
+    /// The numbers in the scene of all primitives.
+    pub(crate) fn ids(&self) -> impl Iterator<Item = u32> {
+        (0..self.len()).map(|i| self.id(i))
     }
 
     /// The number in the scene of primitive `i` of the list.

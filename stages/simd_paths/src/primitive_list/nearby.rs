@@ -65,7 +65,13 @@ impl NearbyPrimitives {
         }
         self.ids.sort_unstable();
         self.ids.dedup();
+        if let Some(large) = &scene.large {
+            self.keep_of(&large.list, &lanes);
+        }
         for &id in &self.ids {
+            if scene.large.as_ref().is_some_and(|large| large.has(id)) {
+                continue;
+            }
             match scene.lit.scene.primitive(id) {
                 Primitive::Triangle(t) => {
                     let vertices = [t.p0, t.p1, t.p2];
@@ -91,6 +97,7 @@ impl NearbyPrimitives {
                 return None;
             }
         }
+        self.list.sort();
         Some(&self.list)
     }
 

@@ -55,7 +55,7 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
     }
     let mut counts = Vec::new();
     for level in instruction_sets() {
-        let scene = PathScene::new(lit).expect("a scene").at_level(level);
+        let scene = PathScene::new(lit, &[]).expect("a scene").at_level(level);
         let mut fallback = ScalarPaths::new(lit, settings);
         let mut workspace = Workspace::default();
         let results = scene.trace(

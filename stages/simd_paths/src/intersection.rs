@@ -24,7 +24,8 @@ pub(crate) enum HitSource<'a> {
 /// Rays that are traced together, and what they hit.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TracedRays {
-    /// The closest hit of each ray.
+    /// The closest hit of each ray, in a scene with large primitives that are apart. In any other
+    /// scene there are no rows, and all rays need the tree.
     hits: Columns<HIT_COLUMNS>,
     /// The rays that need the tree, and their numbers among all.
     rays: Vec<(Ray, Option<PrimId>)>,
@@ -50,23 +51,28 @@ impl TracedRays {
         self.clear_rays();
         for first in (0..bundle.count).step_by(LANES) {
             let (rays, skip) = bundle.packet(simd, first);
-            let mut active = bundle.active(first);
-            let mut hits = HitPacket::none(simd, rays.max_t);
-            if let Some(large) = &scene.large {
-                let list = &large.list;
-                counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
-                hits = list.closest(simd, &rays, active, skip, scratch, fallback);
-                active &= large.may_hit_others(simd, &rays, hits.t);
-            }
+            let active = bundle.active(first);
+            let Some(large) = &scene.large else {
+                self.collect(&rays, skip, active, first);
+                continue;
+            };
+            counts.prim_tests += u64::from(active.count_ones()) * large.list.len() as u64;
+            let hits = large
+                .list
+                .closest(simd, &rays, active, skip, scratch, fallback);
             let rays = RayPacket {
                 max_t: hits.t,
                 ..rays
             };
+            let active = active & large.may_hit_others(simd, &rays);
             self.collect(&rays, skip, active, first);
             let all = mask64x8::splat(simd, true);
             self.hits.push(hits.columns(), all);
         }
         fallback.closest_each(&self.rays, &mut self.found);
+        if self.hits.count() == 0 {
+            return;
+        }
         for (&number, found) in self.numbers.iter().zip(&self.found) {
             if let Some((id, hit)) = *found
                 && self.is_first(number, id, hit.t)
@@ -74,6 +80,23 @@ impl TracedRays {
                 self.hits.set(number, hit_columns(id, hit));
             }
         }
+    }
+
+    /// The closest hits of eight rays from number `first`, after [`TracedRays::trace`]. `max_t` are
+    /// the ends of their ranges.
+    #[inline(always)]
+    fn hits<S: Simd>(&self, simd: S, first: usize, max_t: f64x8<S>) -> HitPacket<S> {
+        if self.hits.count() > 0 {
+            return HitPacket::of(self.hits.load(simd, first));
+        }
+        let mut hits = HitPacket::none(simd, max_t);
+        let found = &self.found[first..self.found.len().min(first + LANES)];
+        for (lane, found) in found.iter().enumerate() {
+            if let Some((id, hit)) = *found {
+                hits.set(lane, id, hit);
+            }
+        }
+        hits
     }
 
     /// Calls `block` with the number of each of the rays in `bundle` that hits anything.
@@ -101,7 +124,7 @@ impl TracedRays {
                 for lane in lanes(blocked) {
                     block(first + lane);
                 }
-                active &= !blocked & large.may_hit_others(simd, &rays, rays.max_t);
+                active &= !blocked & large.may_hit_others(simd, &rays);
             }
             self.collect(&rays, skip, active, first);
         }
@@ -151,7 +174,7 @@ pub(crate) fn closest<S: Simd>(
             workspace.counts.prim_tests += u64::from(active.count_ones()) * list.len() as u64;
             list.closest(simd, rays, active, skip, &mut workspace.scratch, fallback)
         }
-        HitSource::Found(traced, first) => HitPacket::of(traced.hits.load(simd, first)),
+        HitSource::Found(traced, first) => traced.hits(simd, first, rays.max_t),
     }
 }
 // END SOLUTION(part6.task2)

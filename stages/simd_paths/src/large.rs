@@ -7,7 +7,7 @@
 
 use crate::primitive_list::PrimitiveList;
 use crate::ray_packet::RayPacket;
-use crate::vec3x8::Vec3x8;
+use crate::vec3x8::{LANES, Vec3x8};
 use fearless_simd::{Simd, f64x8, prelude::*};
 use kit::{Aabb, PrimId, Primitive, Scene, Vec3};
 
@@ -55,14 +55,9 @@ impl LargePrimitives {
         self.list.ids().any(|other| other == id.0)
     }
 
-    /// The lanes, one bit each, in which a ray may hit one of the other primitives up to `max_t`.
+    /// The lanes, one bit each, in which a ray may hit one of the other primitives.
     #[inline(always)]
-    pub(crate) fn may_hit_others<S: Simd>(
-        &self,
-        simd: S,
-        rays: &RayPacket<S>,
-        max_t: f64x8<S>,
-    ) -> u64 {
+    pub(crate) fn may_hit_others<S: Simd>(&self, simd: S, rays: &RayPacket<S>) -> u64 {
         let (o, d) = (rays.o, rays.d);
         let inverse = Vec3x8 {
             x: 1.0 / d.x,
@@ -71,8 +66,9 @@ impl LargePrimitives {
         };
         let margin = (o.x.abs() + o.y.abs() + o.z.abs() + self.reach) * MARGIN;
         // Relative to `t`, too, because the `t` of a hit is rounded.
-        let end = max_t + max_t.abs() * MARGIN;
-        let mut may_hit = 0;
+        let end = rays.max_t + rays.max_t.abs() * MARGIN;
+        let all = (1 << LANES) - 1;
+        let mut missed = all;
         for bounds in &self.others {
             let low = Vec3x8::splat(simd, bounds.min) - o;
             let high = Vec3x8::splat(simd, bounds.max) - o;
@@ -83,9 +79,9 @@ impl LargePrimitives {
                 .max_precise(y[0])
                 .max_precise(z[0].max_precise(rays.min_t));
             let exit = x[1].min_precise(y[1]).min_precise(z[1].min_precise(end));
-            may_hit |= !exit.simd_lt(entry).to_bitmask();
+            missed &= exit.simd_lt(entry).to_bitmask();
         }
-        may_hit
+        all & !missed
     }
 }
 
@@ -97,14 +93,11 @@ fn slab<S: Simd>(low: f64x8<S>, high: f64x8<S>, inverse: f64x8<S>) -> [f64x8<S>;
     [a.min_precise(b), a.max_precise(b)]
 }
 
-/// All primitives and their boxes, without those that no ray can hit because a coordinate is NaN.
+/// All primitives and their boxes, without the empty ones, which no ray can hit.
 fn boxes(scene: &Scene) -> impl Iterator<Item = (PrimId, Aabb)> {
     let boxes = scene.primitives().map(|primitive| match primitive {
         Primitive::Triangle(triangle) => triangle.bounds(),
-        Primitive::Sphere(sphere) => Aabb {
-            min: sphere.center - sphere.radius.abs(),
-            max: sphere.center + sphere.radius.abs(),
-        },
+        Primitive::Sphere(sphere) => sphere.bounds(),
     });
     (0..)
         .map(PrimId)
@@ -152,5 +145,101 @@ fn closest_pair(boxes: &[Aabb]) -> Option<(usize, usize, f64)> {
             )
         })
         .min_by(|a, b| a.2.total_cmp(&b.2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ray_packet::RayPacket;
+    use fearless_simd::dispatch;
+    use kit::{PixelSampler, Ray, Sphere, Triangle};
+    use lanes::instruction_sets;
+
+    /// A floor, and above it two heaps of small triangles and a sphere. `scale` is the size of all.
+    fn scene(sampler: &mut PixelSampler, scale: f64, shift: Vec3) -> Scene {
+        let mut point = || {
+            let p = sampler.next_2d();
+            2.0 * Vec3::new(p.x, p.y, sampler.next_1d()) - 1.0
+        };
+        let at = |p: Vec3| scale * (p + shift);
+        let corner = |x: f64, z: f64| at(Vec3::new(x, -1.0, z));
+        let mut triangles = vec![Triangle::flat(
+            corner(-3.0, -3.0),
+            corner(3.0, -3.0),
+            corner(0.0, 3.0),
+        )];
+        for i in 0..100 {
+            let p = Vec3::X * f64::from(2 * (i % 2) - 1) + 0.2 * point();
+            let [b, c] = [0.05, 0.05].map(|size| at(p + size * point()));
+            triangles.push(Triangle::flat(at(p), b, c));
+        }
+        let spheres = vec![Sphere {
+            center: at(Vec3::new(0.0, 0.5, 1.0)),
+            radius: 0.2 * scale,
+        }];
+        Scene {
+            triangles,
+            spheres,
+            ..Scene::default()
+        }
+    }
+
+    /// The lanes' answer for one ray, the same at every instruction set.
+    fn may_hit(large: &LargePrimitives, ray: &Ray) -> bool {
+        let mut answers = instruction_sets().into_iter().map(|level| {
+            dispatch!(level, simd => {
+                let rays = RayPacket {
+                    o: Vec3x8::splat(simd, ray.o),
+                    d: Vec3x8::splat(simd, ray.d),
+                    min_t: f64x8::splat(simd, ray.min_t),
+                    max_t: f64x8::splat(simd, ray.max_t),
+                };
+                large.may_hit_others(simd, &rays)
+            })
+        });
+        let first = answers.next().expect("an instruction set");
+        assert!(answers.all(|answer| answer == first), "{ray:?}");
+        assert!(first == 0 || first == 0xff, "{first:b}");
+        first != 0
+    }
+
+    #[test]
+    fn no_ray_that_hits_another_primitive_is_left_out() {
+        let mut sampler = PixelSampler::new(1, 2, 3);
+        for (scale, shift) in [(1.0, 0.0), (1e-6, 0.0), (1e5, 0.0), (0.01, 4e4)] {
+            let scene = scene(&mut sampler, scale, Vec3::splat(shift));
+            let large = LargePrimitives::new(&scene, &[PrimId(0)]).expect("a floor");
+            assert_eq!((large.list.len(), large.others.len()), (1, 3));
+            let (mut hits, mut misses) = (0, 0);
+            for i in 0..20_000 {
+                let t = &scene.triangles[1 + i % 100];
+                let u = sampler.next_2d();
+                // Points of the triangle and its vertices, seen from elsewhere and along axes.
+                let b = [0.0, u.x, 1.0][i % 3];
+                let target = t.p0 + b * (t.p1 - t.p0) + (1.0 - b) * u.y * (t.p2 - t.p0);
+                let mut d = kit::warp::uniform_sphere(sampler.next_2d());
+                if i % 5 == 0 {
+                    d[i / 5 % 3] = 0.0;
+                }
+                if i % 7 == 0 {
+                    d = [Vec3::X, Vec3::Y, -Vec3::Z][i / 7 % 3];
+                }
+                let mut ray = Ray::new(target - 3.0 * scale * u.x * d, d);
+                let triangles = scene.triangles[1..].iter();
+                let hits_of_triangles =
+                    triangles.filter_map(|t| Some(intersect::test_triangle(t, &ray)?.t));
+                let on_sphere = intersect::test_sphere(&scene.spheres[0], &ray);
+                if let Some(t) = hits_of_triangles.chain(on_sphere).reduce(f64::min) {
+                    // Exactly as far as the hit.
+                    (ray.min_t, ray.max_t) = [(0.0, t), (t, f64::INFINITY)][i % 2];
+                    hits += 1;
+                    assert!(may_hit(&large, &ray), "{ray:?}");
+                }
+                let back = Ray::new(ray.o - 9.0 * scale * d, -d);
+                misses += usize::from(!may_hit(&large, &back));
+            }
+            assert!(hits > 8_000 && misses > 15_000, "{hits} hit, {misses} miss");
+        }
+    }
 }
 // END SOLUTION(part6.task2)

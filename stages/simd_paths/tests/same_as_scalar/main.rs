@@ -5,10 +5,10 @@ mod scalar;
 mod scenes;
 
 use kit::sampler::{Pattern, Sampling};
-use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, Sphere, Vec2, Vec3};
+use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, PrimId, Sphere, Vec2, Vec3};
 use lanes::instruction_sets;
 use scalar::{ScalarPaths, radiance};
-use scenes::{Random, box_with_a_point_light, random_scene};
+use scenes::{Random, WALLS, box_with_a_point_light, random_scene};
 use simd_paths::{Counts, PathScene, PathSettings, PathStart, View, Workspace};
 
 /// A camera inside the scene.
@@ -53,45 +53,51 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
             expected.push(radiance(&scalar, view, &start).to_array().map(f64::to_bits));
         }
     }
-    let mut counts = Vec::new();
-    for level in instruction_sets() {
-        let scene = PathScene::new(lit, &[]).expect("a scene").at_level(level);
-        let mut fallback = ScalarPaths::new(lit, settings);
-        let mut workspace = Workspace::default();
-        let results = scene.trace(
-            view,
-            &settings,
-            &starts,
-            samples,
-            &mut workspace,
-            &mut fallback,
-        );
-        assert_eq!(results.len(), expected.len());
-        for (i, (radiance, expected)) in results.iter().zip(&expected).enumerate() {
-            let bits = radiance.to_array().map(f64::to_bits);
-            assert_eq!(
-                bits, *expected,
-                "{level:?}, path {i}: {radiance:?}\n{lit:#?}"
+    // With the walls, which are the first primitives, in the tree and apart from it.
+    for apart in [0, WALLS as u32] {
+        let apart: Vec<PrimId> = (0..apart).map(PrimId).collect();
+        let mut all_counts = Vec::new();
+        for level in instruction_sets() {
+            let scene = PathScene::new(lit, &apart).expect("a scene");
+            let scene = scene.at_level(level);
+            let mut fallback = ScalarPaths::new(lit, settings);
+            fallback.apart.clone_from(&apart);
+            let mut workspace = Workspace::default();
+            let results = scene.trace(
+                view,
+                &settings,
+                &starts,
+                samples,
+                &mut workspace,
+                &mut fallback,
             );
+            assert_eq!(results.len(), expected.len());
+            for (i, (radiance, expected)) in results.iter().zip(&expected).enumerate() {
+                let bits = radiance.to_array().map(f64::to_bits);
+                assert_eq!(
+                    bits, *expected,
+                    "{level:?}, path {i}: {radiance:?}\n{lit:#?}"
+                );
+            }
+            let counts = sum(workspace.counts, fallback.counts.get());
+            assert_eq!(counts, scalar.counts.get(), "{level:?}: the counts differ");
+            all_counts.push(workspace.counts);
         }
-        let (packets, scalars) = (workspace.counts, fallback.counts.get());
-        let all = Counts {
-            rays: packets.rays + scalars.rays,
-            light_rays: packets.light_rays + scalars.light_rays,
-            background: packets.background + scalars.background,
-            bounces: packets.bounces + scalars.bounces,
-            // Counted here only.
-            mirrors: 0,
-            refractions: 0,
-            fresnel: 0,
-            prim_tests: 0,
-        };
-        assert_eq!(all, scalar.counts.get(), "{level:?}: the counts differ");
-        counts.push(workspace.counts);
+        let first: Counts = all_counts[0];
+        assert!(all_counts.iter().all(|c| *c == first), "{all_counts:?}");
     }
-    let first: Counts = counts[0];
-    assert!(counts.iter().all(|c| *c == first), "{counts:?}");
     expected.iter().filter(|bits| **bits != [0; 3]).count()
+}
+
+/// The operations of packets and of the scalar code, as far as both count them.
+fn sum(packets: Counts, scalars: Counts) -> Counts {
+    Counts {
+        rays: packets.rays + scalars.rays,
+        light_rays: packets.light_rays + scalars.light_rays,
+        background: packets.background + scalars.background,
+        bounces: packets.bounces + scalars.bounces,
+        ..Counts::default()
+    }
 }
 
 fn pattern(i: usize) -> Pattern {

@@ -92,6 +92,8 @@ impl Scattering for Materials<'_> {
 pub(crate) struct ScalarPaths<'a> {
     lit: &'a LitScene,
     settings: PathSettings,
+    /// The primitives that rays which are traced together do not hit.
+    pub(crate) apart: Vec<PrimId>,
     /// What the scalar code did, without what packets counted.
     pub(crate) counts: Cell<Counts>,
 }
@@ -101,6 +103,7 @@ impl<'a> ScalarPaths<'a> {
         ScalarPaths {
             lit,
             settings,
+            apart: Vec::new(),
             counts: Cell::default(),
         }
     }
@@ -111,10 +114,22 @@ impl<'a> ScalarPaths<'a> {
         (is_flat || ray.d.dot(ng) > 0.0).then_some(prim)
     }
 
-    fn nearest(&self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
-        (0..self.lit.scene.len() as u32)
-            .map(PrimId)
-            .filter(|&id| skip != Some(id))
+    fn ids(&self) -> impl Iterator<Item = PrimId> {
+        (0..self.lit.scene.len() as u32).map(PrimId)
+    }
+
+    fn inner_ids(&self) -> impl Iterator<Item = PrimId> {
+        self.ids().filter(|id| !self.apart.contains(id))
+    }
+
+    /// The closest hit with any of `ids`, which ascend, but `skip`.
+    fn nearest_of(
+        &self,
+        ids: impl Iterator<Item = PrimId>,
+        ray: &Ray,
+        skip: Option<PrimId>,
+    ) -> Option<(PrimId, TriangleHit)> {
+        ids.filter(|&id| skip != Some(id))
             .filter_map(|id| Some((id, exact(self.lit, id, ray)?)))
             .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
     }
@@ -122,7 +137,7 @@ impl<'a> ScalarPaths<'a> {
     /// The closest hit of a ray that is counted.
     fn hit(&self, ray: &Ray, skip: Option<PrimId>) -> Option<Hit> {
         self.count(|counts| counts.rays += 1);
-        let Some((id, hit)) = self.nearest(ray, skip) else {
+        let Some((id, hit)) = self.nearest_of(self.ids(), ray, skip) else {
             self.count(|counts| counts.background += u64::from(self.lit.has_background()));
             return None;
         };
@@ -130,8 +145,7 @@ impl<'a> ScalarPaths<'a> {
     }
 
     fn blocked(&self, ray: &Ray, skip: Option<PrimId>) -> bool {
-        (0..self.lit.scene.len() as u32)
-            .map(PrimId)
+        self.ids()
             .any(|id| skip != Some(id) && exact(self.lit, id, ray).is_some())
     }
 
@@ -252,17 +266,36 @@ impl ScalarFallback for ScalarPaths<'_> {
     }
 
     fn closest(&mut self, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
-        self.nearest(ray, skip)
+        self.nearest_of(self.ids(), ray, skip)
     }
 
     fn occluded(&mut self, ray: &Ray, skip: Option<PrimId>) -> bool {
         self.blocked(ray, skip)
     }
 
+    fn closest_each(
+        &mut self,
+        rays: &[(Ray, Option<PrimId>)],
+        hits: &mut Vec<Option<(PrimId, TriangleHit)>>,
+    ) {
+        hits.clear();
+        hits.extend(
+            rays.iter()
+                .map(|(ray, skip)| self.nearest_of(self.inner_ids(), ray, *skip)),
+        );
+    }
+
+    fn occluded_each(&mut self, rays: &[(Ray, Option<PrimId>)], occluded: &mut Vec<bool>) {
+        occluded.clear();
+        occluded.extend(
+            rays.iter()
+                .map(|(ray, skip)| self.nearest_of(self.inner_ids(), ray, *skip).is_some()),
+        );
+    }
+
     fn primitives_in(&mut self, _: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool {
-        let count = self.lit.scene.len();
-        ids.extend((0..count as u32).map(PrimId));
-        count <= most
+        ids.extend(self.inner_ids());
+        ids.len() <= most
     }
 
     fn through_lens(&mut self, ray: &Ray, sampler: &mut PixelSampler) -> Ray {

@@ -63,4 +63,47 @@ fn largest(boxes: impl Iterator<Item = (PrimId, Aabb)>) -> Vec<(PrimId, Aabb)> {
     }
     largest
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kit::Vec3;
+    use meshes::{MeshKind, generate};
+
+    fn chosen(boxes: &[Aabb]) -> Vec<u32> {
+        let numbered = || (0..).map(PrimId).zip(boxes.iter().copied());
+        choose(numbered).iter().map(|id| id.0).collect()
+    }
+
+    #[test]
+    fn nothing_is_apart_in_a_mesh() {
+        for kind in MeshKind::ALL {
+            let mesh = generate(kind, 2000);
+            let boxes: Vec<Aabb> = mesh.iter().map(|t| t.bounds()).collect();
+            assert_eq!(chosen(&boxes), [], "{kind:?}");
+        }
+        assert_eq!(chosen(&[]), []);
+    }
+
+    #[test]
+    fn only_what_is_large_is_apart() {
+        let mesh = generate(MeshKind::Knot, 2000);
+        let mut boxes: Vec<Aabb> = mesh.iter().map(|t| t.bounds()).collect();
+        let size = boxes
+            .iter()
+            .fold(Aabb::EMPTY, |sum, &b| sum.union(b))
+            .extent();
+        let wall = |at: f64| Aabb {
+            min: Vec3::new(-5.0, -5.0, at) * size,
+            max: Vec3::new(5.0, 5.0, at) * size,
+        };
+        boxes.insert(7, wall(-5.0));
+        boxes.push(wall(5.0));
+        let last = boxes.len() as u32 - 1;
+        assert_eq!(chosen(&boxes), [7, last]);
+        // With twenty walls most would stay in the tree.
+        boxes.extend((0..18).map(|i| wall(f64::from(i) / 2.0)));
+        assert_eq!(chosen(&boxes), []);
+    }
+}
 // END SOLUTION(part6.task1)

@@ -8,11 +8,11 @@
 //! Reading order: `scene` and `fallback` (the interface), `vec3x8`, `ray_packet` and `lane_mask`
 //! (eight vectors, eight rays, lane masks), `visible` (pixels in which there is something),
 //! `camera`, `queue` and `trace` (the paths of a batch, and how idle lanes are avoided), `packet`
-//! (one bounce), `intersection` and `primitive_list` (with and without a tree), `beam` (rays that
-//! are close to each other), `surface_packet` and `material_class` (what was hit), `light`,
-//! `shadow_queue`, `sin_cos` and `diffuse` (direct light and scattering at diffuse surfaces),
-//! `columns` and `bsdf_rays` (multiple importance sampling), `specular` (mirrors and smooth glass),
-//! `other_materials` (everything else, by the fallback).
+//! (one bounce), `intersection` and `primitive_list` (with and without a tree), `large` (walls
+//! around a tree), `beam` (rays that are close to each other), `surface_packet` and
+//! `material_class` (what was hit), `light`, `shadow_queue`, `sin_cos` and `diffuse` (direct light
+//! and scattering at diffuse surfaces), `columns` and `bsdf_rays` (multiple importance sampling),
+//! `specular` (mirrors and smooth glass), `other_materials` (everything else, by the fallback).
 //!
 //! The formulas are those of the crate `lanes`, which performs the operations of the stages in the
 //! same order, so all bits are equal. What is here decides which lanes compute what. Where a scalar

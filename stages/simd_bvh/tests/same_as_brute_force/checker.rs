@@ -23,10 +23,20 @@ pub(crate) fn exact(scene: &Scene, id: PrimId, ray: &Ray) -> Option<TriangleHit>
 
 /// The closest hit; at equal `t` the one with the lowest id.
 fn brute_force(scene: &Scene, ray: &Ray, skip: Option<PrimId>) -> Option<(PrimId, TriangleHit)> {
-    (0..scene.len() as u32)
+    closest(scene.len(), ray, skip, |id, ray| exact(scene, id, ray))
+}
+
+/// The closest hit that `test` finds with one of `count` primitives.
+fn closest(
+    count: usize,
+    ray: &Ray,
+    skip: Option<PrimId>,
+    test: impl Fn(PrimId, &Ray) -> Option<TriangleHit>,
+) -> Option<(PrimId, TriangleHit)> {
+    (0..count as u32)
         .map(PrimId)
         .filter(|&id| skip != Some(id))
-        .filter_map(|id| Some((id, exact(scene, id, ray)?)))
+        .filter_map(|id| Some((id, test(id, ray)?)))
         .reduce(|a, b| if b.1.t < a.1.t { b } else { a })
 }
 
@@ -80,6 +90,8 @@ pub(crate) struct Checker {
     binary: Option<Bvh>,
     /// The number of rays that hit.
     pub(crate) hits: usize,
+    /// The number of hits with primitives that are apart, which the other primitives do not have.
+    pub(crate) left_out: usize,
     /// Rays that were checked alone and are still to be checked together, and their hits.
     rays: Vec<(Ray, Option<PrimId>)>,
     expected: Vec<Option<(PrimId, TriangleHit)>>,
@@ -101,6 +113,17 @@ fn bits(hit: Option<(PrimId, TriangleHit)>) -> Bits {
 impl Checker {
     pub(crate) fn new(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checker {
         let tree = WideBvh::build(&triangles, &spheres);
+        Checker::of_tree(tree, triangles, spheres)
+    }
+
+    /// A scene with large primitives that are apart from the tree.
+    pub(crate) fn apart(triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checker {
+        let tree = WideBvh::build_apart(&triangles, &spheres);
+        assert!(!tree.apart().is_empty(), "no primitive is apart");
+        Checker::of_tree(tree, triangles, spheres)
+    }
+
+    fn of_tree(tree: WideBvh, triangles: Vec<Triangle>, spheres: Vec<Sphere>) -> Checker {
         Checker {
             scene: Scene {
                 triangles,
@@ -113,6 +136,7 @@ impl Checker {
                 .collect(),
             binary: None,
             hits: 0,
+            left_out: 0,
             rays: Vec::new(),
             expected: Vec::new(),
             groups: 0,
@@ -161,9 +185,45 @@ impl Checker {
         }
     }
 
+    /// Checks the primitives that are not apart: what a ray hits is the closest of them, or of all.
+    fn check_inner(&mut self, rays: &[(Ray, Option<PrimId>)]) {
+        let (_, tree) = &self.trees[0];
+        if tree.apart().is_empty() {
+            return;
+        }
+        let inner = |id: PrimId, ray: &Ray| {
+            let is_inner = tree.apart().binary_search(&id).is_err();
+            exact(&self.scene, id, ray).filter(|_| is_inner)
+        };
+        let expected = rays
+            .iter()
+            .zip(&self.expected)
+            .map(|((ray, skip), of_all)| {
+                [
+                    bits(closest(self.scene.len(), ray, *skip, inner)),
+                    bits(*of_all),
+                ]
+            });
+        let expected: Vec<[Bits; 2]> = expected.collect();
+        let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);
+        let (mut hits, mut occluded) = (Vec::new(), Vec::new());
+        for (level, tree) in &self.trees {
+            let (memory, counts) = (&mut self.memory, &mut TestCounts::default());
+            tree.closest_each(Subset::Inner, rays, exact, memory, counts, &mut hits);
+            tree.occluded_each(Subset::Inner, rays, exact, memory, counts, &mut occluded);
+            for (i, expected) in expected.iter().enumerate() {
+                assert!(expected.contains(&bits(hits[i])), "{level:?} {:?}", rays[i]);
+                let any = expected.map(|hit| hit.is_some());
+                assert!(any.contains(&occluded[i]), "{level:?} {:?}", rays[i]);
+                self.left_out += usize::from(hits[i].is_none() && any[1]);
+            }
+        }
+    }
+
     /// Checks the last rays again, all together.
     fn check_together(&mut self) {
         let rays = std::mem::take(&mut self.rays);
+        self.check_inner(&rays);
         let expected: Vec<Bits> = self.expected.drain(..).map(bits).collect();
         let any: Vec<bool> = expected.iter().map(Option::is_some).collect();
         let exact = &mut |id, ray: &Ray| exact(&self.scene, id, ray);

@@ -222,6 +222,48 @@ fn on_spheres_among_triangles() {
     }
 }
 
+/// The walls and large spheres of a room stand apart, whatever their numbers.
+#[test]
+fn on_small_primitives_in_a_room() {
+    let mut random = Random::new(9);
+    let wall = |p: Vec3, a: Vec3, b: Vec3| {
+        [
+            Triangle::flat(p, p + a, p + a + b),
+            Triangle::flat(p, p + a + b, p + b),
+        ]
+    };
+    let (x, y, z) = (8.0 * Vec3::X, 8.0 * Vec3::Y, 8.0 * Vec3::Z);
+    let corner = Vec3::splat(-4.0);
+    for count in [3, 9, 40, 200] {
+        let mut triangles = soup(&mut random, count, 0.4);
+        for (p, a, b) in [
+            (corner, x, y),
+            (corner, x, z),
+            (corner, y, z),
+            (corner + y, x, z),
+        ] {
+            triangles.extend(wall(p, a, b));
+        }
+        triangles.extend(soup(&mut random, count, 0.4));
+        // The same as another one, which is a tie.
+        triangles.push(triangles[count]);
+        let mut spheres: Vec<Sphere> = (0..count / 3)
+            .map(|_| Sphere {
+                center: random.point(),
+                radius: 0.1,
+            })
+            .collect();
+        spheres.push(Sphere {
+            center: Vec3::new(3.0, 3.0, 3.0),
+            radius: 3.0,
+        });
+        let mut checker = Checker::apart(triangles, spheres);
+        rays_at(&mut checker, &mut random, 2000, 4.0);
+        assert!(checker.hits > 500, "{} hits", checker.hits);
+        assert!(checker.left_out > 100, "{} left out", checker.left_out);
+    }
+}
+
 #[test]
 fn on_empty_scenes_and_invalid_primitives_and_rays() {
     let mut random = Random::new(6);

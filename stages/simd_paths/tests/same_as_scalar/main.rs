@@ -8,7 +8,7 @@ use kit::sampler::{Pattern, Sampling};
 use kit::{Camera, FilmSize, LitScene, Mat3, PixelSampler, PrimId, Sphere, Vec2, Vec3};
 use lanes::instruction_sets;
 use scalar::{ScalarPaths, radiance};
-use scenes::{Random, WALLS, box_with_a_point_light, random_scene};
+use scenes::{Random, box_with_a_point_light, random_scene};
 use simd_paths::{Counts, PathScene, PathSettings, PathStart, View, Workspace};
 
 /// A camera inside the scene.
@@ -53,9 +53,9 @@ fn compare(lit: &LitScene, settings: PathSettings, sampling: Sampling, view: &Vi
             expected.push(radiance(&scalar, view, &start).to_array().map(f64::to_bits));
         }
     }
-    // With the walls, which are the first primitives, in the tree and apart from it.
-    for apart in [0, WALLS as u32] {
-        let apart: Vec<PrimId> = (0..apart).map(PrimId).collect();
+    // With all primitives in the tree, and with every other one apart from it.
+    for odd in [0..0, 0..lit.scene.len() as u32 / 2] {
+        let apart: Vec<PrimId> = odd.map(|i| PrimId(2 * i + 1)).collect();
         let mut all_counts = Vec::new();
         for level in instruction_sets() {
             let scene = PathScene::new(lit, &apart).expect("a scene");

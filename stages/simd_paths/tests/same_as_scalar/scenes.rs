@@ -101,9 +101,6 @@ impl Random {
     }
 }
 
-/// The number of triangles of the walls, which are the first primitives of a scene.
-pub(crate) const WALLS: usize = 10;
-
 /// The five walls of a box that is open towards +z, with shared vertices.
 fn walls() -> Vec<Triangle> {
     let corner = |i: usize| {

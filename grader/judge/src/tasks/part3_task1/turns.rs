@@ -55,7 +55,11 @@ pub(super) fn begin(probes: &[LambertProbe]) -> Option<usize> {
 /// Judges the answers to [`lines`].
 pub(super) fn judge(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
     let points = POINTS as usize;
-    for (axis, (probes, answers)) in probes.chunks(points).zip(answers.chunks(points)).enumerate() {
+    for (axis, (probes, answers)) in probes
+        .chunks(points)
+        .zip(answers.chunks(points))
+        .enumerate()
+    {
         let samples = answers.iter().filter_map(|answer| answer.sample.as_ref());
         let directions: Vec<Vec3> = samples.map(|sample| sample.wi.into()).collect();
         let Some(turns) = turns(&directions) else {
@@ -78,7 +82,9 @@ pub(super) fn judge(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lambe
 /// How often the directions go round the z axis if they do so in one sense, in small steps and at
 /// the same angle to it; otherwise `None`.
 fn turns(directions: &[Vec3]) -> Option<f64> {
-    let first = directions.first().filter(|_| directions.len() == POINTS as usize)?;
+    let first = directions
+        .first()
+        .filter(|_| directions.len() == POINTS as usize)?;
     let steady = |d: &Vec3| (d.z - first.z).abs() <= SAME_COSINE;
     if !directions.iter().all(steady) {
         return None;

@@ -335,7 +335,7 @@ fn a_wrong_distribution_confirms_no_call() {
 /// possible answer, and never a confirmed one.
 #[test]
 fn light_that_may_be_lost_by_chance_is_not_judged() {
-    let lost = 35;
+    let lost = 18;
     let whole = spoiled("part3.task3", "many_lights", |answer| {
         let Answer::Direct(answers) = answer else {
             panic!("the case is about direct light")

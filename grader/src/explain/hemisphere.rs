@@ -192,6 +192,7 @@ mod tests {
         ShadedPoint {
             p: [0.0; 3],
             n: [0.0, 0.0, 1.0],
+            ng: [0.0, 0.0, 1.0],
             error: 0.0,
             material: Material::Diffuse([0.5; 3]),
             wo,

@@ -59,8 +59,10 @@ pub struct DirectWork {
 pub struct ShadedPoint {
     /// The point.
     pub p: Xyz,
-    /// Its normal: shading and geometric.
+    /// Its shading normal.
     pub n: Xyz,
+    /// Its geometric normal; on a flat surface the same.
+    pub ng: Xyz,
     /// Upper bound of the error of each coordinate of the point.
     pub error: f64,
     /// The material of the surface.

@@ -38,11 +38,10 @@ pub(crate) fn direct(work: &DirectWork) -> Vec<DirectAnswer> {
 
 fn estimate(work: &DirectWork, lit: &LitScene, call: u32, point: &ShadedPoint) -> DirectAnswer {
     let material = light::material(&point.material);
-    let n = Vec3::from(point.n);
     let surface = Surface {
         p: point.p.into(),
-        frame: Frame::around(n),
-        ng: n,
+        frame: Frame::around(point.n.into()),
+        ng: point.ng.into(),
         error: Vec3::splat(point.error),
         material: &material,
         prim: PrimId(u32::MAX),

@@ -1,11 +1,13 @@
 //! Cases of emission, and of direct light by uniform hemisphere sampling.
 
 use super::direct_light::worlds::{
-    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, room, wall, work,
+    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, room, smooth_point, wall,
+    work,
 };
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
+use kit::Vec3;
 use wire::Work;
 use wire::direct::{ShadedPoint, Strategy};
 use wire::light::{LitWorld, Material, Panel, Surroundings};
@@ -19,7 +21,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "glowing_surface",
             "zero_bounce_radiance is the radiance that the surface emits: on its front side, at \
-             any angle; and 0 from behind, edge-on, or where the surface does not emit.",
+             any angle; and 0 from behind, edge-on, or where the surface does not emit. The \
+             geometric normal decides which side is the front.",
             work(Strategy::ZeroBounce, LitWorld::default(), emitting(), 0, 0),
         ),
         case(
@@ -49,9 +52,11 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .mainly(&[Direction, Mean]),
         case(
             "tilted_surfaces",
-            "Surfaces with normals in all directions: f takes local directions, rays have world \
-             directions.",
-            hemisphere("tilted", room(), 60, 4),
+            "Smooth meshes with normals in all directions: f takes local directions, rays have \
+             world directions. Pitfall: the cosine is that to the shading normal, as in the local \
+             space, not that to the geometric one. A frame made with a fixed vector fails where \
+             the normal is parallel to it.",
+            tilted(),
         )
         .only(&[Direction, Radiance]),
         case(
@@ -141,6 +146,24 @@ fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work 
     work(Strategy::Hemisphere, world, points, samples, 0)
 }
 
+/// Points of smooth meshes, and of flat ones across each axis: some frames around a normal fail for
+/// one axis.
+fn tilted() -> Work {
+    let mut rng = ProbeRng::new("tilted", 0);
+    let mut points: Vec<ShadedPoint> = (0..60).map(|_| smooth_point(&mut rng)).collect();
+    for axis in Vec3::AXES {
+        for n in [axis, -axis] {
+            points.push(ShadedPoint {
+                n: n.into(),
+                ng: n.into(),
+                wo: (n + 0.5 * rng.direction()).normalize().into(),
+                ..floor()
+            });
+        }
+    }
+    work(Strategy::Hemisphere, room(), points, 4, 0)
+}
+
 /// Many estimates at the same point.
 fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> Work {
     let points = vec![point; estimates];
@@ -172,6 +195,24 @@ fn emitting() -> Vec<ShadedPoint> {
             ..point
         });
         points.push(point);
+    }
+    // In front of one normal and behind the other.
+    for _ in 0..10 {
+        let point = ShadedPoint {
+            material: materials[0],
+            ..random_point(&mut rng)
+        };
+        let (n, wo) = (Vec3::from(point.n), Vec3::from(point.wo));
+        let ng = (n - (n.dot(wo) + 0.2) * wo).normalize();
+        points.push(ShadedPoint {
+            ng: ng.into(),
+            ..point
+        });
+        points.push(ShadedPoint {
+            ng: (-ng).into(),
+            n: (-n).into(),
+            ..point
+        });
     }
     points
 }

@@ -1,7 +1,8 @@
 //! Cases of direct light by sampling the lights.
 
 use super::direct_light::worlds::{
-    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, unit, wall, work,
+    ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, smooth_point, unit, wall,
+    work,
 };
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
@@ -72,12 +73,10 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Rays, Radiance, Spread, Mean]),
         case(
             "many_lights",
-            "The result is the sum over all lights, each averaged over its own samples.",
-            random_points_lit(
-                vec![point(), sun(), spot()],
-                vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()],
-                3,
-            ),
+            "The result is the sum over all lights, each averaged over its own samples; here on \
+             smooth meshes. Pitfall: the cosine is that to the shading normal, as in the local \
+             space, not that to the geometric one.",
+            many_lights(),
         )
         .only(&[Radiance, Rays]),
         case(
@@ -192,6 +191,15 @@ fn random_points_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Wo
     let mut rng = ProbeRng::new("points under lights", 0);
     let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, panels), points, samples, 0)
+}
+
+/// Points of smooth meshes near the origin, under lights of every kind.
+fn many_lights() -> Work {
+    let mut rng = ProbeRng::new("points under lights", 0);
+    let points = (0..80).map(|_| smooth_point(&mut rng)).collect();
+    let panels = vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()];
+    let world = world(vec![point(), sun(), spot()], panels);
+    work(Strategy::Lights, world, points, 3, 0)
 }
 
 /// Many estimates at the same point.

@@ -119,6 +119,7 @@ mod tests {
             points: vec![ShadedPoint {
                 p: [0.0; 3],
                 n: [0.0, 0.0, 1.0],
+                ng: [0.0, 0.0, 1.0],
                 error: 0.0,
                 material: Material::Diffuse([0.5; 3]),
                 wo: [0.0, 0.6, 0.8],

@@ -116,6 +116,7 @@ fn statistics(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
         let side = place.wo.z.signum();
         let density = |w: Vec3| if w.z * side > 0.0 { 1.0 / TAU } else { 0.0 };
         chance::spread(tally, &directions, density, "uniformly over the hemisphere");
+        super::degrees::judge(tally, work, &directions);
     }
     let green: SampleTally = answers.iter().map(|answer| answer.radiance[1]).collect();
     chance::mean(tally, "estimates", &green, place.lit_by(&work.world).y);
@@ -131,8 +132,12 @@ struct Estimate<'a> {
 
 impl Estimate<'_> {
     fn about(&self) -> String {
+        let geometric = match self.point.ng == self.point.n {
+            true => String::new(),
+            false => format!(", the geometric normal {:?}", self.point.ng),
+        };
         format!(
-            "Point {:?} with the normal {:?}, {:?}, seen along wo = {:?}, {} samples",
+            "Point {:?} with the normal {:?}{geometric}, {:?}, seen along wo = {:?}, {} samples",
             self.point.p, self.point.n, self.point.material, self.point.wo, self.work.samples
         )
     }
@@ -169,7 +174,8 @@ impl Estimate<'_> {
 
     fn zero_bounce(&self, tally: &mut Tally) {
         let emitted = self.point.material.emitted();
-        let right = emitted.filter(|_| self.place.wo.z > 0.0);
+        let in_front = self.place.ng.dot(self.point.wo.into()) > 0.0;
+        let right = emitted.filter(|_| in_front);
         let right = right.map_or(Vec3::ZERO, Vec3::from);
         self.radiance(tally, right, &[]);
     }
@@ -264,6 +270,7 @@ impl Estimate<'_> {
         self.count(tally, least, most);
         let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
         let mut with_wrong_ends = Vec3::ZERO;
+        let mut with_geometric_cosine = Vec3::ZERO;
         let mut first_wrong_end = None;
         for recorded in &self.answer.rays {
             let target = target(&sources, self.place.p, recorded);
@@ -283,6 +290,7 @@ impl Estimate<'_> {
                 continue;
             }
             sum += light;
+            with_geometric_cosine += light * self.place.geometric_to_shading(recorded.ray.d.into());
             with_distance_twice += match far.is_finite() {
                 true => light / (far * far),
                 false => light,
@@ -299,7 +307,11 @@ impl Estimate<'_> {
         {
             return self.ends_are_wrong(tally, recorded, far);
         }
-        self.radiance(tally, sum, &[("distance twice", with_distance_twice)]);
+        let mistakes = [
+            ("distance twice", with_distance_twice),
+            ("the cosine to the geometric normal", with_geometric_cosine),
+        ];
+        self.radiance(tally, sum, &mistakes);
     }
 
     /// Judges a sum as wrong that is the right one for what the shadow rays returned, because they

@@ -11,6 +11,8 @@ pub(crate) struct ShadingPlace {
     pub(crate) p: Vec3,
     pub(crate) frame: Frame,
     pub(crate) wo: Vec3,
+    /// The geometric normal, in world space.
+    pub(crate) ng: Vec3,
     reflectance: Xyz,
     error: f64,
 }
@@ -38,6 +40,7 @@ impl ShadingPlace {
             p: point.p.into(),
             wo: frame.to_local(point.wo.into()),
             frame,
+            ng: point.ng.into(),
             reflectance: match point.material {
                 Material::Diffuse(reflectance) => reflectance,
                 _ => [0.0; 3],
@@ -50,6 +53,12 @@ impl ShadingPlace {
     pub(crate) fn scattered(&self, d: Vec3) -> Vec3 {
         let wi = self.frame.to_local(d);
         self.f(self.wo, wi) * wi.z.abs()
+    }
+
+    /// The cosine of a world direction to the geometric normal, relative to that to the shading
+    /// normal.
+    pub(super) fn geometric_to_shading(&self, d: Vec3) -> f64 {
+        (d.dot(self.ng) / d.dot(self.frame.n)).abs()
     }
 
     /// `f` of two local directions.
@@ -65,7 +74,7 @@ impl ShadingPlace {
         let surface = Surface {
             p: self.p,
             frame: self.frame,
-            ng: self.frame.n,
+            ng: self.ng,
             error: Vec3::splat(self.error),
             material: &material,
             prim: kit::PrimId(0),
@@ -221,6 +230,7 @@ mod tests {
             ShadingPlace::of(&ShadedPoint {
                 p: [0.0; 3],
                 n: [0.0, 1.0, 0.0],
+                ng: [0.0, 1.0, 0.0],
                 error: 0.0,
                 material: Material::Diffuse([1.0; 3]),
                 wo: wo.into(),

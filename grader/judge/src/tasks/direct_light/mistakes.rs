@@ -17,7 +17,10 @@ pub(crate) struct HemisphereMistakes {
     clamped: Vec3,
     local: Vec3,
     world_wi: Vec3,
+    world_wo: Vec3,
     world_up: Vec3,
+    world_z: Vec3,
+    geometric: Vec3,
     grey: Vec3,
     last: Vec3,
     right: Vec3,
@@ -43,6 +46,9 @@ impl HemisphereMistakes {
         let d = Vec3::from(recorded.ray.d);
         self.local += place.f(wo, d) * seen * d.z.abs();
         self.world_wi += place.f(wo, d) * seen * wi.z.abs();
+        self.world_wo += place.f(place.frame.to_world(wo), wi) * seen * wi.z.abs();
+        self.world_z += light * d.z.abs();
+        self.geometric += light * d.dot(place.ng).abs();
         self.world_up += light * d.y.abs();
         let luminance = Spectrum::from(recorded.seen).luminance();
         self.grey += place.f(wo, wi) * luminance * wi.z.abs();
@@ -53,7 +59,7 @@ impl HemisphereMistakes {
     }
 
     /// The sums, with `share` as the weight of each ray, and the names of the mistakes.
-    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 13] {
+    pub(crate) fn sums(&self, share: f64) -> [(&'static str, Vec3); 16] {
         let of_those = f64::from(self.rays) / f64::from(self.rays_to_light.max(1));
         [
             ("without the cosine", self.without_cosine * share),
@@ -66,6 +72,9 @@ impl HemisphereMistakes {
             ("along local directions", self.local * share),
             ("f of the world's wi", self.world_wi * share),
             ("the cosine to the world's up", self.world_up * share),
+            ("the cosine to the geometric normal", self.geometric * share),
+            ("f of the world's wo", self.world_wo * share),
+            ("the cosine to the world's z", self.world_z * share),
             ("grey light", self.grey * share),
             ("the last ray alone", self.last * share),
             ("mean of what finds light", self.right * share * of_those),

@@ -1,5 +1,6 @@
 //! Direct light: the kind of work of `part3.task2` and `part3.task3`.
 
+mod degrees;
 mod judge;
 mod lamps;
 mod mistakes;
@@ -47,11 +48,11 @@ impl Check for Direct {
 
     fn lines(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Option<Content> {
         let lines = each(&work.points, answers, |point, answer| {
-            let question = vec![
-                field("p", vector(&point.p)),
-                field("n", vector(&point.n)),
-                field("wo", vector(&point.wo)),
-            ];
+            let mut question = vec![field("p", vector(&point.p)), field("n", vector(&point.n))];
+            if point.ng != point.n {
+                question.push(field("ng", vector(&point.ng)));
+            }
+            question.push(field("wo", vector(&point.wo)));
             let short = vec![
                 field("radiance", vector(&answer.radiance)),
                 number("rays", answer.rays.len() as f64),

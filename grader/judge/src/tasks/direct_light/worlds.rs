@@ -36,6 +36,7 @@ pub(crate) fn floor() -> ShadedPoint {
     ShadedPoint {
         p: [0.3, 0.0, -0.2],
         n: [0.0, 1.0, 0.0],
+        ng: [0.0, 1.0, 0.0],
         error: POINT_ERROR,
         material: Material::Diffuse([0.8, 0.5, 0.25]),
         wo: [0.48, 0.64, 0.6],
@@ -72,9 +73,26 @@ pub(crate) fn random_point(rng: &mut ProbeRng) -> ShadedPoint {
     ShadedPoint {
         p: (0.8 * rng.in_cube()).into(),
         n: n.into(),
+        ng: n.into(),
         error: POINT_ERROR,
         material: Material::Diffuse([0.7, 0.4, 0.2].map(|rho: f64| rho * rng.range(0.5, 1.0))),
         wo: wo.into(),
+    }
+}
+
+/// A random point of a mesh with smooth normals: the geometric normal is up to a third of a right
+/// angle off the shading normal, and `wo` is in front of both.
+pub(crate) fn smooth_point(rng: &mut ProbeRng) -> ShadedPoint {
+    let point = random_point(rng);
+    let ng = loop {
+        let ng = (Vec3::from(point.n) + 0.5 * rng.direction()).normalize();
+        if ng.dot(point.wo.into()) > 0.05 {
+            break ng;
+        }
+    };
+    ShadedPoint {
+        ng: ng.into(),
+        ..point
     }
 }
 

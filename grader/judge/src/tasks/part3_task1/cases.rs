@@ -1,5 +1,6 @@
 //! Cases of diffuse surfaces: value, density and samples of the BSDF.
 
+use super::turns;
 use crate::cases::Spec;
 use crate::cases::probes::ProbeRng;
 use crate::tally::Aspect::{Bsdf, HitOrMiss, Pdf, SampleRecord, SampledDirection, Spread};
@@ -51,11 +52,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "Many samples: unit vectors on the side of wo, with a density proportional to the \
              cosine to the normal (a χ² test over 512 cells). A deviation of 24 % is always \
              detected. Pitfall: a radius of u instead of its square root concentrates them around \
-             the normal.",
-            probes("sampled_directions", 0, 16_000, |rng| {
-                let wo = above(rng);
-                (rng.one_of(&[wo, -wo]), wo)
-            }),
+             the normal. Regular numbers after the random ones count how often the directions go \
+             round the normal while one number goes from 0 to 1. Pitfall: an azimuth in degrees.",
+            sampled_directions(),
         )
         .only(&[SampledDirection, Spread]),
         case(
@@ -95,6 +94,16 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 
 fn case(name: &'static str, about: &'static str, probes: Vec<LambertProbe>) -> Spec {
     Spec::new("part3.task1", name, about, Work::Lambert(probes))
+}
+
+/// Random directions on both sides, then the lines along which turns are counted.
+fn sampled_directions() -> Vec<LambertProbe> {
+    let mut all = probes("sampled_directions", 0, 16_000, |rng| {
+        let wo = above(rng);
+        (rng.one_of(&[wo, -wo]), wo)
+    });
+    all.extend(turns::lines());
+    all
 }
 
 /// A unit direction above the surface, not near its plane.

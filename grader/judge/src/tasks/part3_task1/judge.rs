@@ -1,5 +1,6 @@
 //! Judges diffuse surfaces.
 
+use super::turns;
 use crate::chance::{self, MIN_ESTIMATES};
 use crate::hits::show;
 use crate::numbers::{self, same_colour};
@@ -20,8 +21,13 @@ pub(crate) fn lambert(tally: &mut Tally, probes: &[LambertProbe], answers: &[Lam
     if probes.len() < MIN_ESTIMATES || !tally.is_written("lambert_sample", &[Aspect::Spread]) {
         return;
     }
+    let mut random = probes.len();
+    if let Some(begin) = turns::begin(probes) {
+        turns::judge(tally, &probes[begin..], &answers[begin..]);
+        random = begin;
+    }
     for side in [1.0, -1.0] {
-        let pairs = probes.iter().zip(answers);
+        let pairs = probes[..random].iter().zip(answers);
         let directions: Vec<Option<Vec3>> = pairs
             .filter(|(probe, _)| probe.wo[2] * side > 0.0)
             .map(|(_, answer)| answer.sample.map(|sample| sample.wi.into()))

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
 mod repro;
+mod turns;
 
 use crate::Tier;
 use crate::cases::Spec;

@@ -1,0 +1,139 @@
+//! How often sampled directions go round the normal while one random number goes from 0 to 1.
+//!
+//! An azimuth in degrees that is passed to a cosine goes round 57.3 times. Random numbers hardly
+//! show it: 0.3 turns too many among 57 change the density of the azimuth by less than a percent.
+//! Regular numbers do: along a line of the unit square on which the angle to the normal stays
+//! equal, the azimuth is uniform only if it goes round a whole number of times.
+//!
+//! This judges only what must go round. Maps that change the angle to the normal along both lines,
+//! such as the concentric one, and samples with random numbers of their own are right, too; they
+//! have no such line, or jump on it.
+
+use crate::hits::show;
+use crate::tally::{Aspect, Class, Tally};
+use kit::Vec3;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use wire::direct::{LambertAnswer, LambertProbe};
+
+/// Points of a line: enough that 57.3 turns have steps of less than a quarter turn, few enough that
+/// random azimuths, each with the same sign and a short step, never occur.
+pub(super) const POINTS: u32 = 512;
+
+/// So much may the number of turns differ from a whole one: rounded values of π are not meant.
+const WHOLE: f64 = 0.01;
+
+/// So much may the cosine to the normal vary along a line that is judged.
+const SAME_COSINE: f64 = 1e-6;
+
+/// The class of directions that do not go round a whole number of times.
+const PART_OF_A_TURN: Class = Class::Named("part of a turn");
+
+/// The probes of two lines of the unit square, one along each axis, for a `wo` above the surface.
+pub(super) fn lines() -> Vec<LambertProbe> {
+    let along = |axis: usize| {
+        (0..POINTS).map(move |i| {
+            let mut u = [0.625; 2];
+            u[axis] = (f64::from(i) + 0.5) / f64::from(POINTS);
+            LambertProbe {
+                reflectance: [0.5; 3],
+                wo: [0.6, 0.0, 0.8],
+                wi: [0.0, 0.6, 0.8],
+                u,
+            }
+        })
+    };
+    along(0).chain(along(1)).collect()
+}
+
+/// The index at which the probes of [`lines`] begin, if these probes end with them.
+pub(super) fn begin(probes: &[LambertProbe]) -> Option<usize> {
+    let lines = lines();
+    let begin = probes.len().checked_sub(lines.len())?;
+    (probes[begin..] == lines).then_some(begin)
+}
+
+/// Judges the answers to [`lines`].
+pub(super) fn judge(tally: &mut Tally, probes: &[LambertProbe], answers: &[LambertAnswer]) {
+    let points = POINTS as usize;
+    for (axis, (probes, answers)) in probes
+        .chunks(points)
+        .zip(answers.chunks(points))
+        .enumerate()
+    {
+        let samples = answers.iter().filter_map(|answer| answer.sample.as_ref());
+        let directions: Vec<Vec3> = samples.map(|sample| sample.wi.into()).collect();
+        let Some(turns) = turns(&directions) else {
+            continue;
+        };
+        let off = (turns - turns.round()).abs();
+        let class = (off > WHOLE).then_some(PART_OF_A_TURN);
+        tally.judge_class(Aspect::Spread, 0, class, off, || {
+            let axis = ["x", "y"][axis];
+            format!(
+                "your directions go round the normal {turns:.2} times while u.{axis} goes from 0 to 1; \
+                 expected: one whole turn, so that every azimuth has the same density. \
+                 lambert_sample: wo = {}",
+                show(Vec3::from(probes[0].wo))
+            )
+        });
+    }
+}
+
+/// How often the directions go round the z axis if they do so in one sense, in small steps and at
+/// the same angle to it; otherwise `None`.
+fn turns(directions: &[Vec3]) -> Option<f64> {
+    let first = directions
+        .first()
+        .filter(|_| directions.len() == POINTS as usize)?;
+    let steady = |d: &Vec3| (d.z - first.z).abs() <= SAME_COSINE;
+    if !directions.iter().all(steady) {
+        return None;
+    }
+    let azimuth = |d: &Vec3| d.y.atan2(d.x);
+    let steps: Vec<f64> = directions
+        .windows(2)
+        .map(|pair| (azimuth(&pair[1]) - azimuth(&pair[0]) + PI).rem_euclid(TAU) - PI)
+        .collect();
+    let one_sense = |step: &f64| step * steps[0] > 0.0 && step.abs() < FRAC_PI_2;
+    // The line goes half a step beyond its first and its last point.
+    let steps_of_the_line = f64::from(POINTS) / f64::from(POINTS - 1);
+    steps
+        .iter()
+        .all(one_sense)
+        .then(|| (steps.iter().sum::<f64>() * steps_of_the_line / TAU).abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Directions along a line of points, by their azimuths and heights.
+    fn along(azimuth: impl Fn(f64) -> f64, z: impl Fn(f64) -> f64) -> Vec<Vec3> {
+        let u = |i| (f64::from(i) + 0.5) / f64::from(POINTS);
+        let direction = |u| {
+            let (phi, z): (f64, f64) = (azimuth(u), z(u));
+            let r = (1.0 - z * z).sqrt();
+            Vec3::new(r * phi.cos(), r * phi.sin(), z)
+        };
+        (0..POINTS).map(|i| direction(u(i))).collect()
+    }
+
+    #[test]
+    fn turns_are_counted_in_both_senses() {
+        let count = |of_one: f64| turns(&along(|u| 0.7 + of_one * u, |_| 0.6)).unwrap();
+        for (of_one, right) in [(TAU, 1.0), (-TAU, 1.0), (2.0 * TAU, 2.0), (PI, 0.5)] {
+            assert!((count(of_one) - right).abs() < 1e-9, "{of_one}");
+        }
+        assert!((count(360.0) - 360.0 / TAU).abs() < 1e-9);
+    }
+
+    #[test]
+    fn spirals_and_jumps_are_not_judged() {
+        assert_eq!(turns(&along(|u| 9.0 * u, |u| u.sqrt())), None);
+        let jumps = |u: f64| 1e6 * (1e3 * u).sin();
+        assert_eq!(turns(&along(jumps, |_| 0.6)), None);
+        assert_eq!(turns(&along(|_| 1.0, |_| 0.6)), None);
+        assert_eq!(turns(&along(|u| u, |_| f64::NAN)), None);
+        assert_eq!(turns(&[]), None);
+    }
+}

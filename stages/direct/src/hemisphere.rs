@@ -7,7 +7,7 @@ use kit::warp;
 use kit::{Hit, LitScene, PixelSampler, Ray, Scattering, Spectrum, Surface, Vec3};
 
 /// Radiance without a bounce: the emission of the surface along `wo`, the unit world direction to
-/// the viewer.
+/// the viewer. Surfaces emit on the side of their geometric normal.
 ///
 /// Chapter: stages/book/src/part3/task2.md
 ///

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 #[derive(Clone, Debug, Parser)]
 #[command(
     name = "pathtracer merge",
+    bin_name = "pathtracer merge",
     max_term_width = 100,
     allow_negative_numbers = true
 )]

@@ -2,15 +2,15 @@
 
 /// Breaks `text` at spaces into lines of at most `width` columns. Lines after the first begin with
 /// `indent` spaces, as many as the text itself begins with if it begins with more. A longer word
-/// is broken.
+/// is broken, and code between backticks only if it is longer: a command can be copied.
 pub(crate) fn wrap(text: &str, indent: usize, width: usize) -> Vec<String> {
     let margin = text.len() - text.trim_start().len();
     let indent = " ".repeat(indent.max(margin).min(width / 2));
     let mut lines = Vec::new();
     let mut line = " ".repeat(margin.min(width / 2));
     let mut is_empty = true;
-    for word in text.split_whitespace() {
-        let mut word = word;
+    for word in words(text, width - indent.len()) {
+        let mut word = word.as_str();
         let fits = |line: &str| columns(line) + usize::from(!is_empty) + columns(word) <= width;
         if !is_empty && !fits(&line) {
             lines.push(std::mem::replace(&mut line, indent.clone()));
@@ -35,6 +35,32 @@ pub(crate) fn wrap(text: &str, indent: usize, width: usize) -> Vec<String> {
         lines.push(line);
     }
     lines
+}
+
+/// The words of `text`; code between backticks is one word if it has at most `width` columns.
+fn words(text: &str, width: usize) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut pending = text.split_whitespace();
+    while let Some(word) = pending.next() {
+        words.push(word.to_owned());
+        let is_code = |word: &str| word.matches('`').count() % 2 == 1;
+        if !is_code(word) {
+            continue;
+        }
+        let mut rest = pending.clone();
+        if let Some(end) = rest.position(is_code) {
+            let code: Vec<&str> = std::iter::once(word)
+                .chain(pending.clone().take(end + 1))
+                .collect();
+            let code = code.join(" ");
+            if columns(&code) <= width {
+                words.pop();
+                words.push(code);
+                pending = rest;
+            }
+        }
+    }
+    words
 }
 
 /// At most `most` lines of `text`, wrapped as by [`wrap`]; the last ends with `…` if text is left
@@ -147,6 +173,14 @@ mod tests {
             }
         }
         assert_eq!(wrap("  one two", 4, 8), ["  one", "    two"]);
+    }
+
+    #[test]
+    fn commands_stay_in_one_line() {
+        let text = "Run `cargo grader part1`, now.";
+        assert_eq!(wrap(text, 0, 22), ["Run", "`cargo grader part1`,", "now."]);
+        assert_eq!(wrap(text, 0, 12), ["Run `cargo", "grader", "part1`, now."]);
+        assert_eq!(wrap("a ` b c", 0, 4), ["a `", "b c"]);
     }
 
     #[test]

@@ -40,14 +40,16 @@ pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let Some(path) = &args.file else {
         return window::open(args);
     };
-    // Before the scene is loaded: a wrong name of the picture is reported at once.
-    let outputs = Outputs::create(args, path)?;
+    // A wrong name of the picture is reported before the scene is loaded. No file stays open
+    // meanwhile: Ctrl-C would leave it behind.
+    drop(Outputs::create(args, path)?);
     let start = Instant::now();
     let scene = view::load_scene(&args.scene)?;
     let loading = start.elapsed();
     println!("{}", summary::scene(&args.scene, &scene, loading));
     let (camera, film) = view::camera_and_film(args, &scene)?;
     let cell = args.cell_of(film)?;
+    let outputs = Outputs::create(args, path)?;
     if path
         .extension()
         .is_none_or(|e| !e.eq_ignore_ascii_case("png"))

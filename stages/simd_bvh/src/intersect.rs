@@ -87,7 +87,7 @@ impl WideBvh {
         counts: &mut TestCounts,
     ) -> bool {
         // BEGIN SOLUTION(part6.task1)
-        dispatch!(self.level, simd => region::find(simd, self, subset, region, most, ids, counts))
+        dispatch!(self.level, simd => region::find(simd, self, most, region, subset, counts, ids))
         // STUB: kit::hole!("part6.task1", self, subset, region, most, ids, counts)
         // END SOLUTION(part6.task1)
     }

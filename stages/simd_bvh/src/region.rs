@@ -59,11 +59,11 @@ impl LocalHalfSpace {
 pub(crate) fn find<S: Simd>(
     simd: S,
     tree: &WideBvh,
-    subset: Subset,
-    region: &[(Vec3, f64)],
     most: usize,
-    ids: &mut Vec<PrimId>,
+    region: &[(Vec3, f64)],
+    subset: Subset,
     counts: &mut TestCounts,
+    ids: &mut Vec<PrimId>,
 ) -> bool {
     let local = |half_space: &(Vec3, f64)| LocalHalfSpace::new(*half_space, &tree.space);
     let region: Vec<LocalHalfSpace> = region.iter().map(local).collect();

@@ -12,12 +12,12 @@ use crate::specular::SpecularMaterial;
 use crate::trace;
 use crate::visible::VisiblePixels;
 use fearless_simd::dispatch;
-use kit::{Material, PrimId, Triangle};
+use kit::{Material, Triangle};
 use std::mem;
 // END SOLUTION(part6.task2)
 
 use crate::{Level, ScalarFallback};
-use kit::{Camera, FilmSize, LitScene, PixelSampler, Spectrum};
+use kit::{Camera, FilmSize, LitScene, PixelSampler, PrimId, Spectrum};
 
 /// A scene prepared for tracing paths in packets.
 #[derive(Clone, Debug)]

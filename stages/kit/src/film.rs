@@ -57,12 +57,13 @@ impl Film {
         self.size
     }
 
-    /// The pixel in column `x` and row `y`, counted from the bottom left.
+    /// The pixel in column `x` and row `y`, counted from the bottom left. Panics outside the film.
     pub fn get(&self, x: u32, y: u32) -> PixelEstimate {
         self.pixels[self.index(x, y)]
     }
 
-    /// Sets the pixel in column `x` and row `y`, counted from the bottom left.
+    /// Sets the pixel in column `x` and row `y`, counted from the bottom left. Panics outside the
+    /// film.
     pub fn set(&mut self, x: u32, y: u32, pixel: PixelEstimate) {
         let i = self.index(x, y);
         self.pixels[i] = pixel;

@@ -56,7 +56,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The bounding box.
+    /// The bounding box; empty if a number is NaN or the radius is negative.
     pub fn bounds(&self) -> Aabb {
         Aabb {
             min: self.center - self.radius,

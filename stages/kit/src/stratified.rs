@@ -22,8 +22,8 @@ pub(crate) fn sample_1d(index: u32, samples: u32, key: u64, jitter: f64) -> f64 
     jittered(cell, samples, jitter)
 }
 
-/// A point in
-/// [0, 1)² for sample `index`, with the cells in rows and columns. Otherwise like [`sample_1d`].
+/// A point in [0, 1)² for sample `index`, with the cells in rows and columns. Otherwise like
+/// [`sample_1d`].
 pub(crate) fn sample_2d(index: u32, samples: u32, key: u64, jitter: [f64; 2]) -> [f64; 2] {
     let columns = columns(samples);
     let cell = cell(index, samples, key);

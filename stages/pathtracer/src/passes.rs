@@ -2,7 +2,7 @@
 
 use crate::progressive::centre_first;
 use crate::rendered::RenderedTile;
-use crate::{Job, LightSettings, PreparedScene, Rendered};
+use crate::{Counters, Job, LightSettings, PreparedScene, Rendered};
 use kit::film::Cell;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -33,8 +33,14 @@ pub struct TileDone {
 /// The samples of the first pass. A pass of one sample would go through the centres of the pixels.
 const FIRST_PASS: u32 = 2;
 
-/// The largest number of samples of a pass: a picture that is interrupted is at most this uneven.
+/// A pass has fewer than twice as many samples: a picture that is interrupted is at most this
+/// uneven.
 const MAX_PASS: u32 = 256;
+
+/// The rays and tests that a pass should have at least, about those of a few seconds on one core.
+/// Each pass has a cost for every pixel, and beams of few samples are wide. Not a time, so that the
+/// counts of a picture do not depend on the machine.
+const WORTHWHILE: u64 = 1 << 29;
 
 /// The largest number of samples of a pixel: sample numbers have 32 bits.
 const MAX_SAMPLES: u32 = 1 << 30;
@@ -63,18 +69,17 @@ impl Passes<'_> {
         let first = self.job.sampling.first_sample;
         let (mut taken, mut end) = (0, self.job.samples);
         loop {
-            let job = self.pass(taken, next_pass(taken, end));
+            let job = self.pass(taken, next_pass(taken, end, &so_far.counters));
             let stop = if taken == 0 { &never } else { stop };
             self.render_tiles(&job, &self.settings, stop, &mut so_far, tile_done);
             taken += job.samples;
-            if stop.load(Ordering::Relaxed) {
-                return so_far;
-            }
-            if taken < end {
+            let is_stopped = stop.load(Ordering::Relaxed);
+            if taken < end && !is_stopped {
                 continue;
             }
+            so_far.update_film();
             let has_room = MAX_SAMPLES - first - end >= self.job.samples;
-            if is_done(&so_far) || !has_room {
+            if is_stopped || is_done(&so_far) || !has_room {
                 return so_far;
             }
             end += self.job.samples;
@@ -92,10 +97,12 @@ impl Passes<'_> {
             ..self.settings
         };
         let mut preview = self.nothing();
-        let job = self.pass(0, next_pass(0, self.job.samples));
+        let job = self.pass(0, FIRST_PASS.min(self.job.samples));
         self.render_tiles(&job, &plain, &never, &mut preview, &|_| ());
+        preview.update_film();
         let mut picture = self.nothing();
         self.render_tiles(&self.job, &self.settings, stop, &mut picture, tile_done);
+        picture.update_film();
         if stop.load(Ordering::Relaxed) {
             picture.fill_from(&preview);
         }
@@ -114,7 +121,7 @@ impl Passes<'_> {
         job
     }
 
-    /// Adds the tiles that are finished before `stop` is set, and updates the film.
+    /// Adds the tiles that are finished before `stop` is set. Does not update the film.
     fn render_tiles(
         &self,
         job: &Job,
@@ -139,16 +146,20 @@ impl Passes<'_> {
         };
         self.scene
             .render_tiles(job, settings, &tiles, stop, &finish);
-        picture.update_film();
     }
 }
 
-/// The number of samples of the next pass, if `taken` are taken and the round ends after `end`: as
-/// many as there are already, within limits. Never leaves a single sample for a last pass.
-fn next_pass(taken: u32, end: u32) -> u32 {
+/// The number of samples of the next pass, if `taken` are taken, with these `counters`, and the
+/// round ends after `end`: as many as there are already, or enough to be worthwhile; all that
+/// remain if a last pass would be smaller. Never leaves a single sample for a last pass.
+fn next_pass(taken: u32, end: u32, counters: &Counters) -> u32 {
     let remaining = end - taken;
-    let next = taken.clamp(FIRST_PASS, MAX_PASS).min(remaining);
-    if remaining - next == 1 {
+    let work = (counters.rays + counters.box_tests + counters.prim_tests).max(1);
+    let worthwhile = u64::from(taken) * WORTHWHILE / work;
+    let next = u64::from(taken)
+        .max(worthwhile)
+        .clamp(u64::from(FIRST_PASS), u64::from(MAX_PASS)) as u32;
+    if remaining < 2 * next {
         remaining
     } else {
         next
@@ -159,32 +170,44 @@ fn next_pass(taken: u32, end: u32) -> u32 {
 mod tests {
     use super::*;
 
-    fn passes(end: u32) -> Vec<u32> {
+    /// The passes of a picture of `end` samples, each of which takes `work` tests.
+    fn passes(end: u32, work: u64) -> Vec<u32> {
         let mut passes = Vec::new();
         let mut taken = 0;
         while taken < end {
-            passes.push(next_pass(taken, end));
+            let counters = Counters {
+                box_tests: u64::from(taken) * work,
+                ..Counters::default()
+            };
+            passes.push(next_pass(taken, end, &counters));
             taken += passes.last().expect("it was pushed");
         }
         passes
     }
 
     #[test]
-    fn passes_double_and_never_end_with_one_sample() {
-        assert_eq!(passes(1), [1]);
-        assert_eq!(passes(3), [3]);
-        assert_eq!(passes(5), [2, 3]);
-        assert_eq!(passes(64), [2, 2, 4, 8, 16, 32]);
-        assert_eq!(passes(1024)[..9], [2, 2, 4, 8, 16, 32, 64, 128, 256]);
-        for end in 2..2000 {
-            let passes = passes(end);
-            assert_eq!(passes.iter().sum::<u32>(), end);
-            assert!(
-                passes
-                    .iter()
-                    .all(|&pass| (2..=MAX_PASS + 1).contains(&pass)),
-                "{end}"
-            );
+    fn passes_double_if_a_sample_is_much_work() {
+        assert_eq!(passes(64, WORTHWHILE), [2, 2, 4, 8, 16, 32]);
+        assert_eq!(passes(1000, WORTHWHILE)[..8], [2, 2, 4, 8, 16, 32, 64, 128]);
+    }
+
+    #[test]
+    fn passes_are_few_if_a_sample_is_little_work() {
+        assert_eq!(passes(64, WORTHWHILE / 20), [2, 20, 42]);
+        assert_eq!(passes(64, WORTHWHILE / 60), [2, 62]);
+        assert_eq!(passes(1024, 1), [2, 256, 256, 510]);
+    }
+
+    #[test]
+    fn no_pass_is_uneven_or_of_one_sample() {
+        for work in [0, 1, WORTHWHILE / 20, WORTHWHILE] {
+            assert_eq!(passes(1, work), [1]);
+            assert_eq!(passes(3, work), [3]);
+            for end in 2..2000 {
+                let passes = passes(end, work);
+                assert_eq!(passes.iter().sum::<u32>(), end);
+                assert!(passes.iter().all(|pass| (2..2 * MAX_PASS).contains(pass)));
+            }
         }
     }
 }

@@ -71,9 +71,9 @@ impl WideBvh {
         // END SOLUTION(part6.task1)
     }
 
-    /// Adds all primitives of `subset` of which a part is in `region` to `ids`, and others that are near; in no
-    /// order, and some perhaps twice. For many rays that are close to each other: what they hit is
-    /// among them.
+    /// Adds all primitives of `subset` of which a part is in `region` to `ids`, and others that are
+    /// near; in no order, and some perhaps twice. For many rays that are close to each other: what
+    /// they hit is among them.
     ///
     /// The region is where `n·p <= c` for each of the pairs `(n, c)`; `c` may be infinite. Returns
     /// false if it is not small: if it has about `most` primitives or more. Then `ids` has no

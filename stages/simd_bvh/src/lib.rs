@@ -7,11 +7,11 @@
 //!
 // BEGIN SOLUTION(part6.task1)
 //! Reading order: `builder` (from triangles to the tree), `packed_box` (boxes during the build),
-//! `presplit` (long thin triangles), `large` (walls), `sah` and `binary` (the binary tree of least cost), `collapse`
-//! and `widen` (from two to eight children per node), `space`, `node`, `triangle_block` and
-//! `sphere_block` (the memory layout of boxes, triangles and spheres), `ray_in_tree`,
-//! `simd_box_test` (eight boxes at a time), `triangle_filter` (eight triangles at a time) and
-//! `woop` (one triangle, in double precision), `stack`, `traversal` and `intersect` (the
+//! `presplit` (long thin triangles), `large` (walls), `sah` and `binary` (the binary tree of least
+//! cost), `collapse` and `widen` (from two to eight children per node), `space`, `node`,
+//! `triangle_block` and `sphere_block` (the memory layout of boxes, triangles and spheres),
+//! `ray_in_tree`, `simd_box_test` (eight boxes at a time), `triangle_filter` (eight triangles at a
+//! time) and `woop` (one triangle, in double precision), `stack`, `traversal` and `intersect` (the
 //! traversal by one ray), `stream`, `stream_traversal`, `slot_queue`, `ray_slot` and `slot_stack`
 //! (the traversal by many rays together), `box_test` and `unusual_ray` (rays that are too large,
 //! too small or too far away for single precision), `region` (the primitives that many rays may

@@ -108,9 +108,13 @@ impl SimdBoxTest {
         let (order, is_reversed) = order_along(ray.d);
         let d = rounded(simd, ray.d);
         let inverse = 1.0 / d.abs().max(SLOWEST).copysign(d);
-        let offset = -rounded(simd, ray.o) * inverse;
-        // Two units in the last place: more than the rounding errors of the origin and the product.
-        let error = offset.abs().mul_add_precise(2.0 * f32::EPSILON, ABSOLUTE);
+        let o = rounded(simd, ray.o);
+        // Four times the rounding error of the origin, because the sum and the product below round,
+        // too. It does not depend on the inverse, so it does not wait for the division.
+        let error = (o.abs() * (2.0 * f32::EPSILON)).copysign(d);
+        let absolute = f32x4::splat(simd, ABSOLUTE);
+        let entering = (-o - error).mul_sub_precise(inverse, absolute);
+        let leaving = (error - o).mul_add_precise(inverse, absolute);
         let [x, y, z] = [
             Side::crossed(ray.d.x),
             Side::crossed(ray.d.y),
@@ -119,8 +123,8 @@ impl SimdBoxTest {
         SimdBoxTest {
             lines: Lines {
                 slope: first_three(inverse),
-                entering: first_three(offset - error),
-                leaving: first_three(offset + error),
+                entering: first_three(entering),
+                leaving: first_three(leaving),
                 first: [x[0], y[0], z[0]],
                 last: [x[1], y[1], z[1]],
             },
@@ -194,8 +198,8 @@ impl<N: Splat> SimdBoxTest<N> {
 #[inline(always)]
 pub(crate) fn range_end(max_t: f32) -> Key {
     let end = max_t.min(END) * (RELATIVE * RELATIVE) + ABSOLUTE;
-    // The sum with 0 is not -0.
-    (end.max(0.0) + 0.0).to_bits()
+    // The bits of a negative number, or of -0, are a negative integer.
+    (end.to_bits() as i32).max(0) as Key
 }
 
 #[inline(always)]

@@ -81,13 +81,10 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
     fn visit(&mut self, counts: &mut TestCounts) -> bool {
         // Local copies: counters behind a reference would be loaded and stored at every step.
         let (mut box_tests, mut prim_tests) = (0, 0);
-        let boxes = SimdBoxTest::new(self.simd, &self.in_tree).widened(self.simd);
+        let boxes = SimdBoxTest::new(self.simd, &self.in_tree);
         let nodes = &self.tree.nodes[..];
         let mut stack = StackMemory::new();
         let mut len = 0;
-        // In memory: operations read the numbers from there, while loads before the loop would take
-        // more registers than there are.
-        let boxes = std::hint::black_box(&boxes);
         match self.tree.roots[..] {
             // Apart from the loop, because there is no other entry beside it.
             [root] if root.is_node() => {
@@ -95,6 +92,11 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 let hits = boxes.hits(self.simd, &nodes[root.index()], self.end);
                 stack.write(len, hits.keys, hits.children);
                 len = hits.count;
+                if len == 0 {
+                    // Many rays end here, without what the loop computes before its first step.
+                    counts.box_tests += box_tests;
+                    return false;
+                }
             }
             _ => {
                 for &root in &self.tree.roots {
@@ -102,6 +104,10 @@ impl<'a, 'e, S: Simd, const ANY: bool> Traversal<'a, 'e, S, ANY> {
                 }
             }
         }
+        // In memory: operations read the numbers from there, while loads before the loop would take
+        // more registers than there are.
+        let boxes = boxes.widened(self.simd);
+        let boxes = std::hint::black_box(&boxes);
         let mut is_hit = false;
         while let Some((below, key, child)) = stack.pop(len) {
             len = below;

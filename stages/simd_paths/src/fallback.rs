@@ -80,8 +80,9 @@ pub trait ScalarFallback {
     }
 
     /// Adds at least the primitives of which a part is in `beam` to `ids`, in any order; some may
-    /// be added twice, and those that are apart may be left out. Returns false if there are more than `most`, or if finding them would take
-    /// as long as tracing the rays: then `ids` has no meaning.
+    /// be added twice, and those that are apart may be left out. Returns false if there are more
+    /// than `most`, or if finding them would take as long as tracing the rays: then `ids` has no
+    /// meaning.
     fn primitives_in(&mut self, beam: &Beam, most: usize, ids: &mut Vec<PrimId>) -> bool;
 
     /// Refracts the camera's `ray` by its lens. Called if

@@ -64,9 +64,9 @@
 //!
 //! # Modules
 //!
-//! Reading order: `precheck` and `document` with `references`, `uri`, `finding` and `warnings`
-//! (elements, ids, diagnostics with positions), `numbers`, `source` and `vertices` (lists of
-//! numbers), `index_lists`, `primitives`, `projection`, `polygon`, `holes`, `index_into`,
+//! Reading order: `precheck`, `malformed` and `document` with `references`, `uri`, `finding` and
+//! `warnings` (elements, ids, diagnostics with positions), `numbers`, `source` and `vertices`
+//! (lists of numbers), `index_lists`, `primitives`, `projection`, `polygon`, `holes`, `index_into`,
 //! `mesh_part`, `normals` and `mesh` (from index lists to triangles), `geometry`, `controller`,
 //! `material`, `parameter`, `texture`, `light` and `optics` (the contents of nodes), `transform`,
 //! `binding` and `library` (nodes), `bake` and `nodes` (the node tree in world space).
@@ -83,6 +83,7 @@ mod index_lists;
 mod library;
 mod light;
 pub(crate) mod limits;
+mod malformed;
 mod material;
 mod mesh;
 mod mesh_part;
@@ -103,7 +104,7 @@ mod uri;
 mod vertices;
 mod warnings;
 
-use crate::diagnostic::{Diagnostic, SceneError, Warning};
+use crate::diagnostic::{SceneError, Warning};
 use crate::text_file;
 use document::{Document, Element, children, descendant, tag};
 use kit::Scene;
@@ -138,7 +139,7 @@ pub fn parse(name: &str, text: &str) -> Result<Loaded, SceneError> {
         ..roxmltree::ParsingOptions::default()
     };
     let xml = roxmltree::Document::parse_with_options(text, options)
-        .map_err(|error| malformed(name, text, &error))?;
+        .map_err(|error| malformed::error(name, text, &error))?;
     let doc = Document::new(name, &xml);
     let scene = build(&doc)?;
     Ok(Loaded {
@@ -206,37 +207,4 @@ fn visual_scene<'a>(doc: &Document<'a>, root: Element<'a>) -> Result<Element<'a>
     };
     let expected = "expected <scene> with <instance_visual_scene url=\"#...\"/>";
     Err(doc.on(root, title, expected).help(help).into())
-}
-
-/// The error for malformed XML.
-fn malformed(name: &str, text: &str, error: &roxmltree::Error) -> SceneError {
-    let pos = error.pos();
-    let line_start = text
-        .split_inclusive('\n')
-        .take(pos.row.saturating_sub(1) as usize)
-        .map(str::len)
-        .sum::<usize>();
-    let column = text[line_start..]
-        .chars()
-        .take(pos.col.saturating_sub(1) as usize);
-    let at = line_start + column.map(char::len_utf8).sum::<usize>();
-    let general =
-        "correct the XML here, or export the file again; an incomplete download is a common cause";
-    let (why, at, help) = match error {
-        roxmltree::Error::DtdDetected => (
-            "it declares entities".to_string(),
-            text.find("<!ENTITY").unwrap_or(at),
-            "remove the <!ENTITY ...> of the <!DOCTYPE>: COLLADA needs none",
-        ),
-        roxmltree::Error::UnclosedRootNode => (
-            "it ends before all elements are closed".to_string(),
-            text.trim_end().char_indices().last().map_or(at, |(i, _)| i),
-            "export the file again, or complete the download: its end is missing",
-        ),
-        _ => (error.to_string(), at, general),
-    };
-    Diagnostic::about_file(name, format!("the file is not well-formed XML: {why}"))
-        .at(text, at..at + 1, "the parser stops here")
-        .help(help)
-        .into()
 }

@@ -40,8 +40,9 @@ fn too_many(name: &str, text: &str, mark: Range<usize>, title: String) -> SceneE
         .into()
 }
 
-/// Length of the comment, CDATA section, processing instruction or tag at the start of `markup`.
-fn markup_length(markup: &str) -> usize {
+/// Length of the comment, CDATA section, processing instruction or tag at the start of `markup`;
+/// all of `markup` if it has no end.
+pub(super) fn markup_length(markup: &str) -> usize {
     let until = |end: &str| markup.find(end).map_or(markup.len(), |at| at + end.len());
     if markup.starts_with("<!--") {
         until("-->")

@@ -321,12 +321,6 @@ fn invalid_files_give_an_error_with_title_and_line() {
 
 #[test]
 fn malformed_xml_is_an_error_with_its_position() {
-    let cut = scenes::parse("small.dae", &SMALL[..SMALL.len() / 2]).unwrap_err();
-    assert!(
-        cut.0.title().starts_with("the file is not well-formed XML"),
-        "{cut}"
-    );
-    assert!(cut.0.line_and_column().is_some());
     let end = "\n</COLLADA>\n";
     let lines = SMALL.trim_end().lines().count();
     assert_error(
@@ -357,6 +351,56 @@ fn malformed_xml_is_an_error_with_its_position() {
     ] {
         let error = scenes::parse("small.dae", text).unwrap_err();
         assert!(error.0.title().contains("not"), "{error}");
+    }
+}
+
+/// A download that was cut off: wherever it ends, the error marks the end and says so.
+#[test]
+fn a_text_that_is_cut_off_is_an_error_at_its_end() {
+    let text = format!(
+        "{}<!-- <the> end --></COLLADA>",
+        SMALL.trim_end().trim_end_matches("</COLLADA>")
+    );
+    for end in 1..text.len() {
+        let cut = &text[..end];
+        let error = scenes::parse("small.dae", cut).unwrap_err();
+        assert!(
+            error.0.title().contains("it ends"),
+            "after `{cut}`: {error}"
+        );
+        assert!(
+            error
+                .0
+                .what_to_do()
+                .unwrap()
+                .contains("end of the file is missing"),
+            "{error}"
+        );
+        let line = cut.trim_end().lines().count();
+        assert_eq!(
+            error.0.line_and_column().unwrap().0,
+            line,
+            "after `{cut}`: {error}"
+        );
+    }
+}
+
+#[test]
+fn a_text_that_is_not_xml_is_an_error_with_advice() {
+    for (text, title) in [
+        ("", "the file is empty: it is not a COLLADA scene"),
+        (
+            "\n ",
+            "the file has only white space: it is not a COLLADA scene",
+        ),
+        (
+            "solid cube",
+            "the file is not XML: it does not begin with `<`",
+        ),
+    ] {
+        let error = scenes::parse("small.dae", text).unwrap_err();
+        assert_eq!(error.0.title(), title);
+        assert!(error.0.what_to_do().is_some(), "{error}");
     }
 }
 

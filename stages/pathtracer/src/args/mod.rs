@@ -5,12 +5,14 @@ use self::values::{
 };
 use clap::{Parser, ValueEnum};
 mod settings;
+mod usage;
 mod values;
 mod view;
 
 use crate::{AccelKind, RateScale, ToneCurve};
 use std::path::PathBuf;
 
+pub use usage::with_advice;
 pub use values::stops;
 pub use view::ViewError;
 

@@ -19,7 +19,7 @@ use clap::Parser;
 use failure::Failure;
 use kit::hole::Hole;
 use merge::MergeArgs;
-use pathtracer::args::Args;
+use pathtracer::args::{Args, with_advice};
 use std::env;
 use std::ffi::OsString;
 use std::panic;
@@ -30,10 +30,10 @@ fn main() -> ExitCode {
     // A scene file of this name is `./merge`.
     if arguments.get(1).is_some_and(|first| first == "merge") {
         arguments.remove(1);
-        let args = MergeArgs::parse_from(arguments);
+        let args = parse::<MergeArgs>(arguments);
         return merge::run(&args).unwrap_or_else(|failure| failure.report(false));
     }
-    let args = Args::parse();
+    let args = parse::<Args>(arguments);
     // A hole is reported in one line, at the end; another panic as usual, with its location.
     let print_panic = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
@@ -46,4 +46,9 @@ fn main() -> ExitCode {
         Ok(Err(failure)) => failure.report(args.mis),
         Err(payload) => Failure::from_panic(payload).report(args.mis),
     }
+}
+
+/// The flags; ends the program if they are invalid, and after `--help`.
+fn parse<A: Parser>(arguments: Vec<OsString>) -> A {
+    A::try_parse_from(arguments).unwrap_or_else(|error| with_advice::<A>(error).exit())
 }

@@ -18,12 +18,16 @@ use pathtracer::{
 };
 use std::path::Path;
 use std::process::{self, ExitCode};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 /// Exit code after Ctrl-C, as in shells.
 const INTERRUPTED: u8 = 130;
+
+/// Two signals that are closer together are one Ctrl-C: `timeout -s INT` sends its signal to the
+/// program and to the program's process group, so it arrives twice.
+const ONE_CTRL_C: Duration = Duration::from_millis(500);
 
 /// Renders the scene of `args`. Invalid input is reported before rendering.
 pub(crate) fn run(args: &Args) -> Result<ExitCode, Failure> {
@@ -258,8 +262,8 @@ fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
 struct Stop {
     /// Whether to end it.
     flag: Arc<AtomicBool>,
-    /// Whether Ctrl-C was pressed.
-    interrupted: Arc<AtomicBool>,
+    /// When Ctrl-C was pressed.
+    interrupted: Arc<OnceLock<Instant>>,
 }
 
 impl Stop {
@@ -273,7 +277,7 @@ impl Stop {
         let (flag, interrupted) = (Arc::clone(&stop.flag), Arc::clone(&stop.interrupted));
         let handler = move || {
             flag.store(true, Ordering::Relaxed);
-            if interrupted.swap(true, Ordering::Relaxed) {
+            if interrupted.get_or_init(Instant::now).elapsed() > ONE_CTRL_C {
                 process::exit(i32::from(INTERRUPTED));
             }
         };
@@ -288,6 +292,6 @@ impl Stop {
     }
 
     fn is_interrupted(&self) -> bool {
-        self.interrupted.load(Ordering::Relaxed)
+        self.interrupted.get().is_some()
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::snapshot::Shot;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
-use pathtracer::args::Args;
+use pathtracer::args::{Args, with_advice};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -56,7 +56,9 @@ impl ViewerArgs {
         let command = ViewerArgs::command().mut_arg("scene", |scene| {
             scene.required(false).default_value(NO_SCENE)
         });
-        let matches: ArgMatches = command.try_get_matches_from(arguments)?;
+        let matches: ArgMatches = command
+            .try_get_matches_from(arguments)
+            .map_err(with_advice::<ViewerArgs>)?;
         let mut args = ViewerArgs::from_arg_matches(&matches)?;
         if args.render.scene.as_os_str() == NO_SCENE {
             args.render.scene = PathBuf::new();

@@ -46,7 +46,7 @@ impl Session {
         let job = settings.job(camera);
         let wake = Arc::clone(&self.wake);
         self.render = Some(RenderControl::start(&scene, job, settings.light, wake));
-        self.message = format!("Rendering with {}", settings.flags());
+        self.message = format!("Picture with {}", settings.flags());
     }
 
     /// Changes the settings. In render mode the render starts again, with the new settings.
@@ -190,7 +190,7 @@ impl Session {
         let wake = Arc::clone(&self.wake);
         self.inspector
             .inspect(&scene, job, settings, passes, rendered, (x, y), &wake);
-        self.message = format!("Replaying pixel {x} {y}");
+        self.message = format!("Replay of pixel {x} {y}");
     }
 
     /// Replays the pixel that is `x` columns and `y` rows from the replayed one; without a replay the

@@ -114,6 +114,9 @@ fn a_changed_setting_restarts_the_render() {
     assert_ne!(render.number(), first);
     assert_eq!(render.job().samples, 4);
     assert!(render.is_done());
+    // The line at the bottom stays when the picture is done.
+    let message = window.session().message();
+    assert!(message.starts_with("Picture with -r"), "{message}");
 }
 
 #[test]

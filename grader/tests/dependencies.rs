@@ -85,7 +85,7 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("plots", &["grader", "pages"]),
     ("submission", &["grader", "judge", "sandbox"]),
     ("formats", &["grader", "judge", "submission"]),
-    ("export", &["grader", "submission"]),
+    ("export", &["grader", "judge", "submission"]),
     (
         "review",
         &[

@@ -42,6 +42,8 @@ pub enum Status {
     Graded,
     /// None of its stages compiles.
     DoesNotCompile,
+    /// None of its stages compiles, and at least one was refused before it was compiled.
+    Refused,
     /// It exceeded this limit.
     OverLimit(String),
     /// What was handed in is no submission that can be read: what is wrong with it. Nothing of it
@@ -57,6 +59,7 @@ impl Status {
         match self {
             Status::Graded => "graded",
             Status::DoesNotCompile => "does not compile",
+            Status::Refused => "refused",
             Status::OverLimit(_) => "over a limit",
             Status::Unreadable(_) => "could not be read",
             Status::Infrastructure(_) => "infrastructure",
@@ -171,7 +174,8 @@ fn row(out: &Out, planned: &Planned) -> Result<Row, GraderError> {
     notes.extend(report.notes());
     let status = match &unit.outcome {
         Outcome::OverLimit(limit) => Status::OverLimit(limit.clone()),
-        Outcome::DoesNotCompile => Status::DoesNotCompile,
+        Outcome::DoesNotCompile if report.refused_stages.is_empty() => Status::DoesNotCompile,
+        Outcome::DoesNotCompile => Status::Refused,
         Outcome::Graded if unit.endless_cases.is_empty() => Status::Graded,
         Outcome::Graded => Status::OverLimit(cases_over_a_limit(&unit.endless_cases)),
     };

@@ -274,6 +274,41 @@ impl Plan {
         units
     }
 
+    /// Why only `to_grade` units are graded of more submissions; `None` if each is graded.
+    /// `is_stored` knows the units that are stored.
+    pub fn why_fewer(&self, to_grade: usize, is_stored: impl Fn(&str) -> bool) -> Option<String> {
+        let units = self.units();
+        let with_unit = self
+            .submissions
+            .iter()
+            .filter(|s| s.key().is_some())
+            .count();
+        let stored = units.keys().filter(|key| is_stored(key)).count();
+        let reasons = [
+            (
+                with_unit - units.len(),
+                "equal to another and graded with it",
+            ),
+            (self.submissions.len() - with_unit, "that cannot be read"),
+            (stored, "graded already"),
+            (
+                units.len().saturating_sub(stored + to_grade),
+                "of other shards",
+            ),
+        ];
+        let reasons = reasons.into_iter().filter(|(count, _)| *count > 0);
+        let reasons: Vec<String> = reasons
+            .map(|(count, why)| format!("{count} {why}"))
+            .collect();
+        (!reasons.is_empty()).then(|| {
+            let count = self.submissions.len();
+            format!(
+                "{to_grade} of {count} submissions to grade; the others: {}",
+                reasons.join(", ")
+            )
+        })
+    }
+
     /// This plan with what `wanted` has more, for the same settings. A submission that has a score
     /// (`is_stored` knows the units that are stored) keeps it, even if other files were handed in
     /// since; the second value names such submissions.

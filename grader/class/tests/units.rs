@@ -71,6 +71,69 @@ fn names_and_texts_in_pages_are_escaped() {
 }
 
 #[test]
+fn a_stage_that_was_refused_is_not_said_to_be_broken() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = FakeClass::new(folder.path(), 3);
+    let out = class.out("out");
+    grade(&class, &out, 0, 1, Behaviour::Fine);
+    let key = class.plan.submissions[0].key().expect("it has a unit");
+    let unit = std::fs::read_to_string(out.unit(key)).expect("a unit");
+    let mut unit: serde_json::Value = serde_json::from_str(&unit).expect("JSON");
+    unit["outcome"] = "does_not_compile".into();
+    unit["report"]["tasks"][0]["status"] = "does_not_compile".into();
+    let table = |unit: &serde_json::Value, path: &str| {
+        std::fs::write(out.unit(key), unit.to_string()).expect("a unit");
+        let tables = class.tables(&out);
+        String::from_utf8_lossy(&tables[&PathBuf::from(path)]).into_owned()
+    };
+    let gradebook = |unit: &serde_json::Value| table(unit, "gradebook.csv");
+    let broken = gradebook(&unit);
+    assert!(broken.contains("student00,does not compile,"), "{broken}");
+    assert!(broken.contains("does not compile: raygen"), "{broken}");
+    let reasons = [
+        "lib.rs:3: `unsafe` is not allowed",
+        "lib.rs:9: `asm` is not allowed",
+    ];
+    unit["report"]["refused_stages"] = serde_json::json!({ "raygen": reasons });
+    let refused = gradebook(&unit);
+    assert!(refused.contains("student00,refused,"), "{refused}");
+    let page = table(&unit, "students/student00.html");
+    assert!(
+        page.contains("Its stage was refused before it was compiled"),
+        "{page}"
+    );
+    let note =
+        "refused before it was compiled: raygen: lib.rs:3: `unsafe` is not allowed (and 1 more)";
+    assert!(
+        refused.contains(note) && !refused.contains("does not compile"),
+        "{refused}"
+    );
+}
+
+/// 4 submissions are 3 units, and another cannot be read.
+#[test]
+fn it_is_said_why_fewer_are_graded_than_were_handed_in() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut plan = FakeClass::new(folder.path(), 4).plan;
+    assert_eq!(
+        plan.why_fewer(3, |_| false).as_deref(),
+        Some(
+            "3 of 5 submissions to grade; the others: 1 equal to another and graded with it, 1 that cannot be read"
+        )
+    );
+    let first = plan.submissions[0].key().expect("it has a unit");
+    let resumed = plan
+        .why_fewer(1, |key| key == first)
+        .expect("not all are graded");
+    assert!(
+        resumed.contains("1 graded already, 1 of other shards"),
+        "{resumed}"
+    );
+    plan.submissions.truncate(3);
+    assert_eq!(plan.why_fewer(3, |_| false), None);
+}
+
+#[test]
 fn only_failures_of_the_machine_are_tried_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let class = FakeClass::new(folder.path(), 4);

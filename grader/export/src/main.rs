@@ -1,5 +1,6 @@
 //! The program behind `grader export SYSTEM --part N --out PATH`.
 
+use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use export::archive;
 use export::choices::Choices;
@@ -10,6 +11,7 @@ use grader::course::Course;
 use grader::error::GraderError;
 use grader::report::write_whole;
 use grader::workspace::Workspace;
+use judge::plural;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -158,12 +160,18 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             let zip = archive::zip(&files)?;
             write_whole(out, &zip)?;
             let kilobytes = zip.len() / 1000;
-            println!("{}: {} files, {kilobytes} kB", out.display(), files.len());
+            let count = plural(files.len(), "file", "files");
+            println!("{}: {count}, {kilobytes} kB", out.display());
         }
         _ => {
             write_folder(out, &files)?;
-            println!("{}: {} files", out.display(), files.len());
+            let count = plural(files.len(), "file", "files");
+            println!("{}: {count}", out.display());
         }
+    }
+    let is_given = |flag: &&&str| matches.value_source(flag) == Some(ValueSource::CommandLine);
+    for flag in system.unused_flags().iter().filter(is_given) {
+        eprintln!("note: no effect: --{flag}: {name} does not use it");
     }
     println!("{}", system.next_step());
     Ok(Verdict::Passed)

@@ -57,6 +57,15 @@ impl System {
         matches!(self, System::Classroom50 | System::Actions)
     }
 
+    /// The flags of the command that change nothing in its files.
+    pub fn unused_flags(self) -> &'static [&'static str] {
+        match self {
+            System::Gradescope => &["course", "ref"],
+            System::PrairieLearn => &["course", "ref", "visibility"],
+            System::Classroom50 | System::Actions => &["unsandboxed", "visibility"],
+        }
+    }
+
     /// What to do with the exported files.
     pub fn next_step(self) -> &'static str {
         match self {

@@ -215,6 +215,82 @@ fn scripts_have_no_mistakes_of_syntax() {
     );
 }
 
+/// The scripts of systems that grade in the student's repository take its stages. One that is
+/// missing stays that of the handout: without `lib.rs` nothing would compile.
+#[cfg(unix)]
+#[test]
+fn a_stage_that_is_missing_stays_that_of_the_handout() {
+    let take = |program: &str, script: &str| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let write = |path: &str, text: &str| {
+            let path = folder.path().join(path);
+            std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+            std::fs::write(path, text).expect("it is written");
+        };
+        for stage in ["raygen", "intersect", "bvh"] {
+            write(&format!("course/stages/{stage}/src/lib.rs"), "given");
+            write(&format!("course/stages/{stage}/src/given.rs"), "given");
+        }
+        write("student/stages/intersect/src/lib.rs", "written");
+        write("student/stages/bvh/src/notes.txt", "no stage");
+        let mut run = Command::new(program);
+        run.args(["-c", script]).current_dir(folder.path());
+        let Ok(run) = run.output() else {
+            return; // Not every machine has Python.
+        };
+        assert!(
+            run.status.success(),
+            "{}",
+            String::from_utf8_lossy(&run.stderr)
+        );
+        let read = |path: &str| {
+            std::fs::read_to_string(folder.path().join("course/stages").join(path)).ok()
+        };
+        assert_eq!(
+            read("raygen/src/lib.rs").as_deref(),
+            Some("given"),
+            "{program}"
+        );
+        assert_eq!(
+            read("bvh/src/lib.rs").as_deref(),
+            Some("given"),
+            "{program}"
+        );
+        assert_eq!(
+            read("intersect/src/lib.rs").as_deref(),
+            Some("written"),
+            "{program}"
+        );
+        assert_eq!(read("intersect/src/given.rs"), None, "{program}");
+    };
+    let workflow = text(files(System::Actions), "first-light.yml");
+    let (_, script) = workflow.split_once("        run: |\n").expect("a script");
+    let (script, _) = script.split_once("          done\n").expect("a loop");
+    take("bash", &format!("set -e\n{script}\ndone"));
+    let autograder = text(files(System::Classroom50), "autograder.py");
+    let (functions, _) = autograder
+        .split_once("def main()")
+        .expect("the main function");
+    take(
+        "python3",
+        &format!("{functions}\ntake_stages(Path('student'), Path('course'))"),
+    );
+}
+
+#[test]
+fn flags_that_a_system_does_not_use_change_none_of_its_files() {
+    for system in [System::Actions, System::Classroom50] {
+        assert_eq!(system.unused_flags(), ["unsandboxed", "visibility"]);
+        let others = Choices {
+            unsandboxed: false,
+            visibility: "hidden".into(),
+            ..choices()
+        };
+        let others = system.files(&workspace(), &others).expect("it is exported");
+        assert!(others == files(system), "{}", system.name());
+    }
+}
+
 /// Builds the package as Gradescope does, and grades with it: takes minutes.
 ///
 /// `cargo test -p export --test packages -- --ignored`

@@ -4,7 +4,8 @@
 
 use crate::points::rounded;
 use crate::{Outcome, Settings};
-use grader::score::Status;
+use grader::score::{Status, TaskResult};
+use submission::about_refused;
 
 /// The columns before those of the tasks.
 const COLUMNS: [&str; 6] = ["id", "name", "score", "max_score", "extra", "max_extra"];
@@ -31,12 +32,14 @@ pub fn write(outcome: &Outcome, settings: &Settings) -> String {
             let results = || report.tasks.iter().map(|task| &task.result);
             header.extend(results().map(|task| task.key.clone()));
             row.extend(results().map(|task| rounded(task.score).to_string()));
-            let broken = results().filter(|task| task.status == Status::DoesNotCompile);
+            let not_built = |task: &&TaskResult| task.status == Status::DoesNotCompile;
+            let is_refused = |task: &&TaskResult| graded.refused.contains_key(&task.stage);
+            let broken = results().filter(not_built).filter(|task| !is_refused(task));
             let broken: Vec<&str> = broken.map(|task| task.key.as_str()).collect();
-            match broken.is_empty() {
-                true => String::new(),
-                false => format!("does not compile: {}", broken.join(" ")),
-            }
+            let broken =
+                (!broken.is_empty()).then(|| format!("does not compile: {}", broken.join(" ")));
+            let notes = broken.into_iter().chain(about_refused(&graded.refused));
+            notes.collect::<Vec<_>>().join("; ")
         }
     };
     header.push("note".into());

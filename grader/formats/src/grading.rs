@@ -13,6 +13,7 @@ use grader::workspace::Workspace;
 use grader::{compile_errors, printed};
 use judge::Tier;
 use std::any::Any;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -92,6 +93,7 @@ fn in_place(
         json,
         reveal,
         notes,
+        refused: BTreeMap::new(),
     })))
 }
 
@@ -118,6 +120,7 @@ fn submission(
     Ok(Outcome::Graded(Box::new(Graded {
         annotations: annotation::all(&report.scores, &report.compiler, &files, reveal),
         notes: notes(&report),
+        refused: report.refused_stages,
         what: options.request.what,
         report: report.scores,
         json,

@@ -41,6 +41,7 @@ use grader::score::{CaseResult, Status, TaskResult};
 use grader::workspace::Workspace;
 use read::Submission;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The report about a submission.
@@ -53,6 +54,9 @@ pub struct SubmissionReport {
     pub together: Option<Report>,
     /// Stages under test that were not handed in.
     pub missing: Vec<String>,
+    /// Stages that were refused before they were compiled: a sentence for each place. Their tasks
+    /// have the status of code that does not compile.
+    pub refused_stages: BTreeMap<String, Vec<String>>,
     /// Files that are not graded, and are not as the student was given them.
     pub ignored: Vec<String>,
     /// Those of them that decide points in the student's own runs, such as `stages/kit`.
@@ -101,6 +105,7 @@ impl SubmissionReport {
             scores: Report::new(Vec::new(), None),
             together: None,
             missing: Vec::new(),
+            refused_stages: BTreeMap::new(),
             ignored: names(&submission.ignored),
             changed_given: names(&submission.changed_given),
             reaches_out: submission.reaches_out.clone(),
@@ -124,6 +129,11 @@ impl SubmissionReport {
             let why = submission.why_not_built(stage);
             if !why.is_empty() {
                 report.compiler.push_str(&why);
+                if let Some(reasons) = submission.forbidden.get(stage) {
+                    report
+                        .refused_stages
+                        .insert(stage.to_string(), reasons.clone());
+                }
                 ungraded.extend(of_stage.map(|task| no_points(task, &Status::DoesNotCompile)));
                 continue;
             }
@@ -174,6 +184,21 @@ impl SubmissionReport {
         }
         Ok(report)
     }
+}
+
+/// A sentence about stages that were refused before they were compiled; `None` if none was.
+pub fn about_refused(stages: &BTreeMap<String, Vec<String>>) -> Option<String> {
+    let names: Vec<&str> = stages.keys().map(String::as_str).collect();
+    let mut reasons = stages.values().flatten();
+    let first = reasons.next()?;
+    let more = match reasons.count() {
+        0 => String::new(),
+        more => format!(" (and {more} more)"),
+    };
+    let names = names.join(" ");
+    Some(format!(
+        "refused before it was compiled: {names}: {first}{more}"
+    ))
 }
 
 /// How many files [`about_changed_given`] names.

@@ -31,7 +31,8 @@ pub struct Submission {
 /// The maximum number of source files of a stage.
 const MAX_FILES: usize = 500;
 
-/// The maximum number of files and folders in a submission.
+/// The maximum number of files and folders of a submission that are compared with the given ones.
+/// Forgotten build results or packages of another language may be many more.
 const MAX_ENTRIES: usize = 50_000;
 
 /// Folders whose contents are not read.
@@ -90,7 +91,7 @@ impl Submission {
         };
         let given = Given::of(&top, &stages_folder, trusted);
         let mut entries = 0;
-        walk(&top, &mut entries, &mut |path| {
+        let all = walk(&top, &mut entries, &mut |path| {
             let name = path.strip_prefix(&top).unwrap_or(path);
             let path_in_course = if stages_folder == top {
                 Path::new("stages").join(name)
@@ -104,9 +105,17 @@ impl Submission {
                 }
             }
         })?;
+        submission.notes = notes.into_iter().map(note).collect();
+        if !all {
+            // Those that were found first depend on the order of a folder's entries.
+            submission.ignored.clear();
+            submission.changed_given.clear();
+            submission.notes.push(format!(
+                "more than {MAX_ENTRIES} files and folders: which of them are ignored is not listed"
+            ));
+        }
         submission.ignored.sort();
         submission.changed_given.sort();
-        submission.notes = notes.into_iter().map(note).collect();
         Ok(submission)
     }
 }
@@ -190,21 +199,18 @@ fn sources(top: &Path, src: &Path, notes: &mut Notes) -> Result<Files, GraderErr
 }
 
 /// Calls `visit` for every file below `folder` and for every folder that cannot be read. Does not
-/// follow links.
+/// follow links. Returns whether these were all: it stops after [`MAX_ENTRIES`].
 fn walk(
     folder: &Path,
     entries: &mut usize,
     visit: &mut impl FnMut(&Path),
-) -> Result<(), GraderError> {
+) -> Result<bool, GraderError> {
     let failed = |e: std::io::Error| GraderError::file("read", folder, e);
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
         *entries += 1;
         if *entries > MAX_ENTRIES {
-            return Err(GraderError::new(format!(
-                "{} contains more than {MAX_ENTRIES} files: too many for a project. Is it the right folder?",
-                folder.display()
-            )));
+            return Ok(false);
         }
         let is_folder = entry.file_type().map_err(failed)?.is_dir();
         if !is_folder {
@@ -214,13 +220,17 @@ fn walk(
             .any(|name| entry.file_name() == *name)
         {
             match std::fs::read_dir(entry.path()) {
-                Ok(_) => walk(&entry.path(), entries, visit)?,
+                Ok(_) => {
+                    if !walk(&entry.path(), entries, visit)? {
+                        return Ok(false);
+                    }
+                }
                 // All folders that are needed were read before.
                 Err(_) => visit(&entry.path()),
             }
         }
     }
-    Ok(())
+    Ok(true)
 }
 
 /// Finds lines that may access files outside their module tree or start programs. A person should
@@ -314,6 +324,24 @@ mod tests {
             "stages/kit/src/lib.rs",
         ];
         assert_eq!(ignored, expected.map(PathBuf::from));
+    }
+
+    #[test]
+    fn a_submission_with_very_many_files_is_read() {
+        let (folder, few) = read(&[("stages/intersect/src/lib.rs", b"")]);
+        let packages = folder.path().join("node_modules");
+        std::fs::create_dir(&packages).unwrap();
+        for i in 0..MAX_ENTRIES {
+            std::fs::File::create(packages.join(i.to_string())).unwrap();
+        }
+        let many = reread(&folder).unwrap();
+        assert_eq!(many.stages, few.unwrap().stages);
+        assert_eq!(many.ignored, [] as [PathBuf; 0]);
+        assert!(
+            many.notes[0].starts_with("more than 50000 files"),
+            "{:?}",
+            many.notes
+        );
     }
 
     #[test]

@@ -63,6 +63,9 @@ pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             &workspace,
             containment(matches, &workspace)?,
         )?);
+        if let Some(why) = plan.why_fewer(jobs.len(), |key| out.has(key)) {
+            eprintln!("{why}");
+        }
         let progress = Progress::start(jobs.len());
         pool::run(&jobs, at_once(matches), out, &progress, |key| {
             let mut command = command.of(key);

@@ -3,6 +3,7 @@
 use crate::unit::Unit;
 use grader::error::GraderError;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 
 /// The report about one submission.
 #[derive(Clone, Debug, Deserialize)]
@@ -20,6 +21,9 @@ pub struct StudentReport {
     /// Stages that were not handed in.
     #[serde(default)]
     pub missing: Vec<String>,
+    /// Stages that were refused before they were compiled, with the reasons.
+    #[serde(default)]
+    pub refused_stages: BTreeMap<String, Vec<String>>,
     /// Files that are not graded.
     #[serde(default)]
     pub ignored: Vec<String>,
@@ -148,11 +152,13 @@ impl StudentReport {
             .iter()
             .filter(|task| task.status == "does_not_compile")
             .map(|task| task.stage.as_str())
+            .filter(|stage| !self.refused_stages.contains_key(*stage))
             .collect();
         broken.dedup();
         if !broken.is_empty() {
             notes.push(format!("does not compile: {}", broken.join(" ")));
         }
+        notes.extend(submission::about_refused(&self.refused_stages));
         notes.extend(submission::about_changed_given(&self.changed_given));
         let is_said = |file: &&String| self.changed_given.contains(*file);
         let mut others = self.ignored.iter().filter(|file| !is_said(file));

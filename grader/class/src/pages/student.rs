@@ -37,12 +37,12 @@ pub fn page(class: &Class, row: &Row, hint: HintLevel) -> String {
     if let Some((unit, report)) = &row.graded {
         html.push_str(&table(report));
         for task in &report.tasks {
-            html.push_str(&task_section(task, hint));
+            html.push_str(&task_section(task, report, hint));
         }
         if !report.compiler.is_empty() {
             let _ = write!(
                 html,
-                "<h2>The compiler</h2>\n<pre>{}</pre>\n",
+                "<h2>Why code was not compiled</h2>\n<pre>{}</pre>\n",
                 escape(&shortened(&report.compiler))
             );
         }
@@ -85,7 +85,7 @@ fn table(report: &StudentReport) -> String {
     html + "</table></div>\n"
 }
 
-fn task_section(task: &Task, hint: HintLevel) -> String {
+fn task_section(task: &Task, report: &StudentReport, hint: HintLevel) -> String {
     let share = match task.max_score > 0.0 {
         true => (100.0 * task.score / task.max_score).clamp(0.0, 100.0),
         false => 100.0,
@@ -96,7 +96,7 @@ fn task_section(task: &Task, hint: HintLevel) -> String {
         escape(&task.title),
         points(task.score),
         points(task.max_score),
-        status(&task.status)
+        status(task, report)
     );
     if hint >= HintLevel::Findings && !task.regularities.is_empty() {
         html.push_str(&list(&task.regularities));
@@ -181,11 +181,15 @@ fn case_card(case: &Case, hint: HintLevel) -> String {
 }
 
 /// The sentence about the status of a task.
-fn status(status: &str) -> &'static str {
-    match status {
+fn status(task: &Task, report: &StudentReport) -> &'static str {
+    match task.status.as_str() {
         "passed" => "Everything is right.",
+        "not_attempted" if report.missing.contains(&task.stage) => "Its stage was not handed in.",
         "not_attempted" => "It is not written yet.",
-        "does_not_compile" => "Its stage does not compile: the compiler's messages are below.",
+        "does_not_compile" if report.refused_stages.contains_key(&task.stage) => {
+            "Its stage was refused before it was compiled: the reasons are below."
+        }
+        "does_not_compile" => "Its stage does not compile: the messages about it are below.",
         "crashed" => "The code crashed.",
         "needs" => "It could not run, because it needs another stage.",
         _ => "Some answers are wrong.",

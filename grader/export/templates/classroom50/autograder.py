@@ -27,9 +27,15 @@ RESULT = [
 
 
 def take_stages(student: Path, course: Path) -> None:
-    """Replaces the sources of the stages by the student's. Links are not followed."""
+    """Replaces the sources of the stages by the student's. Links are not followed.
+
+    A stage that is missing stays as in the handout: it is not written yet.
+    """
     for stage in STAGES:
         below = Path("stages") / stage / "src"
+        root = student / below / "lib.rs"
+        if not root.is_file() or root.is_symlink():
+            continue
         shutil.rmtree(course / below, ignore_errors=True)
         (course / below).mkdir(parents=True)
         for folder, _, names in os.walk(student / below):

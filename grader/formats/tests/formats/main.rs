@@ -4,7 +4,10 @@ mod junit_schema;
 mod outcomes;
 
 use formats::{Format, Outcome};
-use outcomes::{broken, failed_grader, full, hostile, nothing_compiles, partly, refused, settings};
+use outcomes::{
+    broken, failed_grader, full, hostile, nothing_compiles, partly, refused, settings,
+    stage_refused,
+};
 use serde_json::Value;
 
 /// Every kind of outcome, with its name.
@@ -238,6 +241,8 @@ fn a_gradebook_has_points_or_a_reason() {
         "ada,\"'=Lovelace, Ada\",,,,,not graded: the disk is full"
     );
     assert!(rows(&nothing_compiles())[1].ends_with(",0,does not compile: part1.task3"));
+    let refused = ",0,refused before it was compiled: intersect: stages/intersect/src/lib.rs:3: `unsafe` is not allowed in a stage";
+    assert!(rows(&stage_refused())[1].ends_with(refused));
 }
 
 #[test]

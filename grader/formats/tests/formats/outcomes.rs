@@ -9,6 +9,7 @@ use grader::report::{HintLevel, Report, Reveal, TaskReport, json};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::sources::SourceFile;
 use judge::tally::{Aspect, Finding, Tally};
+use std::collections::BTreeMap;
 
 const COURSE: &str = r#"
 conventions = []
@@ -98,6 +99,7 @@ fn graded(statuses: [Status; 4], wrong: [u32; 4], said: &str) -> Outcome {
         report,
         reveal,
         notes: format!("{compiler}{said}\n"),
+        refused: BTreeMap::new(),
     }))
 }
 
@@ -133,6 +135,16 @@ pub(crate) fn broken() -> Outcome {
 pub(crate) fn nothing_compiles() -> Outcome {
     let statuses = [const { Status::DoesNotCompile }; 4];
     graded(statuses, [0; 4], "mismatched types")
+}
+
+/// Code of which the only stage was refused before it was compiled.
+pub(crate) fn stage_refused() -> Outcome {
+    let Outcome::Graded(mut graded) = nothing_compiles() else {
+        unreachable!("code that does not compile is graded");
+    };
+    let why = "stages/intersect/src/lib.rs:3: `unsafe` is not allowed in a stage";
+    graded.refused = BTreeMap::from([("intersect".into(), vec![why.into()])]);
+    Outcome::Graded(graded)
 }
 
 /// Code that says things which are commands, tags or fences elsewhere.

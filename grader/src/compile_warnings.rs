@@ -13,11 +13,13 @@ impl Warnings {
         *self.0.entry(of_crate.to_owned()).or_default() += 1;
     }
 
-    /// A line for each crate with warnings: how many, and the command that prints them.
+    /// A line for each crate with warnings: how many, and the command that shows the code.
     pub fn summary(&self) -> String {
         let lines = self.0.iter().map(|(name, count)| {
             let count = judge::plural(*count, "warning", "warnings");
-            format!("{count} of the compiler about {name}: `cargo check -p {name}` prints them\n")
+            format!(
+                "{count} of the compiler about {name}: `cargo check -p {name}` shows the code\n"
+            )
         });
         lines.collect()
     }
@@ -36,8 +38,8 @@ mod tests {
         }
         assert_eq!(
             warnings.summary(),
-            "1 warning of the compiler about bvh: `cargo check -p bvh` prints them\n\
-             2 warnings of the compiler about raygen: `cargo check -p raygen` prints them\n"
+            "1 warning of the compiler about bvh: `cargo check -p bvh` shows the code\n\
+             2 warnings of the compiler about raygen: `cargo check -p raygen` shows the code\n"
         );
     }
 }

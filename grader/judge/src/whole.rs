@@ -171,10 +171,10 @@ impl Whole {
 }
 
 impl fmt::Display for Counts {
-    /// "3 confirmed, 1 not judged".
+    /// "1 wrong, 3 confirmed, 1 not judged".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = [
-            (self.refused, "refused"),
+            (self.refused, "wrong"),
             (self.confirmed, "confirmed"),
             (self.not_judged, "not judged"),
         ];

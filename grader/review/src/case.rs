@@ -46,7 +46,7 @@ pub enum State {
     /// Something differs.
     Differs {
         /// The differences.
-        changes: Changes,
+        changes: Box<Changes>,
         /// On how many calls the answers are known to differ.
         calls: usize,
         /// How many pixels have another colour.
@@ -140,7 +140,7 @@ impl Case {
         case.rows = rows(spec, snapshots, hits, causes, first);
         case.state = State::Differs {
             nearer: nearer(spec, &golden, &full, &changes.differing),
-            changes,
+            changes: Box::new(changes),
             calls: calls.len(),
             pixels,
             counts: whole.count(0..full.calls as u32),
@@ -157,7 +157,7 @@ impl Case {
         let state = match pixels {
             0 => State::Same,
             pixels => State::Differs {
-                changes: Changes::default(),
+                changes: Box::default(),
                 calls: 0,
                 pixels,
                 counts: Counts::default(),

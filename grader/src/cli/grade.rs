@@ -26,7 +26,7 @@ pub fn arguments(command: Command, hint: HintLevel) -> Command {
                 .help("What to grade: `all`, a part such as `part1`, or a task such as `part1.task3`; without it, the next open task"),
         )
         .arg(Arg::new("more").num_args(..).hide(true))
-        .arg(Format::argument())
+        .arg(Format::argument_with_course_systems())
         .arg(seed_argument())
         .arg(hint_argument(hint))
         .arg(

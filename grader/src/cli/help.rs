@@ -71,7 +71,7 @@ fn for_instructors() -> Command {
         .disable_help_subcommand(true)
         .args(grade::submission_arguments())
         .args(course_systems::arguments())
-        .arg(Format::argument())
+        .arg(Format::argument_with_course_systems())
         .after_help(EXIT_CODES)
         .subcommands(programs)
 }

@@ -134,14 +134,17 @@ impl Format {
         Arg::new("format")
             .long("format")
             .help("How to print the report: `table`, or `json` for programs")
-            .value_parser(
-                ["table", "json"]
-                    .into_iter()
-                    .chain(course_systems::FORMATS)
-                    .collect::<Vec<_>>(),
-            )
+            .value_parser(Format::NAMES)
             .default_value("table")
     }
+
+    /// The option `--format` of a command that also prints the formats of course systems.
+    pub fn argument_with_course_systems() -> Arg {
+        let names = Format::NAMES.into_iter().chain(course_systems::FORMATS);
+        Format::argument().value_parser(names.collect::<Vec<_>>())
+    }
+
+    const NAMES: [&str; 2] = ["table", "json"];
 
     /// Reads the option that [`Format::argument`] defines.
     pub fn of(matches: &ArgMatches) -> Format {
@@ -267,6 +270,18 @@ fn forwarded_arguments(rest: &ArgMatches) -> impl Iterator<Item = OsString> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_commands_that_print_them_take_the_formats_of_course_systems() {
+        let takes = |argument: Arg| {
+            let command = Command::new("a").arg(argument);
+            command
+                .try_get_matches_from(["a", "--format", "csv"])
+                .is_ok()
+        };
+        assert!(!takes(Format::argument()));
+        assert!(takes(Format::argument_with_course_systems()));
+    }
 
     #[test]
     fn the_command_line_is_valid() {

@@ -14,7 +14,7 @@ use crate::given;
 use crate::printed::Printed;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::sources::Place;
-use judge::Tier;
+use judge::{Tier, plural};
 
 /// What a screen says besides the report.
 #[derive(Clone, Debug, Default)]
@@ -205,9 +205,16 @@ fn state(task: &TaskResult) -> String {
 
 /// The status of a task without a failed core case.
 fn right_so_far(task: &TaskResult) -> String {
-    match super::table::waiting(task) {
-        Some(waiting) => format!("right so far; {waiting}"),
-        None => summary(task),
+    if let Some(waiting) = super::table::waiting(task) {
+        return format!("right so far; {waiting}");
+    }
+    let unwritten = |case: &&CaseResult| case.status == Status::NotAttempted;
+    match task.cases.iter().filter(unwritten).count() {
+        0 => summary(task),
+        count => format!(
+            "right so far, {} a function that is not written",
+            plural(count, "case calls", "cases call")
+        ),
     }
 }
 
@@ -227,12 +234,15 @@ fn score(report: &Report, page: Page) -> Block {
 /// The command for more.
 fn more(task: &TaskReport, reveal: Reveal, page: Page) -> Block {
     let mut more = Vec::new();
-    // The levels are about the answers; a task without answers has no more to say.
-    let has_answers = task
-        .result
-        .cases
-        .iter()
-        .any(|case| !case.findings.is_empty());
+    let failed = detail::first_failed(&task.result, reveal.extra);
+    // The levels are about the wrong answers that the screen shows; without any there is no more to
+    // say.
+    let has_answers = failed.is_some()
+        && task
+            .result
+            .cases
+            .iter()
+            .any(|case| !case.findings.is_empty());
     if let Some(next) = reveal.hint.next().filter(|_| has_answers) {
         more.push(format!(
             "`--hint {}` for more ({})",
@@ -241,7 +251,7 @@ fn more(task: &TaskReport, reveal: Reveal, page: Page) -> Block {
         ));
     }
     more.push("`--long` for every case".to_owned());
-    if let Some(case) = detail::first_failed(&task.result, reveal.extra) {
+    if let Some(case) = failed {
         more.push(format!(
             "`cargo grader explain {}/{}`",
             task.result.key, case.name

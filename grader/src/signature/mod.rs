@@ -203,16 +203,33 @@ impl Signature {
 
     /// The part of the signature that would remain if only these functions made the mistake.
     pub fn within(&self, functions: &BTreeSet<&str>) -> Signature {
+        self.sides(|function| function.is_none_or(|function| functions.contains(function)))
+    }
+
+    /// The sides whose function, where cases call several, satisfies `is_kept`.
+    fn sides(&self, is_kept: impl Fn(Option<&str>) -> bool) -> Signature {
         let of = |cases: &Cases| {
             let mut cases = cases.clone();
-            let is_within = |function: &str| functions.contains(function);
-            cases.retain(|key, _| key.side.function().is_none_or(is_within));
+            cases.retain(|key, _| is_kept(key.side.function()));
             cases
         };
         Signature {
             core: of(&self.core),
             robust: of(&self.robust),
         }
+    }
+
+    /// The signature without the functions whose faults are those of `base`: code that was made
+    /// from `base` by an edit, and has the same faults there, does not make its mistake there.
+    pub fn changed_from(&self, base: &Signature) -> Signature {
+        let faults_in =
+            |signature: &Signature, function: &str| signature.sides(|of| of == Some(function));
+        let sides = self.core.keys().chain(self.robust.keys());
+        let functions = sides.filter_map(|key| key.side.function());
+        let changed = functions
+            .filter(|function| faults_in(self, function) != faults_in(base, function))
+            .collect();
+        self.within(&changed)
     }
 
     /// The kinds of faults on each side, over all cases and calls: the sides with a named fault,
@@ -349,6 +366,20 @@ pub(crate) mod tests {
         let wrong_t = of(&["one t@glass"]);
         assert!(of(&["one decision@refract"]).contradicts(&wrong_t));
         assert!(!of(&["one decision@glass"]).contradicts(&wrong_t));
+    }
+
+    #[test]
+    fn a_mistake_does_not_show_in_functions_that_an_edit_left_alone() {
+        let base = signature(&[("one decision@refract", "2 1*a")]);
+        let edited = signature(&[
+            ("one decision@refract", "2 1*a"),
+            ("one decision@reflect", "3*b"),
+        ]);
+        let reflect = signature(&[("one decision@reflect", "3*b")]);
+        assert_eq!(edited.changed_from(&base), reflect);
+        assert_eq!(edited.changed_from(&Signature::default()), edited);
+        let also_wrong = signature(&[("one decision@refract", "1 2*a")]);
+        assert_eq!(also_wrong.changed_from(&base), also_wrong);
     }
 
     #[test]

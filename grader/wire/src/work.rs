@@ -185,6 +185,8 @@ pub enum PixelWorld {
     Ramp,
     /// Alternates between this radiance and black from call to call.
     Flicker(Xyz),
+    /// A number that `trace_ray` draws from the sampler it is given, in all channels.
+    Numbers,
     /// Coloured rings around the centre of the film that get narrower outward (a Fresnel zone
     /// plate): where they are too narrow for the pixels, aliasing shows false rings.
     Rings,

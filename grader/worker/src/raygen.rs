@@ -34,11 +34,11 @@ fn pixel(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> PixelAnswer {
             points.push(point);
             camera_stub(point)
         },
-        &mut |ray, _| {
+        &mut |ray, sampler| {
             harness::limit_calls("trace_ray", traced_points.len(), asked_for);
             let point = Vec2::new(ray.o.x, ray.o.y);
             let from_camera = *ray == camera_stub(point);
-            let radiance = radiance(work.world, point, traced_radiance.len());
+            let radiance = radiance(work.world, point, traced_radiance.len(), sampler);
             traced_points.push(from_camera.then_some(point));
             traced_radiance.push(radiance);
             radiance
@@ -79,12 +79,16 @@ fn camera_stub(point: Vec2) -> kit::Ray {
     }
 }
 
-fn radiance(world: PixelWorld, point: Vec2, call: usize) -> Spectrum {
+fn radiance(world: PixelWorld, point: Vec2, call: usize, sampler: &mut PixelSampler) -> Spectrum {
     match world {
         PixelWorld::Constant(radiance) => radiance.into(),
         PixelWorld::Ramp => Spectrum::new(point.x, point.y, point.x * point.y),
         PixelWorld::Flicker(radiance) if call.is_multiple_of(2) => radiance.into(),
         PixelWorld::Flicker(_) => Spectrum::BLACK,
+        PixelWorld::Numbers => {
+            let number = sampler.next_1d();
+            Spectrum::new(number, number, number)
+        }
         PixelWorld::Rings => rings(point),
     }
 }

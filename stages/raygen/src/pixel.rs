@@ -15,8 +15,8 @@ use kit::{FilmSize, PixelEstimate, PixelSampler, Ray, Spectrum, Vec2};
 ///
 /// - `ns_aa == 1`: one ray through the centre of the pixel, `(x + 1/2, y + 1/2)`. Nothing is
 ///   random: no position is drawn from the sampler.
-/// - `ns_aa > 1`: the position of each sample is one [`PixelSampler::get_sample`], uniform in [0,
-///   1)².
+/// - `ns_aa > 1`: the position of each sample is one [`PixelSampler::get_sample`], uniform in
+///   [0, 1)².
 /// - `ns_aa == 0`: no rays. The estimate is black with 0 samples, not 0/0.
 ///
 /// A pixel outside the film is valid: the camera generates rays beyond the film as well.

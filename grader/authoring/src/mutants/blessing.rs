@@ -271,7 +271,7 @@ mod tests {
         assert_eq!(verdict(&all[..2]), Some(BlessVerdict::NotJudged));
         assert_eq!(verdict(&all), Some(BlessVerdict::Refused));
         let table = markdown("part1.task3", &[("culled", &all), ("accepted", &all[..1])]);
-        let row = "| culled | refuses | 1 | 1 | 1 | 1 refused, 6 confirmed, 1 not judged |  | \
+        let row = "| culled | refuses | 1 | 1 | 1 | 1 wrong, 6 confirmed, 1 not judged |  | \
                    a (3 confirmed), b (3 confirmed, 1 not judged) |";
         assert!(table.contains(row), "{table}");
         assert!(

@@ -274,9 +274,23 @@ pub fn known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
 /// Two mutants of one mistake that are this alike teach the diagnosis no more than one.
 const ALIKE: f64 = 0.99;
 
+/// The signature of a mutant, without the functions in which it has the same faults as the correct
+/// code that it was made from: some correct variants fail robust cases, which is no sign of the
+/// mistake.
+fn signature_of_mistake(mutant: &Mutant, graded: &Graded, all: &[Graded]) -> Signature {
+    let signature = Signature::of(&graded.result.cases);
+    let is_base = |other: &&Graded| matches!(other.kind, Kind::Correct) && other.name == mutant.on;
+    match all.iter().find(is_base) {
+        Some(base) if mutant.code.is_none() => {
+            signature.changed_from(&Signature::of(&base.result.cases))
+        }
+        _ => signature,
+    }
+}
+
 /// The known mistake of each mutant that is not held out.
-fn all_known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
-    let mutants = graded.iter().filter_map(|graded| match &graded.kind {
+fn all_known(corpus: &Corpus, all: &[Graded]) -> Vec<Known> {
+    let mutants = all.iter().filter_map(|graded| match &graded.kind {
         Kind::Mutant(mutant) if !mutant.held_out => Some((mutant, graded)),
         _ => None,
     });
@@ -297,7 +311,7 @@ fn all_known(corpus: &Corpus, graded: &[Graded]) -> Vec<Known> {
                     .iter()
                     .map(|mistake| mistake.hint.clone())
                     .collect(),
-                signature: Signature::of(&graded.result.cases),
+                signature: signature_of_mistake(mutant, graded, all),
                 is_symptom: mistakes.iter().any(|mistake| mistake.symptom),
             }
         })

@@ -16,7 +16,7 @@ pub(crate) struct Reproduction {
 }
 
 /// At least one for each task that has tests.
-pub(crate) const REPRODUCTIONS: [Reproduction; 19] = [
+pub(crate) const REPRODUCTIONS: [Reproduction; 20] = [
     Reproduction {
         name: "clamped",
         stage: "raygen",
@@ -49,6 +49,17 @@ pub(crate) const REPRODUCTIONS: [Reproduction; 19] = [
             ],
             ["sampler.get_sample()", "own.get_sample()"],
         ],
+    },
+    Reproduction {
+        name: "numbers_repeat",
+        stage: "raygen",
+        task: "part1.task1",
+        case: "fresh_numbers_for_each_ray",
+        call: 0,
+        edits: &[[
+            "trace_ray(&ray, sampler)",
+            "trace_ray(&ray, &mut PixelSampler::new(x, y, 0))",
+        ]],
     },
     Reproduction {
         name: "from_nothing",

@@ -1,5 +1,6 @@
 //! Describes what changed between two snapshots.
 
+use super::line::{Line, Value};
 use super::parse::Snapshot;
 use crate::plural;
 use std::fmt;
@@ -21,6 +22,8 @@ pub struct Changes {
     pub max_t_ulps: f64,
     /// Rows that differ in other fields only.
     pub other: usize,
+    /// The names of these fields, in the order in which the first row with each of them has them.
+    pub other_fields: Vec<String>,
     /// Whether the totals differ.
     pub totals: bool,
     /// Whether the hash of all rows differs.
@@ -57,7 +60,10 @@ pub fn changes(old: &Snapshot, new: &Snapshot) -> Changes {
                     changes.t += 1;
                     changes.max_t_ulps = changes.max_t_ulps.max(ulps_between(a, b));
                 }
-                _ => changes.other += 1,
+                _ => {
+                    changes.other += 1;
+                    changes.add_fields(old, new);
+                }
             },
         }
     }
@@ -73,6 +79,19 @@ fn ulps_between(a: f64, b: f64) -> f64 {
 }
 
 impl Changes {
+    /// Adds the names of the fields in which two rows differ.
+    fn add_fields(&mut self, old: &Line, new: &Line) {
+        let named = |line: &Line, name: &str| -> Vec<Value> {
+            let fields = line.fields().filter(|(field, _)| field == name);
+            fields.map(|(_, value)| value.clone()).collect()
+        };
+        for (name, _) in old.fields().chain(new.fields()) {
+            if named(old, name) != named(new, name) && !self.other_fields.contains(name) {
+                self.other_fields.push(name.clone());
+            }
+        }
+    }
+
     /// Whether nothing changed.
     pub fn is_empty(&self) -> bool {
         self.calls == 0 && self.differing.is_empty() && !self.totals && !self.hash
@@ -92,7 +111,10 @@ impl fmt::Display for Changes {
         add(self.now_miss, "now miss");
         add(self.primitive, "changed primitive");
         add(self.t, "changed t");
-        add(self.other, "changed otherwise");
+        add(
+            self.other,
+            &format!("changed {}", self.other_fields.join(", ")),
+        );
         if self.t > 0 {
             parts.push(format!("max Δt {} ulp", self.max_t_ulps));
         }
@@ -136,6 +158,13 @@ mod tests {
             "1 call now hit, 1 call now miss, 1 call changed primitive, 1 call changed t, max Δt 1 ulp"
         );
         assert_eq!(changes.differing, [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn fields_that_change_alone_are_named() {
+        let old = parse("0: -> t=1 n=(0,0,1) uv=(0,1)\n1: -> t=2 n=(1,0,0) uv=(0,1)\n").unwrap();
+        let new = parse("0: -> t=1 n=(0,1,0) uv=(0,1)\n1: -> t=2 n=(0,1,0) uv=(1,1)\n").unwrap();
+        assert_eq!(changes(&old, &new).to_string(), "2 calls changed n, uv");
     }
 
     #[test]

@@ -29,6 +29,11 @@ pub enum Value {
 pub(super) const MISS: &str = "miss";
 
 impl Line {
+    /// All fields: those of the question, then those of the answer.
+    pub fn fields(&self) -> impl Iterator<Item = &(String, Value)> {
+        self.question.iter().chain(&self.answer)
+    }
+
     /// The field `name` of the answer.
     pub fn get(&self, name: &str) -> Option<&Value> {
         self.answer

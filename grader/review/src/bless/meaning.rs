@@ -10,7 +10,7 @@ pub(super) fn pixels(old: &Image, new: &Image) -> String {
     }
     let pairs = old.pixels().iter().zip(new.pixels());
     let differing = pairs.filter(|(a, b)| a != b).count();
-    format!("{differing} of {} pixels", old.pixels().len())
+    format!("{differing} of {} pixels changed", old.pixels().len())
 }
 
 /// Two lists: the lines that were removed and those that were added.
@@ -47,6 +47,6 @@ mod tests {
         assert_eq!(pixels(&image(2), &image(3)), "the size 2 x 1 became 3 x 1");
         let mut other = image(2);
         other.set(1, 0, [1; 3]);
-        assert_eq!(pixels(&image(2), &other), "1 of 2 pixels");
+        assert_eq!(pixels(&image(2), &other), "1 of 2 pixels changed");
     }
 }

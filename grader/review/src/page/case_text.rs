@@ -63,7 +63,10 @@ pub(super) fn describe(case: &Case) -> String {
             if wrong.is_empty() && not_judged.is_empty() {
                 text.push_str("<p class=\"good\">The exact oracle confirms the new answers.</p>\n");
             } else if *counts != Counts::default() {
-                let _ = writeln!(text, "<p>All answers by the exact oracle: {counts}.</p>");
+                let _ = writeln!(
+                    text,
+                    "<p>By the exact oracle, of all answers: {counts}.</p>"
+                );
             }
             for open in not_judged {
                 let _ = writeln!(text, "<p class=\"open\">Not judged: {}</p>", escape(open));
@@ -103,7 +106,7 @@ pub(super) fn meaning(case: &Case) -> String {
     }
     if let Some(picture) = &case.picture {
         parts.push(format!(
-            "{pixels} of {} pixels",
+            "{pixels} of {} pixels changed",
             picture.actual.pixels().len()
         ));
     }

@@ -169,6 +169,23 @@ fn the_screen_has_what_helps_most() {
 }
 
 #[test]
+fn a_half_written_task_without_wrong_answers_offers_no_hint() {
+    let mut right = case("front_face", Tier::Core, "");
+    right.status = Status::Passed;
+    let mut open = case("interpolated_normals", Tier::Core, "");
+    open.status = Status::NotAttempted;
+    let half = task(
+        "part1.task3",
+        "Intersecting triangles",
+        12.0,
+        vec![right, open],
+    );
+    let text = screen(vec![half], &context("part1"), reveal(HintLevel::Findings));
+    assert!(text.contains("12/30  right so far\n"), "{text}");
+    assert!(!text.contains("--hint"), "{text}");
+}
+
+#[test]
 fn each_level_reveals_more() {
     let found = Diagnosis {
         mistakes: vec!["culled".into()],

@@ -68,6 +68,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         )
         .only(&[Independence]),
         case(
+            "fresh_numbers_for_each_ray",
+            "4 samples in each of 48 pixels, in a scene where trace_ray draws a random number: each \
+             ray gets a number of its own. Pitfall: trace_ray with a sampler that starts anew for \
+             each ray gives all of them the same numbers, so more samples do not reduce the noise.",
+            work([8, 6], all([8, 6]), 4, PixelWorld::Numbers, seed),
+        )
+        .only(&[Independence]),
+        case(
             "odd_number_of_samples",
             "7 samples a pixel: 7 rays, and their mean. Pitfall: sampling in whole rows of a \
              grid, or starting the loop at 1, traces another number of rays.",

@@ -5,9 +5,9 @@
 
 use crate::independence::{self, PixelSamples};
 use crate::tally::{Aspect, Class, Tally};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use wire::answer::PixelAnswer;
-use wire::work::PixelWork;
+use wire::work::{PixelWork, PixelWorld};
 
 /// How far a point may be from the centre or outside its pixel, in pixels: dividing by `w` and
 /// multiplying again rounds a few times, on a film thousands of pixels wide.
@@ -38,6 +38,9 @@ pub(crate) fn pixels(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer
         let samples = samples(work, answers);
         spread(tally, work, answers, &samples);
         independence::judge(tally, &samples);
+    }
+    if work.world == PixelWorld::Numbers {
+        numbers(tally, work, answers);
     }
 }
 
@@ -161,6 +164,28 @@ fn radiance(tally: &mut Tally, call: usize, [x, y]: [u32; 2], answer: &PixelAnsw
     });
 }
 
+/// Each traced ray draws a random number that no other ray of the case draws: the sampler of a
+/// pixel never returns the same number again.
+fn numbers(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer]) {
+    let mut drawn_in: HashMap<u64, [u32; 2]> = HashMap::new();
+    for (call, ((pixel, _), answer)) in work.calls().zip(answers).enumerate() {
+        tally.expect(Aspect::Independence);
+        let mut repeated = None;
+        for [number, ..] in &answer.traced_radiance {
+            let before = drawn_in.insert(number.to_bits(), pixel);
+            repeated = repeated.or(before.map(|before| (*number, before)));
+        }
+        let class = repeated.map(|_| Class::Named("numbers of another ray"));
+        tally.judge_class(Aspect::Independence, call, class, 1.0, || {
+            let [x, y] = pixel;
+            let (number, [other_x, other_y]) = repeated.unwrap_or_default();
+            format!(
+                "your result: trace_ray drew {number} for a ray of pixel ({x}, {y}), and before for another ray, of pixel ({other_x}, {other_y}); expected: a number of its own for each ray. Is trace_ray called with the sampler that the function is given?"
+            )
+        });
+    }
+}
+
 /// The position of a film point in its pixel, in [0, 1]².
 fn offset(film: [u32; 2], pixel: [u32; 2], point: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|axis| point[axis] * f64::from(film[axis]) - f64::from(pixel[axis]))
@@ -214,7 +239,6 @@ fn spread(tally: &mut Tally, work: &PixelWork, answers: &[PixelAnswer], samples:
 mod tests {
     use super::*;
     use kit::{PixelSampler, Vec2};
-    use wire::work::PixelWorld;
 
     fn work(ns_aa: u32) -> PixelWork {
         PixelWork {
@@ -308,5 +332,36 @@ mod tests {
             wrong(4, |s| s, |a| a.radiance[1] = f64::NAN),
             [Aspect::Radiance]
         );
+    }
+
+    #[test]
+    fn rays_with_the_numbers_of_another_ray_fail() {
+        let work = PixelWork {
+            world: PixelWorld::Numbers,
+            ..work(2)
+        };
+        let failed = |numbers: &dyn Fn(u32, u32) -> f64| {
+            let answers: Vec<PixelAnswer> = (0..72)
+                .map(|pixel| PixelAnswer {
+                    points: Vec::new(),
+                    traced: Vec::new(),
+                    traced_radiance: (0..2).map(|ray| [numbers(pixel, ray); 3]).collect(),
+                    radiance: [0.0; 3],
+                    samples: 2,
+                })
+                .collect();
+            let mut tally = Tally::default();
+            super::numbers(&mut tally, &work, &answers);
+            tally
+                .into_findings()
+                .iter()
+                .any(|finding| !finding.passed())
+        };
+        assert!(!failed(&|pixel, ray| f64::from(2 * pixel + ray)));
+        assert!(
+            failed(&|pixel, _| f64::from(pixel)),
+            "the same for each ray"
+        );
+        assert!(failed(&|_, ray| f64::from(ray)), "the same in each pixel");
     }
 }

@@ -1,6 +1,6 @@
 //! Rust tests of the sample loop.
 
-use wire::work::PixelWork;
+use wire::work::{PixelWork, PixelWorld};
 
 /// A test of each sample of one pixel; if there are several samples, also of their distribution
 /// over all pixels of a film, and of their dependence on the pixel and the seed.
@@ -8,8 +8,12 @@ pub(crate) fn samples(work: &PixelWork, [x, y]: [u32; 2], seed: u64) -> String {
     let PixelWork {
         film: [w, h],
         ns_aa,
+        world,
         ..
     } = work;
+    if *world == PixelWorld::Numbers {
+        return numbers(*ns_aa);
+    }
     let one = format!(
         "use kit::{{FilmSize, PixelSampler, Ray, Spectrum, Vec2, Vec3}};
 let film = FilmSize {{ w: {w}, h: {h} }};
@@ -59,6 +63,33 @@ assert!(off.iter().all(|off| off.abs() <= 1e-10), \"{{:?}}, the mean is {{mean:?
         0 | 1 => one,
         _ => one + &spread(*ns_aa),
     }
+}
+
+/// A test that each ray of a few pixels draws a random number of its own.
+fn numbers(ns_aa: u32) -> String {
+    format!(
+        "use kit::{{FilmSize, PixelSampler, Ray, Spectrum, Vec2, Vec3}};
+let mut numbers: Vec<f64> = Vec::new();
+for (x, y) in [(0, 0), (1, 0), (0, 1)] {{
+    raygen::raytrace_pixel(
+        x,
+        y,
+        FilmSize {{ w: 2, h: 2 }},
+        {ns_aa},
+        &mut PixelSampler::new(x, y, 0),
+        &mut |_: Vec2| Ray::new(Vec3::ZERO, Vec3::NEG_Z),
+        &mut |_: &Ray, sampler: &mut PixelSampler| {{
+            numbers.push(sampler.next_1d());
+            Spectrum::BLACK
+        }},
+    );
+}}
+assert_eq!(numbers.len(), 3 * {ns_aa});
+for (i, number) in numbers.iter().enumerate() {{
+    assert!(!numbers[..i].contains(number), \"two rays drew {{number}}\");
+}}
+"
+    )
 }
 
 /// A test of the mean, variance and covariance of positions in the pixel, over a film of 64 x 64,

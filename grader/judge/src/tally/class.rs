@@ -1,0 +1,150 @@
+//! How an answer is wrong.
+
+use kit::Vec3;
+
+/// The class of a wrong answer: the same mistake gives the same class, whatever formula contains
+/// it. Signatures store the `Debug` text of a class.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Class {
+    /// Wrong in a way that no other class describes.
+    Wrong,
+    /// Off by about 2 to this power.
+    Off(i8),
+    /// A hit where there is none.
+    FalseHit,
+    /// No hit where there is one.
+    FalseMiss,
+    /// NaN.
+    NotANumber,
+    /// The negated right number or direction.
+    Negated,
+    /// The right direction with another length.
+    WrongLength,
+    /// A number that is about 2 to this power times the right one.
+    Ratio(i8),
+    /// A colour whose channels are about 2 to the power of these numbers over `PER_OCTAVE` times
+    /// the right ones; `BLACK_CHANNEL` for channels that are rightly black.
+    Colour([i8; 3]),
+    /// A wrong direction, or the mean of many, quantised along each axis.
+    Towards([i8; 3]),
+    /// An infinite number.
+    Infinite,
+    /// 0 where the right number is not 0.
+    Zero,
+    /// Off by the rounding of single precision, or of a constant that is typed with few digits.
+    Rounded,
+    /// The right numbers, swapped.
+    Swapped,
+    /// A fault with a name of its own. A finding may have several of them.
+    Named(&'static str),
+}
+
+impl Class {
+    /// The class of a wrong number.
+    pub fn of_number(answered: f64, right: f64) -> Class {
+        let ratio = answered / right;
+        if answered.is_nan() {
+            Class::NotANumber
+        } else if answered.is_infinite() {
+            Class::Infinite
+        } else if answered == 0.0 {
+            Class::Zero
+        } else if (ratio + 1.0).abs() < SAME {
+            Class::Negated
+        } else if (ratio - 1.0).abs() < ROUNDED {
+            Class::Rounded
+        } else if ratio.is_finite() && ratio > 0.0 {
+            Class::Ratio(ratio.log2().round().clamp(-99.0, 99.0) as i8)
+        } else {
+            Class::Wrong
+        }
+    }
+
+    /// The class of a wrong colour where neither it nor the right one is black.
+    pub fn of_colour(answered: [f64; 3], right: [f64; 3]) -> Class {
+        let is_rounded = |(a, r): (f64, f64)| a == r || (a / r - 1.0).abs() < ROUNDED;
+        if answered.into_iter().zip(right).all(is_rounded) {
+            return Class::Rounded;
+        }
+        let mut ratios = [0; 3];
+        for ((ratio, a), r) in ratios.iter_mut().zip(answered).zip(right) {
+            if a == 0.0 && r == 0.0 {
+                *ratio = BLACK_CHANNEL;
+            } else if (a / r).is_finite() && a / r > 0.0 {
+                let steps = PER_OCTAVE * (a / r).log2();
+                *ratio = steps.round().clamp(-99.0, 99.0) as i8;
+            } else {
+                return Class::of_number(a, r);
+            }
+        }
+        Class::Colour(ratios)
+    }
+
+    /// The class of an answer that is off by `size`, in any unit.
+    pub fn of_size(size: f64) -> Class {
+        if size.is_nan() {
+            Class::NotANumber
+        } else if size == f64::INFINITY {
+            Class::Infinite
+        } else {
+            Class::Off(size.log2().round().clamp(-99.0, 99.0) as i8)
+        }
+    }
+
+    /// The class of a ray's origin that is off by `off`: a fixed offset from the surface has a
+    /// name.
+    pub fn of_offset(off: f64) -> Class {
+        match off {
+            MIN_FIXED_OFFSET..=MAX_FIXED_OFFSET => Class::Named("an epsilon away"),
+            _ => Class::of_size(off),
+        }
+    }
+
+    /// The class of a wrong unit vector.
+    pub fn of_direction(answered: Vec3, right: Vec3) -> Class {
+        if answered.is_nan() {
+            Class::NotANumber
+        } else if (answered + right).length() < SAME {
+            Class::Negated
+        } else if (answered.normalize_or_zero() - right).length() < SAME
+            && (answered.length() - 1.0).abs() > SAME
+        {
+            Class::WrongLength
+        } else if (answered - right).length() < ROUNDED {
+            Class::Rounded
+        } else {
+            Class::of_size((answered - right).length())
+        }
+    }
+
+    /// The class of a wrong unit vector that does not depend on random numbers: a direction that is
+    /// wrong in another way than sign or length is itself part of the class.
+    pub fn of_certain_direction(answered: Vec3, right: Vec3) -> Class {
+        match Class::of_direction(answered, right) {
+            Class::Off(_) => {
+                let way = 16.0 * answered.normalize_or_zero();
+                Class::Towards(way.to_array().map(|along| along.round() as i8))
+            }
+            class => class,
+        }
+    }
+}
+
+/// Answers that match the right one to this bound after a change of sign, length or order have the
+/// class of that change.
+pub(crate) const SAME: f64 = 1e-6;
+
+/// A smaller relative error comes from rounding: f32 has a precision of 6e-8, and a few operations
+/// multiply it; 3.14159 for π is off by 8e-7.
+const ROUNDED: f64 = 1e-5;
+
+/// The smallest error of an origin that counts as a fixed offset. Rounding errors are smaller.
+const MIN_FIXED_OFFSET: f64 = 1e-9;
+
+/// The largest error of an origin that counts as a fixed offset from the surface.
+const MAX_FIXED_OFFSET: f64 = 0.1;
+/// Number of classes of colour ratios in a factor of 2.
+const PER_OCTAVE: f64 = 4.0;
+
+/// The ratio of a black channel to a right one that is also black.
+pub const BLACK_CHANNEL: i8 = i8::MAX;

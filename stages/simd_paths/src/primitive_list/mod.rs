@@ -146,31 +146,19 @@ impl PrimitiveList {
         }
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);
-        for i in 0..self.len() {
-            let id = self.id(i);
+        for &ListedTriangle { id, vertices } in &self.triangles {
             let number = f64x8::splat(simd, f64::from(id));
             let active = active & skip.simd_ne(number).to_bitmask();
-            let Some(test) = self.test(simd, i, &permuted, rays, hits.t, active, scratch) else {
-                continue;
-            };
-            // Numbers ascend, so at equal `t` the lowest stays.
-            let closer = test.hit & (test.t.simd_lt(hits.t) | hits.is_none());
-            hits.prim = closer.select(number, hits.prim);
-            hits.t = closer.select(test.t, hits.t);
-            hits.v = closer.select(test.v, hits.v);
-            hits.w = closer.select(test.w, hits.w);
-            hits.det = closer.select(test.det, hits.det);
-            for lane in lanes(test.undecided) {
-                let ray = Ray {
-                    max_t: hits.t[lane],
-                    ..rays.lane(lane)
-                };
-                let id = PrimId(id);
-                if let Some(hit) = fallback.test(id, &ray)
-                    && (hit.t < hits.t[lane] || hits.prim[lane] < 0.0)
-                {
-                    hits.set(lane, id, hit);
-                }
+            let vertices = vertices.map(|i| &scratch.0[i as usize]);
+            if let Some(test) = permuted.test(simd, vertices, rays, hits.t, active) {
+                hits.keep_closer(id, &test, rays, fallback);
+            }
+        }
+        for (id, sphere) in &self.spheres {
+            let number = f64x8::splat(simd, f64::from(*id));
+            let active = active & skip.simd_ne(number).to_bitmask();
+            if let Some(test) = sphere::test(simd, sphere, rays, hits.t, active) {
+                hits.keep_closer(*id, &test, rays, fallback);
             }
         }
         hits
@@ -194,52 +182,73 @@ impl PrimitiveList {
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);
         let (mut open, mut tests) = (active, 0);
-        for i in 0..self.len() {
+        for &ListedTriangle { id, vertices } in &self.triangles {
             if open == 0 {
                 break;
             }
             tests += u64::from(open.count_ones());
-            let id = self.id(i);
             let number = f64x8::splat(simd, f64::from(id));
             let active = open & skip.simd_ne(number).to_bitmask();
-            let Some(test) = self.test(simd, i, &permuted, rays, rays.max_t, active, scratch)
-            else {
-                continue;
-            };
-            open &= !test.hit.to_bitmask();
-            for lane in lanes(test.undecided) {
-                if fallback.test(PrimId(id), &rays.lane(lane)).is_some() {
-                    open &= !(1 << lane);
-                }
+            let vertices = vertices.map(|i| &scratch.0[i as usize]);
+            if let Some(test) = permuted.test(simd, vertices, rays, rays.max_t, active) {
+                open &= !test.blocked(id, rays, fallback);
+            }
+        }
+        for (id, sphere) in &self.spheres {
+            if open == 0 {
+                break;
+            }
+            tests += u64::from(open.count_ones());
+            let number = f64x8::splat(simd, f64::from(*id));
+            let active = open & skip.simd_ne(number).to_bitmask();
+            if let Some(test) = sphere::test(simd, sphere, rays, rays.max_t, active) {
+                open &= !test.blocked(*id, rays, fallback);
             }
         }
         (active & !open, tests)
     }
+}
 
-    /// Tests primitive `i` of the list. The vertices in `scratch` have to be projected.
+impl<S: Simd> PacketTest<S> {
+    /// The lanes, one bit each, in which primitive number `id`, which was tested, blocks the ray.
     #[inline(always)]
-    #[expect(clippy::too_many_arguments, reason = "inlined into one loop each")]
-    fn test<S: Simd>(
-        &self,
-        simd: S,
-        i: usize,
-        permuted: &AxisPermutedRays<S>,
+    fn blocked(&self, id: u32, rays: &RayPacket<S>, fallback: &dyn ScalarFallback) -> u64 {
+        let mut blocked = self.hit.to_bitmask();
+        for lane in lanes(self.undecided) {
+            let is_hit = fallback.test(PrimId(id), &rays.lane(lane)).is_some();
+            blocked |= u64::from(is_hit) << lane;
+        }
+        blocked
+    }
+}
+
+impl<S: Simd> HitPacket<S> {
+    /// Replaces hits by closer ones with primitive number `id`, which was tested for hits up to
+    /// these. Numbers ascend, so at equal `t` the lowest stays.
+    #[inline(always)]
+    fn keep_closer(
+        &mut self,
+        id: u32,
+        test: &PacketTest<S>,
         rays: &RayPacket<S>,
-        max_t: f64x8<S>,
-        active: u64,
-        scratch: &Scratch,
-    ) -> Option<PacketTest<S>> {
-        match self.triangles.get(i) {
-            Some(&ListedTriangle {
-                vertices: [a, b, c],
-                ..
-            }) => {
-                let vertices = [a, b, c].map(|i| &scratch.0[i as usize]);
-                permuted.test(simd, vertices, rays, max_t, active)
-            }
-            None => {
-                let (_, sphere) = &self.spheres[i - self.triangles.len()];
-                sphere::test(simd, sphere, rays, max_t, active)
+        fallback: &dyn ScalarFallback,
+    ) {
+        let number = f64x8::splat(self.t.simd, f64::from(id));
+        let closer = test.hit & (test.t.simd_lt(self.t) | self.is_none());
+        self.prim = closer.select(number, self.prim);
+        self.t = closer.select(test.t, self.t);
+        self.v = closer.select(test.v, self.v);
+        self.w = closer.select(test.w, self.w);
+        self.det = closer.select(test.det, self.det);
+        for lane in lanes(test.undecided) {
+            let ray = Ray {
+                max_t: self.t[lane],
+                ..rays.lane(lane)
+            };
+            if let Some(hit) = fallback.test(PrimId(id), &ray)
+                && (hit.t < self.t[lane] || self.prim[lane] < 0.0)
+            {
+                self.set(lane, PrimId(id), hit);
             }
         }
     }

@@ -15,6 +15,7 @@ use grader::stage_workers::StageWorkers;
 use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tempfile::TempPath;
 
@@ -277,19 +278,31 @@ const ALIKE: f64 = 0.99;
 /// The signature of a mutant, without the functions in which it has the same faults as the correct
 /// code that it was made from: some correct variants fail robust cases, which is no sign of the
 /// mistake.
-fn signature_of_mistake(mutant: &Mutant, graded: &Graded, all: &[Graded]) -> Signature {
+fn signature_of_mistake(
+    mutant: &Mutant,
+    graded: &Graded,
+    correct: &BTreeMap<&str, Signature>,
+) -> Signature {
     let signature = Signature::of(&graded.result.cases);
-    let is_base = |other: &&Graded| matches!(other.kind, Kind::Correct) && other.name == mutant.on;
-    match all.iter().find(is_base) {
-        Some(base) if mutant.code.is_none() => {
-            signature.changed_from(&Signature::of(&base.result.cases))
-        }
+    match correct.get(mutant.on.as_str()) {
+        Some(base) if mutant.code.is_none() => signature.changed_from(base),
         _ => signature,
     }
 }
 
+/// The signatures of the reference and the variants, by their names.
+fn signatures_of_correct_code(all: &[Graded]) -> BTreeMap<&str, Signature> {
+    let correct = all
+        .iter()
+        .filter(|graded| matches!(graded.kind, Kind::Correct));
+    correct
+        .map(|graded| (graded.name.as_str(), Signature::of(&graded.result.cases)))
+        .collect()
+}
+
 /// The known mistake of each mutant that is not held out.
 fn all_known(corpus: &Corpus, all: &[Graded]) -> Vec<Known> {
+    let correct = signatures_of_correct_code(all);
     let mutants = all.iter().filter_map(|graded| match &graded.kind {
         Kind::Mutant(mutant) if !mutant.held_out => Some((mutant, graded)),
         _ => None,
@@ -311,7 +324,7 @@ fn all_known(corpus: &Corpus, all: &[Graded]) -> Vec<Known> {
                     .iter()
                     .map(|mistake| mistake.hint.clone())
                     .collect(),
-                signature: signature_of_mistake(mutant, graded, all),
+                signature: signature_of_mistake(mutant, graded, &correct),
                 is_symptom: mistakes.iter().any(|mistake| mistake.symptom),
             }
         })

@@ -4,7 +4,7 @@ mod cli;
 
 use clap::Command;
 use cli::{course, handout, mutants};
-use grader::cli::{run_to_exit_code, subprogram_command};
+use grader::cli::{arguments_of, run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn command() -> Command {
@@ -12,7 +12,7 @@ fn command() -> Command {
 }
 
 fn main() -> ExitCode {
-    let matches = command().get_matches();
+    let matches = arguments_of(command());
     run_to_exit_code(|| match matches.subcommand() {
         Some(("handout", matches)) => handout::run(matches),
         Some(("course", matches)) => course::run(matches),

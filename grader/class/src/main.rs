@@ -1,10 +1,10 @@
 //! The program behind `grader class`.
 
-use grader::cli::{run_to_exit_code, subprogram_command};
+use grader::cli::{arguments_of, run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let matches = subprogram_command([class::cli::command()]).get_matches();
+    let matches = arguments_of(subprogram_command([class::cli::command()]));
     run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => class::cli::run(matches),
         None => unreachable!("clap requires a command"),

@@ -5,7 +5,8 @@ use cost::page::{page, plot};
 use cost::report::Shape;
 use cost::{CostRequest, SampleCounts, table};
 use grader::cli::{
-    Format, Verdict, path_argument, run_to_exit_code, seed_argument, seed_of, subprogram_command,
+    Format, Verdict, arguments_of, path_argument, run_to_exit_code, seed_argument, seed_of,
+    subprogram_command,
 };
 use grader::error::GraderError;
 use grader::report;
@@ -44,7 +45,7 @@ fn command() -> Command {
 const EXPERIMENTS: [&str; 5] = ["triangle", "sphere", "box", "bvh", "picture"];
 
 fn main() -> ExitCode {
-    let matches = subprogram_command([command()]).get_matches();
+    let matches = arguments_of(subprogram_command([command()]));
     run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap requires a subcommand"),
@@ -73,6 +74,11 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         },
         seed: seed_of(matches),
     };
+    let files = ["html", "svg"].map(|name| matches.get_one::<PathBuf>(name));
+    for file in files.into_iter().flatten() {
+        // Not only after minutes of measuring.
+        report::folder_of(file)?;
+    }
     let cost = cost::measure(Some(&workspace), &request)?;
     if let Some(path) = matches.get_one::<PathBuf>("html") {
         report::write_whole(path, page(&cost)?.as_bytes())?;

@@ -9,7 +9,7 @@ use grader::cli::course_systems::VISIBILITIES;
 use grader::cli::{self, Verdict, path_argument, subprogram_command, whole_number};
 use grader::course::Course;
 use grader::error::GraderError;
-use grader::report::write_whole;
+use grader::report::{folder_of, write_whole};
 use grader::workspace::Workspace;
 use judge::plural;
 use std::path::{Path, PathBuf};
@@ -115,7 +115,7 @@ fn reference(value: &str) -> Result<String, String> {
 }
 
 fn main() -> ExitCode {
-    let matches = command().get_matches();
+    let matches = cli::arguments_of(command());
     cli::run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap requires a command"),
@@ -186,8 +186,7 @@ fn write_folder(out: &Path, files: &[ExportedFile]) -> Result<(), GraderError> {
             out.display()
         )));
     }
-    let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty());
-    let temp = grader::interrupt::temp_folder_in(parent.unwrap_or(Path::new(".")))?;
+    let temp = grader::interrupt::temp_folder_in(folder_of(out)?)?;
     let complete = temp.path().join("export");
     for file in files {
         let path = complete.join(&file.path);

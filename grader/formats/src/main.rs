@@ -34,7 +34,7 @@ fn command() -> Command {
 }
 
 fn main() -> ExitCode {
-    let matches = command().get_matches();
+    let matches = cli::arguments_of(command());
     cli::run_to_exit_code(|| run(&matches))
 }
 

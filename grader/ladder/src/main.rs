@@ -2,8 +2,8 @@
 
 use clap::{Arg, ArgMatches, Command};
 use grader::cli::{
-    Format, Verdict, path_argument, run_to_exit_code, seed_argument, seed_of, subprogram_command,
-    whole_number,
+    Format, Verdict, arguments_of, path_argument, run_to_exit_code, seed_argument, seed_of,
+    subprogram_command, whole_number,
 };
 use grader::error::GraderError;
 use grader::report;
@@ -36,7 +36,7 @@ fn command() -> Command {
 }
 
 fn main() -> ExitCode {
-    let matches = subprogram_command([command()]).get_matches();
+    let matches = arguments_of(subprogram_command([command()]));
     run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap requires a subcommand"),
@@ -44,6 +44,11 @@ fn main() -> ExitCode {
 }
 
 fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+    let files = ["html", "svg"].map(|name| matches.get_one::<PathBuf>(name));
+    for file in files.into_iter().flatten() {
+        // Not only after minutes of measuring.
+        report::folder_of(file)?;
+    }
     let mesh: &String = matches.get_one("mesh").expect("a default value");
     let ladder = measure(&LadderRequest {
         mesh: mesh.parse().map_err(|why: String| GraderError::new(why))?,

@@ -3,12 +3,12 @@
 mod cli;
 
 use cli::{bless, look, review};
-use grader::cli::{run_to_exit_code, subprogram_command};
+use grader::cli::{arguments_of, run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let commands = [review::command(), bless::command(), look::command()];
-    let matches = subprogram_command(commands).get_matches();
+    let matches = arguments_of(subprogram_command(commands));
     run_to_exit_code(|| match matches.subcommand() {
         Some(("bless", matches)) => bless::run(matches),
         Some(("look", matches)) => look::run(matches),

@@ -19,6 +19,7 @@ mod watch;
 use crate::error::GraderError;
 use crate::interrupt;
 use crate::report::HintLevel;
+use clap::error::{ContextKind, ErrorKind};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
 use std::fmt::Display;
@@ -227,9 +228,25 @@ pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Comman
         .subcommands(commands)
 }
 
+/// Reads the arguments of this process. After an error it prints a message and exits.
+pub fn arguments_of(command: Command) -> ArgMatches {
+    command
+        .try_get_matches()
+        .unwrap_or_else(|error| without_misleading_tip(error).exit())
+}
+
+/// `error` without clap's tip to write `-- -z` for an unknown flag `-z`: no part, task or folder is
+/// called that.
+fn without_misleading_tip(mut error: clap::Error) -> clap::Error {
+    if error.kind() == ErrorKind::UnknownArgument {
+        error.remove(ContextKind::Suggested);
+    }
+    error
+}
+
 /// Runs the program `grader`.
 pub fn main() -> ExitCode {
-    let matches = command().get_matches();
+    let matches = arguments_of(command());
     run_to_exit_code(|| run(&matches))
 }
 
@@ -298,6 +315,25 @@ mod tests {
             // Not clap's own advice, to write `-- -1`.
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
+    }
+
+    #[test]
+    fn an_unknown_flag_is_not_taken_for_a_value() {
+        let message = |line: &str| {
+            let error = command().try_get_matches_from(line.split(' ')).err();
+            without_misleading_tip(error.expect("the command line must be refused")).to_string()
+        };
+        let unknown = message("grader -z");
+        assert!(
+            unknown.contains("unexpected argument '-z' found"),
+            "{unknown}"
+        );
+        assert!(!unknown.contains("tip:"), "{unknown}");
+        let misspelt = message("grader --hnit 3");
+        assert!(
+            misspelt.contains("a similar argument exists: '--hint'"),
+            "{misspelt}"
+        );
     }
 
     #[test]

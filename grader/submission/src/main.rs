@@ -19,7 +19,7 @@ fn main() -> ExitCode {
         .args(submission_arguments())
         .about("Grades what students handed in, in a clean copy of the course")
         .after_help(cli::EXIT_CODES);
-    let matches = command.get_matches();
+    let matches = cli::arguments_of(command);
     cli::run_to_exit_code(|| run(&matches))
 }
 

@@ -17,6 +17,7 @@ use grader::course::{Course, stages_of};
 use grader::error::GraderError;
 use grader::given::{self, GivenFiles};
 use grader::packed;
+use grader::report::folder_of;
 use grader::workspace::Workspace;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
@@ -96,11 +97,7 @@ impl Handout {
 
     /// Writes the handout to the new folder `out`. On an error the folder does not exist.
     pub fn write(&self, out: &Path) -> Result<(), GraderError> {
-        let parent = match out.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        let temp = grader::interrupt::temp_folder_in(parent)?;
+        let temp = grader::interrupt::temp_folder_in(folder_of(out)?)?;
         let complete = temp.path().join("handout");
         for (path, contents) in &self.files {
             file_tree::write(&complete.join(path), contents)?;

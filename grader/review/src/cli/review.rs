@@ -7,7 +7,7 @@ use grader::course::{Course, Task};
 use grader::error::GraderError;
 use grader::grade;
 use grader::interrupt;
-use grader::report::write_whole;
+use grader::report::{folder_of, write_whole};
 use grader::workspace::Workspace;
 use judge::cases;
 use review::{self, Author, page};
@@ -91,16 +91,7 @@ fn page_file(matches: &ArgMatches, workspace: &Workspace) -> Result<PathBuf, Gra
             out.display()
         )));
     }
-    let folder = out.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let folder = folder.unwrap_or(Path::new("."));
-    if !folder.is_dir() {
-        return Err(GraderError::new(format!(
-            "cannot write the page to {}: there is no folder {}. Create it first",
-            out.display(),
-            folder.display()
-        )));
-    }
-    interrupt::temp_folder_in(folder)?;
+    interrupt::temp_folder_in(folder_of(out)?)?;
     Ok(out.clone())
 }
 

@@ -6,6 +6,9 @@ use crate::style::INK;
 /// Left, top, right, bottom.
 type Rect = [f64; 4];
 
+/// The space between two names in one line, so that they are not read as one.
+const BETWEEN_NAMES: f64 = 8.0;
+
 /// The places that are taken.
 pub struct Labels {
     inner: Rect,
@@ -46,8 +49,7 @@ impl Labels {
         let step = 1.15 * label.size;
         let width = lines.iter().map(|line| label.width(line));
         let size = [width.fold(0.0, f64::max), step * lines.len() as f64];
-        let rect = self.free((x, y), size);
-        self.taken.push(rect);
+        let rect = self.take((x, y), size);
         let [left, top, right, bottom] = rect;
         let nearest = (x.clamp(left, right), y.clamp(top, bottom));
         if (nearest.0 - x).hypot(nearest.1 - y) > 14.0 {
@@ -59,6 +61,15 @@ impl Labels {
             canvas.text(line, (left, y), Label { bold, ..label })?;
         }
         Ok(())
+    }
+
+    /// The nearest free rectangle of a size, which is taken from now on.
+    fn take(&mut self, point: Position, size: [f64; 2]) -> Rect {
+        let rect = self.free(point, size);
+        let [left, top, right, bottom] = rect;
+        self.taken
+            .push([left - BETWEEN_NAMES, top, right + BETWEEN_NAMES, bottom]);
+        rect
     }
 
     /// The nearest free rectangle of a size.
@@ -98,15 +109,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_one_point_do_not_overlap_and_stay_inside() {
+    fn names_of_one_point_stay_apart_and_inside() {
         let inner = [0.0, 0.0, 400.0, 300.0];
         let mut labels = Labels::new(inner);
         labels.keep_free((395.0, 150.0), 5.0);
+        let mut names: Vec<Rect> = Vec::new();
         for _ in 0..12 {
-            let rect = labels.free((395.0, 150.0), [80.0, 11.0]);
+            let rect = labels.take((395.0, 150.0), [80.0, 11.0]);
             assert!(rect[0] >= 0.0 && rect[2] <= 400.0, "{rect:?}");
-            assert!(!labels.taken.iter().any(|other| overlap(&rect, other)));
-            labels.taken.push(rect);
+            let wider = [rect[0] - 7.9, rect[1], rect[2] + 7.9, rect[3]];
+            assert!(!names.iter().any(|other| overlap(&wider, other)));
+            names.push(rect);
         }
     }
 }

@@ -120,6 +120,9 @@ fn common_material<'a>(
         children(technique).find(|shader| matches!(tag(*shader), "phong" | "lambert" | "blinn"))
     });
     let diffuse = shader.and_then(|shader| child(shader, "diffuse"));
+    if let Some(shader) = shader {
+        warn_of_transparency(doc, shader);
+    }
     if let Some(texture) = diffuse.and_then(|diffuse| child(diffuse, "texture")) {
         return Ok(match texture::file(doc, effect, texture)? {
             Some(file) => TexturedMaterial {
@@ -154,6 +157,40 @@ fn common_material<'a>(
     Ok(TexturedMaterial::from(Material::Diffuse {
         reflectance: clamped_color(doc, color_element)?,
     }))
+}
+
+/// Warns if parts of a surface are meant to be transparent, or all of it to some degree. Exporters
+/// do not agree whether an opaque surface has the opacity 0 or 1, so neither is told.
+fn warn_of_transparency<'a>(doc: &Document<'a>, shader: Element<'a>) {
+    let transparent = child(shader, "transparent");
+    let texture = transparent.and_then(|transparent| child(transparent, "texture"));
+    let numbers = |element: Option<Element<'a>>, name: &str| {
+        let number = element.and_then(|element| child(element, name));
+        number.and_then(|number| floats(doc, number).ok())
+    };
+    let transparency = numbers(child(shader, "transparency"), "float");
+    let transparency = transparency.and_then(|list| list.first().copied());
+    let color = numbers(transparent, "color").filter(|list| list.len() == 4);
+    let is_alpha = transparent
+        .and_then(|transparent| transparent.attribute("opaque"))
+        .is_none_or(|opaque| opaque.starts_with("A_"));
+    let strengths = match &color {
+        None => &[1.0][..],
+        Some(color) if is_alpha => &color[3..],
+        Some(color) => &color[..3],
+    };
+    let is_partial = |strength: &f64| {
+        let opacity = strength * transparency.unwrap_or(1.0);
+        (0.01..=0.99).contains(&opacity)
+    };
+    if texture.is_none() && !strengths.iter().any(is_partial) {
+        return;
+    }
+    let place = texture.or(transparent).unwrap_or(shader);
+    let title = "the transparency of the common profile is ignored";
+    doc.on(place, title, "this surface is opaque")
+        .help("for glass write <extra><technique profile=\"CGL\"><glass> in the effect")
+        .warn();
 }
 
 /// Reads a colour: red, green and blue, none negative. A fourth number, alpha, is ignored.

@@ -252,7 +252,8 @@ impl<'r, 'a> Builder<'r, 'a> {
         self.scene.camera = optics.place(to_world);
         if self.scene.camera.is_none() {
             let title = "this camera has no direction after its transform";
-            let expected = "expected an invertible transform; the default view is used";
+            let expected =
+                "expected an invertible transform; without another camera, the scene is framed";
             self.doc.on(instance, title, expected).warn();
         }
         Ok(())

@@ -36,8 +36,7 @@ pub(super) fn read<'a>(
         let other = common.and_then(|common| children(common).next());
         let what = other.map_or("no optics".to_owned(), |other| format!("<{}>", tag(other)));
         let title = format!("{} has {what}", describe(camera));
-        let expected =
-            "expected <perspective>; the camera is ignored, and the default view is used";
+        let expected = "expected <perspective>; without another camera, the scene is framed";
         doc.on(camera, title, expected).warn();
         return Ok(None);
     };

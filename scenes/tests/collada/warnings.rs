@@ -78,6 +78,30 @@ const WARNINGS: &[(&str, &str, &str, &str)] = &[
         "this surface emits no light",
     ),
     (
+        "</diffuse>",
+        "</diffuse><transparent opaque=\"RGB_ZERO\"><texture texture=\"leaf\" texcoord=\"UV\"/></transparent>",
+        "the transparency of the common profile is ignored",
+        "this surface is opaque",
+    ),
+    (
+        "</diffuse>",
+        "</diffuse><transparent><color>0 0 0 0.3</color></transparent><transparency><float>1</float></transparency>",
+        "the transparency of the common profile is ignored",
+        "this surface is opaque",
+    ),
+    (
+        "</diffuse>",
+        "</diffuse><transparent opaque=\"RGB_ZERO\"><color>0.5 1 1 1</color></transparent>",
+        "the transparency of the common profile is ignored",
+        "this surface is opaque",
+    ),
+    (
+        "</diffuse>",
+        "</diffuse><transparency><float>0.4</float></transparency>",
+        "the transparency of the common profile is ignored",
+        "this surface is opaque",
+    ),
+    (
         "<sphere><radius>0.5</radius></sphere>",
         "<cone/>",
         "<cone> is not a shape",
@@ -105,7 +129,7 @@ const WARNINGS: &[(&str, &str, &str, &str)] = &[
         "<translate>0 0 5</translate>",
         "<scale>1 1 0</scale>",
         "this camera has no direction after its transform",
-        "expected an invertible transform; the default view is used",
+        "expected an invertible transform; without another camera, the scene is framed",
     ),
     (
         "<translate>0 0 5</translate>",
@@ -117,7 +141,7 @@ const WARNINGS: &[(&str, &str, &str, &str)] = &[
         "perspective>",
         "orthographic>",
         "<camera id=\"cam\"> has <orthographic>",
-        "expected <perspective>; the camera is ignored, and the default view is used",
+        "expected <perspective>; without another camera, the scene is framed",
     ),
     (
         "<scene><instance_visual_scene url=\"#scene\"/></scene>",
@@ -265,6 +289,22 @@ fn problems_give_a_warning_with_title_and_label() {
         assert!(warning.0.line_and_column().is_some());
         assert!(warning.to_string().starts_with("warning: "));
         assert!(!loaded.scene.is_empty());
+    }
+}
+
+#[test]
+fn opaque_surfaces_of_all_exporters_give_no_warning() {
+    for transparent in [
+        "<transparent opaque=\"A_ONE\"><color>1 1 1 1</color></transparent><transparency><float>1</float></transparency>",
+        "<transparent><color>0.5 0.5 0.5 1</color></transparent><transparency><float>1</float></transparency>",
+        "<transparent opaque=\"RGB_ZERO\"><color>0 0 0 1</color></transparent><transparency><float>1</float></transparency>",
+        "<transparent opaque=\"RGB_ZERO\"><color>1 1 1 0.5</color></transparent><transparency><float>0</float></transparency>",
+        "<transparent><param ref=\"a\"/></transparent>",
+        "<transparency><float>1</float></transparency>",
+    ] {
+        let loaded = load_edited("</diffuse>", &format!("</diffuse>{transparent}"));
+        let warnings = loaded.unwrap_or_else(|e| panic!("{e}")).warnings;
+        assert!(warnings.is_empty(), "{transparent}: {}", warnings[0]);
     }
 }
 

@@ -31,6 +31,7 @@ pub mod rate_picture;
 pub mod rendered;
 pub mod replay;
 pub mod sums_file;
+mod texture_file;
 pub mod textures;
 mod tiles;
 pub mod tone;

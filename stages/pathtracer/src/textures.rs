@@ -1,5 +1,6 @@
 //! Loads the textures of a scene and looks them up.
 
+use crate::texture_file;
 use image::{DynamicImage, ImageError};
 use kit::math::pow;
 use kit::{Hit, Scene, Spectrum, Texture, Vec2};
@@ -15,23 +16,40 @@ pub struct Textures {
     list: Vec<Texture>,
 }
 
-/// A texture that cannot be read. Its surfaces are grey instead.
+/// A texture that is not what the scene file asks for.
 #[derive(Debug)]
-pub struct MissingTexture {
-    /// The path of the file.
-    pub path: PathBuf,
-    /// Why it cannot be read.
-    pub why: String,
+pub enum TextureWarning {
+    /// It cannot be read. Its surfaces are grey instead.
+    Missing {
+        /// The path of the file.
+        path: PathBuf,
+        /// Why it cannot be read.
+        why: String,
+    },
+    /// It is not at its path, but a file of its name is near the scene.
+    Moved {
+        /// The path of the file, as it is in the scene file.
+        path: PathBuf,
+        /// The file that is used.
+        found: PathBuf,
+    },
 }
 
-impl fmt::Display for MissingTexture {
+impl fmt::Display for TextureWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let MissingTexture { path, why } = self;
-        let path = path.display();
-        write!(
-            f,
-            "cannot read the texture {path}: {why}; its surfaces are grey, 0.5 0.5 0.5"
-        )
+        match self {
+            TextureWarning::Missing { path, why } => write!(
+                f,
+                "cannot read the texture {}: {why}; its surfaces are grey, 0.5 0.5 0.5",
+                path.display()
+            ),
+            TextureWarning::Moved { path, found } => write!(
+                f,
+                "there is no texture {}; using {}",
+                path.display(),
+                found.display()
+            ),
+        }
     }
 }
 
@@ -44,17 +62,24 @@ impl From<Vec<Texture>> for Textures {
 
 impl Textures {
     /// Reads the textures of `scene`. Their paths are relative to `folder`, that of the scene file.
-    pub fn load(scene: &Scene, folder: &Path) -> (Textures, Vec<MissingTexture>) {
-        let mut missing = Vec::new();
+    pub fn load(scene: &Scene, folder: &Path) -> (Textures, Vec<TextureWarning>) {
+        let mut warnings = Vec::new();
         let files = scene.textures.files.iter();
         let list = files.map(|file| {
             let path = folder.join(file);
-            load_texture(&path).unwrap_or_else(|why| {
-                missing.push(MissingTexture { path, why });
-                Texture::uniform(Spectrum::grey(0.5))
-            })
+            // If there is none, the error of opening `path` says so.
+            let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
+            let texture = load_texture(&found);
+            if texture.is_ok() && found != path {
+                let path = file.into();
+                warnings.push(TextureWarning::Moved { path, found });
+            } else if let Err(why) = &texture {
+                let why = why.clone();
+                warnings.push(TextureWarning::Missing { path: found, why });
+            }
+            texture.unwrap_or_else(|_| Texture::uniform(Spectrum::grey(0.5)))
         });
-        (Textures::from(list.collect::<Vec<_>>()), missing)
+        (Textures::from(list.collect::<Vec<_>>()), warnings)
     }
 
     /// Whether the scene has no textures.
@@ -79,7 +104,7 @@ impl Textures {
 fn load_texture(path: &Path) -> Result<Texture, String> {
     let describe = |why: ImageError| match why {
         ImageError::IoError(why) => why.to_string(),
-        other => format!("{other} (png, jpg, exr and hdr can be read)"),
+        other => format!("{other} (png, jpg, bmp, tga, exr and hdr can be read)"),
     };
     let reader = image::ImageReader::open(path)
         .and_then(|reader| reader.with_guessed_format())

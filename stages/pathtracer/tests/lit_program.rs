@@ -373,4 +373,22 @@ fn a_missing_texture_is_grey_with_a_warning() {
     let (found, output) = picture("found.png", "textured.dae");
     assert_eq!(output, "");
     assert!(found != grey, "the wall does not show its texture");
+    let moved = folder.path().join("WALL.png");
+    fs::rename(folder.path().join("wall.png"), &moved).expect("it is renamed");
+    let (capital, output) = picture("capital.png", "textured.dae");
+    assert!(
+        output.contains("there is no texture wall.png; using WALL.png"),
+        "{output}"
+    );
+    assert!(capital == found, "the wall does not show its texture");
+    // Targa files have no signature: only the name says what they are.
+    fs::remove_file(&moved).expect("it is removed");
+    let targa = [&[0, 0, 2][..], &[0; 9], &[1, 0, 1, 0, 24, 0], &[0, 0, 255]].concat();
+    fs::write(folder.path().join("wall.tga"), targa).expect("a texture");
+    let text = fs::read_to_string(folder.path().join("textured.dae")).expect("the scene");
+    let text = text.replace("wall.png", "wall.tga");
+    fs::write(folder.path().join("targa.dae"), text).expect("a scene file");
+    let (targa, output) = picture("targa.png", "targa.dae");
+    assert_eq!(output, "");
+    assert!(targa != grey, "the wall is not red");
 }

@@ -74,7 +74,7 @@ impl Opened {
             None => None,
         };
         let folder = path.parent().unwrap_or(Path::new(""));
-        let (textures, missing) = Textures::load(&loaded.scene, folder);
+        let (textures, texture_warnings) = Textures::load(&loaded.scene, folder);
         // Until there is light, the window shows what there is.
         let no_light = match args.shade {
             Shade::Auto => Feature::Light.missing(),
@@ -94,7 +94,7 @@ impl Opened {
             environment,
             textures,
             warnings: warnings
-                .chain(missing.iter().map(ToString::to_string))
+                .chain(texture_warnings.iter().map(ToString::to_string))
                 .chain(no_light)
                 .collect(),
             modified,

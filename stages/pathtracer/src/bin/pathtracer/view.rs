@@ -21,11 +21,12 @@ pub(crate) fn load_scene(path: &Path) -> Result<Scene, Failure> {
     Ok(loaded.scene)
 }
 
-/// Reads the textures of the scene in `file` and prints a warning for each that cannot be read.
+/// Reads the textures of the scene in `file` and prints a warning for each that is not at
+/// its path or cannot be read.
 pub(crate) fn load_textures(file: &Path, scene: &Scene) -> Textures {
-    let (textures, missing) = Textures::load(scene, file.parent().unwrap_or(Path::new("")));
-    for texture in missing {
-        eprintln!("warning: {texture}");
+    let (textures, warnings) = Textures::load(scene, file.parent().unwrap_or(Path::new("")));
+    for warning in warnings {
+        eprintln!("warning: {warning}");
     }
     textures
 }

@@ -6,6 +6,7 @@
 use crate::error::GraderError;
 use crate::packed;
 use crate::report::write_whole;
+use crate::score::{CaseResult, Status};
 use crate::signature::{Agreement, Alone, Signature, file};
 use crate::workspace::Workspace;
 use serde::Serialize;
@@ -142,6 +143,20 @@ pub fn candidates(known: &[Known], student: &Signature) -> Vec<(Vec<String>, f64
         .collect();
     all.sort_by(|a, b| b.1.total_cmp(&a.1));
     all
+}
+
+/// Leaves out of the known mistakes the cases of which nothing is written yet: a mistake in the
+/// function that is written does not show there.
+pub(crate) fn leave_out_unwritten(known: &mut [Known], cases: &[CaseResult]) {
+    let is_unwritten = |case: &&CaseResult| case.status == Status::NotAttempted;
+    let unwritten = cases.iter().filter(is_unwritten);
+    let unwritten: BTreeSet<&str> = unwritten.map(|case| case.name.as_str()).collect();
+    if unwritten.is_empty() {
+        return;
+    }
+    for known in known {
+        known.signature = known.signature.without(&unwritten);
+    }
 }
 
 /// What `student` looks like, if it looks like anything known.
@@ -354,6 +369,24 @@ mod tests {
             "your answers equal those of code that does this: on 8 of 8 calls; \
              another guess, with the same answers: code that does that"
         );
+    }
+
+    #[test]
+    fn cases_of_functions_that_are_not_written_yet_do_not_speak_against_a_mistake() {
+        let written = ("test decision@test", "20*a");
+        let unwritten = ("record decision@record", "80*a");
+        let nearest = ("nearest decision", "80*a");
+        let mut all = [known("this", signature(&[written, unwritten, nearest]))];
+        let student = signature(&[written]);
+        assert_eq!(diagnose(&all, &student), None);
+        let not_attempted = CaseResult {
+            status: Status::NotAttempted,
+            ..CaseResult::failed("nearest", Vec::new())
+        };
+        let wrong = CaseResult::failed("test", Vec::new());
+        leave_out_unwritten(&mut all, &[wrong, not_attempted]);
+        let diagnosis = diagnose(&all, &student).expect("the mistake is known");
+        assert_eq!((diagnosis.equal, diagnosis.of), (20, 20));
     }
 
     #[test]

@@ -180,6 +180,7 @@ fn explain(
         for known in &mut known {
             known.signature = fresh.removed_from(&known.signature);
         }
+        diagnosis::leave_out_unwritten(&mut known, &result.cases);
         let signature = fresh.removed_from(&Signature::of(&result.cases));
         let diagnosis = diagnosis::diagnose(&known, &signature);
         let regularities = regularity::of(&result.key, &result.cases, specs);

@@ -190,6 +190,12 @@ impl CaseResult {
         is_right && !self.reductions.is_empty()
     }
 
+    /// Whether its answers are right and complete, and only the idea of the task is missing.
+    pub(crate) fn lacks_only_the_idea(&self) -> bool {
+        let has_hole = self.shares.iter().any(|share| share.reduction().is_some());
+        self.is_only_reduced() && !has_hole
+    }
+
     /// The first finding that has a worst answer, with that answer.
     pub fn worst(&self) -> Option<(&Finding, &Worst)> {
         self.findings

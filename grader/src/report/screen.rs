@@ -194,7 +194,7 @@ fn state(task: &TaskResult) -> String {
                 count => format!("{count} cases fail"),
             };
             let reduced = task.cases.iter().filter(is_core);
-            match reduced.filter(|case| case.is_only_reduced()).count() {
+            match reduced.filter(|case| case.lacks_only_the_idea()).count() {
                 0 => failed,
                 count => format!("{failed}, {count} more count a quarter"),
             }

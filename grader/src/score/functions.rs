@@ -57,7 +57,7 @@ impl FunctionShare {
     }
 
     /// Why the share is lost, if no answer is to blame.
-    pub(super) fn reduction(&self) -> Option<String> {
+    pub(crate) fn reduction(&self) -> Option<String> {
         let hole = self.hole.as_ref()?;
         Some(if *hole == self.function {
             format!("{hole} is not written yet")

@@ -213,7 +213,7 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
 /// Why the core cases that are right give few points, if the idea of the task is missing.
 fn reduced(out: &mut Lines, task: &TaskResult) {
     let core = task.cases.iter().filter(|case| case.tier == Tier::Core);
-    let reduced: Vec<&CaseResult> = core.filter(|case| case.is_only_reduced()).collect();
+    let reduced: Vec<&CaseResult> = core.filter(|case| case.lacks_only_the_idea()).collect();
     let why = reduced.first().and_then(|case| case.reductions.first());
     if let Some(why) = why {
         let cases = judge::plural(

@@ -4,6 +4,7 @@ use crate::printed::Printed;
 use crate::report::HintLevel;
 use crate::report::wrap::columns;
 use crate::score::CaseResult;
+use crate::score::functions::FunctionShare;
 use judge::tally::{Aspect, Class, Tally};
 use std::path::PathBuf;
 
@@ -446,6 +447,29 @@ fn missing_ideas_are_told_at_any_width() {
         let text: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
         assert!(text.join(" ").contains(told.trim()), "{lines:?}");
     }
+}
+
+#[test]
+fn a_right_case_with_an_unwritten_function_does_not_lack_the_idea() {
+    let mut tally = Tally::default();
+    tally.judge(Aspect::HitOrMiss, 0, true, 0.0, String::new);
+    let share = FunctionShare {
+        function: "record_triangle".into(),
+        fraction: 0.0,
+        hole: Some("record_triangle".into()),
+    };
+    let half = CaseResult {
+        status: Status::Failed,
+        reductions: share.reduction().into_iter().collect(),
+        shares: vec![share],
+        ..CaseResult::failed("edge", tally.into_findings())
+    };
+    let wrong = case("middle", Tier::Core, "your result: miss");
+    let half_written = task("part1.task3", "", 1.0, vec![wrong, half]);
+    let context = context("part1.task3");
+    let text = screen(vec![half_written], &context, reveal(HintLevel::Findings));
+    assert!(text.contains("  1 case fails\n"), "{text}");
+    assert!(!text.contains("other case is right"), "{text}");
 }
 
 #[test]

@@ -13,7 +13,8 @@
 //! pair is listed if less than [`EXPECTED`] pairs would be expected to agree so by chance.
 //!
 //! Equal files are listed, too: those of a stage that was written and that equal those of at most
-//! four students, so that a handout or an example of the lecture is not listed.
+//! four students, so that a handout or an example of the lecture is not listed. The files of more
+//! students are named once, not pair by pair.
 
 use crate::collect::{Class, Row};
 use std::collections::BTreeMap;
@@ -99,6 +100,29 @@ pub fn pairs(class: &Class) -> Vec<Pair> {
             .then(a.names.cmp(&b.names))
     });
     pairs
+}
+
+/// The students who handed in the same files of a stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SharedFiles {
+    /// The stage.
+    pub stage: String,
+    /// Their names, in the order of the class.
+    pub names: Vec<String>,
+}
+
+/// The files that too many students share to be listed by [`pairs`].
+pub fn shared_by_many(class: &Class) -> Vec<SharedFiles> {
+    let groups = groups(class, written_stages).into_iter();
+    let many = groups.filter(|(_, students)| students.len() > SHARED_FILES);
+    many.map(|((stage, _), students)| SharedFiles {
+        stage,
+        names: students
+            .iter()
+            .map(|&i| class.rows[i].name.clone())
+            .collect(),
+    })
+    .collect()
 }
 
 /// The students, by their numbers, who share something: by what it is and its hash.

@@ -51,12 +51,17 @@ fn class(folder: &Path, students: &[[&str; 4]], stages: &[&str]) -> Class {
 /// The pairs of a class of 30, of whom only the first differ from all right.
 fn pairs(first: &[[&str; 4]], stages: &[&str]) -> Vec<Pair> {
     let folder = tempfile::tempdir().expect("a folder");
+    likeness::pairs(&class_of_30(folder.path(), first, stages))
+}
+
+/// A class of 30, of whom only the first differ from all right.
+fn class_of_30(folder: &Path, first: &[[&str; 4]], stages: &[&str]) -> Class {
     let mut students = first.to_vec();
     students.resize(30, [""; 4]);
     let own: Vec<String> = (0..30).map(|i| format!("files {i}")).collect();
     let mut all: Vec<&str> = own.iter().map(String::as_str).collect();
     all[..stages.len()].copy_from_slice(stages);
-    likeness::pairs(&class(folder.path(), &students, &all))
+    class(folder, &students, &all)
 }
 
 #[test]
@@ -101,4 +106,20 @@ fn equal_files_are_asked_about_unless_the_course_gave_them() {
     );
     assert_eq!(pairs(&none, &["handout", "handout"]), []);
     assert_eq!(pairs(&none, &["an example"; 6]), []);
+}
+
+#[test]
+fn files_of_many_students_are_named_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let shared = |stages: &[&str]| {
+        let class = class_of_30(folder.path(), &[], stages);
+        likeness::shared_by_many(&class)
+    };
+    let [files] = &shared(&["the same"; 5])[..] else {
+        panic!("one group")
+    };
+    assert_eq!(files.stage, "raygen");
+    assert_eq!(files.names, ["00", "01", "02", "03", "04"]);
+    assert_eq!(shared(&["the same"; 4]), []);
+    assert_eq!(shared(&["handout"; 5]), []);
 }

@@ -257,9 +257,21 @@ fn expected_pairs(pairs: f64) -> String {
 fn pairs(class: &Class) -> String {
     let pairs = likeness::pairs(class);
     let mut html = String::from("<h2>Pairs to ask about</h2>\n");
+    let shared = likeness::shared_by_many(class);
+    for files in &shared {
+        let _ = writeln!(
+            html,
+            "<p>{} submissions have the same files of {}. If they are not an example of the course, ask: {}.</p>",
+            files.names.len(),
+            escape(&files.stage),
+            escape(&files.names.join(", "))
+        );
+    }
     if pairs.is_empty() {
-        html.push_str(
-            "<p>No two submissions share more wrong answers than chance explains, nor files.</p>\n",
+        let other = if shared.is_empty() { "" } else { " other" };
+        let _ = writeln!(
+            html,
+            "<p>No two submissions share more wrong answers than chance explains, nor{other} files.</p>"
         );
         return html;
     }

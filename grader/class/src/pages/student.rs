@@ -42,7 +42,7 @@ pub fn page(class: &Class, row: &Row, hint: HintLevel) -> String {
         if !report.compiler.is_empty() {
             let _ = write!(
                 html,
-                "<h2>Why code was not compiled</h2>\n<pre>{}</pre>\n",
+                "<h2>Why code was not compiled</h2>\n<pre class=\"sentences\">{}</pre>\n",
                 escape(&shortened(&report.compiler))
             );
         }

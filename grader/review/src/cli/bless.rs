@@ -81,12 +81,16 @@ fn refusal(refused: &[String], keys: &[&str]) -> String {
     if refused.len() > REFUSALS {
         text.push_str(&format!("\n  and {} more", refused.len() - REFUSALS));
     }
-    let tasks: Vec<&str> = keys
-        .iter()
-        .map(|key| key.split('/').next().unwrap_or(key))
-        .collect();
+    let mut tasks: Vec<&str> = Vec::new();
+    for key in keys {
+        let task = key.split('/').next().unwrap_or(key);
+        if !tasks.contains(&task) {
+            tasks.push(task);
+        }
+    }
     text.push_str(&format!(
-        "\n`cargo grader review {}` shows each of them",
+        "\nMend them first. `cargo grader review {}` shows each, and writes the command that blesses \
+         only what you accept",
         tasks.join(" ")
     ));
     text
@@ -126,4 +130,20 @@ fn confirmed(goldens: usize) -> Result<bool, GraderError> {
         .and_then(|()| std::io::stdin().read_line(&mut answer));
     prompted.map_err(|e| GraderError::new(format!("cannot ask for confirmation: {e}")))?;
     Ok(answer.trim().eq_ignore_ascii_case("y"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_names_each_task_to_review_once() {
+        let keys = ["part1.task4/head_on", "part1.task4/range", "part1.task2"];
+        let text = refusal(&["part1.task2/range: wrong".into()], &keys);
+        assert!(text.contains("because an answer is wrong"), "{text}");
+        assert!(
+            text.contains("`cargo grader review part1.task4 part1.task2` shows"),
+            "{text}"
+        );
+    }
 }

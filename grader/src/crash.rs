@@ -1,6 +1,6 @@
 //! Calls that end without an answer: what kind of end it was, and the sentence about it.
 
-use crate::printed::with_commas;
+use crate::printed::{MOST_BYTES, with_commas};
 use crate::runner::Ending;
 use wire::Outcome;
 
@@ -36,6 +36,9 @@ impl Crash {
             Ending::Died { call, .. } => (CrashKind::Ended, *call),
             Ending::Malformed(_) => (CrashKind::Ended, None),
             Ending::Recorded(record) => match &record.outcome {
+                Outcome::Panicked { call, message, .. } if is_closed_output(message) => {
+                    (CrashKind::Ended, Some(*call))
+                }
                 Outcome::Panicked { call, .. } => (CrashKind::Panic, Some(*call)),
                 Outcome::CalledTooOften { call, .. } => (CrashKind::Endless, Some(*call)),
                 _ => return None,
@@ -44,6 +47,11 @@ impl Crash {
         };
         Some(Crash { kind, call })
     }
+}
+
+/// Whether this is the panic of `println!` or `eprintln!` after the worker's pipe was closed.
+fn is_closed_output(message: &str) -> bool {
+    message.starts_with("failed printing to std")
 }
 
 /// How the code of a case crashed, to end the sentence "your code ..."; `None` if it did not.
@@ -59,6 +67,10 @@ pub fn describe(ending: &Ending) -> Option<String> {
         Ending::Died { how, .. } => how.to_string(),
         Ending::Malformed(how) => how.clone(),
         Ending::Recorded(record) => match &record.outcome {
+            Outcome::Panicked { message, .. } if is_closed_output(message) => format!(
+                "printed more than {} MB in this run, so `println!` panicked: print less",
+                MOST_BYTES >> 20
+            ),
             Outcome::Panicked {
                 message, location, ..
             } => format!("panicked at {location}: {message}"),
@@ -117,6 +129,11 @@ mod tests {
             location: "stages/intersect/src/triangle.rs:19".into(),
             call: 4,
         });
+        let closed = recorded(Outcome::Panicked {
+            message: "failed printing to stdout: Broken pipe (os error 32)".into(),
+            location: "/rustc/59807/library/std/src/io/stdio.rs:1165".into(),
+            call: 149,
+        });
         let too_often = recorded(Outcome::CalledTooOften {
             function: "camera_ray".into(),
             times: 1_000_000,
@@ -129,6 +146,11 @@ mod tests {
         };
         let died = |how, call| Ending::Died { how, call };
         for (ending, kind, sentence) in [
+            (
+                closed,
+                CrashKind::Ended,
+                "printed more than 1024 MB in this run, so `println!` panicked: print less (call 149 of the case)",
+            ),
             (
                 panicked,
                 CrashKind::Panic,

@@ -17,7 +17,7 @@ const LINE_BYTES: usize = 400;
 
 /// How much of the output of a worker is read. Afterwards the worker's pipe is closed: what it
 /// prints then is lost, and `println!` panics.
-const MOST_BYTES: u64 = 1 << 30;
+pub(crate) const MOST_BYTES: u64 = 1 << 30;
 
 /// What the code printed to stdout and stderr in one case: whole lines.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -133,7 +133,7 @@ impl Course {
     fn select_one(&self, what: &str) -> Result<Vec<&Task>, GraderError> {
         let chosen: Vec<&Task> = self
             .tasks()
-            .filter(|task| what == "all" || task.key == what || task.part_key() == what)
+            .filter(|task| is_selected(&task.key, what))
             .collect();
         if chosen.is_empty() {
             if let Some((key, case)) = what.split_once('/')
@@ -228,6 +228,13 @@ impl Part {
         key.split_once('.')
             .is_some_and(|(part, _)| part == format!("part{}", self.number))
     }
+}
+
+/// Whether `what`, read as by [`Course::select`], selects the task `key`.
+pub(crate) fn is_selected(key: &str, what: &str) -> bool {
+    let part = key.split('.').next();
+    what.split(',')
+        .any(|what| what == "all" || what == key || Some(what) == part)
 }
 
 impl Task {

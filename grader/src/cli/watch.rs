@@ -3,7 +3,7 @@
 
 use super::Verdict;
 use super::grade::{GradedRun, hint, hint_argument};
-use crate::course::{Course, Task};
+use crate::course::{Course, Task, is_selected};
 use crate::error::GraderError;
 use crate::grade::GradeRequest;
 use crate::next_task::{self, Known};
@@ -23,9 +23,9 @@ pub(super) fn command() -> Command {
     Command::new("watch")
         .about("Grades what you save, each time you save it, and shows what to do next")
         .arg(
-            Arg::new("part")
-                .value_name("PART")
-                .help("Grade the tasks of this part only, such as `part1`"),
+            Arg::new("limit")
+                .value_name("WHAT")
+                .help("Grade only a part, such as `part1`, or a task, such as `part1.task3`"),
         )
         .arg(hint_argument(HintLevel::Findings))
 }
@@ -33,17 +33,10 @@ pub(super) fn command() -> Command {
 pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let part = matches.get_one::<String>("part").map(String::as_str);
-    if let Some(part) = part {
-        let tasks = course.select(part)?;
-        if part != "all" && tasks.iter().any(|task| task.part_key() != part) {
-            return Err(GraderError::new(format!(
-                "expected a part, such as `{}`, found `{part}`",
-                tasks[0].part_key()
-            )));
-        }
+    let limit = matches.get_one::<String>("limit").map(String::as_str);
+    if let Some(limit) = limit {
+        course.select(limit)?;
     }
-    let part = part.filter(|part| *part != "all");
     let known = next_task::known(&workspace, &course)?;
     let complete = known.iter().filter(|known| known.is_complete());
     let complete = complete.map(|known| known.place.key.clone()).collect();
@@ -54,7 +47,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         course: course.clone(),
     };
     let page = Page::of_stdout();
-    let ended = watch::run(&mut terminal, &course, part, hint(matches), complete, page)?;
+    let ended = watch::run(&mut terminal, &course, limit, hint(matches), complete, page)?;
     if let Some(why) = ended.why() {
         eprintln!("{why}");
     }
@@ -121,12 +114,12 @@ impl Desk for Terminal {
 
     fn next_open(
         &mut self,
-        part: Option<&str>,
+        limit: Option<&str>,
         but: &[&Task],
     ) -> Result<Option<String>, GraderError> {
         let known: Vec<Known> = next_task::known(&self.workspace, &self.course)?
             .into_iter()
-            .filter(|known| part.is_none_or(|part| known.part_key() == part))
+            .filter(|known| limit.is_none_or(|limit| is_selected(&known.place.key, limit)))
             .collect();
         let open = next_task::first_open(&known, but);
         Ok(open.map(|place| place.key.clone()))

@@ -6,7 +6,7 @@
 pub mod files;
 
 use crate::chapter::chapter;
-use crate::course::{Course, Task};
+use crate::course::{Course, Task, is_selected};
 use crate::error::GraderError;
 use crate::report::screen::{self, Context};
 use crate::report::terminal::{GREEN, Page};
@@ -33,10 +33,11 @@ pub trait Desk {
     /// Grades `what`, as [`Course::select`] reads it.
     fn grade(&mut self, what: &str) -> Result<(Report, Context), GraderError>;
 
-    /// The key of the next open task of `part`, or of the course, that is none of `but`.
+    /// The key of the next open task of `limit`, a part or a task, or of the course, that is none of
+    /// `but`.
     fn next_open(
         &mut self,
-        part: Option<&str>,
+        limit: Option<&str>,
         but: &[&Task],
     ) -> Result<Option<String>, GraderError>;
 
@@ -72,27 +73,27 @@ impl Ended {
 /// Lines for the keys and a remark.
 const FOOTER: usize = 3;
 
-/// Watches until the student quits. `part` limits what is graded; `complete` are the keys of the
-/// tasks that are known to be complete.
+/// Watches until the student quits. `limit` is the part or the task that is graded, if not all are;
+/// `complete` are the keys of the tasks that are known to be complete.
 pub fn run(
     desk: &mut impl Desk,
     course: &Course,
-    part: Option<&str>,
+    limit: Option<&str>,
     hint: HintLevel,
     complete: BTreeSet<String>,
     page: Page,
 ) -> Result<Ended, GraderError> {
-    let first = desk.next_open(part, &[])?;
+    let first = desk.next_open(limit, &[])?;
     let mut session = Session {
         course,
-        part,
+        limit,
         page: Page {
             height: page.height.saturating_sub(FOOTER),
             ..page
         },
         reveal: Reveal { hint, extra: false },
         complete,
-        what: first.unwrap_or_else(|| part.unwrap_or("all").to_owned()),
+        what: first.unwrap_or_else(|| limit.unwrap_or("all").to_owned()),
         last: None,
     };
     session.grade(desk);
@@ -113,7 +114,7 @@ pub fn run(
                     session.reveal.hint = next.unwrap_or(session.reveal.hint);
                     session.show(desk, next.map_or("This is the last level.", |_| ""));
                 }
-                "n" => match desk.next_open(part, &session.selected())? {
+                "n" => match desk.next_open(limit, &session.selected())? {
                     Some(next) => {
                         session.what = next;
                         session.grade(desk);
@@ -142,7 +143,8 @@ fn picture(report: &Report, key: &str) -> String {
 /// What is on the screen.
 struct Session<'a> {
     course: &'a Course,
-    part: Option<&'a str>,
+    /// The part or the task that is graded.
+    limit: Option<&'a str>,
     page: Page,
     reveal: Reveal,
     /// The keys of the tasks that were complete when they were last graded.
@@ -154,12 +156,12 @@ struct Session<'a> {
 }
 
 impl Session<'_> {
-    /// What to grade after files of `stages` were saved: the tasks of these stages, in the watched
-    /// part.
+    /// What to grade after files of `stages` were saved: the tasks of these stages that are
+    /// watched.
     fn touched(&self, stages: &BTreeSet<String>) -> Option<String> {
         let tasks = self.course.tasks().filter(|task| {
-            let in_part = self.part.is_none_or(|part| task.part_key() == part);
-            in_part && stages.contains(&task.stage)
+            let is_watched = self.limit.is_none_or(|limit| is_selected(&task.key, limit));
+            is_watched && stages.contains(&task.stage)
         });
         let keys: Vec<&str> = tasks.map(|task| task.key.as_str()).collect();
         (!keys.is_empty()).then(|| keys.join(","))

@@ -48,12 +48,12 @@ impl Desk for Script {
 
     fn next_open(
         &mut self,
-        part: Option<&str>,
+        limit: Option<&str>,
         but: &[&Task],
     ) -> Result<Option<String>, GraderError> {
         let course = course();
         let mut open = course.tasks().filter(|task| {
-            part.is_none_or(|part| task.part_key() == part)
+            limit.is_none_or(|limit| is_selected(&task.key, limit))
                 && !self.complete.contains(&task.key)
                 && but.iter().all(|other| other.key != task.key)
         });
@@ -77,12 +77,12 @@ fn typed(line: &str) -> Event {
     Event::Typed(line.to_owned())
 }
 
-/// Runs the loop over `events` in `part`.
-fn play(script: &mut Script, part: Option<&str>, events: &[Event]) -> Ended {
+/// Runs the loop over `events` in `limit`.
+fn play(script: &mut Script, limit: Option<&str>, events: &[Event]) -> Ended {
     script.events = events.iter().cloned().collect();
     let (hint, page) = (HintLevel::Findings, Page::default());
     let complete = BTreeSet::new();
-    run(script, &course(), part, hint, complete, page).expect("the script has no errors")
+    run(script, &course(), limit, hint, complete, page).expect("the script has no errors")
 }
 
 #[test]
@@ -98,6 +98,9 @@ fn a_saved_file_grades_the_tasks_of_its_stage_in_the_part() {
             "part1.task1,part1.task2"
         ]
     );
+    let mut script = Script::default();
+    play(&mut script, Some("part1.task4"), &events);
+    assert_eq!(script.graded, ["part1.task4", "part1.task4"]);
     let mut script = Script::default();
     play(&mut script, None, &[saved(&["bvh"])]);
     assert_eq!(script.graded, ["part1.task1", "part2.task1,part2.task3"]);

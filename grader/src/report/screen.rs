@@ -53,7 +53,12 @@ pub fn format_screen(report: &Report, context: &Context, reveal: Reveal, page: P
         Some(task) => {
             blocks.extend(detail::blocks(task, context, reveal, page));
             blocks.push(score(report, page));
-            if task.result.status != Status::NotAttempted {
+            // Without answers there is no more to say.
+            let has_run = !matches!(
+                task.result.status,
+                Status::NotAttempted | Status::DoesNotCompile
+            );
+            if has_run {
                 blocks.push(more(task, reveal, page));
             }
         }

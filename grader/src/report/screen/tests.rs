@@ -357,6 +357,7 @@ fn a_crash_says_how_and_a_stage_that_does_not_compile_shows_the_first_error() {
         printed.contains("does not compile: the compiler's messages are"),
         "{printed}"
     );
+    assert!(!printed.contains("--long"), "{printed}");
     let text = screen(vec![broken], &context, reveal(HintLevel::Findings));
     assert!(text.contains("stages/intersect does not compile"), "{text}");
     assert!(

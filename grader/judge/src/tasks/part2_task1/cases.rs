@@ -226,20 +226,28 @@ fn cloud(n: u32, center: Vec3) -> Vec<Aabb> {
 fn strip_case(name: &'static str, axis: usize) -> Spec {
     case(
         name,
-        "A strip of boxes, in random order. Pitfall: only splits along the longest axis separate them.",
+        "A strip of boxes, in random order. One half spreads a little along the one, the other \
+         half along the other of the two short axes. Pitfall: only splits along the longest of all \
+         three axes separate them.",
         strip(axis),
         4,
     )
 }
 
-/// 256 boxes one behind the other along an axis, with small random offsets, in permuted order.
+/// 256 boxes one behind the other along an axis, in permuted order. They lie in two planes: the
+/// first half has small random offsets along the next axis, the second half along the one after it.
+/// So each order of the two shorter extents occurs, and a search for the longest axis that does not
+/// compare all pairs finds the wrong one in a half.
 fn strip(axis: usize) -> Vec<Aabb> {
     let mut sampler = PixelSampler::new(axis as u32, 0, 2);
     // 91 and 256 have no common divisor, so every position comes once.
     (0..256_u32)
         .map(|i| {
-            let mut center = random_point(&mut sampler);
-            center[axis] = f64::from(91 * i % 256);
+            let along = 91 * i % 256;
+            let across = if along < 128 { axis + 1 } else { axis + 2 } % 3;
+            let mut center = Vec3::ZERO;
+            center[axis] = f64::from(along);
+            center[across] = sampler.next_1d();
             cube(center, 0.25)
         })
         .collect()

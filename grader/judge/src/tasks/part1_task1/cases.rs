@@ -49,11 +49,11 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .mainly(&[Calls, Placement, Radiance]),
         case(
             "fresh_offsets_in_each_pixel",
-            "4 samples in each of 256 pixels: the samples of a pixel are independent of those of \
+            "2 samples in each of 256 pixels: the samples of a pixel are independent of those of \
              other pixels. A correlation of 75 % is always detected. Pitfall: another sampler than \
-             the pixel's own, or a table of positions, gives every pixel the same ones, which show \
-             as a pattern in the picture.",
-            work([16, 16], all([16, 16]), 4, PixelWorld::Ramp, seed),
+             the pixel's own, or fixed positions, gives every pixel the same ones, which show as a \
+             pattern in the picture.",
+            work([16, 16], all([16, 16]), 2, PixelWorld::Ramp, seed),
         )
         .only(&[Independence]),
         case(
@@ -85,13 +85,13 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .mainly(&[Calls, Radiance]),
         case(
             "bright_light",
-            "Radiance can be far above 1; the pixel is the mean of the samples as they are. \
-             Pitfall: the mean of clamped samples is too dark.",
+            "Radiance can be a million times 1, as that of the sun; the pixel is the mean of the \
+             samples as they are. Pitfall: the mean of clamped samples is too dark.",
             work(
                 [3, 2],
                 all([3, 2]),
                 8,
-                PixelWorld::Constant([50.0, 3.0, 0.01]),
+                PixelWorld::Constant([1e6, 3.0, 0.01]),
                 0,
             ),
         )

@@ -109,7 +109,11 @@ fn placement(
         let allowed = if work.ns_aa == 1 { 0.0 } else { 0.5 } + PLACE_BOUND;
         let off = from_center[0].max(from_center[1]);
         let right = from_center.iter().all(|off| *off <= allowed);
-        tally.judge(Aspect::Placement, call, right, off, || {
+        let class = (!right).then(|| match work.ns_aa {
+            1 => lone_place(offset),
+            _ => Class::of_size(off),
+        });
+        tally.judge_class(Aspect::Placement, call, class, off, || {
             let [x, y] = pixel;
             let [w, h] = work.film;
             let (left, bottom) = (f64::from(x), f64::from(y));
@@ -134,6 +138,25 @@ fn placement(
             )
         });
     }
+}
+
+/// The class of a lone sample beside the centre: how far it is off along each axis, to the nearest
+/// power of two pixels, and to which side. Nothing is random there, so the same mistake gives the
+/// same class.
+fn lone_place(offset: [f64; 2]) -> Class {
+    if offset.iter().any(|offset| offset.is_nan()) {
+        return Class::NotANumber;
+    }
+    let [x, y] = offset.map(|offset| {
+        let off = offset - 0.5;
+        if off.abs() <= PLACE_BOUND {
+            return 0;
+        }
+        // From 1 on, so that the sign is that of `off`.
+        let octave = off.abs().log2().round().clamp(-30.0, 30.0) + 31.0;
+        octave.copysign(off) as i8
+    });
+    Class::Towards([x, y, 0])
 }
 
 /// The pixel's radiance is the mean of the radiances of its samples.

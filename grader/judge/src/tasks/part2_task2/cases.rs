@@ -40,8 +40,9 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "along_an_axis_beside",
             "Rays parallel to an axis, outside the box: on an axis where d is 0, the origin \
-             decides.",
-            along_axes(false),
+             decides. Where d is only small, the ray may still reach the box. Pitfall: treating a \
+             small d as 0.",
+            [along_axes(false), nearly_along_axes()].concat(),
         ),
         case(
             "clipped",
@@ -89,6 +90,12 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "Rays aimed at corners and edges: rounding may turn a miss into a hit, but never a \
              hit into a miss, which would be a hole in the picture.",
             corners_and_edges(seed),
+        ),
+        case(
+            "range_behind_the_origin",
+            "Ranges with a negative min_t: the part of the box behind the origin counts as far as \
+             min_t. Pitfall: limiting the start of the interval to 0.",
+            clipped_behind(),
         ),
         case(
             "point_box",
@@ -271,6 +278,56 @@ fn along_axes(through: bool) -> Vec<(Aabb, Ray)> {
                 let tilted = ray.d + 0.05 * Vec3::AXES[3 - axis - other];
                 probes.push((BOX, Ray::new(o, tilted.normalize())));
             }
+        }
+    }
+    probes
+}
+
+/// Rays at an angle of 5e-5 to an axis, from far away. They start beside the box and hit it, or
+/// start within its slabs and pass it.
+fn nearly_along_axes() -> Vec<(Aabb, Ray)> {
+    const DISTANCE: f64 = 1e5;
+    const SLOPE: f64 = 5e-5;
+    let mut probes = Vec::new();
+    for (axis, sign) in directions() {
+        for (other, side) in directions().filter(|&(other, _)| other != axis) {
+            let mut d = sign * Vec3::AXES[axis];
+            d[other] = SLOPE * side;
+            let inside = point_of(&BOX, Vec3::new(0.4, 0.7, 0.55));
+            let far = inside - DISTANCE * sign * Vec3::AXES[axis];
+            probes.push((BOX, Ray::new(far, d)));
+            let beside = far - DISTANCE * SLOPE * side * Vec3::AXES[other];
+            probes.push((BOX, Ray::new(beside, d)));
+        }
+    }
+    probes
+}
+
+/// Ranges that begin before the origin, on rays that leave the box behind them and on rays that
+/// start inside.
+fn clipped_behind() -> Vec<(Aabb, Ray)> {
+    let mut probes = Vec::new();
+    for corner in signs() {
+        // On the first ray the box reaches from t = -8.5 to t = -7.5, on the second one from -0.5
+        // to 0.5.
+        let behind = Ray::new(ROUND.centroid() + 8.0 * corner, corner);
+        let inside = Ray::new(ROUND.centroid(), corner);
+        for (ray, min_t, max_t) in [
+            (behind, -20.0, f64::INFINITY),
+            (behind, -8.0, 20.0),
+            (behind, -20.0, -8.0),
+            (behind, -7.0, 20.0),
+            (inside, -20.0, 20.0),
+            (inside, -0.25, 0.25),
+        ] {
+            probes.push((
+                ROUND,
+                Ray {
+                    min_t,
+                    max_t,
+                    ..ray
+                },
+            ));
         }
     }
     probes

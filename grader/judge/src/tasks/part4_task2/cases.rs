@@ -50,11 +50,12 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "lamp_in_a_mirror",
             "Mirrors and glass get no direct light: a lamp seen in them adds the light that it \
-             emits, on its front and not on its back.",
-            every(
+             emits, on its front and not on its back, however bright it is. Pitfall: clamping the \
+             light of a path.",
+            bright(every(
                 &["M L", "G L", "M M L", "D M L", "G G L", "M B"],
                 &[2, 3, 5],
-            ),
+            )),
         )
         .only(&[Radiance]),
         case(
@@ -88,8 +89,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         case(
             "throughput",
             "Roulette gets the product of all f · |cos θ| / pdf, including that of the new \
-             bounce, and the number of bounces, 1, 2, ...; the throughput that it returns is used \
-             from there on.",
+             bounce, which may be above 1, and the number of bounces, 1, 2, ...; the throughput \
+             that it returns is used from there on.",
             with_roulette(),
         )
         .only(&[Throughput, Radiance]),
@@ -216,6 +217,16 @@ fn every(kinds: &[&str], depths: &[u32]) -> Vec<ScriptedPath> {
         .collect()
 }
 
+/// The paths with lamps a million times as bright.
+fn bright(mut paths: Vec<ScriptedPath>) -> Vec<ScriptedPath> {
+    for step in paths.iter_mut().flat_map(|path| &mut path.steps) {
+        if let Material::Emission(radiance) = &mut step.material {
+            *radiance = radiance.map(|radiance| 1e6 * radiance);
+        }
+    }
+    paths
+}
+
 fn series() -> Vec<ScriptedPath> {
     let mut rng = ProbeRng::new("geometric_series", 0);
     let half = |depth: u32| {
@@ -232,13 +243,19 @@ fn series() -> Vec<ScriptedPath> {
     (1..=10).map(half).collect()
 }
 
-/// Paths whose throughput roulette increases.
+/// Paths whose throughput roulette increases, and diffuse bounces, too: they sample directions that
+/// bring much light less often than in proportion.
 fn with_roulette() -> Vec<ScriptedPath> {
     let mut rng = ProbeRng::new("lucky", 0);
     let mut with_roulette = |letters: &str| {
         let mut path = path(letters, 7, &mut rng);
         for step in &mut path.steps {
             step.roulette = Some(rng.range(1.0, 3.0));
+            if let Some(sample) = &mut step.sample
+                && !sample.delta
+            {
+                sample.f = sample.f.map(|f| 5.0 * f);
+            }
         }
         path
     };

@@ -47,10 +47,10 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         .only(&[Calls, Questions]),
         pixel(
             "mean_of_what_was_taken",
-            "A pixel that stops early divides by the number of samples taken. Pitfall: dividing \
-             by -s makes it too dark.",
+            "A pixel that stops early divides by the number of samples taken, however bright they \
+             are. Pitfall: dividing by -s, or clamping samples, makes it too dark.",
             (1..6)
-                .map(|i| of(i, 640, 8, StopRule::From(u64::from(8 * i))))
+                .map(|i| bright(of(i, 640, 8, StopRule::From(u64::from(8 * i)))))
                 .collect(),
         )
         .only(&[Radiance]),
@@ -196,6 +196,15 @@ fn of(i: u32, ns_aa: u32, batch: u32, rule: StopRule) -> AdaptivePixel {
         seed: 0,
         stream: colours("stream", i),
         rule,
+    }
+}
+
+/// The pixel with samples a hundred thousand times as bright.
+fn bright(pixel: AdaptivePixel) -> AdaptivePixel {
+    let stream = pixel.stream.iter();
+    AdaptivePixel {
+        stream: stream.map(|colour| colour.map(|c| 1e5 * c)).collect(),
+        ..pixel
     }
 }
 

@@ -342,6 +342,17 @@ mod tests {
         assert_eq!(wrong(1, |_| Vec2::ZERO, unchanged), [Aspect::Placement]);
     }
 
+    /// Off by the same distance, so only the direction tells the mistakes apart.
+    #[test]
+    fn lone_samples_off_in_other_directions_have_other_classes() {
+        let off = |x: f64, y: f64| lone_place([0.5 + x, 0.5 + y]);
+        let classes = [off(3.5, 0.0), off(-3.5, 0.0), off(0.0, 3.5), off(3.5, 3.5)];
+        let distinct: HashSet<Class> = classes.into();
+        assert_eq!(distinct.len(), 4, "{classes:?}");
+        assert_ne!(off(3.5, 0.0), off(7.5, 0.0), "twice as far");
+        assert_eq!(off(f64::NAN, 0.0), Class::NotANumber);
+    }
+
     #[test]
     fn wrong_counts_and_sums_fail() {
         assert_eq!(wrong(4, |s| s, |a| a.samples = 3), [Aspect::Calls]);

@@ -15,8 +15,12 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         case(
             "first_bounces",
-            "Up to the third bounce a path continues unchanged, however dim it is.",
-            work(&[DIM, [0.9, 0.01, 0.5], [3.0, 0.5, 0.0]], &[0, 1, 2, 3]),
+            "Up to the third bounce a path continues unchanged, however dim it is. Pitfall: ending a \
+             path below a threshold as if it were black.",
+            work(
+                &[DIM, [0.9, 0.01, 0.5], [3.0, 0.5, 0.0], [1e-9, 0.0, 2e-9]],
+                &[0, 1, 2, 3],
+            ),
         ),
         case(
             "survivors",

@@ -42,8 +42,14 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
         sure(
             "the_plain_rule_decides",
             "After enough samples with light, the result is that of the plain rule, called with \
-             the same samples and the same tolerance.",
-            decided_by_the_plain_rule("the_plain_rule_decides", 0),
+             the same samples and the same tolerance, however many samples there are.",
+            [
+                decided_by_the_plain_rule("the_plain_rule_decides", 0),
+                [5_000, 1_000_000]
+                    .map(|n| call(vec![(n, 1.0)], false))
+                    .into(),
+            ]
+            .concat(),
         ),
         sure(
             "fireflies",

@@ -5,8 +5,8 @@ mod class;
 mod finding;
 
 pub use aspect::Aspect;
-pub use class::{BLACK_CHANNEL, Class};
 pub(crate) use class::SAME;
+pub use class::{BLACK_CHANNEL, Class};
 pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer};
 
 use crate::errors::{ErrorSpread, NumberError};

@@ -192,7 +192,7 @@ impl CaseResult {
 
     /// Whether its answers are right and complete, and only the idea of the task is missing.
     pub(crate) fn lacks_only_the_idea(&self) -> bool {
-        let has_hole = self.shares.iter().any(|share| share.reduction().is_some());
+        let has_hole = self.shares.iter().any(FunctionShare::is_hole);
         self.is_only_reduced() && !has_hole
     }
 

@@ -5,8 +5,8 @@ use cost::page::{page, plot};
 use cost::report::Shape;
 use cost::{CostRequest, SampleCounts, table};
 use grader::cli::{
-    Format, Verdict, arguments_of, path_argument, run_to_exit_code, seed_argument, seed_of,
-    subprogram_command,
+    Format, Verdict, arguments_of, check_folders_of, path_argument, run_to_exit_code,
+    seed_argument, seed_of, subprogram_command,
 };
 use grader::error::GraderError;
 use grader::report;
@@ -74,11 +74,7 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         },
         seed: seed_of(matches),
     };
-    let files = ["html", "svg"].map(|name| matches.get_one::<PathBuf>(name));
-    for file in files.into_iter().flatten() {
-        // Not only after minutes of measuring.
-        report::folder_of(file)?;
-    }
+    check_folders_of(matches, &["html", "svg"])?;
     let cost = cost::measure(Some(&workspace), &request)?;
     if let Some(path) = matches.get_one::<PathBuf>("html") {
         report::write_whole(path, page(&cost)?.as_bytes())?;

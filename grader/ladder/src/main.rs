@@ -2,8 +2,8 @@
 
 use clap::{Arg, ArgMatches, Command};
 use grader::cli::{
-    Format, Verdict, arguments_of, path_argument, run_to_exit_code, seed_argument, seed_of,
-    subprogram_command, whole_number,
+    Format, Verdict, arguments_of, check_folders_of, path_argument, run_to_exit_code,
+    seed_argument, seed_of, subprogram_command, whole_number,
 };
 use grader::error::GraderError;
 use grader::report;
@@ -44,11 +44,7 @@ fn main() -> ExitCode {
 }
 
 fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
-    let files = ["html", "svg"].map(|name| matches.get_one::<PathBuf>(name));
-    for file in files.into_iter().flatten() {
-        // Not only after minutes of measuring.
-        report::folder_of(file)?;
-    }
+    check_folders_of(matches, &["html", "svg"])?;
     let mesh: &String = matches.get_one("mesh").expect("a default value");
     let ladder = measure(&LadderRequest {
         mesh: mesh.parse().map_err(|why: String| GraderError::new(why))?,

@@ -18,7 +18,7 @@ mod watch;
 
 use crate::error::GraderError;
 use crate::interrupt;
-use crate::report::HintLevel;
+use crate::report::{HintLevel, folder_of};
 use clap::error::{ContextKind, ErrorKind};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
@@ -162,6 +162,18 @@ pub fn path_argument(name: &'static str, value_name: &'static str) -> Arg {
         .long(name)
         .value_name(value_name)
         .value_parser(value_parser!(PathBuf))
+}
+
+/// Fails if the folder of a file that one of these options names does not exist: before minutes of
+/// work, not only when the file is written.
+pub fn check_folders_of(matches: &ArgMatches, options: &[&str]) -> Result<(), GraderError> {
+    let files = options
+        .iter()
+        .filter_map(|option| matches.get_one::<PathBuf>(option));
+    for file in files {
+        folder_of(file)?;
+    }
+    Ok(())
 }
 
 /// The option `--seed`.

@@ -33,8 +33,8 @@ pub trait Desk {
     /// Grades `what`, as [`Course::select`] reads it.
     fn grade(&mut self, what: &str) -> Result<(Report, Context), GraderError>;
 
-    /// The key of the next open task of `limit`, a part or a task, or of the course, that is none of
-    /// `but`.
+    /// The key of the next open task that is none of `but`: of `limit`, a part or a task, or of the
+    /// course.
     fn next_open(
         &mut self,
         limit: Option<&str>,

@@ -69,15 +69,19 @@ impl Textures {
             let path = folder.join(file);
             // If there is none, the error of opening `path` says so.
             let found = texture_file::find(folder, file).unwrap_or_else(|| path.clone());
-            let texture = load_texture(&found);
-            if texture.is_ok() && found != path {
-                let path = file.into();
-                warnings.push(TextureWarning::Moved { path, found });
-            } else if let Err(why) = &texture {
-                let why = why.clone();
-                warnings.push(TextureWarning::Missing { path: found, why });
+            match load_texture(&found) {
+                Ok(texture) => {
+                    if found != path {
+                        let path = file.into();
+                        warnings.push(TextureWarning::Moved { path, found });
+                    }
+                    texture
+                }
+                Err(why) => {
+                    warnings.push(TextureWarning::Missing { path: found, why });
+                    Texture::uniform(Spectrum::grey(0.5))
+                }
             }
-            texture.unwrap_or_else(|_| Texture::uniform(Spectrum::grey(0.5)))
         });
         (Textures::from(list.collect::<Vec<_>>()), warnings)
     }

@@ -1,4 +1,4 @@
-//! The scalar code for what packets of paths do not handle: the tree, rough materials, textures.
+//! What packets of paths do not handle: the tree, textures, materials that the lanes do not know.
 
 use crate::Counters;
 use crate::accel::{closest_in, occluded_in};

@@ -1,7 +1,7 @@
 //! Lit shading with paths in packets of eight: the same pictures, bit for bit, in less time.
 //!
-//! The stage [`simd_paths`] traces the packets. For what it does not handle (mirrors, glass, the
-//! tree over many primitives) it calls [`Fallback`], which is the scalar [`PathIntegrator`].
+//! The stage [`simd_paths`] traces the packets. For what it does not handle it calls
+//! [`Fallback`], which is the scalar [`PathIntegrator`].
 
 mod fallback;
 

@@ -116,16 +116,8 @@ impl PrimitiveList {
 
     /// The numbers in the scene of all primitives.
     pub(crate) fn ids(&self) -> impl Iterator<Item = u32> {
-        (0..self.len()).map(|i| self.id(i))
-    }
-
-    /// The number in the scene of primitive `i` of the list.
-    #[inline(always)]
-    fn id(&self, i: usize) -> u32 {
-        match self.triangles.get(i) {
-            Some(triangle) => triangle.id,
-            None => self.spheres[i - self.triangles.len()].0,
-        }
+        let triangles = self.triangles.iter().map(|triangle| triangle.id);
+        triangles.chain(self.spheres.iter().map(|&(id, _)| id))
     }
 
     /// The closest hits in the lanes of `active` with any primitive but `skip`; at equal `t` the
@@ -147,16 +139,14 @@ impl PrimitiveList {
         let permuted = AxisPermutedRays::new(rays);
         permuted.project(simd, &self.vertices, &mut scratch.0);
         for &ListedTriangle { id, vertices } in &self.triangles {
-            let number = f64x8::splat(simd, f64::from(id));
-            let active = active & skip.simd_ne(number).to_bitmask();
+            let active = active & may_hit(id, skip);
             let vertices = vertices.map(|i| &scratch.0[i as usize]);
             if let Some(test) = permuted.test(simd, vertices, rays, hits.t, active) {
                 hits.keep_closer(id, &test, rays, fallback);
             }
         }
         for (id, sphere) in &self.spheres {
-            let number = f64x8::splat(simd, f64::from(*id));
-            let active = active & skip.simd_ne(number).to_bitmask();
+            let active = active & may_hit(*id, skip);
             if let Some(test) = sphere::test(simd, sphere, rays, hits.t, active) {
                 hits.keep_closer(*id, &test, rays, fallback);
             }
@@ -187,8 +177,7 @@ impl PrimitiveList {
                 break;
             }
             tests += u64::from(open.count_ones());
-            let number = f64x8::splat(simd, f64::from(id));
-            let active = open & skip.simd_ne(number).to_bitmask();
+            let active = open & may_hit(id, skip);
             let vertices = vertices.map(|i| &scratch.0[i as usize]);
             if let Some(test) = permuted.test(simd, vertices, rays, rays.max_t, active) {
                 open &= !test.blocked(id, rays, fallback);
@@ -199,14 +188,20 @@ impl PrimitiveList {
                 break;
             }
             tests += u64::from(open.count_ones());
-            let number = f64x8::splat(simd, f64::from(*id));
-            let active = open & skip.simd_ne(number).to_bitmask();
+            let active = open & may_hit(*id, skip);
             if let Some(test) = sphere::test(simd, sphere, rays, rays.max_t, active) {
                 open &= !test.blocked(*id, rays, fallback);
             }
         }
         (active & !open, tests)
     }
+}
+
+/// The lanes, one bit each, whose rays do not skip primitive number `id`.
+#[inline(always)]
+fn may_hit<S: Simd>(id: u32, skip: f64x8<S>) -> u64 {
+    let number = f64x8::splat(skip.simd, f64::from(id));
+    skip.simd_ne(number).to_bitmask()
 }
 
 impl<S: Simd> PacketTest<S> {

@@ -303,6 +303,16 @@ fn nearly_along_axes() -> Vec<(Aabb, Ray)> {
     probes
 }
 
+/// A ray and the round box, with the range from `min_t` to `max_t`.
+fn clipped_to(ray: Ray, min_t: f64, max_t: f64) -> (Aabb, Ray) {
+    let ray = Ray {
+        min_t,
+        max_t,
+        ..ray
+    };
+    (ROUND, ray)
+}
+
 /// Ranges that begin before the origin, on rays that leave the box behind them and on rays that
 /// start inside.
 fn clipped_behind() -> Vec<(Aabb, Ray)> {
@@ -320,14 +330,7 @@ fn clipped_behind() -> Vec<(Aabb, Ray)> {
             (inside, -20.0, 20.0),
             (inside, -0.25, 0.25),
         ] {
-            probes.push((
-                ROUND,
-                Ray {
-                    min_t,
-                    max_t,
-                    ..ray
-                },
-            ));
+            probes.push(clipped_to(ray, min_t, max_t));
         }
     }
     probes
@@ -352,14 +355,7 @@ fn clipped() -> Vec<(Aabb, Ray)> {
             (8.0, 8.0),
             (8.5, f64::INFINITY),
         ] {
-            probes.push((
-                ROUND,
-                Ray {
-                    min_t,
-                    max_t,
-                    ..ray
-                },
-            ));
+            probes.push(clipped_to(ray, min_t, max_t));
         }
     }
     probes

@@ -262,7 +262,7 @@ fn note_single_batch(adaptive: Option<(u32, f64)>, samples: u32) {
 struct Stop {
     /// Whether to end it.
     flag: Arc<AtomicBool>,
-    /// When Ctrl-C was pressed.
+    /// When Ctrl-C was first pressed, if it was.
     interrupted: Arc<OnceLock<Instant>>,
 }
 

@@ -5,8 +5,8 @@
 //! `cargo insta review` finds it. `cargo grader review` shows every difference on a page, and
 //! `cargo grader bless` accepts them; neither reads these files.
 
+use base::Workspace;
 use grader::course::{Course, Task};
-use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use judge::pictures;
 use judge::plural;

@@ -1,8 +1,8 @@
 //! What the grader reads was written by a process in which the student's code ran: records of every
 //! kind of work are spoilt here in every way, and nothing of it may end the grader or score.
 
-use grader::records;
-use grader::runner::Ending;
+use grader::workers::records;
+use grader::workers::runner::Ending;
 use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::tally::Finding;

@@ -80,15 +80,17 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ("oracle", &["kit"]),
     ("judge", &["kit", "meshes", "oracle", "statistics", "wire"]),
     ("pictures", &["judge", "kit", "wire"]),
-    ("grader", &["kit", "judge", "pictures", "wire"]),
-    ("pages", &["grader", "pictures"]),
-    ("plots", &["grader", "pages"]),
-    ("submission", &["grader", "judge", "sandbox"]),
-    ("formats", &["grader", "judge", "submission"]),
-    ("export", &["grader", "judge", "submission"]),
+    ("base", &[]),
+    ("grader", &["base", "kit", "judge", "pictures", "wire"]),
+    ("pages", &["base", "pictures"]),
+    ("plots", &["base", "pages"]),
+    ("submission", &["base", "grader", "judge", "sandbox"]),
+    ("formats", &["base", "grader", "judge", "submission"]),
+    ("export", &["base", "grader", "judge", "submission"]),
     (
         "review",
         &[
+            "base",
             "kit",
             "grader",
             "judge",
@@ -101,20 +103,29 @@ const MAY_DEPEND_ON: &[(&str, &[&str])] = &[
     ),
     (
         "authoring",
-        &["kit", "grader", "judge", "pictures", "submission", "wire"],
+        &[
+            "base",
+            "kit",
+            "grader",
+            "judge",
+            "pictures",
+            "submission",
+            "wire",
+        ],
     ),
-    ("class", &["grader", "judge", "pages", "submission"]),
+    ("class", &["base", "grader", "judge", "pages", "submission"]),
     (
         "cost",
         &[
-            "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures", "plots",
-            "wire",
+            "base", "kit", "grader", "judge", "kernels", "meshes", "oracle", "pages", "pictures",
+            "plots", "wire",
         ],
     ),
     // It measures the stages side by side and judges nothing.
     (
         "ladder",
         &[
+            "base",
             "kit",
             "intersect",
             "bbox",

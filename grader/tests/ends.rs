@@ -4,9 +4,9 @@
 //! This program is the worker, too: the runner starts it with the arguments of a worker.
 
 use cap::Cap;
-use grader::crash::{self, Crash, CrashKind};
-use grader::printed;
-use grader::runner::{self, Ending, Worker};
+use grader::workers::crash::{self, Crash, CrashKind};
+use grader::workers::printed;
+use grader::workers::runner::{self, Ending, Worker};
 use std::alloc::System;
 use std::process::ExitCode;
 use wire::{Answer, Case, Record, Work};

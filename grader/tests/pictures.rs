@@ -1,7 +1,7 @@
 //! Each task has a picture, and the text of its functions names the command that makes it.
 
+use base::Workspace;
 use grader::course::{Course, Task};
-use grader::workspace::Workspace;
 use std::path::Path;
 
 fn course() -> (Workspace, Course) {

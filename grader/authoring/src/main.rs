@@ -2,9 +2,9 @@
 
 mod cli;
 
+use base::program::{arguments_of, run_to_exit_code, subprogram_command};
 use clap::Command;
 use cli::{course, handout, mutants};
-use grader::cli::{arguments_of, run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn command() -> Command {

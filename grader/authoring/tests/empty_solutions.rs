@@ -2,10 +2,10 @@
 //! points and no extra credit, and code that is half-written gets more, function by function.
 
 use authoring::mutants::empty::{self, FAIR_SHARE, Unfinished};
+use base::Workspace;
 use grader::course::Course;
 use grader::score::Status;
 use grader::score::functions::FunctionStatus;
-use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::LazyLock;

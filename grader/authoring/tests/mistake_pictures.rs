@@ -1,8 +1,8 @@
 //! The pictures of mistakes in the book are those that `grader mutants all --pictures` makes.
 
 use authoring::mutants::mistake_pictures::{self, Sheet};
+use base::Workspace;
 use grader::course::Course;
-use grader::workspace::Workspace;
 use pictures::png;
 use std::fs;
 use std::path::Path;

@@ -5,9 +5,9 @@
 use authoring::mutants::corpus::Corpus;
 use authoring::mutants::run::{Kind, versions};
 use authoring::mutants::table::Table;
+use base::Workspace;
 use grader::course::{Course, Task};
 use grader::diagnosis;
-use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
 

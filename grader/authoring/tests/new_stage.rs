@@ -1,7 +1,7 @@
 //! CONTRIBUTING's "I want to add a stage" is true: a copy of the project, changed in the places
 //! that it names and no others, grades a new stage.
 
-use grader::workspace::Workspace;
+use base::Workspace;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -187,7 +187,7 @@ impl Copy {
 
     /// The report of the new part.
     fn grade(&self) -> Value {
-        let output = Command::new(grader::compile::cargo())
+        let output = Command::new(base::child_processes::cargo())
             .current_dir(&self.root)
             .args(["run", "--release", "--offline", "--package", "grader", "--"])
             .args(["part7", "--format", "json"])

@@ -6,8 +6,8 @@ mod run;
 pub use run::run;
 
 use crate::intake::Revision;
+use base::program::whole_number;
 use clap::{Arg, ArgAction, Command, value_parser};
-use grader::cli::whole_number;
 use std::path::PathBuf;
 
 /// The command line.

@@ -7,7 +7,7 @@ pub use report::{Case, Diagnosis, Finding, StudentReport, Task};
 use crate::out::Out;
 use crate::plan::{Plan, Planned, State};
 use crate::unit::{self, Outcome, Unit};
-use grader::error::GraderError;
+use base::GraderError;
 use std::collections::BTreeMap;
 use std::fmt;
 

@@ -1,8 +1,7 @@
 //! What the scores of a class depend on besides the submissions: the course.
 
 use crate::hash::{self, Hasher};
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
 use std::collections::BTreeMap;
 use std::path::Path;
 use submission::file_tree;

@@ -1,7 +1,7 @@
 //! The entries of a class's folder: each is one submission.
 
 use crate::hash;
-use grader::error::GraderError;
+use base::GraderError;
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! The program behind `grader class`.
 
-use grader::cli::{arguments_of, run_to_exit_code, subprogram_command};
+use base::program::{arguments_of, run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

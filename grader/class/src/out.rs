@@ -1,6 +1,6 @@
 //! The folder `OUT`: where the plan, the results of units and the tables are.
 
-use grader::error::GraderError;
+use base::GraderError;
 use std::path::{Path, PathBuf};
 
 /// The folder `OUT`.

@@ -4,10 +4,7 @@
 use crate::out::Out;
 use crate::plan::Planned;
 use crate::progress::Progress;
-use grader::child_processes;
-use grader::error::GraderError;
-use grader::report::write_whole;
-use grader::runner;
+use base::{GraderError, child_processes, write_whole};
 use std::collections::VecDeque;
 use std::io;
 use std::process::{Child, Command, Stdio};
@@ -85,7 +82,7 @@ fn grade(mut command: Command) -> Option<String> {
         Err(e) => return Some(format!("cannot start a process: {e}")),
     };
     let pipe = child.stderr.take();
-    let stderr = std::thread::spawn(move || pipe.map(runner::tail).unwrap_or_default());
+    let stderr = std::thread::spawn(move || pipe.map(child_processes::tail).unwrap_or_default());
     let ended = wait(&mut child);
     let said = stderr.join().unwrap_or_default();
     let said = error_in(&said);

@@ -5,8 +5,8 @@ use crate::collect::Class;
 use crate::out::Out;
 use crate::plan::Plan;
 use crate::{entries, gradebook, pages};
-use grader::error::GraderError;
-use grader::report::{HintLevel, write_whole};
+use base::{GraderError, write_whole};
+use grader::report::HintLevel;
 use std::path::Path;
 
 /// Writes the tables of `plan`. The students' pages reveal as much as `hint` says.

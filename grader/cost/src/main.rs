@@ -1,16 +1,15 @@
 //! `grader cost`: measures the time that accuracy costs.
 
+use base::program::{
+    Exit, arguments_of, check_folders_of, path_argument, run_to_exit_code, subprogram_command,
+};
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use cost::page::{page, plot};
 use cost::report::Shape;
 use cost::{CostRequest, SampleCounts, table};
-use grader::cli::{
-    Format, Verdict, arguments_of, check_folders_of, path_argument, run_to_exit_code,
-    seed_argument, seed_of, subprogram_command,
-};
-use grader::error::GraderError;
+use grader::cli::{Format, seed_argument, seed_of};
 use grader::report;
-use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -52,7 +51,7 @@ fn main() -> ExitCode {
     })
 }
 
-fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let named: Vec<&String> = matches.get_many("what").unwrap_or_default().collect();
     let wants = |what: &str| named.is_empty() || named.iter().any(|name| *name == what);
@@ -77,17 +76,17 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     check_folders_of(matches, &["html", "svg"])?;
     let cost = cost::measure(Some(&workspace), &request)?;
     if let Some(path) = matches.get_one::<PathBuf>("html") {
-        report::write_whole(path, page(&cost)?.as_bytes())?;
+        base::write_whole(path, page(&cost)?.as_bytes())?;
     }
     if let Some(path) = matches.get_one::<PathBuf>("svg") {
         let plot = plot(&cost)?.ok_or_else(|| {
             GraderError::new("--svg: nothing to plot; name a shape (triangle, sphere, box) or bvh")
         })?;
-        report::write_whole(path, plot.as_bytes())?;
+        base::write_whole(path, plot.as_bytes())?;
     }
     match Format::of(matches) {
         Format::Json => println!("{}", report::json(&cost)?),
         Format::Table => print!("{}", table::show(&cost)),
     }
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }

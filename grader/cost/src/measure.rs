@@ -3,8 +3,7 @@
 use super::leaks::ClosedMeshes;
 use super::report::{CostReport, Shape};
 use super::{machine, measure_kernels, picture, trees};
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
 use kernels::Precision;
 use kit::{Aabb, Sphere};
 

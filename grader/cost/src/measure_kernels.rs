@@ -11,8 +11,7 @@ use super::report::{
 use super::student::{Student, StudentShape};
 use super::timing::{Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES};
 use super::truth::Answer;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
 use kernels::{HitF64, Instructions, Kernel, OperationCounts, Precision, RayAndShapes};
 use kit::Triangle;
 use rayon::prelude::*;

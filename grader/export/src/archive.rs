@@ -1,7 +1,7 @@
 //! Packs files as a zip: the same files give the same bytes.
 
 use crate::systems::ExportedFile;
-use grader::error::GraderError;
+use base::GraderError;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
@@ -17,7 +17,7 @@ pub fn zip(files: &[ExportedFile]) -> Result<Vec<u8>, GraderError> {
             .compression_method(CompressionMethod::Deflated)
             .last_modified_time(zip::DateTime::default())
             .unix_permissions(mode);
-        let name = grader::sources::with_slashes(&file.path);
+        let name = grader::course::sources::with_slashes(&file.path);
         writer.start_file(name, options).map_err(|e| failed(&e))?;
         writer.write_all(&file.contents).map_err(|e| failed(&e))?;
     }

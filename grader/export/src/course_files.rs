@@ -2,8 +2,7 @@
 //!
 //! They contain solutions. They are for containers that students cannot look into.
 
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
 use std::path::{Path, PathBuf};
 use submission::file_tree::{self, Files};
 use submission::packages::members::{self, Member};

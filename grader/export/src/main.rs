@@ -1,16 +1,14 @@
 //! The program behind `grader export SYSTEM --part N --out PATH`.
 
+use base::program::{self, Exit, path_argument, subprogram_command, whole_number};
+use base::{GraderError, Workspace, folder_of, write_whole};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use export::archive;
 use export::choices::Choices;
 use export::systems::{ExportedFile, System};
 use grader::cli::course_systems::VISIBILITIES;
-use grader::cli::{self, Verdict, path_argument, subprogram_command, whole_number};
 use grader::course::Course;
-use grader::error::GraderError;
-use grader::report::{folder_of, write_whole};
-use grader::workspace::Workspace;
 use judge::plural;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -115,14 +113,14 @@ fn reference(value: &str) -> Result<String, String> {
 }
 
 fn main() -> ExitCode {
-    let matches = cli::arguments_of(command());
-    cli::run_to_exit_code(|| match matches.subcommand() {
+    let matches = program::arguments_of(command());
+    program::run_to_exit_code(|| match matches.subcommand() {
         Some((_, matches)) => run(matches),
         None => unreachable!("clap requires a command"),
     })
 }
 
-fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let text = |name| matches.get_one::<String>(name).cloned();
     let name = text("system").unwrap_or_default();
     let system = System::ALL.into_iter().find(|system| system.name() == name);
@@ -174,7 +172,7 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         eprintln!("note: no effect: --{flag}: {name} does not use it");
     }
     println!("{}", system.next_step());
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }
 
 /// Writes the files to the new folder `out`. On an error the folder does not exist.
@@ -186,7 +184,7 @@ fn write_folder(out: &Path, files: &[ExportedFile]) -> Result<(), GraderError> {
             out.display()
         )));
     }
-    let temp = grader::interrupt::temp_folder_in(folder_of(out)?)?;
+    let temp = base::interrupt::temp_folder_in(folder_of(out)?)?;
     let complete = temp.path().join("export");
     for file in files {
         let path = complete.join(&file.path);

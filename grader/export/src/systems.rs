@@ -3,9 +3,8 @@
 use crate::choices::Choices;
 use crate::course_files;
 use crate::templates::{self, Template};
+use base::{GraderError, Workspace};
 use grader::course::Course;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -181,7 +180,7 @@ impl System {
 
 /// The version of the toolchain that runs the export: containers use the same.
 fn toolchain() -> Result<String, GraderError> {
-    let output = Command::new(grader::compile::cargo())
+    let output = Command::new(base::child_processes::cargo())
         .arg("--version")
         .output();
     let output = output.map_err(|e| GraderError::new(format!("cannot run cargo: {e}")))?;

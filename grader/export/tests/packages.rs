@@ -1,9 +1,9 @@
 //! What is exported for each course system.
 
+use base::Workspace;
 use export::archive;
 use export::choices::Choices;
 use export::systems::{ExportedFile, System};
-use grader::workspace::Workspace;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;

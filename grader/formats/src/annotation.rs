@@ -2,11 +2,11 @@
 //! wrong or not written yet.
 
 use crate::text::printable;
-use grader::compile_errors::plain;
+use grader::build::compile_errors::plain;
+use grader::course::sources::{SourceFile, holes, line_of_function};
 use grader::report::{Report, Reveal, TaskReport, table};
 use grader::score::functions::FunctionStatus;
 use grader::score::{Status, TaskResult};
-use grader::sources::{SourceFile, holes, line_of_function};
 
 /// A remark about a line.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use crate::outcome::name;
 use crate::points::{hundredths, rounded, total};
 use crate::text::printable;
 use crate::{Graded, Outcome, Settings};
-use grader::error::GraderError;
+use base::GraderError;
 use grader::report::json;
 use serde::Serialize;
 

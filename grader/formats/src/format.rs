@@ -3,7 +3,7 @@
 use crate::{
     Outcome, Settings, actions, classroom50, csv, gradescope, json, junit, markdown, prairielearn,
 };
-use grader::error::GraderError;
+use base::GraderError;
 
 /// A format of a course system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

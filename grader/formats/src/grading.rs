@@ -1,16 +1,16 @@
 //! Grades the workspace or a submission, for a report in any format.
 
+use base::{GraderError, Workspace};
 use clap::ArgMatches;
 use formats::annotation;
 use formats::{Graded, Outcome};
+use grader::build::compile_errors;
 use grader::cli::grade::{hint, request};
+use grader::course::sources::{self, SourceFile, with_slashes};
 use grader::course::{Course, Task};
-use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
 use grader::report::{self, Reveal, table};
-use grader::sources::{self, SourceFile, with_slashes};
-use grader::workspace::Workspace;
-use grader::{compile_errors, printed};
+use grader::workers::printed;
 use judge::Tier;
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -84,7 +84,7 @@ fn in_place(
         files.extend(sources::read(workspace.root(), stage)?);
     }
     let json = report::json(&graded.report)?;
-    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     let notes = join([&*graded.compiler, &printed::format(&graded.printed)]);
     Ok(Outcome::Graded(Box::new(Graded {
         what: request.what.clone(),
@@ -114,7 +114,7 @@ fn submission(
         Err(NotGraded::Infrastructure(why)) => return Ok(Outcome::Infrastructure(why)),
     };
     let json = report::json(&report)?;
-    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     let handed_in = Submission::read(folder, course.course(), workspace.root())?;
     let files = files(&handed_in, &tasks);
     Ok(Outcome::Graded(Box::new(Graded {

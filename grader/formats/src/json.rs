@@ -1,7 +1,7 @@
 //! The grader's own JSON, which `--format json` prints.
 
 use crate::Outcome;
-use grader::error::GraderError;
+use base::GraderError;
 use grader::report::json;
 use serde::Serialize;
 

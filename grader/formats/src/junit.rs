@@ -8,7 +8,7 @@ use crate::outcome::{NOT_GRADED, REFUSED, name};
 use crate::points::rounded;
 use crate::text::printable;
 use crate::{Graded, Outcome};
-use grader::error::GraderError;
+use base::GraderError;
 use grader::report::TaskReport;
 use grader::report::table::status_text;
 use grader::score::{CaseResult, Status};

@@ -3,15 +3,15 @@
 
 mod grading;
 
+use base::program::{self, Exit};
+use base::{GraderError, interrupt, write_whole};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use formats::classroom50::Assignment;
 use formats::settings::Visibility;
 use formats::{Format, Outcome, Settings};
+use grader::cli::course_systems;
 use grader::cli::grade::{arguments, submission_arguments};
-use grader::cli::{self, Verdict, course_systems};
-use grader::error::GraderError;
-use grader::interrupt;
-use grader::report::{HintLevel, write_whole};
+use grader::report::HintLevel;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -30,12 +30,12 @@ fn command() -> Command {
                 .help("Also show what extra credit lost, once every core case passes"),
         )
         .about("Grades, and reports in the formats of course systems")
-        .after_help(cli::EXIT_CODES)
+        .after_help(program::EXIT_CODES)
 }
 
 fn main() -> ExitCode {
-    let matches = cli::arguments_of(command());
-    cli::run_to_exit_code(|| run(&matches))
+    let matches = program::arguments_of(command());
+    program::run_to_exit_code(|| run(&matches))
 }
 
 /// A file to write.
@@ -69,7 +69,7 @@ impl Target {
     }
 }
 
-fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let targets = matches.get_many::<String>("write").unwrap_or_default();
     let targets: Vec<Target> = targets
         .map(|text| Target::parse(text))
@@ -100,11 +100,11 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         (None, _) => {}
     }
     match outcome {
-        Outcome::Graded(graded) if graded.report.is_full() => Ok(Verdict::Passed),
-        Outcome::Graded(_) => Ok(Verdict::Failed),
+        Outcome::Graded(graded) if graded.report.is_full() => Ok(Exit::Passed),
+        Outcome::Graded(_) => Ok(Exit::Failed),
         Outcome::Refused { why, .. } => {
             eprintln!("cannot be graded: {why}");
-            Ok(Verdict::Failed)
+            Ok(Exit::Failed)
         }
         Outcome::Infrastructure(why) => Err(GraderError::new(why)),
     }

@@ -6,7 +6,7 @@ use crate::outcome::{NOT_GRADED, REFUSED, name};
 use crate::points::{rounded, total};
 use crate::text::{limited, printable};
 use crate::{Graded, Outcome, Settings};
-use grader::error::GraderError;
+use base::GraderError;
 use grader::report::{TaskReport, json, table};
 use serde::Serialize;
 

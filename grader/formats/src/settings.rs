@@ -1,7 +1,7 @@
 //! What a file contains besides the outcome: who handed in, and what the instructor chose.
 
 use crate::classroom50::Assignment;
-use grader::error::GraderError;
+use base::GraderError;
 
 /// What a file contains besides the outcome.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Texts that contain what students' programs and files say.
 
-use grader::compile_errors::plain;
+use grader::build::compile_errors::plain;
 
 /// The text without colours and without control characters other than line breaks and tabs.
 pub(crate) fn printable(text: &str) -> String {

@@ -1,11 +1,12 @@
 //! `grader speedup`: the ladder from brute force to a wide tree.
 
-use clap::{Arg, ArgMatches, Command};
-use grader::cli::{
-    Format, Verdict, arguments_of, check_folders_of, path_argument, run_to_exit_code,
-    seed_argument, seed_of, subprogram_command, whole_number,
+use base::GraderError;
+use base::program::{
+    Exit, arguments_of, check_folders_of, path_argument, run_to_exit_code, subprogram_command,
+    whole_number,
 };
-use grader::error::GraderError;
+use clap::{Arg, ArgMatches, Command};
+use grader::cli::{Format, seed_argument, seed_of};
 use grader::report;
 use ladder::{LadderRequest, measure, page, table};
 use meshes::MeshKind;
@@ -43,7 +44,7 @@ fn main() -> ExitCode {
     })
 }
 
-fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     check_folders_of(matches, &["html", "svg"])?;
     let mesh: &String = matches.get_one("mesh").expect("a default value");
     let ladder = measure(&LadderRequest {
@@ -52,14 +53,14 @@ fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         seed: seed_of(matches),
     });
     if let Some(path) = matches.get_one::<PathBuf>("html") {
-        report::write_whole(path, page::page(&ladder)?.as_bytes())?;
+        base::write_whole(path, page::page(&ladder)?.as_bytes())?;
     }
     if let Some(path) = matches.get_one::<PathBuf>("svg") {
-        report::write_whole(path, page::plot(&ladder)?.as_bytes())?;
+        base::write_whole(path, page::plot(&ladder)?.as_bytes())?;
     }
     match Format::of(matches) {
         Format::Json => println!("{}", report::json(&ladder)?),
         Format::Table => print!("{}", table::show(&ladder)),
     }
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }

@@ -3,7 +3,7 @@
 use crate::clock::processor_time;
 use crate::rays::{RayKind, RaySets};
 use crate::rung::{Rung, RungKind};
-use grader::speedup::slope;
+use grader::grade::speedup::slope;
 use kit::hole::Hole;
 use kit::{PrimId, Ray, Triangle};
 use meshes::{MeshKind, generate};

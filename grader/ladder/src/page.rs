@@ -3,7 +3,7 @@
 use crate::measure::{Ladder, RungCost};
 use crate::rays::RayKind;
 use crate::rung::RungKind;
-use grader::error::GraderError;
+use base::GraderError;
 use plots::canvas::{Canvas, DrawResult, Label, file, for_both_widths};
 use plots::document::Document;
 use plots::figure::{Figure, heads};

@@ -1,7 +1,7 @@
 //! The rays that are traced.
 
 use crate::rung::Rung;
-use grader::speedup;
+use grader::grade::speedup;
 use judge::convert;
 use kit::{Frame, PixelSampler, Ray, Triangle, Vec3, warp};
 use serde::Serialize;

@@ -2,8 +2,7 @@
 
 pub use pictures::tone::of_answer as compose;
 
-use grader::error::GraderError;
-use grader::report::write_whole;
+use base::{GraderError, write_whole};
 use pictures::{Image, png};
 use std::path::Path;
 

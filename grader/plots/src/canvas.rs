@@ -1,7 +1,7 @@
 //! An SVG canvas with coordinates in points.
 
 use crate::style::COLOR_RULES;
-use grader::error::GraderError;
+use base::GraderError;
 use pages::html::escape;
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;

@@ -170,7 +170,7 @@ impl<'a, 'b> Plot<'a, 'b> {
         [w, h]: [f64; 2],
         x: Axis,
         y: Axis,
-    ) -> Result<Plot<'a, 'b>, grader::error::GraderError> {
+    ) -> Result<Plot<'a, 'b>, base::GraderError> {
         let inner = [
             corner.0 + LEFT,
             corner.1 + ABOVE,

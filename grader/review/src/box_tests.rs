@@ -1,8 +1,8 @@
 //! The box tests of some rays of a picture.
 
 use super::box_walk::{self, Step};
-use grader::error::GraderError;
-use grader::runner::{self, Worker};
+use base::GraderError;
+use grader::workers::runner::{self, Worker};
 use judge::cases::Spec;
 use judge::convert;
 use kit::Aabb;

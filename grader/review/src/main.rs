@@ -2,8 +2,8 @@
 
 mod cli;
 
+use base::program::{arguments_of, run_to_exit_code, subprogram_command};
 use cli::{bless, look, review};
-use grader::cli::{arguments_of, run_to_exit_code, subprogram_command};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

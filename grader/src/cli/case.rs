@@ -1,18 +1,17 @@
 //! The command `grader part1.task3 --case range --call 2`: runs one case and prints its calls.
 
-use super::Verdict;
-use crate::compile::BuildRoot;
+use crate::build::BuildRoot;
 use crate::course::{CaseEntry, Course, Task};
-use crate::error::GraderError;
 use crate::grade::{self, GradeRequest};
-use crate::printed;
 use crate::report::message;
 use crate::report::table::status_text;
 use crate::report::terminal::Page;
 use crate::report::wrap::{columns, numbers_to_fit, wrap};
 use crate::score::{CaseResult, Status};
-use crate::worker_set::WorkerSet;
-use crate::workspace::Workspace;
+use crate::workers::printed;
+use crate::workers::worker_set::WorkerSet;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use judge::cases::{self, Spec};
 use judge::repro;
 use judge::snapshot::{self, Line, Snapshot};
@@ -33,7 +32,7 @@ pub(super) fn run(
     request: &GradeRequest,
     name: &str,
     call: Option<u32>,
-) -> Result<Verdict, GraderError> {
+) -> Result<Exit, GraderError> {
     let course = Course::read(workspace)?;
     let (task, entry) = find(&course, &request.what, name)?;
     let specs = cases::all(request.seed);
@@ -56,7 +55,7 @@ pub(super) fn run(
     let workers = WorkerSet::build(&build_root, &stages, spec.needs_all_stages())?;
     let Some(workers) = workers.workers(&task.stage) else {
         println!("{}: stages/{} does not compile", task.key, task.stage);
-        return Ok(Verdict::Failed);
+        return Ok(Exit::Failed);
     };
     let mut ran = Vec::new();
     for spec in &runs {
@@ -106,8 +105,8 @@ pub(super) fn run(
         println!("\n{}", printed::format(&printed).trim_end());
     }
     Ok(match result.status {
-        Status::Passed => Verdict::Passed,
-        _ => Verdict::Failed,
+        Status::Passed => Exit::Passed,
+        _ => Exit::Failed,
     })
 }
 

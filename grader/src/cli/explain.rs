@@ -1,12 +1,12 @@
 //! The command `grader explain part1.task3/back_face`: what a case tests, drawn.
 
 use super::case::{find, golden};
-use super::{Verdict, seed_argument, seed_of};
+use super::{seed_argument, seed_of};
 use crate::course::Course;
-use crate::error::GraderError;
 use crate::explain;
 use crate::report::terminal::Page;
-use crate::workspace::Workspace;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgMatches, Command};
 use judge::cases;
 use std::path::Path;
@@ -25,7 +25,7 @@ pub(super) fn command() -> Command {
         .arg(seed_argument())
 }
 
-pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let what: &String = matches.get_one("case").expect("clap requires it");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
@@ -49,5 +49,5 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             print!("{}", explain::case(entry, spec, golden.as_ref(), page));
         }
     }
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }

@@ -1,18 +1,18 @@
 //! The command `grader part1`: grades the code in the workspace.
 
-use super::{Format, Verdict, case, path_argument, seed_argument, seed_of, whole_number};
+use super::{Format, case, seed_argument, seed_of};
+use crate::course::given;
+use crate::course::sources;
 use crate::course::{Course, Task};
-use crate::error::GraderError;
-use crate::given;
 use crate::grade::{self, GradeRequest, Graded};
-use crate::next_task;
-use crate::printed;
+use crate::progress::next_task;
+use crate::progress::results::{self, Results};
 use crate::report::screen::{self, Context};
 use crate::report::terminal::Page;
 use crate::report::{self, HintLevel, Report, Reveal, TaskReport, worst_test};
-use crate::results::{self, Results};
-use crate::sources;
-use crate::workspace::Workspace;
+use crate::workers::printed;
+use base::program::{Exit, path_argument, whole_number};
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use std::path::Path;
 
@@ -130,7 +130,7 @@ pub fn hint(matches: &ArgMatches) -> HintLevel {
     place.map_or(HintLevel::Remedy, |place| HintLevel::ALL[place])
 }
 
-pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let reveal = Reveal {
         hint: hint(matches),
         extra: matches.get_flag("extra"),
@@ -179,9 +179,9 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         }
     }
     Ok(if report.is_full() {
-        Verdict::Passed
+        Exit::Passed
     } else {
-        Verdict::Failed
+        Exit::Failed
     })
 }
 
@@ -261,7 +261,7 @@ impl GradedRun {
         results.merge(&graded.report, &fingerprints);
         results.write(workspace)?;
         let json = report::json(&graded.report)?;
-        report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+        base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
         Ok(GradedRun {
             graded,
             course,

@@ -1,7 +1,8 @@
 //! `grader --help` lists what students use, `grader help instructors` the rest.
 
-use super::{EXIT_CODES, Format, SUBPROGRAMS, Verdict, course_systems, grade, subprogram};
-use crate::error::GraderError;
+use super::{Format, SUBPROGRAMS, course_systems, grade, subprogram};
+use base::GraderError;
+use base::program::{EXIT_CODES, Exit};
 use clap::{Arg, ArgMatches, Command};
 use std::ffi::OsString;
 
@@ -35,7 +36,7 @@ pub(super) fn command() -> Command {
 }
 
 /// Prints the help of a command, of the whole program, or for instructors.
-pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let mut whole = super::command();
     let mut named = match matches.get_one::<String>("topic").map(String::as_str) {
         None => whole,
@@ -54,7 +55,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     };
     let printed = named.print_help();
     printed.map_err(|e| GraderError::new(format!("cannot print the help: {e}")))?;
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }
 
 /// The commands and options that students do not need.

@@ -3,7 +3,7 @@
 //! This program does what students do all day: `grader part1` ([`grade`]; `case` for a single
 //! case), `grader watch`, `grader status`, `grader explain`, `grader picture`. Each other command
 //! is a separate program (`subprogram`), so that a student who only grades does not have to compile
-//! it. This module contains what they all share: the [`Verdict`], the exit codes
+//! it. This module contains what they all share: the [`Exit`], the exit codes
 //! ([`run_to_exit_code`]) and common options.
 
 mod case;
@@ -16,19 +16,12 @@ mod status;
 mod subprogram;
 mod watch;
 
-use crate::error::GraderError;
-use crate::interrupt;
-use crate::report::{HintLevel, folder_of};
-use clap::error::{ContextKind, ErrorKind};
+use crate::report::HintLevel;
+use base::GraderError;
+use base::program::{Exit, arguments_of, run_to_exit_code, whole_number};
 use clap::{Arg, ArgMatches, Command, value_parser};
 use std::ffi::OsString;
-use std::fmt::Display;
-use std::path::PathBuf;
 use std::process::ExitCode;
-use std::str::FromStr;
-
-/// The exit codes of every program of the grader, for `--help`.
-pub const EXIT_CODES: &str = "Exit code: 0 if every core point is earned, 1 if points are lost, 2 after an error in the grader or its input.";
 
 /// The commands that are separate programs: name, package, description.
 const SUBPROGRAMS: &[(&str, &str, &str)] = &[
@@ -156,26 +149,6 @@ impl Format {
     }
 }
 
-/// An option `--NAME` that takes the path of a file or a folder, as [`std::path::PathBuf`].
-pub fn path_argument(name: &'static str, value_name: &'static str) -> Arg {
-    Arg::new(name)
-        .long(name)
-        .value_name(value_name)
-        .value_parser(value_parser!(PathBuf))
-}
-
-/// Fails if the folder of a file that one of these options names does not exist: before minutes of
-/// work, not only when the file is written.
-pub fn check_folders_of(matches: &ArgMatches, options: &[&str]) -> Result<(), GraderError> {
-    let files = options
-        .iter()
-        .filter_map(|option| matches.get_one::<PathBuf>(option));
-    for file in files {
-        folder_of(file)?;
-    }
-    Ok(())
-}
-
 /// The option `--seed`.
 pub fn seed_argument() -> Arg {
     Arg::new("seed")
@@ -192,77 +165,13 @@ pub fn seed_of(matches: &ArgMatches) -> u64 {
     matches.get_one("seed").copied().unwrap_or(0)
 }
 
-/// Parses a whole number in `min..=max`. The error names this range.
-pub fn whole_number<T: FromStr + PartialOrd + Display>(
-    value: &str,
-    min: T,
-    max: T,
-) -> Result<T, String> {
-    match value.parse() {
-        Ok(number) if min <= number && number <= max => Ok(number),
-        _ => Err(format!("expected a whole number from {min} to {max}")),
-    }
-}
-
-/// The result of a run that finished without an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Every core point was earned, or a check found no problem.
-    Passed,
-    /// Points were lost, or a check found a problem.
-    Failed,
-}
-
-/// Runs `work` as a whole program and returns its exit code. Prints an error, if there is one, to
-/// stderr. Ctrl-C also ends the child processes.
-pub fn run_to_exit_code(work: impl FnOnce() -> Result<Verdict, GraderError>) -> ExitCode {
-    interrupt::install_handler();
-    match work() {
-        Ok(Verdict::Passed) => ExitCode::SUCCESS,
-        Ok(Verdict::Failed) => ExitCode::from(1),
-        Err(error) => {
-            if !interrupt::was_interrupted() {
-                eprintln!("error: {error}");
-            }
-            ExitCode::from(2)
-        }
-    }
-}
-
-/// The command line of a program that implements some of the commands of `grader`.
-pub fn subprogram_command(commands: impl IntoIterator<Item = Command>) -> Command {
-    Command::new("grader")
-        // Not the name of the file, which nobody typed.
-        .bin_name("grader")
-        .version(env!("CARGO_PKG_VERSION"))
-        .subcommand_required(true)
-        .after_help(EXIT_CODES)
-        .subcommands(commands)
-}
-
-/// Reads the arguments of this process. After an error it prints a message and exits.
-pub fn arguments_of(command: Command) -> ArgMatches {
-    command
-        .try_get_matches()
-        .unwrap_or_else(|error| without_misleading_tip(error).exit())
-}
-
-/// `error` without clap's tip to write `-- -z` for an unknown flag `-z`: no part, task or folder is
-/// called that.
-fn without_misleading_tip(mut error: clap::Error) -> clap::Error {
-    if error.kind() == ErrorKind::UnknownArgument {
-        error.remove(ContextKind::Suggested);
-    }
-    error
-}
-
 /// Runs the program `grader`.
 pub fn main() -> ExitCode {
     let matches = arguments_of(command());
     run_to_exit_code(|| run(&matches))
 }
 
-fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     if let Some((name, rest)) = matches.subcommand() {
         if name == picture::NAME {
             return picture::run(rest);
@@ -327,25 +236,6 @@ mod tests {
             // Not clap's own advice, to write `-- -1`.
             assert!(!message.contains("-- -1"), "`{line}`:\n{message}");
         }
-    }
-
-    #[test]
-    fn an_unknown_flag_is_not_taken_for_a_value() {
-        let message = |line: &str| {
-            let error = command().try_get_matches_from(line.split(' ')).err();
-            without_misleading_tip(error.expect("the command line must be refused")).to_string()
-        };
-        let unknown = message("grader -z");
-        assert!(
-            unknown.contains("unexpected argument '-z' found"),
-            "{unknown}"
-        );
-        assert!(!unknown.contains("tip:"), "{unknown}");
-        let misspelt = message("grader --hnit 3");
-        assert!(
-            misspelt.contains("a similar argument exists: '--hint'"),
-            "{misspelt}"
-        );
     }
 
     #[test]

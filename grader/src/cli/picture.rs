@@ -1,15 +1,14 @@
 //! The command `grader picture part1.task3`: shows what the code in the workspace renders.
 
-use super::Verdict;
-use crate::compile::BuildRoot;
+use crate::build::BuildRoot;
 use crate::course::{Course, Task};
-use crate::error::GraderError;
-use crate::next_task;
-use crate::picture::{self, Rendered};
+use crate::grade::picture::{self, Rendered};
+use crate::progress::next_task;
 use crate::report::table::status_text;
 use crate::score::Status;
-use crate::worker_set::WorkerSet;
-use crate::workspace::Workspace;
+use crate::workers::worker_set::WorkerSet;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgMatches, Command};
 use judge::plural;
 use pictures::terminal::{self, Colours};
@@ -55,7 +54,7 @@ fn one_task<'a>(course: &'a Course, key: &str) -> Result<&'a Task, GraderError> 
     }
 }
 
-pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let task = task_of(matches, &workspace, &course)?;
@@ -73,8 +72,8 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     println!("picture: {}", workspace.relative(&path).display());
     // A picture gives no points: that it differs is no failure.
     Ok(match rendered.yours {
-        Ok(_) => Verdict::Passed,
-        Err(_) => Verdict::Failed,
+        Ok(_) => Exit::Passed,
+        Err(_) => Exit::Failed,
     })
 }
 

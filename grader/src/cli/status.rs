@@ -1,14 +1,13 @@
 //! The command `grader status`: what is written, what is left, what comes next. It builds nothing.
 
-use super::Verdict;
 use crate::course::Course;
-use crate::error::GraderError;
-use crate::next_task::{self, Known};
+use crate::progress::next_task::{self, Known};
 use crate::report::screen;
 use crate::report::table::number;
 use crate::report::terminal::{GREEN, Page};
 use crate::report::wrap::{columns, wrap, wrap_to};
-use crate::workspace::Workspace;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use clap::Command;
 use std::path::Path;
 
@@ -18,12 +17,12 @@ pub(super) fn command() -> Command {
     )
 }
 
-pub(super) fn run() -> Result<Verdict, GraderError> {
+pub(super) fn run() -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let known = next_task::known(&workspace, &course)?;
     print!("{}", format_status(&known, Page::of_stdout()));
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }
 
 /// A line for each task, the points of each part, and the next step.
@@ -127,8 +126,8 @@ fn state(known: &Known, is_given: bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::results::TaskScore;
-    use crate::sources::Place;
+    use crate::course::sources::Place;
+    use crate::progress::results::TaskScore;
 
     fn known(key: &str, open: &[&str], score: Option<f64>, changed: bool) -> Known {
         Known {

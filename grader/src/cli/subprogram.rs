@@ -2,16 +2,15 @@
 //!
 //! Cargo builds each of them on its first use.
 
-use super::Verdict;
-use crate::compile;
-use crate::error::GraderError;
-use crate::workspace::Workspace;
+use crate::build;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
 /// Builds the program of `package` and runs it with `arguments`. On Unix it replaces this process.
-pub(super) fn run(package: &str, arguments: Vec<OsString>) -> Result<Verdict, GraderError> {
+pub(super) fn run(package: &str, arguments: Vec<OsString>) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let manifest = workspace.root().join("grader").join(package);
     if !manifest.join("Cargo.toml").is_file() {
@@ -20,7 +19,7 @@ pub(super) fn run(package: &str, arguments: Vec<OsString>) -> Result<Verdict, Gr
             workspace.root().display()
         )));
     }
-    let program = compile::build_program(workspace.root(), package)?
+    let program = build::build_program(workspace.root(), package)?
         .map_err(|_| GraderError::new(format!("the package {package} does not compile")))?;
     let mut command = Command::new(&program);
     command.args(arguments);
@@ -28,15 +27,15 @@ pub(super) fn run(package: &str, arguments: Vec<OsString>) -> Result<Verdict, Gr
 }
 
 #[cfg(unix)]
-fn exec_or_wait(command: &mut Command) -> std::io::Result<Verdict> {
+fn exec_or_wait(command: &mut Command) -> std::io::Result<Exit> {
     Err(std::os::unix::process::CommandExt::exec(command))
 }
 
 #[cfg(not(unix))]
-fn exec_or_wait(command: &mut Command) -> std::io::Result<Verdict> {
+fn exec_or_wait(command: &mut Command) -> std::io::Result<Exit> {
     match command.status()?.code() {
-        Some(0) => Ok(Verdict::Passed),
-        Some(1) => Ok(Verdict::Failed),
+        Some(0) => Ok(Exit::Passed),
+        Some(1) => Ok(Exit::Failed),
         code => std::process::exit(code.unwrap_or(2)),
     }
 }

@@ -1,18 +1,17 @@
 //! The command `grader watch`: the desk of [`crate::watch`] is the terminal and the stages'
 //! folders.
 
-use super::Verdict;
 use super::grade::{GradedRun, hint, hint_argument};
 use crate::course::{Course, Task, is_selected};
-use crate::error::GraderError;
 use crate::grade::GradeRequest;
-use crate::next_task::{self, Known};
+use crate::progress::next_task::{self, Known};
 use crate::report::screen::Context;
 use crate::report::terminal::Page;
 use crate::report::{HintLevel, Report};
 use crate::watch::files::WatchedFiles;
 use crate::watch::{self, Desk, Event};
-use crate::workspace::Workspace;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgMatches, Command};
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::Path;
@@ -30,7 +29,7 @@ pub(super) fn command() -> Command {
         .arg(hint_argument(HintLevel::Findings))
 }
 
-pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(super) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let limit = matches.get_one::<String>("limit").map(String::as_str);
@@ -51,7 +50,7 @@ pub(super) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     if let Some(why) = ended.why() {
         eprintln!("{why}");
     }
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }
 
 /// How often the files are looked at.

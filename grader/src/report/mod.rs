@@ -12,12 +12,11 @@ pub mod worst_test;
 pub(crate) mod wrap;
 
 use crate::diagnosis::Diagnosis;
-use crate::error::{GraderError, without_path};
+use crate::grade::speedup::Speedups;
 use crate::score::TaskResult;
-use crate::speedup::Speedups;
+use base::GraderError;
 use serde::Serialize;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The report of one run of the grader.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -155,54 +154,4 @@ impl HintLevel {
 pub fn json(report: &impl Serialize) -> Result<String, GraderError> {
     serde_json::to_string_pretty(report)
         .map_err(|e| GraderError::new(format!("cannot write the report as JSON: {e}")))
-}
-
-/// The folder that the new file or folder `path` is written to. Fails if it does not exist.
-pub fn folder_of(path: &Path) -> Result<&Path, GraderError> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    if folder.is_dir() {
-        return Ok(folder);
-    }
-    let cause = match folder.exists() {
-        true => format!("{} is not a folder. Name another place", folder.display()),
-        false => format!(
-            "there is no folder {}. Create it first, or name another place",
-            folder.display()
-        ),
-    };
-    Err(GraderError::file("write", path, cause))
-}
-
-/// Writes `text` to the file `path` atomically: on an error the old file stays as it was.
-pub fn write_whole(path: &Path, text: &[u8]) -> Result<(), GraderError> {
-    let folder = folder_of(path)?;
-    let failed = |e: &std::io::Error| GraderError::file("write", path, without_path(e));
-    let mut file = tempfile::Builder::new();
-    // Temporary files are readable by their owner only; reports get the usual permissions.
-    #[cfg(unix)]
-    file.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = file.tempfile_in(folder).map_err(|e| failed(&e))?;
-    file.write_all(text).map_err(|e| failed(&e))?;
-    file.persist(path).map_err(|e| failed(&e.error))?;
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_report_is_written_only_to_a_folder_that_exists() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let missing = folder.path().join("missing");
-        let error = write_whole(&missing.join("a.html"), b"").expect_err("no folder");
-        let expected = format!("there is no folder {}. Create it first", missing.display());
-        assert!(error.to_string().contains(&expected), "{error}");
-        write_whole(&missing, b"").expect("a file");
-        let error = write_whole(&missing.join("a.html"), b"").expect_err("a file");
-        assert!(error.to_string().contains("is not a folder"), "{error}");
-    }
 }

@@ -9,11 +9,11 @@ use super::table::{number, summary};
 use super::terminal::{GREEN, Page, style_of};
 use super::wrap::{columns, one_line, wrap_to};
 use super::{Report, Reveal, TaskReport};
-use crate::chapter::chapter;
-use crate::given;
-use crate::printed::Printed;
+use crate::course::chapter::chapter;
+use crate::course::given;
+use crate::course::sources::Place;
 use crate::score::{CaseResult, Status, TaskResult};
-use crate::sources::Place;
+use crate::workers::printed::Printed;
 use judge::{Tier, plural};
 
 /// What a screen says besides the report.
@@ -29,7 +29,7 @@ pub struct Context {
     pub compiler: Option<String>,
     /// What the student's code printed.
     pub printed: Vec<Printed>,
-    /// The given files that were changed: [`crate::given::changed`].
+    /// The given files that were changed: [`crate::course::given::changed`].
     pub changed_given: Vec<String>,
 }
 

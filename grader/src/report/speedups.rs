@@ -1,6 +1,6 @@
 //! Formats the table of speedups.
 
-use crate::speedup::{Growth, Speedup, Speedups};
+use crate::grade::speedup::{Growth, Speedup, Speedups};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use std::fmt::Write;
 

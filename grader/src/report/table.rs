@@ -3,7 +3,7 @@
 
 use super::terminal::{stdout_has_colours, style_of};
 use super::{HintLevel, Report, Reveal, TaskReport, order};
-use crate::chapter::{Section, section};
+use crate::course::chapter::{Section, section};
 use crate::diagnosis::Diagnosis;
 use crate::score::{CaseResult, Status, TaskResult};
 use comfy_table::{Cell, CellAlignment, Table, presets};

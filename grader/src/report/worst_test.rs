@@ -1,9 +1,9 @@
 //! Writes the test of a task's worst answer to a file, and says how to run it.
 
-use super::{Report, TaskReport, write_whole};
-use crate::error::GraderError;
-use crate::sources::with_slashes;
-use crate::workspace::Workspace;
+use super::{Report, TaskReport};
+use crate::course::sources::with_slashes;
+use base::write_whole;
+use base::{GraderError, Workspace};
 use std::path::PathBuf;
 
 /// Writes the tests of `report` to `target/first-light/TASK.rs` and notes the files in it. Removes

@@ -1,8 +1,8 @@
 //! Codes: what is wrong about one side of one case, call by call.
 
 use super::key::{Side, SignatureKey};
-use crate::crash::CrashKind;
 use crate::score::{CaseResult, Status};
+use crate::workers::crash::CrashKind;
 use judge::tally::{BLACK_CHANNEL, Class, Fault};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::LazyLock;

@@ -1,7 +1,7 @@
 //! Finds out which stages were saved, by the modification times of their files.
 
-use crate::sources;
-use crate::workspace::Workspace;
+use crate::course::sources;
+use base::Workspace;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::time::SystemTime;

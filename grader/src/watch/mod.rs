@@ -5,13 +5,13 @@
 
 pub mod files;
 
-use crate::chapter::chapter;
+use crate::course::chapter::chapter;
 use crate::course::{Course, Task, is_selected};
-use crate::error::GraderError;
 use crate::report::screen::{self, Context};
 use crate::report::terminal::{GREEN, Page};
 use crate::report::wrap::one_line;
 use crate::report::{HintLevel, Report, Reveal};
+use base::GraderError;
 use std::collections::BTreeSet;
 
 /// What happened at the desk.

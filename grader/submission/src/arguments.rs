@@ -2,12 +2,11 @@
 
 use crate::containment::Containment;
 use crate::one::random_seed;
+use base::{GraderError, Workspace};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use grader::cli::grade::request;
-use grader::error::GraderError;
 use grader::grade::GradeRequest;
-use grader::workspace::Workspace;
 
 /// What to grade. Without `--seed`, with a seed that nobody knows.
 pub fn seeded_request(matches: &ArgMatches) -> Result<GradeRequest, GraderError> {

@@ -4,10 +4,10 @@
 use crate::clean_workspace::CleanWorkspace;
 use crate::file_tree::{self, Files};
 use crate::visible::visible;
-use grader::compile::BuildRoot;
-use grader::error::GraderError;
-use grader::interrupt::{self, TempFolder};
-use grader::launcher::Launcher;
+use base::GraderError;
+use base::interrupt::{self, TempFolder};
+use grader::build::BuildRoot;
+use grader::workers::launcher::Launcher;
 use std::fs::{File, FileTimes};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

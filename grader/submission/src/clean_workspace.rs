@@ -8,11 +8,9 @@ use crate::jail::Jail;
 use crate::packages::members::{self, Member};
 use crate::packages::{lock, manifest};
 use crate::toolchain::Toolchain;
-use grader::compile;
-use grader::error::GraderError;
-use grader::interrupt;
-use grader::launcher::Launcher;
-use grader::workspace::Workspace;
+use base::child_processes;
+use base::{GraderError, Workspace, interrupt};
+use grader::workers::launcher::Launcher;
 use std::fs::File;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -121,7 +119,7 @@ impl CleanWorkspace {
     /// Copies the sources of the libraries, with the settings of the person who grades.
     fn fetch_libraries(&self) -> Result<(), GraderError> {
         let vendor = |more: &[&str]| {
-            Command::new(compile::cargo())
+            Command::new(child_processes::cargo())
                 .current_dir(&self.trusted)
                 .args(["vendor", "--locked", "--quiet", "--versioned-dirs"])
                 .args(more)

@@ -1,8 +1,7 @@
 //! How the code of submissions is contained: what this machine can do, and what is said about it.
 
-use grader::compile;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
+use grader::build;
 use sandbox::{Policy, Support};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -35,7 +34,7 @@ impl Containment {
         if unsandboxed {
             return Ok(Containment::None);
         }
-        let launcher = compile::build_program(workspace.root(), "sandbox")?
+        let launcher = build::build_program(workspace.root(), "sandbox")?
             .map_err(|_| GraderError::new("the package sandbox does not compile"))?;
         let held = support(&mut Command::new(&launcher))
             .map_err(|e| GraderError::file("run", &launcher, e))?;

@@ -1,6 +1,6 @@
 //! Lists and reads the files of a workspace, and writes a set of files to a folder.
 
-use grader::error::GraderError;
+use base::GraderError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;

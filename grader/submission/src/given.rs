@@ -1,7 +1,7 @@
 //! Which of a submission's other files are as the student was given them.
 
 use crate::packages::manifest;
-use grader::given::{self, GivenFiles};
+use grader::course::given::{self, GivenFiles};
 use std::path::{Path, PathBuf};
 
 /// Files of which every project has its own, or that cargo and the grader write.

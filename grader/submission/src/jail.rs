@@ -2,7 +2,7 @@
 
 use crate::containment::Containment;
 use crate::toolchain::{LIBRARY_CACHE, Toolchain};
-use grader::launcher::{Launcher, WorkerLimits};
+use grader::workers::launcher::{Launcher, WorkerLimits};
 use sandbox::{Limits, Policy};
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -30,15 +30,14 @@ mod visible;
 pub use visible::{visible, visible_in_line};
 
 use crate::file_tree::Files;
+use base::{GraderError, Workspace};
 use clean_workspace::CleanWorkspace;
-use grader::compile::BuildLimit;
+use grader::build::BuildLimit;
 use grader::course::{Course, Task};
-use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
-use grader::printed;
 use grader::report::{Report, TaskReport};
 use grader::score::{CaseResult, Status, TaskResult};
-use grader::workspace::Workspace;
+use grader::workers::printed;
 use read::Submission;
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -1,12 +1,12 @@
 //! The command `grader part2 --submission DIR`: grades what a student handed in.
 
+use base::program::{self, Exit};
+use base::{GraderError, Workspace};
 use clap::{ArgMatches, Command};
+use grader::cli::Format;
 use grader::cli::grade::{arguments, hint, submission_arguments};
-use grader::cli::{self, Format, Verdict};
 use grader::course::Course;
-use grader::error::GraderError;
 use grader::report::{self, HintLevel, Reveal, table};
-use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -18,15 +18,15 @@ fn main() -> ExitCode {
     let command = arguments(Command::new("grader"), HintLevel::Remedy)
         .args(submission_arguments())
         .about("Grades what students handed in, in a clean copy of the course")
-        .after_help(cli::EXIT_CODES);
-    let matches = cli::arguments_of(command);
-    cli::run_to_exit_code(|| run(&matches))
+        .after_help(program::EXIT_CODES);
+    let matches = program::arguments_of(command);
+    program::run_to_exit_code(|| run(&matches))
 }
 
 /// How many ignored files are named. The others are only counted.
 const IGNORED_NAMED: usize = 20;
 
-fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let folder = |name| matches.get_one::<PathBuf>(name);
     match (folder("submission"), folder("class")) {
@@ -42,7 +42,7 @@ fn grade_one(
     matches: &ArgMatches,
     workspace: &Workspace,
     folder: &Path,
-) -> Result<Verdict, GraderError> {
+) -> Result<Exit, GraderError> {
     let request = seeded_request(matches)?;
     let course = Course::read(workspace)?;
     course.select(&request.what)?;
@@ -56,15 +56,15 @@ fn grade_one(
         matches.get_flag("together"),
     )?;
     let json = report::json(&report)?;
-    report::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
+    base::write_whole(&workspace.root().join("report.json"), json.as_bytes())?;
     match Format::of(matches) {
         Format::Json => println!("{json}"),
         Format::Table => print!("{}", show(&report, hint(matches))),
     }
     Ok(if report.scores.is_full() {
-        Verdict::Passed
+        Exit::Passed
     } else {
-        Verdict::Failed
+        Exit::Failed
     })
 }
 

@@ -3,8 +3,8 @@
 use crate::file_tree::Files;
 use crate::given::Given;
 use crate::{scan, source_file, visible_in_line};
+use base::GraderError;
 use grader::course::Course;
-use grader::error::GraderError;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! Reads one source file of a submission, whatever editor wrote it.
 
-use grader::error::GraderError;
+use base::GraderError;
 use std::borrow::Cow;
 use std::path::Path;
 

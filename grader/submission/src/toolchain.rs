@@ -1,7 +1,7 @@
 //! The Rust toolchain that builds submissions, and the folders of the system that it needs.
 
-use grader::compile;
-use grader::error::GraderError;
+use base::GraderError;
+use base::child_processes;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -63,7 +63,7 @@ impl Toolchain {
                 false => PathBuf::from(other),
             }
         };
-        let cargo = own("cargo", compile::cargo());
+        let cargo = own("cargo", child_processes::cargo());
         let mut folders: Vec<PathBuf> = SYSTEM_FOLDERS.map(PathBuf::from).to_vec();
         folders.push(sysroot.clone());
         // Where programs are links into other folders, such as `/opt`, these are needed, too.

@@ -1,11 +1,11 @@
 //! The chapters say what the course says: titles, points, functions, signatures, conventions,
 //! mistakes. What a handout does not contain (the mistakes) is not compared there.
 
+use base::Workspace;
 use book::chapter::{self, Chapter};
 use book::html;
-use grader::chapter::{self as place, Section};
+use grader::course::chapter::{self as place, Section};
 use grader::course::{Course, Task};
-use grader::workspace::Workspace;
 use judge::Tier;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,11 +1,8 @@
 //! Builds a handout and runs it as a student would.
 
 use crate::handout::Handout;
-use grader::child_processes;
-use grader::compile;
+use base::{GraderError, Workspace, child_processes};
 use grader::course::Course;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -81,7 +78,7 @@ pub fn find(
 
 impl StudentProject {
     fn cargo(&self, arguments: &[&str]) -> Result<Output, GraderError> {
-        let mut cargo = Command::new(compile::cargo());
+        let mut cargo = Command::new(child_processes::cargo());
         cargo
             .current_dir(&self.folder)
             .args(arguments)

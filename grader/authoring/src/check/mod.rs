@@ -1,6 +1,6 @@
 //! Checks the course before it is handed out: `grader course check`.
 //!
-//! - [`grader::consistency`]: `course.toml`, the cases and the goldens agree.
+//! - [`grader::course::consistency`]: `course.toml`, the cases and the goldens agree.
 //! - [`solution_copies`]: no handout contains a copy of a solution that was removed from it.
 //! - [`build`]: every handout builds without warnings, is formatted and passes its tests. Its own
 //!   grader reports *not attempted* for every task without a solution and full points for the
@@ -11,13 +11,12 @@ pub mod build;
 pub mod solution_copies;
 
 use crate::handout::Handout;
+use base::{GraderError, Workspace};
 use build::Tests;
-use grader::consistency;
+use grader::course::consistency;
 use grader::course::{Course, Part};
-use grader::error::GraderError;
 use grader::grade::{self, GradeRequest};
 use grader::report::Report;
-use grader::workspace::Workspace;
 use judge::cases;
 use std::collections::BTreeSet;
 

@@ -1,10 +1,9 @@
 //! The command `grader course check`: checks the course before it is handed out.
 
 use authoring::check;
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use grader::cli::Verdict;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
 use std::path::Path;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
@@ -28,7 +27,7 @@ pub(crate) fn command() -> Command {
         .subcommand(check)
 }
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let (_, matches) = matches.subcommand().expect("clap requires it");
     let quick = matches.get_flag("quick");
     let workspace = Workspace::above(Path::new("."))?;
@@ -54,11 +53,11 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             "The course has no problems ({} s).",
             start.elapsed().as_secs()
         );
-        return Ok(Verdict::Passed);
+        return Ok(Exit::Passed);
     }
     match problems.len() {
         1 => println!("1 problem found."),
         many => println!("{many} problems found."),
     }
-    Ok(Verdict::Failed)
+    Ok(Exit::Failed)
 }

@@ -1,10 +1,9 @@
 //! The command `grader handout --part N --out DIR`: creates the project for students.
 
 use authoring::handout::{Handout, output_folder};
+use base::program::{Exit, path_argument};
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgMatches, Command};
-use grader::cli::{Verdict, path_argument};
-use grader::error::GraderError;
-use grader::workspace::Workspace;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn command() -> Command {
@@ -27,11 +26,11 @@ pub(crate) fn command() -> Command {
 }
 
 fn part_number(value: &str) -> Result<u32, String> {
-    grader::cli::whole_number(value, 1, u32::MAX)
+    base::program::whole_number(value, 1, u32::MAX)
         .map_err(|_| "expected a part's number, such as 1".to_owned())
 }
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let part: u32 = *matches.get_one("part").expect("clap requires it");
     let out: &PathBuf = matches.get_one("out").expect("clap requires it");
     let workspace = Workspace::above(Path::new("."))?;
@@ -44,5 +43,5 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         handout.files.len(),
         handout.removed.len()
     );
-    Ok(Verdict::Passed)
+    Ok(Exit::Passed)
 }

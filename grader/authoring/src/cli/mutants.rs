@@ -8,14 +8,13 @@ use authoring::mutants::mistake_pictures;
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
 use authoring::mutants::table::Table;
+use base::program::{Exit, path_argument, whole_number};
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use grader::cli::{Verdict, path_argument, whole_number};
 use grader::course::Course;
 use grader::diagnosis::{self, Diagnosis, Known};
-use grader::error::GraderError;
-use grader::regularity;
+use grader::score::regularity;
 use grader::signature::Signature;
-use grader::workspace::Workspace;
 use judge::{cases, plural};
 use std::path::{Path, PathBuf};
 
@@ -70,7 +69,7 @@ pub(crate) fn command() -> Command {
         )
 }
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let what: &String = matches.get_one("what").expect("it has a default");
     let seeds: Option<&u64> = matches.get_one("seeds");
     let with: Option<&PathBuf> = matches.get_one("with");
@@ -78,7 +77,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let against_bless = matches.get_flag("against-bless");
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
-    let mut verdict = Verdict::Passed;
+    let mut verdict = Exit::Passed;
     if matches.get_flag("pictures") {
         for (path, bytes) in mistake_pictures::write(&workspace, &course, &course.select(what)?)? {
             println!("{}: {bytes} bytes", workspace.relative(&path).display());
@@ -90,7 +89,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
             let graded = seeds::grade(&workspace, &course, task, 0..seeds)?;
             show_seeds(&task.key, seeds, &graded);
             if !graded.marked_down.is_empty() {
-                verdict = Verdict::Failed;
+                verdict = Exit::Failed;
             }
             continue;
         }
@@ -107,7 +106,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
                 let graded = run::unlisted(&workspace, &course, task, mutants)?;
                 show_unlisted(&task.key, &graded, &known);
                 if !show_blessings(&task.key, &graded, against_bless) {
-                    verdict = Verdict::Failed;
+                    verdict = Exit::Failed;
                 }
             }
             continue;
@@ -127,13 +126,13 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         }
         let none_is_blessed = show_blessings(&task.key, &graded, against_bless);
         if !marked_down.is_empty() || !table.survivors().is_empty() || !none_is_blessed {
-            verdict = Verdict::Failed;
+            verdict = Exit::Failed;
         }
         if bless {
             diagnosis::store(&workspace, &task.key, &known)?;
             table.store(&workspace, &task.key)?;
         } else if !same_as_stored(&workspace, &task.key, &table, &known)? {
-            verdict = Verdict::Failed;
+            verdict = Exit::Failed;
         }
     }
     Ok(verdict)

@@ -14,7 +14,7 @@
 //! task is kept, the solution stays and the markers are removed. So students see no markers in
 //! either case.
 
-use grader::error::GraderError;
+use base::GraderError;
 use std::collections::BTreeSet;
 
 /// Carves files: removes the solutions of some tasks.

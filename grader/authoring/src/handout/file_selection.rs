@@ -1,8 +1,8 @@
 //! Selects the files of a handout, and the tasks whose solutions are removed.
 
 use super::carve::Carver;
+use base::GraderError;
 use grader::course::Course;
-use grader::error::GraderError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use submission::packages::members::{self, Member};

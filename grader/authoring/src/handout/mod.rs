@@ -11,14 +11,12 @@ pub mod output_folder;
 pub mod readme;
 mod unit_tests;
 
+use base::{GraderError, Workspace, folder_of};
 use carve::Carver;
 use file_selection::FileSelection;
+use grader::course::given::{self, GivenFiles};
+use grader::course::packed;
 use grader::course::{Course, stages_of};
-use grader::error::GraderError;
-use grader::given::{self, GivenFiles};
-use grader::packed;
-use grader::report::folder_of;
-use grader::workspace::Workspace;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -97,7 +95,7 @@ impl Handout {
 
     /// Writes the handout to the new folder `out`. On an error the folder does not exist.
     pub fn write(&self, out: &Path) -> Result<(), GraderError> {
-        let temp = grader::interrupt::temp_folder_in(folder_of(out)?)?;
+        let temp = base::interrupt::temp_folder_in(folder_of(out)?)?;
         let complete = temp.path().join("handout");
         for (path, contents) in &self.files {
             file_tree::write(&complete.join(path), contents)?;

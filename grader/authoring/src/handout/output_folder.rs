@@ -1,7 +1,6 @@
 //! Checks the folder that a handout is written to.
 
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
 use std::path::{Component, Path};
 
 /// Returns an error if a handout in `out` would overwrite files or be inside the course itself.

@@ -1,9 +1,9 @@
 //! Writes the README of a handout from the template `student.md`.
 
+use base::GraderError;
+use grader::course::sources::{defines_function, holes};
 use grader::course::{Course, Part, Task, stages_of};
-use grader::error::GraderError;
-use grader::picture::file_stem;
-use grader::sources::{defines_function, holes};
+use grader::grade::picture::file_stem;
 use judge::Tier;
 use std::collections::BTreeSet;
 use std::fmt::Write;

@@ -1,7 +1,7 @@
 //! Removes the unit tests of the grader's crates from a handout: they are an eighth of its source,
 //! and `cargo test` there runs the tests of the stages alone.
 
-use grader::error::GraderError;
+use base::GraderError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use syn::spanned::Spanned;

@@ -1,7 +1,7 @@
 //! What `grader bless` would do if the reference made a mistake: the answers of each mutant are
 //! judged whole, as the goldens' test judges those of the reference.
 
-use grader::runner::Ending;
+use grader::workers::runner::Ending;
 use judge::Tier;
 use judge::cases::Spec;
 use judge::snapshot::{self, Line, Snapshot};

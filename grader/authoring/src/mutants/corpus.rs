@@ -1,9 +1,8 @@
 //! Reads the corpus of mutants and variants: `grader/mutants/<task>.toml` and
 //! `grader/mutants/variants/<stage>/<name>.rs`.
 
+use base::{GraderError, Workspace};
 use grader::course::Task;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -9,10 +9,9 @@
 use super::corpus::{Corpus, Sources, reference_sources};
 use super::run::{Kind, VersionsWorker, versions};
 use super::versions_crate;
+use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
-use grader::error::GraderError;
 use grader::score::TaskResult;
-use grader::workspace::Workspace;
 use judge::cases;
 use rayon::prelude::*;
 

@@ -2,10 +2,9 @@
 
 use super::run::{Graded, VersionsWorker, redefines_hole, versions};
 use super::versions_crate;
+use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
-use grader::error::GraderError;
 use grader::grade::{chosen, score_tasks};
-use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use rayon::prelude::*;
 use std::ops::Range;

@@ -4,12 +4,10 @@
 //! by ` | `.
 
 use super::run::{Graded, Kind};
+use base::{GraderError, Workspace, write_whole};
 use grader::diagnosis::{Known, diagnose};
-use grader::error::GraderError;
-use grader::report::write_whole;
 use grader::score::CaseResult;
 use grader::signature::Signature;
-use grader::workspace::Workspace;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -5,9 +5,8 @@
 //! call.
 
 use super::corpus::Sources;
-use grader::compile::{BuildOutcome, BuildRoot, CompileErrors};
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
+use grader::build::{BuildOutcome, BuildRoot, CompileErrors};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs::File;

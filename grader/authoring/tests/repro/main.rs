@@ -8,8 +8,8 @@ mod mistakes;
 
 use authoring::mutants::run::{Kind, versions};
 use authoring::mutants::versions_crate::{StageVersions, VERSION_VARIABLE, write_versions};
+use base::Workspace;
 use grader::course::{Course, Task};
-use grader::workspace::Workspace;
 use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::repro;

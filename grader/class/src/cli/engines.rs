@@ -3,7 +3,7 @@
 use crate::out::Out;
 use crate::plan::Plan;
 use crate::pool::Job;
-use grader::error::GraderError;
+use base::GraderError;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -8,18 +8,17 @@ use crate::out::Out;
 use crate::plan::{Plan, Settings};
 use crate::progress::Progress;
 use crate::{pool, regrade, tables, unit};
+use base::program::Exit;
+use base::{GraderError, Workspace, write_whole};
 use clap::ArgMatches;
-use grader::cli::Verdict;
-use grader::error::GraderError;
-use grader::report::{HintLevel, write_whole};
-use grader::workspace::Workspace;
+use grader::report::HintLevel;
 use std::path::{Path, PathBuf};
 use submission::arguments::containment;
 use submission::one::{GradingCourse, random_seed};
 use submission::visible_in_line;
 
 /// Runs the command.
-pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let path = |name| matches.get_one::<PathBuf>(name).map(PathBuf::as_path);
     let out = path("out").ok_or_else(|| GraderError::new("expected --out OUT"))?;
     if matches.get_flag("collect") {
@@ -55,7 +54,7 @@ pub fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         for (key, _) in jobs {
             println!("{}", command.line(key)?);
         }
-        return Ok(Verdict::Passed);
+        return Ok(Exit::Passed);
     }
     if !jobs.is_empty() {
         // What all submissions share is built once, not by the first of each processor.
@@ -192,12 +191,12 @@ fn grade_unit(
     class: &Path,
     workspace: &Workspace,
     key: &str,
-) -> Result<Verdict, GraderError> {
+) -> Result<Exit, GraderError> {
     if matches.get_flag("of-pool") {
         pool::end_with_the_pool();
     }
     if out.has(key) {
-        return Ok(Verdict::Passed);
+        return Ok(Exit::Passed);
     }
     let plans = [Plan::load(&out.plan())?, Plan::load(&out.proposed_plan())?];
     let mut planned = plans.iter().flatten().filter_map(|plan| {
@@ -215,10 +214,10 @@ fn grade_unit(
     if let Err(why) = &graded {
         pool::store_failure(out, key, &why.to_string())?;
     }
-    graded.map(|()| Verdict::Passed)
+    graded.map(|()| Exit::Passed)
 }
 
-fn collect(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError> {
+fn collect(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     if matches.get_flag("regrade") {
         return show_regrade(matches, out);
     }
@@ -228,7 +227,7 @@ fn collect(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError> {
 }
 
 /// Writes the tables and prints a summary.
-fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Verdict, GraderError> {
+fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Exit, GraderError> {
     let hint = matches.get_one::<String>("hint");
     let hint = hint.and_then(|level| {
         HintLevel::ALL
@@ -255,7 +254,7 @@ fn write_tables(matches: &ArgMatches, out: &Out, plan: Plan) -> Result<Verdict, 
 }
 
 /// Shows what the proposed plan changes; with `--yes` it replaces the old one.
-fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError> {
+fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Exit, GraderError> {
     let load = |path: PathBuf| {
         Plan::load(&path)?.ok_or_else(|| {
             GraderError::new(format!(
@@ -282,23 +281,23 @@ fn show_regrade(matches: &ArgMatches, out: &Out) -> Result<Verdict, GraderError>
             "nothing is replaced: {} had a score and would have none. Run again",
             failed.join(", ")
         );
-        return Ok(Verdict::Failed);
+        return Ok(Exit::Failed);
     }
     if !changes.is_empty() && !matches.get_flag("yes") {
         println!(
             "nothing is replaced yet. To replace the scores, add `--yes`. The list is {}",
             out.join("regrade.csv").display()
         );
-        return Ok(Verdict::Failed);
+        return Ok(Exit::Failed);
     }
     let (from, to) = (out.proposed_plan(), out.plan());
     std::fs::rename(&from, &to).map_err(|e| GraderError::file("rename", &from, e))?;
     write_tables(matches, out, new.plan)
 }
 
-fn verdict(is_fine: bool) -> Verdict {
+fn verdict(is_fine: bool) -> Exit {
     match is_fine {
-        true => Verdict::Passed,
-        false => Verdict::Failed,
+        true => Exit::Passed,
+        false => Exit::Failed,
     }
 }

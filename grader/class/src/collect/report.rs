@@ -1,7 +1,7 @@
 //! What the tables and pages read of the report about a submission.
 
 use crate::unit::Unit;
-use grader::error::GraderError;
+use base::GraderError;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

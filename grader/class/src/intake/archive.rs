@@ -2,8 +2,8 @@
 
 use super::Unreadable;
 use super::unpack::Unpacker;
+use base::GraderError;
 use flate2::read::MultiGzDecoder;
-use grader::error::GraderError;
 use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::Path;

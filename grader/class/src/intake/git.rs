@@ -6,8 +6,8 @@
 
 use super::Unreadable;
 use super::unpack::Unpacker;
-use grader::error::GraderError;
-use grader::interrupt::{self, TempFolder};
+use base::GraderError;
+use base::interrupt::{self, TempFolder};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};

@@ -8,8 +8,8 @@ mod unpack;
 
 pub use git::Revision;
 
-use grader::error::GraderError;
-use grader::interrupt::{self, TempFolder};
+use base::GraderError;
+use base::interrupt::{self, TempFolder};
 use std::path::{Path, PathBuf};
 use unpack::Unpacker;
 

@@ -1,8 +1,8 @@
 //! Writes the files of an archive to a temporary folder, within limits.
 
 use super::Unreadable;
-use grader::error::GraderError;
-use grader::interrupt::TempFolder;
+use base::GraderError;
+use base::interrupt::TempFolder;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 

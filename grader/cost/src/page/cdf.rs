@@ -2,7 +2,7 @@
 
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow, Precision, RayFamily};
-use grader::error::GraderError;
+use base::GraderError;
 use plots::canvas::{Label, for_both_widths};
 use plots::figure::Figure;
 use plots::numbers::{figures, list, rounded, tick};

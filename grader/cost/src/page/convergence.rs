@@ -3,7 +3,7 @@
 use super::convergence_caption::{caption, finding};
 use crate::picture::{Curve, CurvePoint, Experiment, Thumbnail};
 use crate::table::factor;
-use grader::error::GraderError;
+use base::GraderError;
 use pages::html::{escape, png_data_uri};
 use pictures::Image;
 use plots::canvas::{DrawResult, Label, for_both_widths};

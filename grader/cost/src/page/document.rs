@@ -2,7 +2,7 @@
 
 use super::{cdf, convergence, exactness, heatmap, leaks, pareto, trees};
 use crate::report::{CostReport, KernelFamily, Shape};
-use grader::error::GraderError;
+use base::GraderError;
 use pages::html::escape;
 use plots::canvas::file;
 use plots::document::Document;

@@ -4,7 +4,7 @@ use crate::quartiles::Quartiles;
 use crate::report::Precision;
 use crate::table::plus_minus;
 use crate::trees::{ExactnessRow, TreeReport, in_a_million};
-use grader::error::GraderError;
+use base::GraderError;
 use plots::canvas::{Canvas, DrawResult, Label, Position, file, for_both_widths, svg};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;

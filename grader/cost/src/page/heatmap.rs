@@ -3,7 +3,7 @@
 use super::heatmap_cell::{Cell, CellClass, cells};
 use super::kernel_name::name;
 use crate::report::{Accuracy, KernelFamily, KernelRow};
-use grader::error::GraderError;
+use base::GraderError;
 use plots::canvas::{DrawResult, Label, svg};
 use plots::figure::Figure;
 use plots::numbers::list;

@@ -3,7 +3,7 @@
 use super::kernel_name::name;
 use crate::leak_view::{MeshView, NEAR, SIZE, TRIANGLES};
 use crate::report::{KernelFamily, KernelRow};
-use grader::error::GraderError;
+use base::GraderError;
 use judge::plural;
 use pages::html::{escape, png_data_uri};
 use plots::figure::{Figure, heads};

@@ -5,7 +5,7 @@ use super::kernel_name::name;
 use super::pareto_caption::{caption, finding};
 use crate::report::{KernelFamily, KernelRow, Precision, Shape};
 use crate::table::plus_minus;
-use grader::error::GraderError;
+use base::GraderError;
 use plots::canvas::{Canvas, DrawResult, Label, Position, svg};
 use plots::figure::{Figure, heads};
 use plots::labels::Labels;

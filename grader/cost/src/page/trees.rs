@@ -3,7 +3,7 @@
 use crate::quartiles::Quartiles;
 use crate::table::plus_minus;
 use crate::trees::{BreakEven, SlackRow, TreeReport, TreeRow, WrongHits};
-use grader::error::GraderError;
+use base::GraderError;
 use plots::canvas::{Canvas, DrawResult, Label, for_both_widths};
 use plots::figure::{Figure, heads};
 use plots::line_names::{self, LineName};

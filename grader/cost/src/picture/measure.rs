@@ -7,9 +7,8 @@ use super::plan::{self, ExperimentPlan, RenderMethod};
 use super::program::{Program, RenderRequest, RenderedPicture};
 use crate::quartiles::Quartiles;
 use crate::timing::{Contender, Rounds, SystemClock, TIMED_PASSES};
-use grader::error::GraderError;
-use grader::speedup::slope;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
+use grader::grade::speedup::slope;
 use std::cell::RefCell;
 
 /// Number of seeds reserved for one run, so that runs with another `--seed` use other random

@@ -1,10 +1,9 @@
 //! Runs the `pathtracer` program from the command line.
 
-use grader::child_processes;
-use grader::compile;
-use grader::error::GraderError;
-use grader::interrupt::{self, TempFolder};
-use grader::runner::tail;
+use base::GraderError;
+use base::child_processes::{self, tail};
+use base::interrupt::{self, TempFolder};
+use grader::build;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
@@ -54,7 +53,7 @@ impl Program {
     /// Builds the program of the workspace `root`; the inner error is the reason why it cannot, as
     /// the end of a sentence.
     pub fn build(root: &Path) -> Result<Result<Program, String>, GraderError> {
-        match compile::build_program_with_stages(root, "pathtracer")? {
+        match build::build_program_with_stages(root, "pathtracer")? {
             Ok(path) => Ok(Ok(Program {
                 path,
                 folder: interrupt::temp_folder()?,

@@ -1,6 +1,6 @@
 //! What is timed, and by which clock.
 
-use grader::error::GraderError;
+use base::GraderError;
 use std::time::Instant;
 
 /// Reads the time. Tests simulate it.

@@ -2,7 +2,7 @@
 
 use super::{Clock, Contender, MissingReason, TIMED_PASSES, Timing, TurnResult};
 use crate::quartiles::Quartiles;
-use grader::error::GraderError;
+use base::GraderError;
 
 /// The seconds of one unit, for each contender and each round; or why the contender is missing.
 #[derive(Debug)]

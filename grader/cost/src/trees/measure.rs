@@ -9,9 +9,8 @@ use crate::student::Student;
 use crate::timing::{
     Contender, MissingReason, Rounds, SystemClock, TIMED_PASSES, Timing, TurnResult,
 };
-use grader::error::GraderError;
-use grader::speedup;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
+use grader::grade::speedup;
 use judge::convert;
 use kernels::{Builder, ClosestHit, RoundedTree, Traversal, brute_force};
 use kit::{Bvh, Ray, Triangle};

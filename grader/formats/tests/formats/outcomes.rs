@@ -5,9 +5,9 @@ use formats::classroom50::Assignment;
 use formats::settings::Visibility;
 use formats::{Graded, Outcome, Settings};
 use grader::course::Course;
+use grader::course::sources::SourceFile;
 use grader::report::{HintLevel, Report, Reveal, TaskReport, json};
 use grader::score::{CaseResult, Status, TaskResult};
-use grader::sources::SourceFile;
 use judge::tally::{Aspect, Finding, Tally};
 use std::collections::BTreeMap;
 

@@ -17,14 +17,12 @@ mod tests;
 pub use proposal::{Change, Proposal, SNAPSHOT_HEADER};
 pub use selection::{Selected, select};
 
-use grader::compile::BuildRoot;
-use grader::course::{Course, Task};
-use grader::error::GraderError;
+use base::{GraderError, Workspace, write_whole};
+use grader::build::BuildRoot;
+use grader::course::{Course, Task, packed};
 use grader::grade;
-use grader::picture;
+use grader::grade::picture;
 use grader::report::table::status_text;
-use grader::report::write_whole;
-use grader::workspace::Workspace;
 use judge::cases::{self, Spec};
 use judge::pictures;
 use judge::snapshot::{Snapshot, parse};
@@ -108,7 +106,7 @@ pub(crate) fn golden_snapshot(
     case: &str,
 ) -> Result<Snapshot, GraderError> {
     let path = workspace.snapshot(task, case);
-    let text = workspace.read_snapshot(task, case)?;
+    let text = packed::read_snapshot(workspace, task, case)?;
     let text = text.ok_or_else(|| GraderError::file("read", &path, "it does not exist"))?;
     parse(&text).map_err(|e| GraderError::file("understand", &path, e))
 }

@@ -1,9 +1,8 @@
 //! What blessing would change.
 
 use super::{meaning, not_judged_list, read};
-use grader::course::Task;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
+use grader::course::{Task, packed};
 use judge::Tier;
 use judge::cases::Spec;
 use judge::pictures::{self as task_pictures, TaskPicture};
@@ -100,7 +99,7 @@ impl Proposal {
             not_judged: whole.not_judged_sentences(),
         };
         if let Some(text) = snapshot::write(&spec.work, answer) {
-            let stored = workspace.read_snapshot(spec.task, spec.name)?;
+            let stored = packed::read_snapshot(workspace, spec.task, spec.name)?;
             let path = workspace.snapshot(spec.task, spec.name);
             let same = stored
                 .as_deref()

@@ -1,8 +1,7 @@
 //! Where the goldens come from.
 
 use super::read;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
+use base::{GraderError, Workspace};
 use std::fmt::Write;
 use std::process::Command;
 

@@ -1,7 +1,7 @@
 //! Which goldens the command line selects.
 
+use base::GraderError;
 use grader::course::{Course, Task};
-use grader::error::GraderError;
 use judge::pictures;
 
 /// The selected goldens of a task.

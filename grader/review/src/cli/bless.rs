@@ -1,9 +1,8 @@
 //! The command `grader bless`: stores the reference's current answers as goldens.
 
+use base::program::Exit;
+use base::{GraderError, Workspace};
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use grader::cli::Verdict;
-use grader::error::GraderError;
-use grader::workspace::Workspace;
 use judge::plural;
 use review::bless::{self, Change};
 use std::io::{IsTerminal, Write};
@@ -30,7 +29,7 @@ pub(crate) fn command() -> Command {
 /// The lines of refusals that are printed: the page of `review` has all of them.
 const REFUSALS: usize = 12;
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let keys: Vec<&str> = matches
         .get_many::<String>("what")
         .unwrap_or_default()
@@ -44,7 +43,7 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     let proposed = proposal.changes;
     if proposed.is_empty() {
         println!("The goldens are up to date.");
-        return Ok(Verdict::Passed);
+        return Ok(Exit::Passed);
     }
     for change in &proposed {
         let golden = change
@@ -60,10 +59,10 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     if matches.get_flag("yes") || confirmed(proposed.len())? {
         bless::accept(&workspace, &proposed)?;
         println!("{} written.", plural(proposed.len(), "golden", "goldens"));
-        return Ok(Verdict::Passed);
+        return Ok(Exit::Passed);
     }
     println!("No golden was written, and no file was changed.");
-    Ok(Verdict::Failed)
+    Ok(Exit::Failed)
 }
 
 /// The message if answers are wrong or missing.

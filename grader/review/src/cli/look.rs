@@ -1,15 +1,13 @@
 //! The command `grader look`: writes a page for students and opens it.
 
+use base::program::Exit;
+use base::{GraderError, Workspace, write_whole};
 use clap::{Arg, ArgAction, ArgMatches, Command};
-use grader::cli::Verdict;
+use grader::build::BuildRoot;
 use grader::cli::picture::{task_argument, task_of};
-use grader::compile::BuildRoot;
 use grader::course::Course;
-use grader::error::GraderError;
 use grader::grade;
-use grader::picture::file_stem;
-use grader::report::write_whole;
-use grader::workspace::Workspace;
+use grader::grade::picture::file_stem;
 use judge::cases;
 use review::look::{Look, browser, page};
 use std::path::Path;
@@ -26,7 +24,7 @@ pub(crate) fn command() -> Command {
         )
 }
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let task = task_of(matches, &workspace, &course)?;
@@ -41,8 +39,8 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
         println!("(found no browser here: open the page yourself)");
     }
     Ok(if look.is_full() {
-        Verdict::Passed
+        Exit::Passed
     } else {
-        Verdict::Failed
+        Exit::Failed
     })
 }

@@ -1,14 +1,11 @@
 //! The command `grader review`: writes the page for the reviewer.
 
+use base::program::{Exit, path_argument};
+use base::{GraderError, Workspace, folder_of, interrupt, write_whole};
 use clap::{Arg, ArgMatches, Command};
-use grader::cli::{Verdict, path_argument};
-use grader::compile::BuildRoot;
+use grader::build::BuildRoot;
 use grader::course::{Course, Task};
-use grader::error::GraderError;
 use grader::grade;
-use grader::interrupt;
-use grader::report::{folder_of, write_whole};
-use grader::workspace::Workspace;
 use judge::cases;
 use review::{self, Author, page};
 use std::path::{Path, PathBuf};
@@ -36,7 +33,7 @@ pub(crate) fn command() -> Command {
         )
 }
 
-pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
+pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
     let workspace = Workspace::above(Path::new("."))?;
     let course = Course::read(&workspace)?;
     let tasks = tasks(matches, &course)?;
@@ -72,9 +69,9 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Verdict, GraderError> {
     write_whole(&out, page::write(&review, &author).as_bytes())?;
     println!("{}: {}", out.display(), page::summary(&review));
     Ok(if review.is_same() {
-        Verdict::Passed
+        Exit::Passed
     } else {
-        Verdict::Failed
+        Exit::Failed
     })
 }
 

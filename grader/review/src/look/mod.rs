@@ -9,15 +9,14 @@ mod lit_point;
 pub mod page;
 
 use crate::case::Case;
+use base::{GraderError, Workspace};
 use grader::course::{Course, Task};
 use grader::diagnosis::{self, Diagnosis};
-use grader::error::GraderError;
 use grader::grade;
-use grader::picture::{self, Rendered};
+use grader::grade::picture::{self, Rendered};
 use grader::score::{CaseResult, Status, TaskResult};
 use grader::signature::Signature;
-use grader::worker_set::WorkerSet;
-use grader::workspace::Workspace;
+use grader::workers::worker_set::WorkerSet;
 use judge::cases::Spec;
 use judge::tally::Finding;
 use wire::Answer;

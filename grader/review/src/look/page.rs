@@ -5,7 +5,7 @@ use crate::page::pictures::panels;
 use crate::page::viewer::viewer;
 use crate::page::whole;
 use crate::page::words::LOOK;
-use grader::picture::Rendered;
+use grader::grade::picture::Rendered;
 use grader::report::table::status_text;
 use grader::score::{CaseResult, Status};
 use judge::cases::{PITFALL, checked};
@@ -231,10 +231,10 @@ fn passed(look: &Look) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use base::Workspace;
     use grader::course::Course;
-    use grader::picture;
+    use grader::grade::picture;
     use grader::score::TaskResult;
-    use grader::workspace::Workspace;
     use judge::tally::{Aspect, Finding, Worst};
     use pictures::Image;
     use pictures::difference::compare;

@@ -4,7 +4,7 @@ mod browser;
 mod data;
 mod webdriver;
 
-use grader::workspace::Workspace;
+use base::Workspace;
 use judge::Tier;
 use judge::cases::{self, Spec};
 use judge::snapshot::{self, Fields, Snapshot, parse};

@@ -1,17 +1,17 @@
 //! What a screen says about one task that is not complete.
 
 use super::{Block, Context};
-use crate::chapter::{Section, chapter, section};
-use crate::compile_errors;
-use crate::printed;
-use crate::regularity::FEW_DIGITS;
+use crate::build::compile_errors;
+use crate::course::chapter::{Section, chapter, section};
 use crate::report::table::{failed, status_text};
 use crate::report::terminal::Page;
 use crate::report::worst_test;
 use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
 use crate::report::{HintLevel, Reveal, TaskReport, order};
 use crate::report::{functions, message};
+use crate::score::regularity::FEW_DIGITS;
 use crate::score::{CaseResult, Status, TaskResult};
+use crate::workers::printed;
 use judge::Tier;
 use judge::cases::checked;
 use judge::tally::{Finding, Worst};

@@ -1,10 +1,10 @@
 use super::*;
 use crate::diagnosis::{Certainty, Diagnosis};
-use crate::printed::Printed;
 use crate::report::HintLevel;
 use crate::report::wrap::columns;
 use crate::score::CaseResult;
 use crate::score::functions::FunctionShare;
+use crate::workers::printed::Printed;
 use judge::tally::{Aspect, Class, Tally};
 use std::path::PathBuf;
 
@@ -397,7 +397,7 @@ fn only_the_status_is_coloured() {
         page,
     );
     assert!(text.contains("\x1b[32mcomplete\x1b[0m\n"), "{text:?}");
-    let plain = crate::compile_errors::plain(&text);
+    let plain = crate::build::compile_errors::plain(&text);
     assert_eq!(
         plain,
         screen(
@@ -492,7 +492,7 @@ fn a_cause_that_is_told_is_not_called_unknown() {
     assert!(says("wrong: t"));
     assert!(!says(&format!(
         "t: off by little: {}",
-        crate::regularity::FEW_DIGITS
+        crate::score::regularity::FEW_DIGITS
     )));
 }
 

@@ -2,9 +2,8 @@
 
 use super::manifest;
 use crate::file_tree::{self, Files};
-use grader::compile;
-use grader::error::GraderError;
-use grader::interrupt;
+use base::child_processes;
+use base::{GraderError, interrupt};
 use std::path::Path;
 use std::process::Command;
 
@@ -13,7 +12,7 @@ use std::process::Command;
 pub fn remove_unused(files: &mut Files) -> Result<(), GraderError> {
     let scratch = interrupt::temp_folder()?;
     file_tree::sync_folder(scratch.path(), files)?;
-    let output = Command::new(compile::cargo())
+    let output = Command::new(child_processes::cargo())
         .current_dir(scratch.path())
         .args(["update", "--workspace", "--offline", "--quiet"])
         .output();

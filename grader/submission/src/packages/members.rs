@@ -1,7 +1,7 @@
 //! The crates of the workspace and their dependencies on each other, as `cargo metadata` lists
 //! them.
 
-use grader::error::GraderError;
+use base::GraderError;
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub const TEST_FOLDERS: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 
 /// Lists all crates of the workspace at `root`.
 pub fn read(root: &Path) -> Result<Vec<Member>, GraderError> {
-    let output = Command::new(grader::compile::cargo())
+    let output = Command::new(base::child_processes::cargo())
         .current_dir(root)
         .args([
             "metadata",

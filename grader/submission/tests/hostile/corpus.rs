@@ -1,8 +1,8 @@
 //! Reads the corpus, and makes submissions of it.
 
-use grader::compile::BuildOutcome;
+use base::Workspace;
+use grader::build::BuildOutcome;
 use grader::grade::GradeRequest;
-use grader::workspace::Workspace;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use submission::clean_workspace::CleanWorkspace;

@@ -1,7 +1,7 @@
 //! Folders that are not what a submission should be. Reading them runs no code and always ends.
 
+use base::Workspace;
 use grader::course::Course;
-use grader::workspace::Workspace;
 use std::fs::File;
 use std::path::Path;
 use std::process::Command;

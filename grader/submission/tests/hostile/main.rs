@@ -12,7 +12,7 @@ mod corpus;
 mod folders;
 
 use corpus::{Case, Class, attempts_code, cases};
-use grader::compile::{BuildLimit, BuildOutcome};
+use grader::build::{BuildLimit, BuildOutcome};
 use submission::one::Outcome;
 
 /// How many attempts share a worker: so many lines of a case are kept.

@@ -1,14 +1,16 @@
 //! Builds the worker with the student's stages, and other programs of the workspace.
 
-use crate::cargo_run::run_cargo;
-use crate::changed_signature;
-use crate::error::GraderError;
-use crate::launcher::Launcher;
-use crate::runner::Worker;
-use crate::target_folder;
-use crate::workspace::Workspace;
+mod cargo_run;
+mod changed_signature;
+pub mod compile_errors;
+pub mod compile_warnings;
+mod target_folder;
+
+use crate::build::cargo_run::run_cargo;
+use crate::workers::launcher::Launcher;
+use crate::workers::runner::Worker;
+use base::{GraderError, Workspace, child_processes};
 use std::collections::BTreeSet;
-use std::ffi::OsString;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -221,7 +223,7 @@ fn has_colours() -> bool {
 
 /// The command `cargo build --release` for the program of `package`, which has the package's name.
 fn release_build(root: &Path, package: &str, colours: bool) -> Command {
-    let mut command = Command::new(cargo());
+    let mut command = Command::new(child_processes::cargo());
     command.current_dir(root);
     build_arguments(&mut command, package, colours);
     command
@@ -239,11 +241,6 @@ fn build_arguments(command: &mut Command, package: &str, colours: bool) {
         })
         .stdin(Stdio::null())
         .stdout(Stdio::piped());
-}
-
-/// The cargo that runs the grader, or else the one on the path.
-pub fn cargo() -> OsString {
-    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
 /// Copies the worker to a name that contains its features, because the next build with other

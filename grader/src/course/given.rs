@@ -5,8 +5,7 @@
 //! of a given file that decides points must be told in both places. The course's full checkout has
 //! no list: what is changed there is changed on purpose.
 
-use crate::error::GraderError;
-use crate::workspace::Workspace;
+use base::{GraderError, Workspace};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

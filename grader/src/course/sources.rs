@@ -1,7 +1,7 @@
 //! The source files of a stage: which functions of a task are still holes, and which file to open.
 
 use crate::course::Task;
-use crate::error::GraderError;
+use base::GraderError;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -146,7 +146,8 @@ mod tests {
     use crate::course::Course;
 
     fn task() -> Task {
-        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let course =
+            Course::parse(include_str!("../../../stages/course.toml")).expect("it is valid");
         let mut tasks = course.tasks().filter(|task| task.key == "part1.task3");
         tasks.next().expect("the course has triangles").clone()
     }

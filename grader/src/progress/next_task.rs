@@ -1,10 +1,9 @@
 //! The next open task: what bare `grader` grades, and what a report of full marks ends with.
 
+use crate::course::sources::{self, Place, SourceFile};
 use crate::course::{Course, Task};
-use crate::error::GraderError;
-use crate::results::{Results, TaskScore};
-use crate::sources::{self, Place, SourceFile};
-use crate::workspace::Workspace;
+use crate::progress::results::{Results, TaskScore};
+use base::{GraderError, Workspace};
 use std::collections::BTreeMap;
 
 /// What is known of a task without building anything.

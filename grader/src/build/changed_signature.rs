@@ -1,7 +1,7 @@
 //! Explains a stage that compiles, but whose functions the worker cannot call: a signature changed.
 
-use crate::compile_errors;
-use crate::sources::{self, SourceFile};
+use crate::build::compile_errors;
+use crate::course::sources::{self, SourceFile};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -122,7 +122,7 @@ fn end_of_arguments(signature: &str) -> Option<usize> {
 mod tests {
     use super::*;
     use crate::course::Course;
-    use crate::workspace::Workspace;
+    use base::Workspace;
 
     fn explained(text: &str, messages: &str) -> Vec<String> {
         let file = SourceFile {

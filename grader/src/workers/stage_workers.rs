@@ -2,9 +2,9 @@
 //! that other stages cannot break them; rays through whole scenes run in one that links all
 //! intersection stages.
 
-use crate::error::GraderError;
-use crate::printed::Printed;
-use crate::runner::{self, Ending, Worker};
+use crate::workers::printed::Printed;
+use crate::workers::runner::{self, Ending, Worker};
+use base::GraderError;
 use judge::cases::Spec;
 
 /// The workers of a stage.

@@ -1,7 +1,7 @@
 //! Checks that `course.toml`, the grader's cases and the goldens agree with each other.
 
-use crate::course::Course;
-use crate::workspace::Workspace;
+use crate::course::{Course, packed};
+use base::Workspace;
 use judge::Tier;
 use judge::cases::Spec;
 use wire::Work;
@@ -42,7 +42,10 @@ pub fn problems(workspace: &Workspace, course: &Course, specs: &[Spec]) -> Vec<S
 /// A message about the golden file that the case `spec` needs and that does not exist, if any.
 pub fn missing_golden(workspace: &Workspace, spec: &Spec) -> Option<String> {
     let snapshot = workspace.snapshot(spec.task, spec.name);
-    let has_snapshot = matches!(workspace.read_snapshot(spec.task, spec.name), Ok(Some(_)));
+    let has_snapshot = matches!(
+        packed::read_snapshot(workspace, spec.task, spec.name),
+        Ok(Some(_))
+    );
     let picture = workspace.golden_picture(spec.task, spec.name);
     let missing = if spec.picture.is_some() && !picture.is_file() {
         picture
@@ -77,8 +80,8 @@ mod tests {
 
     #[test]
     fn core_cases_contain_hits_and_few_undecidable_probes() {
-        let course =
-            Course::parse(include_str!("../../stages/course.toml")).expect("the course is valid");
+        let course = Course::parse(include_str!("../../../stages/course.toml"))
+            .expect("the course is valid");
         let specs = all(0);
         let mut probes = 0;
         for task in course.tasks() {

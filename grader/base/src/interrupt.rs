@@ -1,7 +1,6 @@
 //! Handles Ctrl-C and similar signals: ends child processes and removes temporary files.
 
-use crate::child_processes;
-use crate::error::{GraderError, without_path};
+use crate::{GraderError, child_processes, errln, without_path};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -102,20 +101,24 @@ pub fn install_handler() {
     // If this fails, Ctrl-C still ends the program, but temporary folders stay.
     let _ = ctrlc::set_handler(|| {
         INTERRUPTED.store(true, Ordering::SeqCst);
-        child_processes::terminate_all();
-        if let Ok(paths) = CLEANUP_PATHS.lock() {
-            for path in paths.iter() {
-                // A program that is ending may still be writing to the folder.
-                for _ in 0..REMOVAL_ATTEMPTS {
-                    let removed =
-                        std::fs::remove_file(path).or_else(|_| std::fs::remove_dir_all(path));
-                    if removed.is_ok() {
-                        break;
-                    }
+        clean_up();
+        errln!("\ninterrupted: temporary files were removed");
+        std::process::exit(2);
+    });
+}
+
+/// Ends child processes and removes temporary folders and lock files, before the program ends.
+pub(crate) fn clean_up() {
+    child_processes::terminate_all();
+    if let Ok(paths) = CLEANUP_PATHS.lock() {
+        for path in paths.iter() {
+            // A program that is ending may still be writing to the folder.
+            for _ in 0..REMOVAL_ATTEMPTS {
+                let removed = std::fs::remove_file(path).or_else(|_| std::fs::remove_dir_all(path));
+                if removed.is_ok() {
+                    break;
                 }
             }
         }
-        eprintln!("\ninterrupted: temporary files were removed");
-        std::process::exit(2);
-    });
+    }
 }

@@ -6,7 +6,7 @@
 //! form that its case requires ([`judge::fits`]). An invalid record fails the case that was running
 //! and ends the reading; the records before it count.
 
-use crate::runner::Ending;
+use crate::workers::runner::Ending;
 use wire::{Case, Outcome, Record, RecordFrame};
 
 /// The endings that the records of one worker contain.

@@ -1,22 +1,21 @@
 //! Grades tasks: builds the workers, runs the cases, judges the answers and adds up the points.
 
-use crate::compile::{BuildLimit, BuildRoot};
+pub mod picture;
+pub mod speedup;
+
+use crate::build::{BuildLimit, BuildRoot};
 use crate::course::{Course, Task, stages_of};
-use crate::crash::{self, Crash};
-use crate::diagnosis;
-use crate::error::GraderError;
-use crate::fresh_cases::FreshCases;
-use crate::picture;
-use crate::printed::Printed;
-use crate::regularity;
+use crate::diagnosis::{self, fresh_cases::FreshCases};
 use crate::report::{Report, TaskReport};
-use crate::runner::Ending;
+use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult};
 use crate::signature::Signature;
-use crate::speedup;
-use crate::stage_workers::StageWorkers;
-use crate::worker_set::WorkerSet;
-use crate::workspace::Workspace;
+use crate::workers::crash::{self, Crash};
+use crate::workers::printed::Printed;
+use crate::workers::runner::Ending;
+use crate::workers::stage_workers::StageWorkers;
+use crate::workers::worker_set::WorkerSet;
+use base::{GraderError, Workspace};
 use judge::cases::{self, Spec};
 use judge::repro::{self, FailedCase};
 use wire::answer::HoleCall;

@@ -1,7 +1,12 @@
 //! Reads `stages/course.toml`: the list of parts, tasks, cases and points.
 
-use crate::error::GraderError;
-use crate::workspace::Workspace;
+pub mod chapter;
+pub mod consistency;
+pub mod given;
+pub mod packed;
+pub mod sources;
+
+use base::{GraderError, Workspace};
 use judge::Tier;
 use judge::tally::Aspect;
 use serde::Deserialize;
@@ -301,7 +306,8 @@ mod tests {
 
     #[test]
     fn a_list_selects_each_task_once() {
-        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let course =
+            Course::parse(include_str!("../../../stages/course.toml")).expect("it is valid");
         let keys = |what: &str| -> Vec<&str> {
             let tasks = course.select(what).expect("they exist").into_iter();
             tasks.map(|task| task.key.as_str()).collect()
@@ -316,7 +322,8 @@ mod tests {
 
     #[test]
     fn the_error_for_a_case_has_the_command_that_runs_it() {
-        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let course =
+            Course::parse(include_str!("../../../stages/course.toml")).expect("it is valid");
         let error = course
             .select("part1.task3/range")
             .expect_err("a case is no task");
@@ -333,7 +340,8 @@ mod tests {
 
     #[test]
     fn the_error_for_an_unknown_task_lists_the_tasks_of_its_part() {
-        let course = Course::parse(include_str!("../../stages/course.toml")).expect("it is valid");
+        let course =
+            Course::parse(include_str!("../../../stages/course.toml")).expect("it is valid");
         let error = |what: &str| course.select(what).unwrap_err().to_string();
         let tasks = error("part1.task9");
         assert!(tasks.contains("part1.task1, part1.task2"), "{tasks}");

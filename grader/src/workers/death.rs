@@ -1,6 +1,6 @@
 //! How a case ended its worker.
 
-use crate::printed::with_commas;
+use crate::workers::printed::with_commas;
 use std::fmt;
 use std::process::ExitStatus;
 

@@ -1,10 +1,9 @@
 //! Runs cargo and reads its messages: the program that it built, or what does not compile.
 
-use crate::child_processes::{self, Watchdog};
-use crate::compile::{BuildLimit, CompileErrors, WORKER};
-use crate::compile_warnings::Warnings;
-use crate::error::GraderError;
-use crate::runner::tail;
+use crate::build::compile_warnings::Warnings;
+use crate::build::{BuildLimit, CompileErrors, WORKER};
+use base::GraderError;
+use base::child_processes::{self, Watchdog, tail};
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,15 +1,13 @@
 //! Runs workers over cases, and finds which case ended a worker.
 
-use crate::channel::Channel;
-use crate::child_processes;
-use crate::death::Death;
-use crate::error::GraderError;
-use crate::interrupt;
-use crate::launcher::{Launcher, WorkerLimits};
-use crate::printed::{self, Printed, WorkerOutput};
-use crate::records::{self, Records};
+use crate::workers::channel::Channel;
+use crate::workers::death::Death;
+use crate::workers::launcher::{Launcher, WorkerLimits};
+use crate::workers::printed::{self, Printed, WorkerOutput};
+use crate::workers::records::{self, Records};
+use base::{GraderError, child_processes, interrupt};
 use std::collections::HashMap;
-use std::io::{self, Read};
+use std::io::{self};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::sync::Arc;
@@ -88,9 +86,6 @@ const ENDING: Duration = Duration::from_secs(10);
 
 /// The processor time of a worker beyond the limits of its cases, in seconds.
 const SPARE_CPU_SECONDS: u64 = 120;
-
-/// How many bytes of a program's output [`tail`] keeps.
-const TAIL_BYTES: usize = 4096;
 
 /// A worker to run.
 #[derive(Clone, Debug)]
@@ -354,18 +349,6 @@ fn memory_mb(cases: &[Case]) -> u32 {
         true => TIMING_MEMORY_MB,
         false => MEMORY_MB,
     }
-}
-
-/// The last bytes of a pipe. Reads it to its end, so that the writer never blocks.
-pub fn tail(mut pipe: impl Read) -> String {
-    let mut kept: Vec<u8> = Vec::new();
-    let mut chunk = [0; 8192];
-    while let Ok(n @ 1..) = pipe.read(&mut chunk) {
-        kept.extend_from_slice(&chunk[..n]);
-        let surplus = kept.len().saturating_sub(TAIL_BYTES);
-        kept.drain(..surplus);
-    }
-    String::from_utf8_lossy(&kept).into_owned()
 }
 
 impl Ending {

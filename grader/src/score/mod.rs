@@ -6,9 +6,10 @@
 //! (`idea` in `course.toml`), and robust points count from two thirds of the core points on.
 
 pub mod functions;
+pub mod regularity;
 
 use crate::course::{CaseEntry, Task};
-use crate::crash::Crash;
+use crate::workers::crash::Crash;
 use functions::{FunctionResult, FunctionShare};
 use judge::Tier;
 use judge::tally::{Finding, Worst};

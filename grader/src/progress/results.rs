@@ -2,12 +2,11 @@
 //! erase what is known of the others.
 
 use crate::course::Task;
-use crate::error::GraderError;
+use crate::course::sources;
 use crate::report::table::status_text;
-use crate::report::{Report, TaskReport, write_whole};
+use crate::report::{Report, TaskReport};
 use crate::score::Status;
-use crate::sources;
-use crate::workspace::Workspace;
+use base::{GraderError, Workspace, write_whole};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;

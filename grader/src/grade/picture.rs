@@ -1,13 +1,11 @@
 //! The picture of a task: renders it with the student's code, and compares it with the golden.
 
 use crate::course::{Course, Task};
-use crate::error::GraderError;
 use crate::grade;
-use crate::report::write_whole;
-use crate::runner::{self, Worker};
 use crate::score::Status;
-use crate::worker_set::WorkerSet;
-use crate::workspace::Workspace;
+use crate::workers::runner::{self, Worker};
+use crate::workers::worker_set::WorkerSet;
+use base::{GraderError, Workspace, write_whole};
 use judge::pictures::{NAME, TaskPicture};
 use pictures::difference::{Comparison, compare};
 use pictures::{Image, png, sheet, tone};

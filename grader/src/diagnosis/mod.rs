@@ -3,12 +3,12 @@
 //! `golden/signatures/<task>.txt` holds the signature of each known mistake; `grader mutants
 //! --bless` makes it from the mutants. A student's signature is compared with all of them.
 
-use crate::error::GraderError;
-use crate::packed;
-use crate::report::write_whole;
+pub(crate) mod fresh_cases;
+
+use crate::course::packed;
 use crate::score::{CaseResult, Status};
 use crate::signature::{Agreement, Alone, Signature, file};
-use crate::workspace::Workspace;
+use base::{GraderError, Workspace, write_whole};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

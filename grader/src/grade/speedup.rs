@@ -9,11 +9,11 @@ mod growth;
 pub use growth::{Growth, slope};
 
 use crate::course::{Course, Task};
-use crate::crash;
-use crate::error::GraderError;
 use crate::report::TaskReport;
-use crate::runner::{self, Ending, Worker};
 use crate::score::Status;
+use crate::workers::crash;
+use crate::workers::runner::{self, Ending, Worker};
+use base::GraderError;
 use judge::cases::recorded::{self, RayWork};
 use kit::Vec3;
 use serde::Serialize;
@@ -281,7 +281,7 @@ mod tests {
 
     #[test]
     fn a_tree_that_is_not_attempted_is_not_timed() {
-        let course = Course::parse(include_str!("../../stages/course.toml")).unwrap();
+        let course = Course::parse(include_str!("../../../stages/course.toml")).unwrap();
         let tasks = |of_traversal: &Status| -> Vec<TaskReport> {
             let tasks = course.tasks().filter(|task| TASKS.contains(&&*task.key));
             let results = tasks.map(|task| TaskResult {
@@ -299,7 +299,7 @@ mod tests {
 
     #[test]
     fn missing_times_name_the_task_to_write() {
-        let course = Course::parse(include_str!("../../stages/course.toml")).unwrap();
+        let course = Course::parse(include_str!("../../../stages/course.toml")).unwrap();
         let hole = Ending::Recorded(wire::Record {
             case: 0,
             untouched: Vec::new(),

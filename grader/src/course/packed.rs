@@ -6,8 +6,7 @@
 
 mod by_key;
 
-use crate::error::GraderError;
-use crate::workspace::Workspace;
+use base::{GraderError, Workspace};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use std::path::{Path, PathBuf};
@@ -72,6 +71,15 @@ pub fn read(workspace: &Workspace, path: &Path) -> Result<Option<String>, Grader
     }
     let packed = std::fs::read(&pack).map_err(|e| GraderError::file("read", &pack, e))?;
     find(&packed, path).map_err(|why| GraderError::file("unpack", &pack, why))
+}
+
+/// The text of the golden snapshot of a case; `None` if there is none.
+pub fn read_snapshot(
+    workspace: &Workspace,
+    task: &str,
+    case: &str,
+) -> Result<Option<String>, GraderError> {
+    read(workspace, &Path::new(task).join(format!("{case}.snap")))
 }
 
 /// Finds the text `path` in a pack.

@@ -1,7 +1,7 @@
 //! Calls that end without an answer: what kind of end it was, and the sentence about it.
 
-use crate::printed::{MOST_BYTES, with_commas};
-use crate::runner::Ending;
+use crate::workers::printed::{MOST_BYTES, with_commas};
+use crate::workers::runner::Ending;
 use wire::Outcome;
 
 /// A case whose code did not return an answer.
@@ -110,7 +110,7 @@ pub fn with_input(how: &str, input: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::death::Death;
+    use crate::workers::death::Death;
     use wire::Record;
 
     fn recorded(outcome: Outcome) -> Ending {

@@ -4,10 +4,10 @@
 //! out. If the errors are in another crate (a changed signature breaks the worker), each stage is
 //! built alone.
 
-use crate::compile::{BuildLimit, BuildOutcome, BuildRoot, CompileErrors};
-use crate::error::GraderError;
-use crate::runner::Worker;
-use crate::stage_workers::StageWorkers;
+use crate::build::{BuildLimit, BuildOutcome, BuildRoot, CompileErrors};
+use crate::workers::runner::Worker;
+use crate::workers::stage_workers::StageWorkers;
+use base::GraderError;
 use std::collections::BTreeMap;
 
 /// The worker's cargo feature for tracing rays through whole scenes.

@@ -1,7 +1,6 @@
 //! The workspace of the course: its root folder and the paths of its files.
 
-use crate::error::GraderError;
-use crate::packed;
+use crate::GraderError;
 use std::path::{Path, PathBuf};
 
 /// A checkout or a handout of the course.
@@ -76,12 +75,8 @@ impl Workspace {
     pub fn snapshot(&self, task: &str, case: &str) -> PathBuf {
         self.root
             .join("golden")
-            .join(snapshot_in_goldens(task, case))
-    }
-
-    /// The text of the golden snapshot of a case; `None` if there is none.
-    pub fn read_snapshot(&self, task: &str, case: &str) -> Result<Option<String>, GraderError> {
-        packed::read(self, &snapshot_in_goldens(task, case))
+            .join(task)
+            .join(format!("{case}.snap"))
     }
 
     /// The path of the golden picture of a case.
@@ -95,9 +90,8 @@ impl Workspace {
     /// The path of the file `name` in `target/first-light`, the folder of what the grader writes
     /// for students. Creates the folder.
     pub fn for_students(&self, name: &str) -> Result<PathBuf, GraderError> {
-        let folder = self.root.join("target").join("first-light");
-        std::fs::create_dir_all(&folder).map_err(|e| GraderError::file("create", &folder, e))?;
-        Ok(folder.join(name))
+        self.create_outputs()?;
+        Ok(self.outputs().join(name))
     }
 
     /// `path` as seen from the current folder if it is below it, otherwise unchanged.
@@ -112,9 +106,4 @@ impl Workspace {
     pub fn not_judged(&self, task: &str) -> PathBuf {
         self.root.join("golden").join(task).join("not_judged.txt")
     }
-}
-
-/// The path of the golden snapshot of a case, in the folder `golden`.
-fn snapshot_in_goldens(task: &str, case: &str) -> PathBuf {
-    Path::new(task).join(format!("{case}.snap"))
 }

@@ -1,6 +1,7 @@
 //! Starts the programs that the grader runs (cargo, workers, renderers) and ends them with it.
 
-use std::io;
+use std::ffi::OsString;
+use std::io::{self, Read};
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
@@ -13,6 +14,9 @@ static RUNNING_IDS: Mutex<Vec<u32>> = Mutex::new(Vec::new());
 /// Marks a process as running. Dropping it removes the process from the list of running ones.
 #[derive(Debug)]
 pub struct RunningProcess(u32);
+
+/// How many bytes of a program's output [`tail`] keeps.
+const TAIL_BYTES: usize = 4096;
 
 /// The time between two looks at a process that is ending.
 const POLL: Duration = Duration::from_millis(2);
@@ -99,6 +103,23 @@ pub fn output(command: &mut Command) -> io::Result<Output> {
         .stderr(Stdio::piped());
     let (child, _running) = start(command)?;
     child.wait_with_output()
+}
+
+/// The last bytes of a pipe. Reads it to its end, so that the writer never blocks.
+pub fn tail(mut pipe: impl Read) -> String {
+    let mut kept: Vec<u8> = Vec::new();
+    let mut chunk = [0; 8192];
+    while let Ok(n @ 1..) = pipe.read(&mut chunk) {
+        kept.extend_from_slice(&chunk[..n]);
+        let surplus = kept.len().saturating_sub(TAIL_BYTES);
+        kept.drain(..surplus);
+    }
+    String::from_utf8_lossy(&kept).into_owned()
+}
+
+/// The cargo that runs the grader, or else the one on the path.
+pub fn cargo() -> OsString {
+    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
 /// Ends all running programs and what they started.

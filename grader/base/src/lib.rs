@@ -1,0 +1,21 @@
+//! What every program of the course is built on, whatever it computes.
+//!
+//! - [`GraderError`]: errors that are not the fault of the code under test
+//! - [`print`]: output that a closed pipe does not turn into a panic
+//! - [`program`]: command lines and exit codes
+//! - [`write_whole`]: files are written whole or not at all
+//! - [`interrupt`]: Ctrl-C ends child processes and removes temporary files
+//! - [`child_processes`]: starting and ending programs
+//! - [`Workspace`]: the checkout or handout of the course
+
+pub mod child_processes;
+mod error;
+mod files;
+pub mod interrupt;
+pub mod print;
+pub mod program;
+mod workspace;
+
+pub use error::{GraderError, without_path};
+pub use files::{folder_of, write_whole};
+pub use workspace::Workspace;

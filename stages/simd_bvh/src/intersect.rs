@@ -1,10 +1,10 @@
 //! The closest hit and any hit of a ray, equal to those of brute force.
 
 // BEGIN SOLUTION(part6.task1)
-use crate::ray_in_tree::RayInTree;
-use crate::region;
-use crate::traversal::Traversal;
-use crate::unusual_ray;
+use crate::kernels::ray_in_tree::RayInTree;
+use crate::many_rays::region;
+use crate::one_ray::traversal::Traversal;
+use crate::one_ray::unusual_ray;
 use fearless_simd::dispatch;
 // END SOLUTION(part6.task1)
 

@@ -1,9 +1,9 @@
 //! The hits of many rays, equal to those of one ray after the other.
 
 // BEGIN SOLUTION(part6.task1)
-use crate::ray_slot::RaySlot;
-use crate::slot_queue::GROUP_SIZE;
-use crate::stream_traversal::StreamTraversal;
+use crate::many_rays::ray_slot::RaySlot;
+use crate::many_rays::slot_queue::GROUP_SIZE;
+use crate::many_rays::stream_traversal::StreamTraversal;
 use fearless_simd::dispatch;
 // END SOLUTION(part6.task1)
 

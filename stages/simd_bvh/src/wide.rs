@@ -1,11 +1,11 @@
 //! The wide tree: nodes of eight children and leaves of eight primitives, laid out for SIMD lanes.
 
 // BEGIN SOLUTION(part6.task1)
-use crate::builder;
-use crate::node::{Child, ChildKind, Node};
-use crate::space::TreeSpace;
-use crate::sphere_block::SphereBlock;
-use crate::triangle_block::{ExactBlock, TriangleBlock};
+use crate::build::builder;
+use crate::layout::node::{Child, ChildKind, Node};
+use crate::layout::space::TreeSpace;
+use crate::layout::sphere_block::SphereBlock;
+use crate::layout::triangle_block::{ExactBlock, TriangleBlock};
 use std::collections::VecDeque;
 // END SOLUTION(part6.task1)
 

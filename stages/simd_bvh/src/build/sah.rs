@@ -1,13 +1,11 @@
 // BEGIN SOLUTION(part6.task1)
 //! The surface area heuristic: where to split a set of primitives.
 
-use crate::packed_box::PackedBox;
+use crate::layout::LANES;
+use crate::layout::packed_box::PackedBox;
 use fearless_simd::{Level, Simd, dispatch, f32x4, f32x8, i32x4, prelude::*};
 use kit::Aabb;
 use rayon::prelude::*;
-
-/// The largest number of primitives in a leaf, which are tested at once.
-pub(crate) const LANES: usize = 8;
 
 /// Bins along an axis, with a candidate plane between neighbours. Twice as many save 0.5 % of the
 /// tests.

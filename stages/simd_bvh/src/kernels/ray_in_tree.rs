@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! A ray in the tree's space that single precision can handle.
 
-use crate::space::{LocalRay, ORDINARY, TreeSpace};
+use crate::layout::space::{LocalRay, ORDINARY, TreeSpace};
 use kit::{Ray, Vec3};
 
 /// A ray of ordinary size in the tree's space. Its origin is moved along it to near the tree, so

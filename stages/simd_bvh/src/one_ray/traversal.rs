@@ -1,19 +1,20 @@
 // BEGIN SOLUTION(part6.task1)
 //! One traversal of the tree by an ordinary ray, for the closest hit or for any hit.
 
-use crate::found::Found;
 use crate::intersect::{ExactTest, TestCounts};
-use crate::node::{Child, Node};
-use crate::prefetch::prefetch;
-use crate::ray_in_tree::RayInTree;
+use crate::kernels::found::Found;
+use crate::kernels::ray_in_tree::RayInTree;
+use crate::kernels::simd_box_test::Key;
+use crate::kernels::simd_box_test::{SimdBoxTest, range_end};
+use crate::kernels::triangle_filter::TriangleFilter;
+use crate::kernels::woop::{self, Decision, Vertices};
+use crate::layout::node::{Child, Node};
+use crate::layout::prefetch::prefetch;
+use crate::layout::sphere_block::SphereBlock;
+use crate::layout::triangle_block::ExactBlock;
+use crate::one_ray::stack::StackMemory;
 use crate::rounding::at_least;
-use crate::simd_box_test::{SimdBoxTest, range_end};
-use crate::sphere_block::SphereBlock;
-use crate::stack::{Key, StackMemory};
-use crate::triangle_block::ExactBlock;
-use crate::triangle_filter::TriangleFilter;
 use crate::wide::WideBvh;
-use crate::woop::{self, Decision, Vertices};
 use fearless_simd::Simd;
 use kit::{PrimId, Ray, TriangleHit};
 use std::hint::select_unpredictable;

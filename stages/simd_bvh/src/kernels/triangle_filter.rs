@@ -44,9 +44,9 @@
 //! A comparison with NaN or infinity leaves a lane possible and not sure. The tests of the crate
 //! compare with brute force, bit for bit, also at the borders of these bounds.
 
-use crate::ray_in_tree::RayInTree;
+use crate::kernels::ray_in_tree::RayInTree;
+use crate::layout::triangle_block::TriangleBlock;
 use crate::rounding::{at_least, at_most};
-use crate::triangle_block::TriangleBlock;
 use fearless_simd::{Simd, f32x8, i32x8, prelude::*, u16x8};
 
 /// One ray, in the tree's space with permuted axes, such that z is the largest component of its

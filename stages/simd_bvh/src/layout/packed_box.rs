@@ -11,8 +11,8 @@
 //! contains the enlarged box of every primitive below it, and a ray that hits the primitive also
 //! hits the boxes above it.
 
+use crate::layout::LANES;
 use crate::rounding::at_most;
-use crate::sah::LANES;
 use fearless_simd::{Simd, f32x8, prelude::*};
 use kit::Aabb;
 

@@ -2,7 +2,7 @@
 //! A ray/box test for any ray. It is conservative: it never misses a box with a primitive that the
 //! ray hits.
 
-use crate::space::{LocalRay, TreeSpace};
+use crate::layout::space::{LocalRay, TreeSpace};
 use kit::{Aabb, Ray, Vec3};
 
 /// Tests one box after the other in double precision. For any ray.

@@ -2,10 +2,10 @@
 //! Traversal by a ray that single precision cannot handle: one box after the other in double
 //! precision, and every primitive with the scalar kernel.
 
-use crate::box_test::ScalarBoxTest;
-use crate::found::Found;
 use crate::intersect::{ExactTest, TestCounts};
-use crate::node::{Child, ChildKind};
+use crate::kernels::box_test::ScalarBoxTest;
+use crate::kernels::found::Found;
+use crate::layout::node::{Child, ChildKind};
 use crate::wide::WideBvh;
 use kit::{PrimId, Ray, TriangleHit};
 

@@ -2,11 +2,12 @@
 //! Writes the nodes of the wide tree, in parallel: every subtree knows how many nodes and blocks it
 //! adds, so its place is known before those to its left are written.
 
-use crate::binary::{BinaryTree, NodeRef, WideSize};
-use crate::collapse::{WideChild, wide_children};
-use crate::node::{Child, Node};
-use crate::packed_box::PackedBox;
-use crate::sah::{BuildPrimitive, LANES};
+use crate::build::binary::{BinaryTree, NodeRef, WideSize};
+use crate::build::collapse::{WideChild, wide_children};
+use crate::build::sah::BuildPrimitive;
+use crate::layout::LANES;
+use crate::layout::node::{Child, Node};
+use crate::layout::packed_box::PackedBox;
 use rayon::prelude::*;
 use std::ops::Range;
 

@@ -1,9 +1,9 @@
 // BEGIN SOLUTION(part6.task1)
 //! A leaf of up to eight triangles with 16 bits a coordinate.
 
-use crate::sah::LANES;
-use crate::space::TreeSpace;
-use crate::woop::Vertices;
+use crate::kernels::woop::Vertices;
+use crate::layout::LANES;
+use crate::layout::space::TreeSpace;
 use fearless_simd::{Simd, prelude::*, u32x8};
 use kit::{PrimId, Triangle, Vec3};
 

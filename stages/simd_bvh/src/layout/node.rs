@@ -2,8 +2,8 @@
 //! A node: the boxes of up to eight children in single precision, the children, and their orders
 //! from near to far.
 
-use crate::packed_box::PackedBox;
-use crate::sah::LANES;
+use crate::layout::LANES;
+use crate::layout::packed_box::PackedBox;
 use kit::{Aabb, Vec3};
 
 /// The boxes of up to eight children in the tree's space, one per lane, and the children.

@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! Which rays of a group need a node, a block of triangles or a block of spheres next.
 
-use crate::node::Child;
+use crate::layout::node::Child;
 
 /// The number of rays that are traced together. Their slots fit into the first-level cache; twice
 /// as many take longer.

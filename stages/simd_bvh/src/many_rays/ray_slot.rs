@@ -1,17 +1,17 @@
 // BEGIN SOLUTION(part6.task1)
 //! The state of one of many rays that are traced together.
 
-use crate::found::Found;
 use crate::intersect::ExactTest;
-use crate::prefetch::prefetch;
-use crate::ray_in_tree::{RayInTree, TScale};
+use crate::kernels::found::Found;
+use crate::kernels::ray_in_tree::{RayInTree, TScale};
+use crate::kernels::simd_box_test::Key;
+use crate::kernels::simd_box_test::{SimdBoxTest, range_end};
+use crate::kernels::triangle_filter::TriangleFilter;
+use crate::kernels::woop::{self, Decision, Vertices};
+use crate::layout::prefetch::prefetch;
+use crate::many_rays::slot_stack::SlotStack;
 use crate::rounding::at_least;
-use crate::simd_box_test::{SimdBoxTest, range_end};
-use crate::slot_stack::SlotStack;
-use crate::stack::Key;
-use crate::triangle_filter::TriangleFilter;
 use crate::wide::WideBvh;
-use crate::woop::{self, Decision, Vertices};
 use fearless_simd::Simd;
 use kit::{PrimId, Ray};
 

@@ -2,9 +2,10 @@
 //! Builds the binary tree of least expected cost, from the root downwards, with the surface area
 //! heuristic, and on the way back to the root decides how it collapses to a wide tree.
 
-use crate::collapse::{Costs, Shares};
-use crate::packed_box::PackedBox;
-use crate::sah::{BuildPrimitive, Enclosure, LANES, SplitPlane, cheapest_plane};
+use crate::build::collapse::{Costs, Shares};
+use crate::build::sah::{BuildPrimitive, Enclosure, SplitPlane, cheapest_plane};
+use crate::layout::LANES;
+use crate::layout::packed_box::PackedBox;
 use fearless_simd::Level;
 use std::ops::{Add, Range};
 

@@ -8,11 +8,11 @@
 //! each ray, and then what the blocks leave undecided.
 
 use crate::intersect::{ExactTest, TestCounts};
-use crate::node::Child;
-use crate::ray_in_tree::RayInTree;
-use crate::ray_slot::{RaySlot, TriangleAt};
-use crate::slot_queue::{GROUP_SIZE, SlotQueues};
-use crate::triangle_filter::FilterEdges;
+use crate::kernels::ray_in_tree::RayInTree;
+use crate::kernels::triangle_filter::FilterEdges;
+use crate::layout::node::Child;
+use crate::many_rays::ray_slot::{RaySlot, TriangleAt};
+use crate::many_rays::slot_queue::{GROUP_SIZE, SlotQueues};
 use crate::wide::WideBvh;
 use fearless_simd::Simd;
 use kit::{PrimId, Ray};

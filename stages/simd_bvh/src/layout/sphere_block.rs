@@ -1,7 +1,7 @@
 // BEGIN SOLUTION(part6.task1)
 //! A leaf of up to eight spheres: finds those that a ray misses for certain.
 
-use crate::sah::LANES;
+use crate::layout::LANES;
 use fearless_simd::{Simd, f64x8, prelude::*};
 use kit::{PrimId, Ray, Sphere};
 use lanes::Vec3;

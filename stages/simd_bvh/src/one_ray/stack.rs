@@ -1,13 +1,10 @@
 // BEGIN SOLUTION(part6.task1)
 //! The stack of children that a traversal has still to visit.
 
-use crate::node::Child;
-use crate::sah::LANES;
+use crate::kernels::simd_box_test::Key;
+use crate::layout::LANES;
+use crate::layout::node::Child;
 use fearless_simd::{Simd, prelude::*, u32x8};
-
-/// The `t` at which a ray enters a box, as the bits of a number that is not negative: they have the
-/// same order.
-pub(crate) type Key = u32;
 
 /// The memory of a stack of children and their keys. The last entries are in arrays; few trees are
 /// deep enough to need more.

@@ -1,15 +1,16 @@
 // BEGIN SOLUTION(part6.task1)
 //! Builds the wide tree: from triangles and spheres to nodes and blocks.
 
-use crate::binary;
-use crate::large;
-use crate::presplit;
-use crate::sah::{BuildPrimitive, LANES};
-use crate::space::TreeSpace;
-use crate::sphere_block::SphereBlock;
-use crate::triangle_block::{TriangleBlock, exact_block};
+use crate::build::binary;
+use crate::build::large;
+use crate::build::presplit;
+use crate::build::sah::BuildPrimitive;
+use crate::build::widen::{WideNodes, widen};
+use crate::layout::LANES;
+use crate::layout::space::TreeSpace;
+use crate::layout::sphere_block::SphereBlock;
+use crate::layout::triangle_block::{TriangleBlock, exact_block};
 use crate::wide::WideBvh;
-use crate::widen::{WideNodes, widen};
 use fearless_simd::{Level, dispatch};
 use kit::{Aabb, PrimId, Sphere, Triangle, Vec3};
 use rayon::prelude::*;

@@ -2,8 +2,8 @@
 //! Collapses a binary tree to a wide one: decides which of its nodes become children of the same
 //! wide node.
 
-use crate::binary::NodeRef;
-use crate::sah::LANES;
+use crate::build::binary::NodeRef;
+use crate::layout::LANES;
 
 /// What a subtree costs, and how many wide nodes it has, by the number of lanes that it gets, less
 /// one.

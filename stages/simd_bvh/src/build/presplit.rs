@@ -8,7 +8,7 @@
 //! 2013, section 4.4). A triangle may then be in several leaves; each of them tests all of it, so
 //! the hits are the same.
 
-use crate::sah::BuildPrimitive;
+use crate::build::sah::BuildPrimitive;
 use kit::{Aabb, Vec3};
 use rayon::prelude::*;
 use std::collections::BTreeMap;

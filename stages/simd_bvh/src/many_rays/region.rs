@@ -2,9 +2,9 @@
 //! The primitives of a convex region.
 
 use crate::intersect::TestCounts;
-use crate::node::{Child, ChildKind, Node, Side};
+use crate::layout::node::{Child, ChildKind, Node, Side};
+use crate::layout::space::TreeSpace;
 use crate::rounding::at_least;
-use crate::space::TreeSpace;
 use crate::wide::{Subset, WideBvh};
 use fearless_simd::{Simd, f32x8, prelude::*};
 use kit::{PrimId, Vec3};

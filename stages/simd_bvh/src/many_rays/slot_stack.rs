@@ -1,10 +1,10 @@
 // BEGIN SOLUTION(part6.task1)
 //! The stack of a ray that is traced together with others.
 
-use crate::node::Child;
-use crate::sah::LANES;
-use crate::simd_box_test::BoxHits;
-use crate::stack::Key;
+use crate::kernels::simd_box_test::BoxHits;
+use crate::kernels::simd_box_test::Key;
+use crate::layout::LANES;
+use crate::layout::node::Child;
 use fearless_simd::{Simd, mask32x8, prelude::*, u32x8};
 
 /// The children that a ray has still to visit, and where it enters their boxes. The lowest entry is

@@ -1,12 +1,15 @@
 // BEGIN SOLUTION(part6.task1)
 //! Tests a ray against the eight boxes of a node at once.
 
-use crate::node::{Node, Side, order_along};
-use crate::ray_in_tree::RayInTree;
-use crate::sah::LANES;
-use crate::stack::Key;
+use crate::kernels::ray_in_tree::RayInTree;
+use crate::layout::LANES;
+use crate::layout::node::{Node, Side, order_along};
 use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x8, prelude::*, u8x32, u32x8};
 use kit::Vec3;
+
+/// The `t` at which a ray enters a box, as the bits of a number that is not negative: they have the
+/// same order.
+pub(crate) type Key = u32;
 
 /// Tests eight boxes at once in single precision, for rays of ordinary size.
 ///

@@ -1,0 +1,12 @@
+// BEGIN SOLUTION(part6.task1)
+//! One ray against boxes and primitives. Reading order: `ray_in_tree`, `simd_box_test` (eight boxes at
+//! a time), `triangle_filter` (eight triangles at a time), `woop` (one triangle, in double
+//! precision), `found` (the closest hit so far), `box_test` (rays beyond single precision).
+
+pub(crate) mod box_test;
+pub(crate) mod found;
+pub(crate) mod ray_in_tree;
+pub(crate) mod simd_box_test;
+pub(crate) mod triangle_filter;
+pub(crate) mod woop;
+// END SOLUTION(part6.task1)

@@ -34,36 +34,38 @@ pub fn twice(x: f64) -> f64 {
 /// The task's folder in the judge.
 const CHECK: &str = r#"//! `part7.task1`: doubling.
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::each;
-use crate::snapshot::{forms, number};
-use crate::tally::{Aspect, Tally};
-use wire::Work;
-
-/// `twice`, called for each number.
-pub(crate) struct Doubling;
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::lines::each;
+use crate::tools::snapshot::{Content, forms, number};
+use crate::tools::spec::Spec;
+use crate::tools::tally::{Aspect, Tally};
+use wire::kind;
 
 /// The cases of the task.
 pub(crate) fn cases() -> Vec<Spec> {
-    let work = Work::Doubling(vec![0.5, 1.0, -3.0]);
-    vec![Spec::new("part7.task1", "three_numbers", "Three numbers are doubled.", work)]
+    vec![Spec::new::<kind::Doubling>(
+        "part7.task1",
+        "three_numbers",
+        "Three numbers are doubled.",
+        vec![0.5, 1.0, -3.0],
+    )]
 }
 
-impl Check for Doubling {
-    type Question = Vec<f64>;
-    type Answer = Vec<f64>;
-
+impl Check for kind::Doubling {
     fn calls(numbers: &Vec<f64>) -> usize {
         numbers.len()
+    }
+
+    fn only_call(numbers: &Vec<f64>, call: usize) -> Option<Vec<f64>> {
+        Some(vec![*numbers.get(call)?])
     }
 
     fn fits(numbers: &Vec<f64>, answers: &Vec<f64>) -> Result<(), String> {
         one_each(numbers.len(), answers)
     }
 
-    fn judge(tally: &mut Tally, _: &Spec, _: Tier, numbers: &Vec<f64>, answers: &Vec<f64>) {
+    fn judge(tally: &mut Tally, _: &CaseContext<'_>, _: Tier, numbers: &Vec<f64>, answers: &Vec<f64>) {
         for (call, (x, answer)) in numbers.iter().zip(answers).enumerate() {
             tally.expect(Aspect::T);
             let right = 2.0 * x;
@@ -137,11 +139,6 @@ const INSERTIONS: &[Insertion] = &[
         file: "grader/judge/src/tasks/mod.rs",
         after: "pub(crate) mod part5_task2;",
         lines: "pub(crate) mod part7_task1;",
-    },
-    Insertion {
-        file: "grader/judge/src/tasks/mod.rs",
-        after: "checks! {",
-        lines: "    Doubling => part7_task1::Doubling,",
     },
     Insertion {
         file: "grader/judge/src/tasks/mod.rs",

@@ -129,7 +129,7 @@ impl Student {
         let mut leaks = 0;
         for mesh in closed.meshes() {
             let rays: Vec<Ray> = mesh.rays.iter().map(|(ray, _)| *ray).collect();
-            match self.run(brute_force(&mesh.triangles, &[], &rays))? {
+            match self.run(Work::BruteForce(brute_force(&mesh.triangles, &[], &rays)))? {
                 Ok(wire::Answer::BruteForce(hits)) => {
                     leaks += hits.hits.iter().filter(|hit| hit.is_none()).count();
                 }
@@ -146,7 +146,7 @@ impl Student {
         view: &MeshView,
     ) -> Result<Result<Vec<u32>, MissingReason>, GraderError> {
         let (pixels, rays, mesh) = view.rays_at_edges();
-        match self.run(brute_force(mesh, &[], &rays))? {
+        match self.run(Work::BruteForce(brute_force(mesh, &[], &rays)))? {
             Ok(wire::Answer::BruteForce(hits)) => {
                 let pixels = pixels.into_iter().zip(&hits.hits);
                 // The rays reach their edges at t = 1.

@@ -76,7 +76,6 @@ mod tests {
     use super::*;
     use judge::cases::all;
     use judge::expected::HitOrMiss;
-    use judge::expected_cache::expected;
 
     #[test]
     fn core_cases_contain_hits_and_few_undecidable_probes() {
@@ -88,7 +87,7 @@ mod tests {
             for entry in task.cases.iter().filter(|case| case.tier == Tier::Core) {
                 let spec = specs.iter().find(|spec| spec.is(&task.key, &entry.name));
                 let spec = spec.expect("the grader has every case of the course");
-                let expected = expected(spec, Tier::Core);
+                let expected = spec.expected(Tier::Core);
                 let count = |decision| expected.iter().filter(|e| e.decision() == decision).count();
                 let (hits, undecidable) = (count(HitOrMiss::Hit), count(HitOrMiss::Either));
                 let counts = format!(

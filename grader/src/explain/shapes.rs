@@ -6,7 +6,6 @@ use judge::Tier;
 use judge::cases::Spec;
 use judge::convert;
 use judge::expected::{Expected, HitOrMiss};
-use judge::expected_cache::expected;
 use judge::plural;
 use judge::snapshot::Snapshot;
 use kit::Vec3;
@@ -56,7 +55,7 @@ fn finish(plot: &Plot, what: &str, outside: usize) -> Vec<String> {
 /// All triangles as one: each ray is where the line along it meets its triangle's plane, by its
 /// barycentric weights.
 pub(super) fn triangles(work: &TriangleWork, spec: &Spec, tier: Tier) -> Explained {
-    let all = expected(spec, tier);
+    let all = spec.expected(tier);
     let mut plot = Plot::new([-0.6, -0.45], [1.6, 1.3]);
     // p0 at the bottom left, p1 at the bottom right, p2 at the top.
     let place = |b1: f64, b2: f64| [b1 + 0.5 * b2, b2];
@@ -101,7 +100,7 @@ pub(super) fn triangles(work: &TriangleWork, spec: &Spec, tier: Tier) -> Explain
 /// the mark of its origin on.
 pub(super) fn spheres(work: &SphereWork, spec: &Spec, tier: Tier) -> Explained {
     const REACH: f64 = 3.6;
-    let all = expected(spec, tier);
+    let all = spec.expected(tier);
     let mut plot = Plot::new([-REACH, -1.1], [REACH, 1.7]);
     for step in 0..90 {
         let around = |step: i32| {

@@ -17,7 +17,27 @@ use crate::work::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Defines [`Work`] and [`Answer`], with a variant of the same name for each kind.
+/// A kind of work, as a type: its question and its answer, and where they are in [`Work`] and
+/// [`Answer`]. The types are in [`kind`].
+pub trait Kind: 'static {
+    /// The input of the work.
+    type Question: Clone;
+
+    /// The result of the work.
+    type Answer;
+
+    /// The work with this question.
+    fn work(question: Self::Question) -> Work;
+
+    /// The question of `work`; `None` if it is of another kind.
+    fn question(work: &Work) -> Option<&Self::Question>;
+
+    /// The typed answer in `answer`; `None` if it is to work of another kind.
+    fn answer(answer: &Answer) -> Option<&Self::Answer>;
+}
+
+/// Defines [`Work`] and [`Answer`], with a variant of the same name for each kind, the types in
+/// [`kind`], and the list [`each_kind!`](crate::each_kind).
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident($question:ty) -> $answer:ty;)*) => {
         /// What the worker does in a case: a kind of work and its question.
@@ -51,6 +71,48 @@ macro_rules! kinds {
                     $(Answer::$kind(_) => stringify!($kind),)*
                 }
             }
+        }
+
+        /// Calls a macro with the names of all kinds: for a `match` that a new kind extends by itself.
+        #[macro_export]
+        macro_rules! each_kind {
+            ($then:ident) => {
+                $then! { $($kind)* }
+            };
+        }
+
+        /// A type for each kind of work, with the name of its variant.
+        pub mod kind {
+            use super::*;
+
+            $(
+                $(#[$doc])*
+                #[derive(Clone, Copy, Debug)]
+                pub struct $kind;
+
+                impl Kind for $kind {
+                    type Question = $question;
+                    type Answer = $answer;
+
+                    fn work(question: $question) -> Work {
+                        Work::$kind(question)
+                    }
+
+                    fn question(work: &Work) -> Option<&$question> {
+                        match work {
+                            Work::$kind(question) => Some(question),
+                            _ => None,
+                        }
+                    }
+
+                    fn answer(answer: &Answer) -> Option<&$answer> {
+                        match answer {
+                            Answer::$kind(answer) => Some(answer),
+                            _ => None,
+                        }
+                    }
+                }
+            )*
         }
     };
 }

@@ -21,6 +21,6 @@ mod printed;
 pub mod work;
 
 pub use answer::{Outcome, Record, RecordFrame};
-pub use kinds::{Answer, Work};
+pub use kinds::{Answer, Kind, Work, kind};
 pub use printed::{case_of_marker, output_marker};
 pub use work::Case;

@@ -1,31 +1,24 @@
 //! Kinds of work that are not judged: measured times, and recorded box tests.
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, LARGE_LIMIT_MS, in_range, same_length};
-use crate::tally::Tally;
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, LARGE_LIMIT_MS, in_range, same_length};
+use crate::tools::snapshot::Content;
+use crate::tools::tally::Tally;
 use wire::answer::{TimingAnswer, VisitsAnswer};
+use wire::kind;
 use wire::work::{TestTiming, TimingWork, VisitsWork};
 
-/// Times the student's tree and the student's brute force.
-pub(crate) struct Timing;
-
-/// Times one intersection test.
-pub(crate) struct TimeTest;
-
-/// Records which boxes of a tree are tested.
-pub(crate) struct Visits;
-
-impl Check for Timing {
-    type Question = TimingWork;
-    type Answer = TimingAnswer;
-
+impl Check for kind::Timing {
     const NEEDS_ALL_STAGES: bool = true;
 
     const LIMIT_MS: u64 = LARGE_LIMIT_MS;
 
     fn calls(work: &TimingWork) -> usize {
         work.rays.len()
+    }
+
+    fn only_call(_: &TimingWork, _: usize) -> Option<TimingWork> {
+        None
     }
 
     fn fits(work: &TimingWork, answer: &TimingAnswer) -> Result<(), String> {
@@ -35,40 +28,42 @@ impl Check for Timing {
         Ok(())
     }
 
-    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &TimingWork, _: &TimingAnswer) {}
+    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &TimingWork, _: &TimingAnswer) {}
 
     fn lines(_: &TimingWork, _: &TimingAnswer) -> Option<Content> {
         None
     }
 }
 
-impl Check for TimeTest {
-    type Question = TestTiming;
-    type Answer = Vec<f64>;
-
+impl Check for kind::TimeTest {
     fn calls(work: &TestTiming) -> usize {
         work.orders.len()
+    }
+
+    fn only_call(_: &TestTiming, _: usize) -> Option<TestTiming> {
+        None
     }
 
     fn fits(work: &TestTiming, seconds: &Vec<f64>) -> Result<(), String> {
         times_fit(work.orders.len(), seconds)
     }
 
-    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
+    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &TestTiming, _: &Vec<f64>) {}
 
     fn lines(_: &TestTiming, _: &Vec<f64>) -> Option<Content> {
         None
     }
 }
 
-impl Check for Visits {
-    type Question = VisitsWork;
-    type Answer = VisitsAnswer;
-
+impl Check for kind::Visits {
     const NEEDS_ALL_STAGES: bool = true;
 
     fn calls(work: &VisitsWork) -> usize {
         work.rays.len()
+    }
+
+    fn only_call(_: &VisitsWork, _: usize) -> Option<VisitsWork> {
+        None
     }
 
     fn fits(work: &VisitsWork, answer: &VisitsAnswer) -> Result<(), String> {
@@ -81,7 +76,7 @@ impl Check for Visits {
         Ok(())
     }
 
-    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
+    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &VisitsWork, _: &VisitsAnswer) {}
 
     fn lines(_: &VisitsWork, _: &VisitsAnswer) -> Option<Content> {
         None

@@ -2,11 +2,8 @@
 //!
 //! In a folder, `mod.rs` has the `Check` of the task's kind of work, `cases` its cases, `judge`
 //! judges an answer, `lines` writes it to a snapshot, `repro` writes a Rust test. Kinds of work
-//! that several tasks share have folders of their own: [`brute_force`] (rays through a list of
-//! shapes), [`direct_light`], [`scene_hits`]. [`measurements`] and [`pictures`] are not judged.
+//! that several tasks share are in `tools::kinds`. [`measurements`] and [`pictures`] are not judged.
 
-pub(crate) mod brute_force;
-pub(crate) mod direct_light;
 pub(crate) mod measurements;
 pub(crate) mod part1_task1;
 pub(crate) mod part1_task2;
@@ -26,52 +23,23 @@ pub(crate) mod part5_task2;
 pub(crate) mod pictures;
 pub(crate) mod scene_hits;
 
-use crate::cases::Spec;
-use crate::check::{CheckedQuestion, ErasedCheck};
-use wire::{Answer, Work};
+use crate::tools::check::any::{AnyCheck, check_of_kind};
+use crate::tools::spec::Spec;
+use wire::{Work, kind};
 
-/// Defines [`check_of`] from the list of kinds of work and their checks.
+/// Defines [`check_of`] for the list of kinds of work.
 macro_rules! checks {
-    ($($kind:ident => $check:ty,)*) => {
-        /// Returns the check of a kind of work, with its question.
-        pub(crate) fn check_of(work: &Work) -> Box<dyn ErasedCheck + '_> {
+    ($($kind:ident)*) => {
+        /// Returns the check of a kind of work. Only the face uses it: a [`Spec`] has its check.
+        pub(crate) fn check_of(work: &Work) -> &'static dyn AnyCheck {
             match work {
-                $(Work::$kind(question) => Box::new(CheckedQuestion::<'_, $check> {
-                    question,
-                    answer_of_kind: |answer| match answer {
-                        Answer::$kind(answer) => Some(answer),
-                        _ => None,
-                    },
-                }),)*
+                $(Work::$kind(_) => check_of_kind::<kind::$kind>(),)*
             }
         }
     };
 }
 
-checks! {
-    Pixels => part1_task1::Pixels,
-    CameraRays => part1_task2::CameraRays,
-    Triangles => part1_task3::Triangles,
-    Spheres => part1_task4::Spheres,
-    BruteForce => brute_force::BruteForce,
-    Build => part2_task1::Build,
-    BuildGrowth => part2_task1::growth::BuildGrowth,
-    Boxes => part2_task2::Boxes,
-    Traverse => part2_task3::Traverse,
-    SceneHits => scene_hits::SceneHits,
-    Lambert => part3_task1::Lambert,
-    Direct => direct_light::Direct,
-    Specular => part4_task1::Specular,
-    Paths => part4_task2::Paths,
-    Roulette => part4_task3::Roulette,
-    Stop => part5_task1::Stop,
-    AdaptivePixels => part5_task1::AdaptivePixels,
-    SureStop => part5_task2::SureStop,
-    Timing => measurements::Timing,
-    TimeTest => measurements::TimeTest,
-    Visits => measurements::Visits,
-    Picture => pictures::Picture,
-}
+wire::each_kind!(checks);
 
 /// Makes the cases of a task from a seed.
 type MakeCases = fn(u64) -> Vec<Spec>;

@@ -1,15 +1,15 @@
 //! Cases of emission, and of direct light by uniform hemisphere sampling.
 
-use super::direct_light::worlds::{
+use crate::tools::kinds::direct_light::worlds::{
     ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, room, smooth_point, wall,
     work,
 };
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
 use kit::Vec3;
-use wire::Work;
-use wire::direct::{ShadedPoint, Strategy};
+use wire::direct::{DirectWork, ShadedPoint, Strategy};
+use wire::kind;
 use wire::light::{LitWorld, Material, Panel, Surroundings};
 
 /// The number of estimates in a case about their mean.
@@ -124,8 +124,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     ]
 }
 
-fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
-    Spec::new("part3.task2", name, about, work)
+fn case(name: &'static str, about: &'static str, work: DirectWork) -> Spec {
+    Spec::new::<kind::Direct>("part3.task2", name, about, work)
 }
 
 /// A world with only a constant environment.
@@ -140,7 +140,7 @@ fn uniform_environment(radiance: f64) -> LitWorld {
     }
 }
 
-fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work {
+fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> DirectWork {
     let mut rng = ProbeRng::new(name, 0);
     let points = (0..points).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Hemisphere, world, points, samples, 0)
@@ -148,7 +148,7 @@ fn hemisphere(name: &str, world: LitWorld, points: usize, samples: u32) -> Work 
 
 /// Points of smooth meshes, and of flat ones across each axis: some frames around a normal fail for
 /// one axis.
-fn tilted() -> Work {
+fn tilted() -> DirectWork {
     let mut rng = ProbeRng::new("tilted", 0);
     let mut points: Vec<ShadedPoint> = (0..60).map(|_| smooth_point(&mut rng)).collect();
     for axis in Vec3::AXES {
@@ -165,7 +165,7 @@ fn tilted() -> Work {
 }
 
 /// Many estimates at the same point.
-fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> Work {
+fn same(world: LitWorld, point: ShadedPoint, estimates: usize, samples: u32) -> DirectWork {
     let points = vec![point; estimates];
     work(Strategy::Hemisphere, world, points, samples, 1)
 }
@@ -217,7 +217,7 @@ fn emitting() -> Vec<ShadedPoint> {
     points
 }
 
-fn facing_away() -> Work {
+fn facing_away() -> DirectWork {
     let world = of_panels(vec![
         Panel {
             faces: 1.0,
@@ -233,7 +233,7 @@ fn facing_away() -> Work {
     work(Strategy::Hemisphere, world, vec![floor(); 20], 16, 0)
 }
 
-fn fresh(seed: u64) -> Work {
+fn fresh(seed: u64) -> DirectWork {
     let mut rng = ProbeRng::new("fresh_lamps", seed);
     let lamps = (0..3).map(|_| random_lamp(&mut rng)).collect();
     let points = (0..60).map(|_| random_point(&mut rng)).collect();

@@ -1,14 +1,14 @@
 //! Cases of direct light by sampling the lights.
 
-use super::direct_light::worlds::{
+use crate::tools::kinds::direct_light::worlds::{
     ceiling, floor, floor_of, lamp, of_panels, random_lamp, random_point, smooth_point, unit, wall,
     work,
 };
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
-use wire::Work;
-use wire::direct::{ShadedPoint, Strategy};
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Direction, Mean, Origin, Radiance, Range, Rays, Spread};
+use wire::direct::{DirectWork, ShadedPoint, Strategy};
+use wire::kind;
 use wire::light::{Light, LitWorld, Material, Panel, Surroundings};
 
 /// The number of estimates in a case about their mean.
@@ -142,8 +142,8 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
     ]
 }
 
-fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
-    Spec::new("part3.task3", name, about, work)
+fn case(name: &'static str, about: &'static str, work: DirectWork) -> Spec {
+    Spec::new::<kind::Direct>("part3.task3", name, about, work)
 }
 
 fn point() -> Light {
@@ -187,14 +187,14 @@ fn world(lights: Vec<Light>, panels: Vec<Panel>) -> LitWorld {
 }
 
 /// Points near the origin with random normals.
-fn random_points_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> Work {
+fn random_points_lit(lights: Vec<Light>, panels: Vec<Panel>, samples: u32) -> DirectWork {
     let mut rng = ProbeRng::new("points under lights", 0);
     let points = (0..80).map(|_| random_point(&mut rng)).collect();
     work(Strategy::Lights, world(lights, panels), points, samples, 0)
 }
 
 /// Points of smooth meshes near the origin, under lights of every kind.
-fn many_lights() -> Work {
+fn many_lights() -> DirectWork {
     let mut rng = ProbeRng::new("points under lights", 0);
     let points = (0..80).map(|_| smooth_point(&mut rng)).collect();
     let panels = vec![lamp(2.5, [3.0, 1.0, 0.5]), side_lamp()];
@@ -203,13 +203,13 @@ fn many_lights() -> Work {
 }
 
 /// Many estimates at the same point.
-fn same(panels: Vec<Panel>, lights: Vec<Light>, point: ShadedPoint, samples: u32) -> Work {
+fn same(panels: Vec<Panel>, lights: Vec<Light>, point: ShadedPoint, samples: u32) -> DirectWork {
     let points = vec![point; ESTIMATES];
     work(Strategy::Lights, world(lights, panels), points, samples, 1)
 }
 
 /// One wall blocks the lights for half of the plane; another is behind the lights.
-fn shadows() -> Work {
+fn shadows() -> DirectWork {
     let half = wall(Panel {
         min: [-9.0, 0.0],
         max: [9.0, 9.0],
@@ -229,7 +229,7 @@ fn shadows() -> Work {
     work(Strategy::Lights, world, points.collect(), 4, 0)
 }
 
-fn no_light() -> Work {
+fn no_light() -> DirectWork {
     let up = Panel {
         faces: 1.0,
         ..lamp(2.0, [5.0; 3])
@@ -258,7 +258,7 @@ fn no_light() -> Work {
 }
 
 /// A sunset: bright low in one direction, dim above, dark below.
-fn environment() -> Work {
+fn environment() -> DirectWork {
     let texel = |x: i32, y: i32| {
         let towards_the_sun = f64::from(if x == 5 { 6 } else { x.min(1) });
         let high = f64::from(4 - y);
@@ -306,7 +306,7 @@ fn two_sides() -> Vec<Panel> {
     vec![down, up]
 }
 
-fn below() -> Work {
+fn below() -> DirectWork {
     let deep = Panel {
         faces: 1.0,
         ..lamp(-2.0, [5.0; 3])
@@ -315,7 +315,7 @@ fn below() -> Work {
     work(Strategy::Lights, world, vec![ceiling(); 20], 2, 0)
 }
 
-fn mirrors() -> Work {
+fn mirrors() -> DirectWork {
     let points = vec![
         floor_of(Material::Mirror([1.0; 3])),
         floor_of(Material::Glass(1.5)),
@@ -325,7 +325,7 @@ fn mirrors() -> Work {
     work(Strategy::Lights, world, points, 8, 0)
 }
 
-fn fresh(seed: u64) -> Work {
+fn fresh(seed: u64) -> DirectWork {
     let mut rng = ProbeRng::new("fresh_lights", seed);
     let lamps = (0..2).map(|_| random_lamp(&mut rng)).collect();
     let lights = (0..2).map(|_| Light::Point {

@@ -1,22 +1,21 @@
 //! The check of pictures: their form is checked, nothing in them is judged.
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, same_length};
-use crate::tally::Tally;
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, same_length};
+use crate::tools::snapshot::Content;
+use crate::tools::tally::Tally;
+use wire::kind;
 use wire::picture::{PictureAnswer, PictureWork};
 
-/// The picture of a task.
-pub(crate) struct Picture;
-
-impl Check for Picture {
-    type Question = PictureWork;
-    type Answer = PictureAnswer;
-
+impl Check for kind::Picture {
     const LIMIT_MS: u64 = 10_000;
 
     fn calls(work: &PictureWork) -> usize {
         work.size[0] as usize * work.size[1] as usize
+    }
+
+    fn only_call(_: &PictureWork, _: usize) -> Option<PictureWork> {
+        None
     }
 
     fn fits(work: &PictureWork, answer: &PictureAnswer) -> Result<(), String> {
@@ -31,7 +30,7 @@ impl Check for Picture {
         panels.try_for_each(|panel| same_length("pixels", panel.len(), Self::calls(work)))
     }
 
-    fn judge(_: &mut Tally, _: &Spec, _: Tier, _: &PictureWork, _: &PictureAnswer) {}
+    fn judge(_: &mut Tally, _: &CaseContext<'_>, _: Tier, _: &PictureWork, _: &PictureAnswer) {}
 
     fn lines(_: &PictureWork, _: &PictureAnswer) -> Option<Content> {
         None

@@ -1,8 +1,8 @@
 //! Cases of the sample loop of a pixel.
 
-use crate::cases::Spec;
-use crate::tally::Aspect::{Calls, Independence, Placement, Radiance, Spread};
-use wire::Work;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Calls, Independence, Placement, Radiance, Spread};
+use wire::kind;
 use wire::work::{PixelWork, PixelWorld};
 
 /// The cases of `part1.task1`.
@@ -146,7 +146,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 const PICTURE: [u32; 2] = [128, 96];
 
 fn case(name: &'static str, about: &'static str, work: PixelWork) -> Spec {
-    Spec::new("part1.task1", name, about, Work::Pixels(work))
+    Spec::new::<kind::Pixels>("part1.task1", name, about, work)
 }
 
 fn work(

@@ -3,8 +3,8 @@
 //! The distribution of samples is judged by z-tests over all pixels of a case, so that every
 //! correct sampler passes: independent, jittered or low-discrepancy samples, in any order.
 
-use crate::independence::{self, PixelSamples};
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::independence::{self, PixelSamples};
+use crate::tools::tally::{Aspect, Class, Tally};
 use std::collections::{HashMap, HashSet};
 use wire::answer::PixelAnswer;
 use wire::work::{PixelWork, PixelWorld};

@@ -1,7 +1,7 @@
 //! Writes the samples of a pixel to a snapshot.
 
-use crate::snapshot::lines::each;
-use crate::snapshot::{Forms, field, forms, number, vector};
+use crate::tools::snapshot::lines::each;
+use crate::tools::snapshot::{Forms, field, forms, number, vector};
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 

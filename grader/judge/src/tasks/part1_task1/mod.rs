@@ -6,24 +6,28 @@ mod lines;
 mod repro;
 mod rest;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, in_range, one_each};
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::tally::{Aspect, Tally};
 use wire::answer::PixelAnswer;
+use wire::kind;
 use wire::work::{PixelWork, Xyz};
 
-/// `raytrace_pixel`, called for each pixel.
-pub(crate) struct Pixels;
-
-impl Check for Pixels {
-    type Question = PixelWork;
-    type Answer = Vec<PixelAnswer>;
-
+impl Check for kind::Pixels {
     const MAIN: &'static [Aspect] = &[Aspect::Placement, Aspect::Radiance];
 
     fn calls(work: &PixelWork) -> usize {
         work.calls().count()
+    }
+
+    fn only_call(work: &PixelWork, call: usize) -> Option<PixelWork> {
+        let ([x, y], seed) = work.calls().nth(call)?;
+        Some(PixelWork {
+            pixels: vec![[x, y]],
+            seeds: vec![seed],
+            ..work.clone()
+        })
     }
 
     fn fits(work: &PixelWork, answers: &Vec<PixelAnswer>) -> Result<(), String> {
@@ -43,13 +47,19 @@ impl Check for Pixels {
         Ok(())
     }
 
-    fn judge(tally: &mut Tally, _: &Spec, _: Tier, work: &PixelWork, answers: &Vec<PixelAnswer>) {
+    fn judge(
+        tally: &mut Tally,
+        _: &CaseContext<'_>,
+        _: Tier,
+        work: &PixelWork,
+        answers: &Vec<PixelAnswer>,
+    ) {
         judge::pixels(tally, work, answers);
     }
 
     fn judge_rest(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         work: &PixelWork,
         answers: &Vec<PixelAnswer>,

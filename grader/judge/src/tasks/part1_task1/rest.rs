@@ -1,8 +1,8 @@
 //! Records what the judgement of a sample loop leaves open.
 
 use super::judge::SIGMAS;
-use crate::chance;
-use crate::tally::{Aspect, Tally};
+use crate::tools::aspects::chance;
+use crate::tools::tally::{Aspect, Tally};
 use wire::answer::PixelAnswer;
 use wire::work::PixelWork;
 

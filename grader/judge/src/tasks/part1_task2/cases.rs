@@ -1,10 +1,10 @@
 //! Cases of camera rays.
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Direction, Origin, Range, UnitLength};
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Direction, Origin, Range, UnitLength};
 use kit::{Mat3, Vec3};
-use wire::Work;
+use wire::kind;
 use wire::work::{Camera, CameraWork};
 
 /// The cases of `part1.task2`.
@@ -89,12 +89,7 @@ fn case(
     cameras: Vec<Camera>,
     sensor: Vec<[f64; 2]>,
 ) -> Spec {
-    Spec::new(
-        "part1.task2",
-        name,
-        about,
-        Work::CameraRays(CameraWork { cameras, sensor }),
-    )
+    Spec::new::<kind::CameraRays>("part1.task2", name, about, CameraWork { cameras, sensor })
 }
 
 fn camera(pos: Vec3, c2w: Mat3, h_fov: f64, v_fov: f64) -> Camera {

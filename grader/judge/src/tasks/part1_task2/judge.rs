@@ -1,8 +1,8 @@
 //! Judges camera rays.
 
-use crate::Tier;
-use crate::hits::{TOO_WIDE, WIDE, show};
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::Tier;
+use crate::tools::aspects::hits::{TOO_WIDE, WIDE, show};
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Vec3, math};
 use wire::work::{Camera, Ray, Xyz};
 

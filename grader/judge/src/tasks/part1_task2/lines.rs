@@ -1,7 +1,7 @@
 //! Writes camera rays to a snapshot.
 
-use crate::snapshot::lines::{each, ray_fields};
-use crate::snapshot::{Forms, field, forms, number, vector};
+use crate::tools::snapshot::lines::{each, ray_fields};
+use crate::tools::snapshot::{Forms, field, forms, number, vector};
 use wire::work::{CameraWork, Ray};
 
 /// The direction; full lines have the whole ray.

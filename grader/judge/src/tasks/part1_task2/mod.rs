@@ -5,31 +5,40 @@ pub(crate) mod judge;
 mod lines;
 mod repro;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::picture;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::colours;
+use crate::tools::snapshot::Content;
+use crate::tools::tally::{Aspect, Tally};
+use wire::kind;
 use wire::work::{CameraWork, Ray, Xyz};
 
-/// `generate_ray`, called for every camera and for each of them with every sensor point.
-pub(crate) struct CameraRays;
-
-impl Check for CameraRays {
-    type Question = CameraWork;
-    type Answer = Vec<Ray>;
-
+impl Check for kind::CameraRays {
     const MAIN: &'static [Aspect] = &[Aspect::Direction];
 
     fn calls(work: &CameraWork) -> usize {
         work.cameras.len() * work.sensor.len()
     }
 
+    fn only_call(work: &CameraWork, call: usize) -> Option<CameraWork> {
+        let points = work.sensor.len().max(1);
+        Some(CameraWork {
+            cameras: vec![work.cameras.get(call / points)?.clone()],
+            sensor: vec![*work.sensor.get(call % points)?],
+        })
+    }
+
     fn fits(work: &CameraWork, answers: &Vec<Ray>) -> Result<(), String> {
         one_each(Self::calls(work), answers)
     }
 
-    fn judge(tally: &mut Tally, _: &Spec, tier: Tier, work: &CameraWork, answers: &Vec<Ray>) {
+    fn judge(
+        tally: &mut Tally,
+        _: &CaseContext<'_>,
+        tier: Tier,
+        work: &CameraWork,
+        answers: &Vec<Ray>,
+    ) {
         judge::rays(tally, tier, &work.cameras, &work.sensor, answers);
     }
 
@@ -44,6 +53,6 @@ impl Check for CameraRays {
 
     fn colours(answers: &Vec<Ray>) -> Option<Vec<Xyz>> {
         let rays = answers.iter();
-        Some(rays.map(|ray| picture::direction(ray.d)).collect())
+        Some(rays.map(|ray| colours::direction(ray.d)).collect())
     }
 }

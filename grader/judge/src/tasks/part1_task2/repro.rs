@@ -1,6 +1,6 @@
 //! Rust tests of camera rays.
 
-use crate::repro::numbers::{float, vec3};
+use crate::tools::repro::numbers::{float, vec3};
 use kit::Vec3;
 use std::fmt::Write;
 use wire::work::Camera;

@@ -1,9 +1,9 @@
 //! Judges probes of single triangles.
 
-use crate::expected::Expected;
-use crate::hits::{self, Call, expect, record};
-use crate::tally::Aspect::*;
-use crate::tally::Tally;
+use crate::tools::aspects::hits::{self, Call, expect, record};
+use crate::tools::tally::Aspect::*;
+use crate::tools::tally::Tally;
+use crate::tools::truth::expected::Expected;
 use wire::answer::TriangleAnswer;
 use wire::work::Probe;
 
@@ -62,10 +62,10 @@ pub(crate) fn triangles(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Tier;
-    use crate::expected::Expected;
-    use crate::tally::Aspect;
-    use crate::{convert, truth};
+    use crate::tools::Tier;
+    use crate::tools::tally::Aspect;
+    use crate::tools::truth::expected::Expected;
+    use crate::tools::{convert, truth};
     use kit::Vec3;
     use wire::answer::Hit;
     use wire::work::Ray;

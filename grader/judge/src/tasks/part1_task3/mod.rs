@@ -4,27 +4,29 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
 
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::expected::Expected;
-use crate::snapshot::lines::{self, each};
-use crate::tally::{Aspect, Tally};
-use crate::{Tier, convert, picture, truth};
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::{self, each};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::truth::expected::Expected;
+use crate::tools::{Tier, colours, convert, truth};
 use kit::Triangle;
 use wire::answer::TriangleAnswer;
+use wire::kind;
 use wire::work::{TriangleWork, Xyz};
 
-/// `test_triangle` and `intersect_triangle`, both called for each probe.
-pub(crate) struct Triangles;
-
-impl Check for Triangles {
-    type Question = TriangleWork;
-    type Answer = Vec<TriangleAnswer>;
-
+impl Check for kind::Triangles {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
 
     fn calls(work: &TriangleWork) -> usize {
         work.probes.len()
+    }
+
+    fn only_call(work: &TriangleWork, call: usize) -> Option<TriangleWork> {
+        Some(TriangleWork {
+            triangles: work.triangles.clone(),
+            probes: vec![work.probes.get(call)?.clone()],
+        })
     }
 
     fn fits(work: &TriangleWork, answers: &Vec<TriangleAnswer>) -> Result<(), String> {
@@ -42,12 +44,12 @@ impl Check for Triangles {
 
     fn judge(
         tally: &mut Tally,
-        spec: &Spec,
+        case: &CaseContext<'_>,
         tier: Tier,
         work: &TriangleWork,
         answers: &Vec<TriangleAnswer>,
     ) {
-        let expected = spec.expected_cache.of_shapes(spec, tier);
+        let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
         judge::triangles(tally, &work.probes, expected, answers);
     }
 
@@ -64,6 +66,6 @@ impl Check for Triangles {
 
     fn colours(answers: &Vec<TriangleAnswer>) -> Option<Vec<Xyz>> {
         let hits = answers.iter().map(|answer| answer.hit.as_ref());
-        Some(hits.map(picture::hit).collect())
+        Some(hits.map(colours::hit).collect())
     }
 }

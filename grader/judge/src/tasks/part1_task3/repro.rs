@@ -1,8 +1,8 @@
 //! Rust tests of triangles.
 
-use crate::repro::hits::{asserts, triangle_literal};
-use crate::repro::numbers::ray;
-use crate::{Tier, convert, truth};
+use crate::tools::repro::hits::{asserts, triangle_literal};
+use crate::tools::repro::numbers::ray;
+use crate::tools::{Tier, convert, truth};
 use std::fmt::Write;
 use wire::work::{Probe, Xyz};
 

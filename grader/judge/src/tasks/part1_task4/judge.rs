@@ -1,9 +1,9 @@
 //! Judges probes of single spheres.
 
-use crate::expected::Expected;
-use crate::hits::{self, Call, expect, record};
-use crate::tally::Aspect::*;
-use crate::tally::Tally;
+use crate::tools::aspects::hits::{self, Call, expect, record};
+use crate::tools::tally::Aspect::*;
+use crate::tools::tally::Tally;
+use crate::tools::truth::expected::Expected;
 use wire::answer::SphereAnswer;
 use wire::work::Probe;
 

@@ -4,27 +4,29 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
 
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::expected::Expected;
-use crate::snapshot::lines::{self, each};
-use crate::tally::{Aspect, Tally};
-use crate::{Tier, convert, picture, truth};
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::{self, each};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::truth::expected::Expected;
+use crate::tools::{Tier, colours, convert, truth};
 use kit::Sphere;
 use wire::answer::SphereAnswer;
+use wire::kind;
 use wire::work::{SphereWork, Xyz};
 
-/// `test_sphere` and `intersect_sphere`, both called for each probe.
-pub(crate) struct Spheres;
-
-impl Check for Spheres {
-    type Question = SphereWork;
-    type Answer = Vec<SphereAnswer>;
-
+impl Check for kind::Spheres {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
 
     fn calls(work: &SphereWork) -> usize {
         work.probes.len()
+    }
+
+    fn only_call(work: &SphereWork, call: usize) -> Option<SphereWork> {
+        Some(SphereWork {
+            spheres: work.spheres.clone(),
+            probes: vec![work.probes.get(call)?.clone()],
+        })
     }
 
     fn fits(work: &SphereWork, answers: &Vec<SphereAnswer>) -> Result<(), String> {
@@ -42,18 +44,18 @@ impl Check for Spheres {
 
     fn judge(
         tally: &mut Tally,
-        spec: &Spec,
+        case: &CaseContext<'_>,
         tier: Tier,
         work: &SphereWork,
         answers: &Vec<SphereAnswer>,
     ) {
-        let expected = spec.expected_cache.of_shapes(spec, tier);
+        let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
         judge::spheres(tally, &work.probes, expected, answers);
     }
 
     fn judge_rest(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         work: &SphereWork,
         answers: &Vec<SphereAnswer>,
@@ -74,6 +76,6 @@ impl Check for Spheres {
 
     fn colours(answers: &Vec<SphereAnswer>) -> Option<Vec<Xyz>> {
         let hits = answers.iter().map(|answer| answer.hit.as_ref());
-        Some(hits.map(picture::hit).collect())
+        Some(hits.map(colours::hit).collect())
     }
 }

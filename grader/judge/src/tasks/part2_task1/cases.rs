@@ -1,8 +1,8 @@
 //! Cases of building the tree.
 
-use crate::cases::Spec;
+use crate::tools::spec::Spec;
 use kit::{Aabb, PixelSampler, Vec3};
-use wire::Work;
+use wire::kind;
 use wire::work::{BuildGrowthWork, BuildWork};
 
 /// The cases of `part2.task1`.
@@ -134,23 +134,23 @@ pub(crate) fn cases() -> Vec<Spec> {
 
 fn case(name: &'static str, about: &'static str, boxes: Vec<Aabb>, max_leaf_size: u32) -> Spec {
     let bounds = boxes.iter().map(|b| [b.min.into(), b.max.into()]).collect();
-    let work = Work::Build(BuildWork {
+    let work = BuildWork {
         bounds,
         max_leaf_size,
-    });
-    Spec::new("part2.task1", name, about, work)
+    };
+    Spec::new::<kind::Build>("part2.task1", name, about, work)
 }
 
 /// The sizes are far enough apart that no noise confuses O(n log n) with O(n²); the largest takes
 /// the reference a tenth of a second.
 fn growth() -> Spec {
-    let work = Work::BuildGrowth(BuildGrowthWork {
+    let work = BuildGrowthWork {
         sizes: vec![3_125, 12_500, 50_000, 200_000],
         max_leaf_size: 4,
         rounds: 3,
         enough_ms: 250,
-    });
-    Spec::new(
+    };
+    Spec::new::<kind::BuildGrowth>(
         "part2.task1",
         "growth_of_the_build_time",
         "Trees over up to 200,000 primitives: the time to build one grows as O(n log n). Pitfall: a \

@@ -5,16 +5,14 @@
 //! [`MAX_EXPONENT`] is at 84 times. Of each size the fastest of several builds counts, in processor
 //! time, and a build that is fast in itself passes.
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content};
-use crate::snapshot::{forms, number};
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::{forms, number};
+use crate::tools::tally::{Aspect, Class, Tally};
 use wire::answer::BuildGrowthAnswer;
+use wire::kind;
 use wire::work::BuildGrowthWork;
-
-/// `construct_bvh`, timed over ever more primitives.
-pub(crate) struct BuildGrowth;
 
 /// The time may grow as n to this power. The builds of the correct variants were measured to grow
 /// as n^1.2 to n^1.3, lists that are searched or shifted once for each primitive as n^1.8 to n^2.2.
@@ -34,10 +32,7 @@ const NO_TREE: u32 = 1000;
 /// The number of sizes that are always built.
 const ALWAYS_BUILT: usize = 2;
 
-impl Check for BuildGrowth {
-    type Question = BuildGrowthWork;
-    type Answer = BuildGrowthAnswer;
-
+impl Check for kind::BuildGrowth {
     const MAIN: &'static [Aspect] = &[Aspect::BuildTime];
 
     /// Three rounds of quadratic code, which ends with a tree that takes 4 s.
@@ -45,6 +40,11 @@ impl Check for BuildGrowth {
 
     fn calls(_: &BuildGrowthWork) -> usize {
         1
+    }
+
+    /// Times are compared with each other.
+    fn only_call(_: &BuildGrowthWork, _: usize) -> Option<BuildGrowthWork> {
+        None
     }
 
     fn fits(work: &BuildGrowthWork, answer: &BuildGrowthAnswer) -> Result<(), String> {
@@ -64,7 +64,7 @@ impl Check for BuildGrowth {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         work: &BuildGrowthWork,
         answer: &BuildGrowthAnswer,
@@ -144,7 +144,7 @@ mod tests {
                 break;
             }
         }
-        BuildGrowth::fits(&work, &answer).expect("it fits");
+        kind::BuildGrowth::fits(&work, &answer).expect("it fits");
         let mut tally = Tally::default();
         judge(&mut tally, &work, &answer);
         tally.into_findings()[0].passed()
@@ -194,7 +194,7 @@ mod tests {
                 nodes: vec![9; nodes],
                 seconds: seconds.to_vec(),
             };
-            BuildGrowth::fits(&work(), &answer).is_ok()
+            kind::BuildGrowth::fits(&work(), &answer).is_ok()
         };
         assert!(fits(2, &[0.1, 0.2]));
         assert!(!fits(1, &[0.1]) && !fits(2, &[0.1]) && !fits(9, &[0.1; 9]));

@@ -5,8 +5,8 @@
 
 use super::leaves;
 use super::structure::{Walk, walk};
-use crate::cases::recorded::TreeWork;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::recorded::TreeWork;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Vec3};
 use wire::answer::BuildAnswer;
 use wire::work::{Node, NodeKind, Tree, Xyz};
@@ -117,8 +117,8 @@ fn judge_bounds(tally: &mut Tally, tree: &Tree, tight: &[Aabb]) {
 fn show(b: &Aabb) -> String {
     format!(
         "{} .. {}",
-        crate::hits::show(b.min),
-        crate::hits::show(b.max)
+        crate::tools::aspects::hits::show(b.min),
+        crate::tools::aspects::hits::show(b.max)
     )
 }
 

@@ -1,7 +1,7 @@
 //! Judges the leaves of a tree: how many primitives each holds.
 
 use super::judge::aabb;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Vec3};
 use wire::work::{NodeKind, Tree, Xyz};
 

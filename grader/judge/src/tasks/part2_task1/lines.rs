@@ -1,6 +1,6 @@
 //! Writes a tree to a snapshot.
 
-use crate::snapshot::{Forms, field, forms, vector};
+use crate::tools::snapshot::{Forms, field, forms, vector};
 use wire::work::{NodeKind, Tree};
 
 /// The children or primitives of each node; full lines also have its box.

@@ -9,13 +9,15 @@ mod repro;
 mod rest;
 mod structure;
 
-use crate::Tier;
-use crate::cases::{Spec, recorded};
-use crate::check::{Check, Content};
-use crate::snapshot::number;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check};
+use crate::tools::recorded;
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::number;
+use crate::tools::tally::{Aspect, Tally};
 use kit::Aabb;
 use wire::answer::BuildAnswer;
+use wire::kind;
 use wire::work::{BuildWork, Tree, Xyz};
 
 /// For each node of a tree over primitives with the boxes `bounds`, the smallest box around the
@@ -26,17 +28,16 @@ pub fn exact_boxes(tree: &Tree, bounds: &[[Xyz; 2]]) -> Result<Vec<Aabb>, String
     Ok(judge::tight_boxes(tree, &walk, bounds))
 }
 
-/// `construct_bvh`, called twice.
-pub(crate) struct Build;
-
-impl Check for Build {
-    type Question = BuildWork;
-    type Answer = BuildAnswer;
-
+impl Check for kind::Build {
     const MAIN: &'static [Aspect] = &[Aspect::Structure, Aspect::Bounds, Aspect::Work];
 
     fn calls(_: &BuildWork) -> usize {
         2
+    }
+
+    /// Both calls build the same tree.
+    fn only_call(_: &BuildWork, _: usize) -> Option<BuildWork> {
+        None
     }
 
     /// Any answer fits: the structure of the tree is judged.
@@ -44,13 +45,25 @@ impl Check for Build {
         Ok(())
     }
 
-    fn judge(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
-        let recorded = recorded::tree(spec.name);
+    fn judge(
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        _: Tier,
+        work: &BuildWork,
+        answer: &BuildAnswer,
+    ) {
+        let recorded = recorded::tree(case.name);
         judge::build(tally, &work.bounds, work.max_leaf_size, answer, recorded);
     }
 
-    fn judge_rest(tally: &mut Tally, spec: &Spec, _: Tier, work: &BuildWork, answer: &BuildAnswer) {
-        rest::build(tally, work, answer, recorded::tree(spec.name));
+    fn judge_rest(
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        _: Tier,
+        work: &BuildWork,
+        answer: &BuildAnswer,
+    ) {
+        rest::build(tally, work, answer, recorded::tree(case.name));
     }
 
     fn lines(_: &BuildWork, answer: &BuildAnswer) -> Option<Content> {

@@ -1,6 +1,6 @@
 //! Rust tests of trees.
 
-use crate::repro::numbers::vec3;
+use crate::tools::repro::numbers::vec3;
 use std::fmt::Write;
 use wire::work::Xyz;
 

@@ -3,8 +3,8 @@
 
 use super::judge::{aabb, cost, tight_boxes};
 use super::structure::walk;
-use crate::cases::recorded::TreeWork;
-use crate::tally::{Aspect, Tally};
+use crate::tools::recorded::TreeWork;
+use crate::tools::tally::{Aspect, Tally};
 use wire::answer::BuildAnswer;
 use wire::work::BuildWork;
 

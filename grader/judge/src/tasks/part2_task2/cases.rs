@@ -1,9 +1,9 @@
 //! Cases of rays and boxes.
 
-use crate::cases::Spec;
-use crate::cases::crosses::wire_ray;
+use crate::tools::questions::probes::wire_ray;
+use crate::tools::spec::Spec;
 use kit::{Aabb, PixelSampler, Ray, Vec3};
-use wire::Work;
+use wire::kind;
 use wire::work::{BoxWork, Probe};
 
 /// The cases of `part2.task2`; fresh rays come from `seed`.
@@ -137,11 +137,11 @@ fn case(name: &'static str, about: &'static str, probes: Vec<(Aabb, Ray)>) -> Sp
         shape,
         ray: wire_ray(ray),
     });
-    let work = Work::Boxes(BoxWork {
+    let work = BoxWork {
         boxes,
         probes: probes.collect(),
-    });
-    Spec::new("part2.task2", name, about, work)
+    };
+    Spec::new::<kind::Boxes>("part2.task2", name, about, work)
 }
 
 /// An asymmetric box, with no face at an integer.

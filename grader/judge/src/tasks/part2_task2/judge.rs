@@ -1,9 +1,9 @@
 //! Judges the intervals of rays inside boxes.
 
-use crate::Tier;
-use crate::convert;
-use crate::hits;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::Tier;
+use crate::tools::aspects::hits;
+use crate::tools::convert;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Aabb, Interval, Vec3};
 use oracle::{self, BoxJudgement, KernelClass};
 use wire::work::{Probe, Xyz};

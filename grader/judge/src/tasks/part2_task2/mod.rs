@@ -4,25 +4,27 @@ pub(crate) mod cases;
 mod judge;
 mod repro;
 
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::{each, ray_at};
-use crate::snapshot::{Fields, Value, field, forms};
-use crate::tally::{Aspect, Tally};
-use crate::{Tier, picture};
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::{each, ray_at};
+use crate::tools::snapshot::{Fields, Value, field, forms};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::{Tier, colours};
+use wire::kind;
 use wire::work::{BoxWork, Xyz};
 
-/// `intersect_bbox`, called for each probe.
-pub(crate) struct Boxes;
-
-impl Check for Boxes {
-    type Question = BoxWork;
-    type Answer = Vec<Option<[f64; 2]>>;
-
+impl Check for kind::Boxes {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::Interval];
 
     fn calls(work: &BoxWork) -> usize {
         work.probes.len()
+    }
+
+    fn only_call(work: &BoxWork, call: usize) -> Option<BoxWork> {
+        Some(BoxWork {
+            boxes: work.boxes.clone(),
+            probes: vec![work.probes.get(call)?.clone()],
+        })
     }
 
     fn fits(work: &BoxWork, answers: &Vec<Option<[f64; 2]>>) -> Result<(), String> {
@@ -31,7 +33,7 @@ impl Check for Boxes {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         tier: Tier,
         work: &BoxWork,
         answers: &Vec<Option<[f64; 2]>>,
@@ -59,6 +61,6 @@ impl Check for Boxes {
         let entries = answers
             .iter()
             .map(|inside| inside.map(|[enters, _]| enters));
-        Some(entries.map(picture::distance).collect())
+        Some(entries.map(colours::distance).collect())
     }
 }

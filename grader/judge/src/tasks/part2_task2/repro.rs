@@ -1,8 +1,8 @@
 //! Rust tests of boxes.
 
-use crate::Tier;
-use crate::convert;
-use crate::repro::numbers::{float, ray, vec3};
+use crate::tools::Tier;
+use crate::tools::convert;
+use crate::tools::repro::numbers::{float, ray, vec3};
 use kit::{Aabb, Vec3};
 use oracle::{self, KernelClass};
 use std::fmt::Write;

@@ -1,12 +1,12 @@
 //! Cases of traversing the tree.
 
-use crate::cases::Spec;
-use crate::cases::crosses::{Cross, CrossScene, along};
-use crate::cases::tree_plan::TreePlan;
-use crate::tally::Aspect;
+use crate::tools::questions::crosses::{Cross, CrossScene, along};
+use crate::tools::questions::tree_plan::TreePlan;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect;
 use kit::{PixelSampler, Ray, Vec3};
-use wire::Work;
-use wire::work::NodeKind;
+use wire::kind;
+use wire::work::{NodeKind, ScriptedWorld};
 
 /// The cases of `part2.task3` with scripted worlds; none of them needs another task.
 pub(crate) fn cases() -> Vec<Spec> {
@@ -22,8 +22,8 @@ pub(crate) fn counts_work(case: &str) -> bool {
     ["nearer_first", "stops_at_first_hit"].contains(&case)
 }
 
-fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
-    Spec::new("part2.task3", name, about, work)
+fn case(name: &'static str, about: &'static str, world: ScriptedWorld) -> Spec {
+    Spec::new::<kind::Traverse>("part2.task3", name, about, world)
 }
 
 /// The box with the corners (x0, -1, -1) and (x1, 1, 1).
@@ -213,7 +213,7 @@ fn range_ends() -> Vec<Ray> {
 }
 
 /// Pairs of primitives 2 ulp apart; the box interval of the nearer one starts 6 ulp behind it.
-fn rounded_boxes() -> Work {
+fn rounded_boxes() -> ScriptedWorld {
     const NEARER: [u32; 2] = [0, 3];
     let wall = |y: f64, half: f64| {
         Cross::new(
@@ -264,7 +264,7 @@ fn rounded_boxes() -> Work {
             scripted.spans[at] = span;
         }
     }
-    Work::Traverse(script)
+    script
 }
 
 fn random() -> Vec<Spec> {
@@ -344,7 +344,7 @@ fn counted() -> Vec<Spec> {
 }
 
 /// A stack of layers along each axis, and rays through them from both ends.
-fn layers() -> Work {
+fn layers() -> ScriptedWorld {
     const LAYERS: u32 = 256;
     let mut crosses = Vec::new();
     let mut rays = Vec::new();
@@ -375,7 +375,7 @@ fn layers() -> Work {
 }
 
 /// Boxes that all extend from end to end along x, with their plates at random positions inside.
-fn overlapping_boxes() -> Work {
+fn overlapping_boxes() -> ScriptedWorld {
     let mut sampler = PixelSampler::new(0, 0, 4);
     let crosses: Vec<Cross> = (0..256)
         .map(|i| {
@@ -418,7 +418,7 @@ fn deep() -> Vec<Spec> {
 /// the chain, on the left or on the right, nearer or farther than the leaf. Whichever child a
 /// traversal visits first, in one of the chains all leaves are on its stack before it reaches the
 /// end, and the only hit is in the last one it visits.
-fn chains(levels: u32) -> Work {
+fn chains(levels: u32) -> ScriptedWorld {
     let mut crosses = Vec::new();
     let mut chains = Vec::new();
     let mut rays = Vec::new();

@@ -1,16 +1,11 @@
 //! Judges a traversal of a tree in a scripted world, whose test results are given.
 
-use crate::hits;
-use crate::tally::{Aspect, Class, Tally};
-use crate::tree_tests::{Tests, TracedRay};
+use crate::tools::aspects::hits;
+use crate::tools::tally::{Aspect, Class, Tally};
+use crate::tools::truth::tree_tests::{Tests, TracedRay, WORK_FACTOR};
 use std::collections::BTreeMap;
 use wire::answer::TraverseAnswer;
 use wire::work::{NodeKind, Ray, ScriptedRay, ScriptedWorld, Tree};
-
-/// A traversal may make this many times the tests of one that visits children in a fixed order,
-/// averaged over left to right and right to left. Half of the rays go one way and half the other.
-/// Visiting the farther child first, or every node, makes twice as many tests.
-pub(crate) const WORK_FACTOR: f64 = 1.5;
 
 /// Savings are judged where a traversal that enters every box that a ray meets makes less than one
 /// in this many of all primitive tests.
@@ -360,7 +355,7 @@ pub(super) fn traced<T>(
 mod tests {
     use super::*;
     use crate::cases;
-    use crate::tally::Finding;
+    use crate::tools::tally::Finding;
     use wire::Work;
 
     fn script(name: &str) -> ScriptedWorld {

@@ -6,26 +6,26 @@ pub(crate) mod judge;
 mod repro;
 pub(crate) mod rest;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::{each, ray_at};
-use crate::snapshot::{Fields, forms, number};
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::{each, ray_at};
+use crate::tools::snapshot::{Fields, forms, number};
+use crate::tools::tally::{Aspect, Tally};
 use wire::answer::TraverseAnswer;
+use wire::kind;
 use wire::work::ScriptedWorld;
 
-/// `intersect_bvh` or `occludes_bvh`, called for each ray.
-pub(crate) struct Traverse;
-
-impl Check for Traverse {
-    type Question = ScriptedWorld;
-    type Answer = Vec<TraverseAnswer>;
-
+impl Check for kind::Traverse {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T, Aspect::Savings];
 
     fn calls(world: &ScriptedWorld) -> usize {
         world.rays.len()
+    }
+
+    /// The numbers of tests of all rays are judged together.
+    fn only_call(_: &ScriptedWorld, _: usize) -> Option<ScriptedWorld> {
+        None
     }
 
     fn fits(world: &ScriptedWorld, answers: &Vec<TraverseAnswer>) -> Result<(), String> {
@@ -34,18 +34,18 @@ impl Check for Traverse {
 
     fn judge(
         tally: &mut Tally,
-        spec: &Spec,
+        case: &CaseContext<'_>,
         _: Tier,
         world: &ScriptedWorld,
         answers: &Vec<TraverseAnswer>,
     ) {
-        let counts_work = cases::counts_work(spec.name);
+        let counts_work = cases::counts_work(case.name);
         judge::traverse(tally, world, answers, counts_work);
     }
 
     fn judge_rest(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         world: &ScriptedWorld,
         answers: &Vec<TraverseAnswer>,

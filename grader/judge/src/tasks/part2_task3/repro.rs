@@ -1,6 +1,6 @@
 //! Rust tests of traversals of small trees.
 
-use crate::repro::numbers::{float, ray, unchanged, vec3};
+use crate::tools::repro::numbers::{float, ray, unchanged, vec3};
 use std::fmt::Write;
 use wire::work::{NodeKind, ScriptedRay, ScriptedWorld, Tree};
 

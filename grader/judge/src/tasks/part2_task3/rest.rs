@@ -1,19 +1,11 @@
 //! Judges what no case grades about a traversal: the number of tests of each ray.
 
 use super::judge::{in_range, traced};
-use crate::hits::{SEVERAL_FIRST, show_ray};
-use crate::tally::{Aspect, Tally};
-use crate::tree_tests::Tests;
+use crate::tools::aspects::hits::{SEVERAL_FIRST, show_ray};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::truth::tree_tests::{MORE_TESTS, TOO_FEW_TESTS, Tests};
 use wire::answer::TraverseAnswer;
 use wire::work::ScriptedWorld;
-
-/// Why a number of tests above the fewest is not judged.
-pub(crate) const MORE_TESTS: &str =
-    "there are more tests than the fewest possible, which is allowed within limits";
-
-/// Why a number of tests below the fewest is not judged.
-pub(crate) const TOO_FEW_TESTS: &str =
-    "there are fewer tests than a traversal makes that is right whatever the tree";
 
 /// Confirms the tests of a ray that are the fewest possible. How many more are too many depends on
 /// the tree; the cases that grade work judge that over many rays.

@@ -1,12 +1,12 @@
 //! Cases of diffuse surfaces: value, density and samples of the BSDF.
 
 use super::turns;
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Bsdf, HitOrMiss, Pdf, SampleRecord, SampledDirection, Spread};
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Bsdf, HitOrMiss, Pdf, SampleRecord, SampledDirection, Spread};
 use kit::Vec3;
-use wire::Work;
 use wire::direct::LambertProbe;
+use wire::kind;
 
 /// The cases of `part3.task1`.
 pub(crate) fn cases(seed: u64) -> Vec<Spec> {
@@ -93,7 +93,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn case(name: &'static str, about: &'static str, probes: Vec<LambertProbe>) -> Spec {
-    Spec::new("part3.task1", name, about, Work::Lambert(probes))
+    Spec::new::<kind::Lambert>("part3.task1", name, about, probes)
 }
 
 /// Random directions on both sides, then the lines along which turns are counted.

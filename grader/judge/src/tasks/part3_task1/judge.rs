@@ -1,10 +1,10 @@
 //! Judges diffuse surfaces.
 
 use super::turns;
-use crate::chance::{self, MIN_ESTIMATES};
-use crate::hits::show;
-use crate::numbers::{self, same_colour};
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
+use crate::tools::aspects::hits::show;
+use crate::tools::aspects::numbers::{self, same_colour};
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use std::f64::consts::PI;
 use wire::direct::{LambertAnswer, LambertProbe};

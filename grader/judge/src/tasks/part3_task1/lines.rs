@@ -1,7 +1,7 @@
 //! Writes results for diffuse surfaces to a snapshot.
 
-use crate::snapshot::lines::sample;
-use crate::snapshot::{Forms, field, forms, number, vector};
+use crate::tools::snapshot::lines::sample;
+use crate::tools::snapshot::{Forms, field, forms, number, vector};
 use wire::direct::{LambertAnswer, LambertProbe};
 
 /// Value, density and the sampled direction; full lines have all fields of the sample.

@@ -6,20 +6,15 @@ mod lines;
 mod repro;
 mod turns;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::each;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::tally::{Aspect, Tally};
 use wire::direct::{LambertAnswer, LambertProbe};
+use wire::kind;
 
-/// `lambert_f`, `lambert_pdf` and `lambert_sample`, all called for each probe.
-pub(crate) struct Lambert;
-
-impl Check for Lambert {
-    type Question = Vec<LambertProbe>;
-    type Answer = Vec<LambertAnswer>;
-
+impl Check for kind::Lambert {
     const MAIN: &'static [Aspect] = &[
         Aspect::Bsdf,
         Aspect::Pdf,
@@ -31,13 +26,17 @@ impl Check for Lambert {
         probes.len()
     }
 
+    fn only_call(probes: &Vec<LambertProbe>, call: usize) -> Option<Vec<LambertProbe>> {
+        Some(vec![probes.get(call)?.clone()])
+    }
+
     fn fits(probes: &Vec<LambertProbe>, answers: &Vec<LambertAnswer>) -> Result<(), String> {
         one_each(Self::calls(probes), answers)
     }
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         probes: &Vec<LambertProbe>,
         answers: &Vec<LambertAnswer>,
@@ -47,7 +46,7 @@ impl Check for Lambert {
 
     fn judge_rest(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         probes: &Vec<LambertProbe>,
         answers: &Vec<LambertAnswer>,

@@ -1,7 +1,7 @@
 //! Rust tests of diffuse surfaces.
 
 use super::judge;
-use crate::repro::numbers::{float, same_colour, spectrum, vec3};
+use crate::tools::repro::numbers::{float, same_colour, spectrum, vec3};
 use std::fmt::Write;
 use wire::direct::LambertProbe;
 

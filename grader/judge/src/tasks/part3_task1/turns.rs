@@ -9,8 +9,8 @@
 //! such as the concentric one, and samples with random numbers of their own are right, too; they
 //! have no such line, or jump on it.
 
-use crate::hits::show;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::hits::show;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::Vec3;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use wire::direct::{LambertAnswer, LambertProbe};

@@ -1,13 +1,13 @@
 //! Cases of mirrors, refraction and glass.
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Bsdf, Fresnel, HitOrMiss, Mean, Pdf, SampledDirection};
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Bsdf, Fresnel, HitOrMiss, Mean, Pdf, SampledDirection};
 use kit::Vec3;
-use wire::Work;
 use wire::global::SpecularCall::{
     self, Fresnel as Share, Glass, Mirror, Reflect, Refract, Refraction,
 };
+use wire::kind;
 use wire::work::Xyz;
 
 /// Tints whose channels differ.
@@ -162,7 +162,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn case(name: &'static str, about: &'static str, calls: Vec<SpecularCall>) -> Spec {
-    Spec::new("part4.task1", name, about, Work::Specular(calls))
+    Spec::new::<kind::Specular>("part4.task1", name, about, calls)
 }
 
 fn calls(

@@ -1,10 +1,10 @@
 //! Judges mirrors, refraction and glass.
 
-use crate::Tier;
-use crate::chance::{self, MIN_ESTIMATES};
-use crate::hits::{TOO_WIDE, WIDE, show};
-use crate::numbers;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::Tier;
+use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
+use crate::tools::aspects::hits::{TOO_WIDE, WIDE, show};
+use crate::tools::aspects::numbers;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Tally as SampleTally, Vec3};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::light::BsdfSample;

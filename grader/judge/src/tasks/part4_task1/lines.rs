@@ -1,7 +1,7 @@
 //! Writes results for mirrors and glass to a snapshot.
 
-use crate::snapshot::lines::sample;
-use crate::snapshot::{Forms, field, forms, number, vector};
+use crate::tools::snapshot::lines::sample;
+use crate::tools::snapshot::{Forms, field, forms, number, vector};
 use wire::global::{SpecularAnswer, SpecularCall};
 use wire::work::Xyz;
 

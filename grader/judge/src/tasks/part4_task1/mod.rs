@@ -5,24 +5,23 @@ pub(crate) mod judge;
 mod lines;
 mod repro;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::each;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::tally::{Aspect, Tally};
 use wire::global::{SpecularAnswer, SpecularCall};
+use wire::kind;
 
-/// The functions of mirrors and glass; each call is of one of them.
-pub(crate) struct Specular;
-
-impl Check for Specular {
-    type Question = Vec<SpecularCall>;
-    type Answer = Vec<SpecularAnswer>;
-
+impl Check for kind::Specular {
     const MAIN: &'static [Aspect] = &[Aspect::Fresnel, Aspect::SampledDirection];
 
     fn calls(calls: &Vec<SpecularCall>) -> usize {
         calls.len()
+    }
+
+    fn only_call(calls: &Vec<SpecularCall>, call: usize) -> Option<Vec<SpecularCall>> {
+        Some(vec![calls.get(call)?.clone()])
     }
 
     fn fits(calls: &Vec<SpecularCall>, answers: &Vec<SpecularAnswer>) -> Result<(), String> {
@@ -40,7 +39,7 @@ impl Check for Specular {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         tier: Tier,
         calls: &Vec<SpecularCall>,
         answers: &Vec<SpecularAnswer>,

@@ -1,8 +1,8 @@
 //! Rust tests of mirrors and glass.
 
 use super::judge;
-use crate::Tier;
-use crate::repro::numbers::{float, same_colour, spectrum, vec3};
+use crate::tools::Tier;
+use crate::tools::repro::numbers::{float, same_colour, spectrum, vec3};
 use wire::global::SpecularCall;
 
 /// A test of one call.

@@ -1,13 +1,13 @@
 //! Cases of scripted paths, whose surfaces and samples are given.
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{
     Direction, Origin, Questions, Radiance, Rays, SampledDirection, Spread, Throughput,
 };
 use kit::{Frame, Vec3};
-use wire::Work;
 use wire::global::{ScriptedPath, Step};
+use wire::kind;
 use wire::light::{BsdfSample, Material};
 use wire::work::{Ray, Xyz};
 
@@ -115,7 +115,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn case(name: &'static str, about: &'static str, paths: Vec<ScriptedPath>) -> Spec {
-    Spec::new("part4.task2", name, about, Work::Paths(paths))
+    Spec::new::<kind::Paths>("part4.task2", name, about, paths)
 }
 
 /// A path over the surfaces in `letters`: D for diffuse, M for a mirror, G for glass, L for a lamp,

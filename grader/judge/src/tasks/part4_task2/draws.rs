@@ -1,8 +1,8 @@
 //! Judges the random numbers of a path, and the directions that it samples with them.
 
 use super::judge::{PLACE_BOUND, Right};
-use crate::numbers;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::numbers;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Frame, PixelSampler};
 use std::collections::{BTreeSet, HashSet};
 use wire::global::{PathAnswer, ScriptedPath};

@@ -2,9 +2,9 @@
 
 use super::draws;
 use super::throughput;
-use crate::hits::show;
-use crate::numbers;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::hits::show;
+use crate::tools::aspects::numbers;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::{BsdfSample, Material};

@@ -1,6 +1,6 @@
 //! Writes a path to a snapshot.
 
-use crate::snapshot::{Forms, field, forms, number, vector};
+use crate::tools::snapshot::{Forms, field, forms, number, vector};
 use wire::global::{PathAnswer, ScriptedPath};
 
 /// Radiance, number of rays and of calls of roulette; full lines also have the first throughputs.

@@ -6,24 +6,24 @@ mod judge;
 mod lines;
 mod throughput;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, in_range, one_each};
-use crate::snapshot::lines::each;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, in_range, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::tally::{Aspect, Tally};
 use wire::global::{PathAnswer, ScriptedPath};
+use wire::kind;
 
-/// `estimate_radiance`, called for each path.
-pub(crate) struct Paths;
-
-impl Check for Paths {
-    type Question = Vec<ScriptedPath>;
-    type Answer = Vec<PathAnswer>;
-
+impl Check for kind::Paths {
     const MAIN: &'static [Aspect] = &[Aspect::Radiance];
 
     fn calls(paths: &Vec<ScriptedPath>) -> usize {
         paths.len()
+    }
+
+    /// Random numbers are made of the number of the call.
+    fn only_call(_: &Vec<ScriptedPath>, _: usize) -> Option<Vec<ScriptedPath>> {
+        None
     }
 
     fn fits(paths: &Vec<ScriptedPath>, answers: &Vec<PathAnswer>) -> Result<(), String> {
@@ -38,7 +38,7 @@ impl Check for Paths {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         paths: &Vec<ScriptedPath>,
         answers: &Vec<PathAnswer>,
@@ -71,7 +71,7 @@ mod tests {
             };
             let mut answers = vec![PathAnswer::default(); paths.len()];
             answers[0] = answer;
-            Paths::fits(&paths, &answers)
+            kind::Paths::fits(&paths, &answers)
         };
         let surfaces = paths[0].steps.len();
         assert_eq!(fits(surfaces - 1), Ok(()));

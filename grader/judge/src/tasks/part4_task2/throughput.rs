@@ -1,8 +1,8 @@
 //! Judges the arguments with which a path calls roulette.
 
 use super::judge::{Right, SUM_BOUND, factor};
-use crate::numbers::same_colour;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::numbers::same_colour;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Frame, Vec3};
 use wire::global::{PathAnswer, ScriptedPath, Step};
 use wire::light::BsdfSample;

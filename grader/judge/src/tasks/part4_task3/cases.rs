@@ -1,10 +1,10 @@
 //! Cases of Russian roulette.
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Mean, Survival, Throughput};
-use wire::Work;
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Mean, Survival, Throughput};
 use wire::global::RouletteWork;
+use wire::kind;
 use wire::work::Xyz;
 
 /// A dim throughput, exact in binary.
@@ -60,7 +60,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn case(name: &'static str, about: &'static str, work: RouletteWork) -> Spec {
-    Spec::new("part4.task3", name, about, Work::Roulette(work))
+    Spec::new::<kind::Roulette>("part4.task3", name, about, work)
 }
 
 /// Each throughput after each number of bounces, with numbers u spread over [0, 1).

@@ -1,8 +1,8 @@
 //! Judges Russian roulette.
 
-use crate::chance::{self, MIN_ESTIMATES};
-use crate::numbers;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
+use crate::tools::aspects::numbers;
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::Tally as SampleTally;
 use wire::global::RouletteWork;
 use wire::work::Xyz;

@@ -4,26 +4,26 @@ pub(crate) mod cases;
 mod judge;
 mod repro;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::each;
-use crate::snapshot::{Fields, field, forms, number, vector};
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::snapshot::{Fields, field, forms, number, vector};
+use crate::tools::tally::{Aspect, Tally};
 use wire::global::RouletteWork;
+use wire::kind;
 use wire::work::Xyz;
 
-/// `play_roulette`, called for each path with each number.
-pub(crate) struct Roulette;
-
-impl Check for Roulette {
-    type Question = RouletteWork;
-    type Answer = Vec<Option<Xyz>>;
-
+impl Check for kind::Roulette {
     const MAIN: &'static [Aspect] = &[Aspect::Survival, Aspect::Throughput, Aspect::Mean];
 
     fn calls(work: &RouletteWork) -> usize {
         work.paths.len() * work.numbers.len()
+    }
+
+    /// The mean over all numbers is judged.
+    fn only_call(_: &RouletteWork, _: usize) -> Option<RouletteWork> {
+        None
     }
 
     fn fits(work: &RouletteWork, answers: &Vec<Option<Xyz>>) -> Result<(), String> {
@@ -32,7 +32,7 @@ impl Check for Roulette {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         work: &RouletteWork,
         answers: &Vec<Option<Xyz>>,

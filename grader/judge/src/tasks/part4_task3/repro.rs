@@ -1,7 +1,7 @@
 //! Rust tests of Russian roulette.
 
 use super::judge;
-use crate::repro::numbers::{float, same_colour, spectrum};
+use crate::tools::repro::numbers::{float, same_colour, spectrum};
 use wire::global::RouletteWork;
 
 /// A test of one call.

@@ -1,10 +1,11 @@
 //! Cases of the stopping rule, and of pixels that stop by it.
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{Calls, Independence, Placement, Questions, Radiance};
-use wire::Work;
+use crate::tools::kinds::stopping::call;
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Calls, Independence, Placement, Questions, Radiance};
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
+use wire::kind;
 use wire::work::Xyz;
 
 /// The cases of `part5.task1`.
@@ -118,23 +119,15 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn rule(name: &'static str, about: &'static str, calls: Vec<StopCall>) -> Spec {
-    Spec::new("part5.task1", name, about, Work::Stop(calls))
+    Spec::new::<kind::Stop>("part5.task1", name, about, calls)
 }
 
 fn pixel(name: &'static str, about: &'static str, pixels: Vec<AdaptivePixel>) -> Spec {
-    Spec::new("part5.task1", name, about, Work::AdaptivePixels(pixels))
+    Spec::new::<kind::AdaptivePixels>("part5.task1", name, about, pixels)
 }
 
 fn never() -> StopRule {
     StopRule::From(u64::MAX)
-}
-
-pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
-    StopCall {
-        runs,
-        tolerance: 0.05,
-        rule,
-    }
 }
 
 /// Random samples, with tolerances just below and just above the one where the rule's result

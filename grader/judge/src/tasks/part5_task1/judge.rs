@@ -1,9 +1,10 @@
 //! Judges the stopping rule, and pixels that stop by a rule.
 
 use super::placement;
-use crate::independence::{self, PixelSamples};
-use crate::numbers;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::independence::{self, PixelSamples};
+use crate::tools::aspects::numbers;
+use crate::tools::kinds::stopping::{samples, verdict};
+use crate::tools::tally::{Aspect, Class, Tally};
 use kit::{Spectrum, Tally as SampleTally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall, StopRule};
 use wire::work::Xyz;
@@ -25,12 +26,6 @@ pub(crate) fn converged(call: &StopCall) -> bool {
     is_narrow(&samples(call), call.tolerance)
 }
 
-pub(crate) fn samples(call: &StopCall) -> SampleTally {
-    let runs = call.runs.iter();
-    runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
-        .collect()
-}
-
 /// Judges the plain rule.
 pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]) {
     if !tally.is_written("has_converged", &[Aspect::Stop]) {
@@ -40,33 +35,6 @@ pub(crate) fn stop(tally: &mut Tally, calls: &[StopCall], answers: &[StopAnswer]
     for (i, (call, answer)) in calls.iter().zip(answers).enumerate() {
         verdict(tally, i, call, answer, converged(call));
     }
-}
-
-pub(crate) fn verdict(
-    tally: &mut Tally,
-    i: usize,
-    call: &StopCall,
-    answer: &StopAnswer,
-    right: bool,
-) {
-    tally.expect(Aspect::Stop);
-    let class = match (answer.stop, right) {
-        (true, false) => Some(Class::FalseHit),
-        (false, true) => Some(Class::FalseMiss),
-        _ => None,
-    };
-    tally.judge_class(Aspect::Stop, i, class, 1.0, || {
-        let samples = samples(call);
-        format!(
-            "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}; the plain rule returns {}",
-            answer.stop,
-            samples.count(),
-            samples.mean(),
-            samples.standard_error(),
-            call.tolerance,
-            call.rule
-        )
-    });
 }
 
 /// The aspects of pixels.

@@ -1,21 +1,7 @@
-//! Writes the results of stopping rules and of adaptively sampled pixels to a snapshot.
+//! Writes the results of adaptively sampled pixels to a snapshot.
 
-use crate::snapshot::{Fields, Forms, Value, field, forms, number, vector};
-use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
-
-/// The result of a stopping rule, and how often the waiting rule called the plain rule.
-pub(crate) fn stop(call: &StopCall, answer: &StopAnswer) -> Forms {
-    let runs = call.runs.iter().take(4);
-    let mut question: Fields = runs
-        .map(|&(count, x)| field("run", vector(&[f64::from(count), x])))
-        .collect();
-    question.push(number("tolerance", call.tolerance));
-    let answer = vec![
-        number("stop", f64::from(u8::from(answer.stop))),
-        number("asked", answer.rule_calls.len() as f64),
-    ];
-    forms(question, answer.clone(), answer)
-}
+use crate::tools::snapshot::{Forms, Value, field, forms, number, vector};
+use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
 
 /// The number of samples, the radiance, and how often the pixel called its stopping rule. Full
 /// lines also have the count, mean and variance of the first two calls.

@@ -6,24 +6,24 @@ pub(crate) mod lines;
 mod placement;
 pub(crate) mod repro;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::each;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::kinds::stopping;
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::tally::{Aspect, Tally};
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel, StopAnswer, StopCall};
+use wire::kind;
 
-/// `has_converged`, called for each question.
-pub(crate) struct Stop;
-
-impl Check for Stop {
-    type Question = Vec<StopCall>;
-    type Answer = Vec<StopAnswer>;
-
+impl Check for kind::Stop {
     const MAIN: &'static [Aspect] = &[Aspect::Stop];
 
     fn calls(questions: &Vec<StopCall>) -> usize {
         questions.len()
+    }
+
+    fn only_call(calls: &Vec<StopCall>, call: usize) -> Option<Vec<StopCall>> {
+        Some(vec![calls.get(call)?.clone()])
     }
 
     fn fits(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Result<(), String> {
@@ -32,7 +32,7 @@ impl Check for Stop {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<StopCall>,
         answers: &Vec<StopAnswer>,
@@ -41,7 +41,7 @@ impl Check for Stop {
     }
 
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {
-        Some((Vec::new(), each(questions, answers, lines::stop)))
+        Some((Vec::new(), each(questions, answers, stopping::line)))
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {
@@ -49,17 +49,15 @@ impl Check for Stop {
     }
 }
 
-/// `raytrace_pixel_adaptive`, called for each pixel.
-pub(crate) struct AdaptivePixels;
-
-impl Check for AdaptivePixels {
-    type Question = Vec<AdaptivePixel>;
-    type Answer = Vec<AdaptiveAnswer>;
-
+impl Check for kind::AdaptivePixels {
     const MAIN: &'static [Aspect] = &[Aspect::Radiance, Aspect::Placement];
 
     fn calls(questions: &Vec<AdaptivePixel>) -> usize {
         questions.len()
+    }
+
+    fn only_call(pixels: &Vec<AdaptivePixel>, call: usize) -> Option<Vec<AdaptivePixel>> {
+        Some(vec![pixels.get(call)?.clone()])
     }
 
     fn fits(questions: &Vec<AdaptivePixel>, answers: &Vec<AdaptiveAnswer>) -> Result<(), String> {
@@ -68,7 +66,7 @@ impl Check for AdaptivePixels {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<AdaptivePixel>,
         answers: &Vec<AdaptiveAnswer>,
@@ -78,7 +76,7 @@ impl Check for AdaptivePixels {
 
     fn judge_rest(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<AdaptivePixel>,
         answers: &Vec<AdaptiveAnswer>,

@@ -1,7 +1,7 @@
 //! Judges the positions of samples in a pixel.
 
-use crate::independence::PixelSamples;
-use crate::tally::{Aspect, Class, Tally};
+use crate::tools::aspects::independence::PixelSamples;
+use crate::tools::tally::{Aspect, Class, Tally};
 use std::collections::HashSet;
 use wire::adaptive::{AdaptiveAnswer, AdaptivePixel};
 

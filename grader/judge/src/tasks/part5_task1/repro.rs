@@ -1,17 +1,15 @@
 //! Rust tests of the stopping rule, and of pixels that stop by a rule.
 
 use super::judge;
-use crate::repro::numbers::{float, spectrum};
+use crate::tools::kinds::stopping::{MOST_SAMPLES, define_samples};
+use crate::tools::repro::numbers::{float, spectrum};
 use std::fmt::Write;
 use wire::adaptive::{AdaptivePixel, StopCall, StopRule};
-
-/// The largest number of different samples in a readable test.
-const SAMPLES: usize = 40;
 
 /// A test of the plain rule.
 pub(crate) fn plain(call: &StopCall) -> Option<String> {
     let mut text = String::from("use kit::Tally;\n");
-    samples(&mut text, call)?;
+    define_samples(&mut text, call)?;
     let _ = writeln!(
         text,
         "assert_eq!(adaptive::has_converged(&samples, {}), {});",
@@ -21,26 +19,10 @@ pub(crate) fn plain(call: &StopCall) -> Option<String> {
     Some(text)
 }
 
-/// Adds the lines that define `samples`; `None` if there are too many to read.
-pub(crate) fn samples(text: &mut String, call: &StopCall) -> Option<()> {
-    let runs = call.runs.iter();
-    let runs: Vec<String> = runs
-        .map(|(count, x)| format!("({count}, {})", float(*x)))
-        .collect();
-    let _ = writeln!(
-        text,
-        "let runs: [(usize, f64); {}] = [{}];
-let samples: Tally = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
-        runs.len(),
-        runs.join(", ")
-    );
-    (runs.len() <= SAMPLES).then_some(())
-}
-
 /// A test of the number of samples of a pixel, their positions, the calls of the rule, and the
 /// mean.
 pub(crate) fn pixel(work: &AdaptivePixel) -> Option<String> {
-    if work.stream.len() > SAMPLES {
+    if work.stream.len() > MOST_SAMPLES {
         return None;
     }
     let (samples, rule_calls) = judge::right_samples(work);

@@ -1,11 +1,11 @@
 //! Cases of the stopping rule that waits for enough samples.
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::Stop;
-use crate::tasks::part5_task1::cases::call;
-use wire::Work;
+use crate::tools::kinds::stopping::call;
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::Stop;
 use wire::adaptive::StopCall;
+use wire::kind;
 
 /// The cases of `part5.task2`.
 pub(crate) fn cases(seed: u64) -> Vec<Spec> {
@@ -71,7 +71,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
 }
 
 fn sure(name: &'static str, about: &'static str, calls: Vec<StopCall>) -> Spec {
-    Spec::new("part5.task2", name, about, Work::SureStop(calls))
+    Spec::new::<kind::SureStop>("part5.task2", name, about, calls)
 }
 
 fn decided_by_the_plain_rule(name: &str, seed: u64) -> Vec<StopCall> {

@@ -1,7 +1,7 @@
 //! Judges the stopping rule that waits until the plain rule is reliable.
 
-use crate::tally::{Aspect, Class, Tally};
-use crate::tasks::part5_task1::judge::{samples, verdict};
+use crate::tools::kinds::stopping::{samples, verdict};
+use crate::tools::tally::{Aspect, Class, Tally};
 use wire::adaptive::{StopAnswer, StopCall};
 
 /// The number of samples before the plain rule decides.

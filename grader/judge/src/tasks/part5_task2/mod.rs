@@ -4,25 +4,24 @@ pub(crate) mod cases;
 mod judge;
 mod repro;
 
-use crate::Tier;
-use crate::cases::Spec;
-use crate::check::{Check, Content, one_each};
-use crate::snapshot::lines::each;
-use crate::tally::{Aspect, Tally};
-use crate::tasks::part5_task1::lines;
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::kinds::stopping;
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::tally::{Aspect, Tally};
 use wire::adaptive::{StopAnswer, StopCall};
+use wire::kind;
 
-/// `has_surely_converged`, called for each question.
-pub(crate) struct SureStop;
-
-impl Check for SureStop {
-    type Question = Vec<StopCall>;
-    type Answer = Vec<StopAnswer>;
-
+impl Check for kind::SureStop {
     const MAIN: &'static [Aspect] = &[Aspect::Stop];
 
     fn calls(questions: &Vec<StopCall>) -> usize {
         questions.len()
+    }
+
+    fn only_call(calls: &Vec<StopCall>, call: usize) -> Option<Vec<StopCall>> {
+        Some(vec![calls.get(call)?.clone()])
     }
 
     fn fits(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Result<(), String> {
@@ -31,7 +30,7 @@ impl Check for SureStop {
 
     fn judge(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<StopCall>,
         answers: &Vec<StopAnswer>,
@@ -41,7 +40,7 @@ impl Check for SureStop {
 
     fn judge_rest(
         tally: &mut Tally,
-        _: &Spec,
+        _: &CaseContext<'_>,
         _: Tier,
         questions: &Vec<StopCall>,
         answers: &Vec<StopAnswer>,
@@ -50,7 +49,7 @@ impl Check for SureStop {
     }
 
     fn lines(questions: &Vec<StopCall>, answers: &Vec<StopAnswer>) -> Option<Content> {
-        Some((Vec::new(), each(questions, answers, lines::stop)))
+        Some((Vec::new(), each(questions, answers, stopping::line)))
     }
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {

@@ -1,8 +1,8 @@
 //! Rust tests of the stopping rule that waits.
 
 use super::judge;
-use crate::repro::numbers::float;
-use crate::tasks::part5_task1::repro::samples;
+use crate::tools::kinds::stopping::define_samples;
+use crate::tools::repro::numbers::float;
 use std::fmt::Write;
 use wire::adaptive::StopCall;
 
@@ -10,7 +10,7 @@ use wire::adaptive::StopCall;
 pub(crate) fn waiting_rule(call: &StopCall) -> Option<String> {
     let (tolerance, plain_decides) = (float(call.tolerance), judge::plain_decides(call));
     let mut text = String::from("use kit::Tally;\n");
-    samples(&mut text, call)?;
+    define_samples(&mut text, call)?;
     let _ = write!(
         text,
         "let mut rule_args = Vec::new();

@@ -1,11 +1,11 @@
 //! Cases of rays through whole meshes, traced with all of the student's stages.
 
-use crate::cases::Spec;
-use crate::cases::crosses::wire_ray;
-use crate::cases::tree_plan::along_morton_curve;
-use crate::scene::load;
+use crate::tools::questions::probes::wire_ray;
+use crate::tools::questions::tree_plan::along_morton_curve;
+use crate::tools::spec::Spec;
+use crate::tools::truth::scene::load;
 use kit::{Ray, Triangle, Vec3};
-use wire::Work;
+use wire::kind;
 use wire::work::{SceneSource, SceneWork};
 
 /// The cases of `part2.task3` that need box and primitive tests as well. The tree is given, so that
@@ -52,13 +52,13 @@ fn case(
     rays: Vec<Ray>,
     any_hit: bool,
 ) -> Spec {
-    let work = Work::SceneHits(SceneWork {
+    let work = SceneWork {
         tree: along_morton_curve(&load(&scene).primitive_bounds(), MAX_LEAF_SIZE),
         scene,
         rays: rays.iter().map(wire_ray).collect(),
         any_hit,
-    });
-    Spec::new("part2.task3", name, about, work)
+    };
+    Spec::new::<kind::SceneHits>("part2.task3", name, about, work)
 }
 
 fn cornell() -> SceneSource {

@@ -1,8 +1,8 @@
 //! Judges rays through a whole scene.
 
-use crate::Tier;
-use crate::hits;
-use crate::tally::{Aspect, Tally};
+use crate::tools::Tier;
+use crate::tools::aspects::hits;
+use crate::tools::tally::{Aspect, Tally};
 use kit::PrimId;
 use oracle::closest::{Closest, ClosestJudgement};
 use oracle::verdict::{Judgement, KernelClass};
@@ -178,8 +178,8 @@ fn blocked(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::closest_hits;
-    use crate::tally::Finding;
+    use crate::tools::tally::Finding;
+    use crate::tools::truth::scene::closest_hits;
     use wire::work::SceneSource;
 
     /// Two walls perpendicular to x, at 1 and at 2.

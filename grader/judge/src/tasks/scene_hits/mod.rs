@@ -4,24 +4,17 @@ pub(crate) mod cases;
 mod judge;
 mod rest;
 
-use super::brute_force::hits_fit;
-use crate::cases::Spec;
-use crate::check::{Check, Content};
-use crate::snapshot::lines::{self, each, ray_at};
-use crate::snapshot::{Fields, forms, number};
-use crate::tally::{Aspect, Tally};
-use crate::{Tier, picture};
+use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::{self, each, ray_at};
+use crate::tools::snapshot::{Fields, forms, number};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::{Tier, colours};
 use wire::answer::HitsAnswer;
+use wire::kind;
 use wire::work::{SceneWork, Xyz};
 
-/// `intersect_bvh` or `occludes_bvh`, called for each ray in a world that calls `intersect_bbox`
-/// and `intersect_*`.
-pub(crate) struct SceneHits;
-
-impl Check for SceneHits {
-    type Question = SceneWork;
-    type Answer = HitsAnswer;
-
+impl Check for kind::SceneHits {
     const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T, Aspect::Savings];
 
     const NEEDS_ALL_STAGES: bool = true;
@@ -30,33 +23,42 @@ impl Check for SceneHits {
         work.rays.len()
     }
 
+    /// The numbers of tests of all rays are judged together.
+    fn only_call(_: &SceneWork, _: usize) -> Option<SceneWork> {
+        None
+    }
+
     fn fits(work: &SceneWork, answer: &HitsAnswer) -> Result<(), String> {
         hits_fit(Self::calls(work), answer)
     }
 
-    fn judge(tally: &mut Tally, spec: &Spec, tier: Tier, work: &SceneWork, answer: &HitsAnswer) {
-        let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
+    fn judge(
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &SceneWork,
+        answer: &HitsAnswer,
+    ) {
+        let truths = case.cache.of_scene(&work.scene, &work.rays);
         judge::hits(tally, tier, truths, &work.rays, work.any_hit, answer);
         judge::savings(tally, work, answer);
     }
 
     fn judge_rest(
         tally: &mut Tally,
-        spec: &Spec,
+        case: &CaseContext<'_>,
         tier: Tier,
         work: &SceneWork,
         answer: &HitsAnswer,
     ) {
-        let truths = spec.expected_cache.of_scene(&work.scene, &work.rays);
+        let truths = case.cache.of_scene(&work.scene, &work.rays);
         if work.any_hit {
             rest::decisions(tally, tier, truths);
         } else {
-            let expected = spec
-                .expected_cache
-                .of_tier(tier, || rest::expected(work, tier));
+            let expected = case.expected(tier, || rest::expected(work, tier));
             rest::records(tally, &work.rays, expected, truths, answer);
         }
-        let needed = spec.expected_cache.tests(|| rest::needed_tests(work));
+        let needed = case.cache.tests(|| rest::needed_tests(work));
         rest::tests(tally, needed, answer);
     }
 
@@ -77,6 +79,6 @@ impl Check for SceneHits {
 
     fn colours(answer: &HitsAnswer) -> Option<Vec<Xyz>> {
         let hits = answer.hits.iter().map(Option::as_ref);
-        Some(hits.map(picture::hit).collect())
+        Some(hits.map(colours::hit).collect())
     }
 }

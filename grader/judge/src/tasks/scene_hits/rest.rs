@@ -1,14 +1,14 @@
 //! Judges what no case grades about rays through a whole scene: the hit records, and the number of
 //! tests.
 
-use crate::expected::{Expected, HitOrMiss};
-use crate::hits::{Call, ROUNDING_DECIDES, SEVERAL_FIRST};
-use crate::scene::{load, of_each_ray};
-use crate::tally::{Aspect, Tally};
-use crate::tasks::part2_task3::judge::WORK_FACTOR;
-use crate::tasks::part2_task3::rest::{MORE_TESTS, TOO_FEW_TESTS};
-use crate::tree_tests::{NeededTests, Tests, TracedRay};
-use crate::{Tier, convert, truth};
+use crate::tools::aspects::hits::{Call, ROUNDING_DECIDES, SEVERAL_FIRST};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::truth::expected::{Expected, HitOrMiss};
+use crate::tools::truth::scene::{load, of_each_ray};
+use crate::tools::truth::tree_tests::{
+    MORE_TESTS, NeededTests, TOO_FEW_TESTS, Tests, TracedRay, WORK_FACTOR,
+};
+use crate::tools::{Tier, convert, truth};
 use kit::{Aabb, PrimId, Primitive};
 use oracle::closest::Closest;
 use oracle::verdict::KernelClass;

@@ -1,9 +1,9 @@
 //! Edges, ends of the range and planes with small integer coordinates, which textbook formulas do
 //! not round.
 
-use crate::cases::probes::{Probes, within};
+use crate::tools::questions::probes::{Probes, within};
 use kit::{Ray, Triangle, Vec3};
-use wire::Work;
+use wire::work::TriangleWork;
 
 /// A right triangle with legs of 8 on two of the axes, moved by `offset` along the third, `axis`.
 fn right_triangle(axis: usize, offset: f64, flipped: bool) -> Triangle {
@@ -25,7 +25,7 @@ fn on_axes(axis: usize, x: f64, y: f64, z: f64) -> Vec3 {
     p.into()
 }
 
-pub(super) fn range_ends() -> Work {
+pub(super) fn range_ends() -> TriangleWork {
     let mut probes = Probes::default();
     for (axis, flipped) in [(0, false), (1, false), (2, false), (2, true)] {
         probes.triangle(&right_triangle(axis, 1.0, flipped));
@@ -45,10 +45,10 @@ pub(super) fn range_ends() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn edges_and_vertices() -> Work {
+pub(super) fn edges_and_vertices() -> TriangleWork {
     let mut probes = Probes::default();
     for (axis, flipped) in [(0, false), (1, true), (2, false), (2, true)] {
         probes.triangle(&right_triangle(axis, -1.0, flipped));
@@ -72,10 +72,10 @@ pub(super) fn edges_and_vertices() -> Work {
             probes.ray(Ray::new(o, on_axes(axis, 0.0, 0.0, -1.0)));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn parallel() -> Work {
+pub(super) fn parallel() -> TriangleWork {
     let mut probes = Probes::default();
     for axis in [0, 1, 2] {
         probes.triangle(&right_triangle(axis, 2.0, false));
@@ -98,10 +98,10 @@ pub(super) fn parallel() -> Work {
         let o = on_axes(axis, 2.0, 2.0, 7.0);
         probes.ray(Ray::new(o, on_axes(axis, 0.0, 0.0, -1.0)));
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn no_area() -> Work {
+pub(super) fn no_area() -> TriangleWork {
     let point = |x: f64, y: f64| Vec3::new(x, y, 1.0);
     let flat_to = |p0, p1, p2| Triangle {
         n0: Vec3::Z,
@@ -133,5 +133,5 @@ pub(super) fn no_area() -> Work {
     }
     probes.triangle(&flat_to(point(0.0, 0.0), point(8.0, 0.0), point(0.0, 8.0)));
     probes.ray(Ray::new(Vec3::new(2.0, 2.0, 5.0), -Vec3::Z));
-    probes.work()
+    probes.of_triangles()
 }

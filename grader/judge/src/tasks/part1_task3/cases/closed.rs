@@ -1,8 +1,8 @@
 //! Closed meshes, and rays from inside aimed at their edges: one face must be hit.
 
-use crate::cases::probes::{ProbeRng, brute_force, through};
+use crate::tools::questions::probes::{ProbeRng, brute_force, through};
 use kit::{Ray, Triangle, Vec3};
-use wire::Work;
+use wire::work::BruteForceWork;
 
 /// A closed ball of 128 triangles, whose vertices have different distances from the centre.
 fn closed_ball(rng: &mut ProbeRng, stretch: Vec3) -> Vec<Triangle> {
@@ -62,14 +62,14 @@ fn at_edges(rng: &mut ProbeRng, mesh: &[Triangle], inner: Vec3, rays: usize) -> 
     (0..rays).map(|_| one()).collect()
 }
 
-pub(super) fn shared_edges() -> Work {
+pub(super) fn shared_edges() -> BruteForceWork {
     let mut rng = ProbeRng::new("shared_edges", 0);
     let mesh = closed_ball(&mut rng, Vec3::ONE);
     let rays = at_edges(&mut rng, &mesh, Vec3::splat(0.2), 600);
     brute_force(&mesh, &[], &rays)
 }
 
-pub(super) fn needle_and_pancake() -> Work {
+pub(super) fn needle_and_pancake() -> BruteForceWork {
     let mut rng = ProbeRng::new("needle_and_pancake", 0);
     let needle = closed_ball(&mut rng, Vec3::new(1.0, 1e6, 1.0));
     let pancake = closed_ball(&mut rng, Vec3::new(1e6, 1.0, 1e6));

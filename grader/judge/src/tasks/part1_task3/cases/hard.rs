@@ -1,16 +1,16 @@
 //! Cases of triangles that textbook kernels fail: [`closed`] meshes with gaps, [`scale`] and angles
 //! that cost digits, and [`odd`] input.
 
-use super::{case, closed, odd, scale};
-use crate::cases::Spec;
-use crate::tally::Aspect::{Barycentrics, HitOrMiss, Normal, Position, T};
+use super::{case, closed, heap_case, odd, scale};
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{Barycentrics, HitOrMiss, Normal, Position, T};
 
 /// The robust cases of `part1.task3`.
 pub(super) fn cases(seed: u64) -> Vec<Spec> {
     vec![
         Spec {
             enclosed: true,
-            ..case(
+            ..heap_case(
                 "shared_edges",
                 "Rays from inside a closed mesh, aimed at its edges and vertices: one of the \
                  faces is hit. Pitfall: Möller-Trumbore rounds differently for each face, and \
@@ -21,7 +21,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
         },
         Spec {
             enclosed: true,
-            ..case(
+            ..heap_case(
                 "needle_and_pancake",
                 "The same in closed meshes a million times as long as wide, and a million times \
                  as wide as thick. Pitfall: no epsilon on t or on the determinant closes the \

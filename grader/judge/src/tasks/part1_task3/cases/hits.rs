@@ -1,13 +1,13 @@
 //! Rays that hit triangles in the interior.
 
-use crate::cases::probes::{ProbeRng, Probes, brute_force, through, within};
+use crate::tools::questions::probes::{ProbeRng, Probes, brute_force, through, within};
 use kit::{Ray, Triangle};
-use wire::Work;
+use wire::work::{BruteForceWork, TriangleWork};
 
 /// The smallest barycentric weight of a target: large enough that every correct kernel hits.
 pub(super) const MARGIN: f64 = 0.02;
 
-pub(super) fn from_side(name: &str, side: f64) -> Work {
+pub(super) fn from_side(name: &str, side: f64) -> TriangleWork {
     let mut rng = ProbeRng::new(name, 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -18,10 +18,10 @@ pub(super) fn from_side(name: &str, side: f64) -> Work {
             probes.ray(rng.ray_to(&triangle, b, side, distance));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn length_of_direction() -> Work {
+pub(super) fn length_of_direction() -> TriangleWork {
     let mut rng = ProbeRng::new("length_of_direction", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
@@ -41,10 +41,10 @@ pub(super) fn length_of_direction() -> Work {
             probes.ray(within(longer, 0.9 * t, 1.1 * t));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn interpolated_normals() -> Work {
+pub(super) fn interpolated_normals() -> TriangleWork {
     let mut rng = ProbeRng::new("interpolated_normals", 0);
     let mut probes = Probes::default();
     for i in 0..30 {
@@ -70,10 +70,10 @@ pub(super) fn interpolated_normals() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn close_up() -> Work {
+pub(super) fn close_up() -> TriangleWork {
     let mut rng = ProbeRng::new("close_up", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
@@ -93,7 +93,7 @@ pub(super) fn close_up() -> Work {
             probes.ray(rng.ray_to(&triangle, b, side, distance));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
 /// The triangle a hundred times as small, like one of 100,000 in a mesh of size 1: its determinant
@@ -109,7 +109,7 @@ fn small(triangle: &Triangle) -> Triangle {
 }
 
 /// A heap of triangles, and rays through it from all directions.
-fn heap(rng: &mut ProbeRng, triangles: usize, rays: usize) -> Work {
+fn heap(rng: &mut ProbeRng, triangles: usize, rays: usize) -> BruteForceWork {
     let triangles: Vec<Triangle> = (0..triangles)
         .map(|_| {
             let (t, offset) = (rng.triangle(), 1.2 * rng.in_cube());
@@ -132,10 +132,10 @@ fn heap(rng: &mut ProbeRng, triangles: usize, rays: usize) -> Work {
     brute_force(&triangles, &[], &rays)
 }
 
-pub(super) fn nearest_of_many() -> Work {
+pub(super) fn nearest_of_many() -> BruteForceWork {
     heap(&mut ProbeRng::new("nearest_of_many", 0), 40, 600)
 }
 
-pub(super) fn fresh(seed: u64) -> Work {
+pub(super) fn fresh(seed: u64) -> BruteForceWork {
     heap(&mut ProbeRng::new("fresh_triangles", seed), 40, 400)
 }

@@ -1,11 +1,11 @@
 //! Rays that pass beside the triangle, end before it, or point away from it.
 
 use super::hits::MARGIN;
-use crate::cases::probes::{ProbeRng, Probes, within};
+use crate::tools::questions::probes::{ProbeRng, Probes, within};
 use kit::Ray;
-use wire::Work;
+use wire::work::TriangleWork;
 
-pub(super) fn beside() -> Work {
+pub(super) fn beside() -> TriangleWork {
     let mut rng = ProbeRng::new("beside_the_triangle", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
@@ -29,10 +29,10 @@ pub(super) fn beside() -> Work {
             probes.ray(rng.ray_to(&triangle, b, 1.0, 3.0));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn behind() -> Work {
+pub(super) fn behind() -> TriangleWork {
     let mut rng = ProbeRng::new("behind_the_origin", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -62,10 +62,10 @@ pub(super) fn behind() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn range() -> Work {
+pub(super) fn range() -> TriangleWork {
     let mut rng = ProbeRng::new("range", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -89,5 +89,5 @@ pub(super) fn range() -> Work {
         // Behind the origin, with t below a negative min_t.
         probes.ray(within(Ray { d: -ray.d, ..ray }, -0.5 * t, 5.0));
     }
-    probes.work()
+    probes.of_triangles()
 }

@@ -7,14 +7,15 @@ mod hard;
 mod hits;
 mod misses;
 mod odd;
+mod picture;
 mod scale;
 
-use crate::cases::Spec;
-use crate::tally::Aspect::{
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{
     Barycentrics, GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T,
 };
-use crate::tasks::brute_force::pictures;
-use wire::Work;
+use wire::kind;
+use wire::work::{BruteForceWork, TriangleWork};
 
 /// The cases of `part1.task3`.
 pub(crate) fn cases(seed: u64) -> Vec<Spec> {
@@ -99,23 +100,29 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             hits::close_up(),
         )
         .only(&[HitOrMiss, T]),
-        case(
+        heap_case(
             "nearest_of_many",
             "A ray through a heap of triangles in arbitrary order: each hit shortens max_t, and \
              nothing else changes it.",
             hits::nearest_of_many(),
         )
         .only(&[HitOrMiss, Primitive, T, RayAfter]),
-        case(
+        heap_case(
             "fresh_triangles",
             "Random triangles and rays that depend on the seed.",
             hits::fresh(seed),
         ),
-        pictures::torus(),
+        picture::torus(),
     ];
     core.into_iter().chain(hard::cases(seed)).collect()
 }
 
-pub(crate) fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
-    Spec::new("part1.task3", name, about, work)
+/// A case of probes at single shapes.
+fn case(name: &'static str, about: &'static str, work: TriangleWork) -> Spec {
+    Spec::new::<kind::Triangles>("part1.task3", name, about, work)
+}
+
+/// A case of rays through a heap of shapes.
+fn heap_case(name: &'static str, about: &'static str, work: BruteForceWork) -> Spec {
+    Spec::new::<kind::BruteForce>("part1.task3", name, about, work)
 }

@@ -1,8 +1,8 @@
 //! Rays that start on the triangle, slanted triangles in integers, NaN, and normals that cancel.
 
-use crate::cases::probes::{ProbeRng, Probes, at, within};
+use crate::tools::questions::probes::{ProbeRng, Probes, at, within};
 use kit::{Ray, Triangle, Vec3};
-use wire::Work;
+use wire::work::TriangleWork;
 
 /// Right triangles with legs of 8 in the three coordinate planes through (1, 1, 1).
 fn in_coordinate_planes() -> [Triangle; 3] {
@@ -14,7 +14,7 @@ fn in_coordinate_planes() -> [Triangle; 3] {
     })
 }
 
-pub(super) fn origin_on_the_plane() -> Work {
+pub(super) fn origin_on_the_plane() -> TriangleWork {
     let mut probes = Probes::default();
     for t in in_coordinate_planes() {
         probes.triangle(&t);
@@ -35,10 +35,10 @@ pub(super) fn origin_on_the_plane() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn exact_slants() -> Work {
+pub(super) fn exact_slants() -> TriangleWork {
     let mut rng = ProbeRng::new("exact_slants", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -67,10 +67,10 @@ pub(super) fn exact_slants() -> Work {
             probes.ray(Ray::new(o + (8.0 * rng.direction()).round() / 64.0, d));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn not_a_number() -> Work {
+pub(super) fn not_a_number() -> TriangleWork {
     let mut probes = Probes::default();
     let [sound, ..] = in_coordinate_planes();
     let (inside, d) = (at(&sound, [0.25, 0.25]), -sound.n0);
@@ -113,10 +113,10 @@ pub(super) fn not_a_number() -> Work {
         probes.ray(Ray::new(o, Vec3::ZERO));
     }
     probes.ray(ray);
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn cancelling_normals() -> Work {
+pub(super) fn cancelling_normals() -> TriangleWork {
     let mut rng = ProbeRng::new("cancelling_normals", 0);
     let mut probes = Probes::default();
     let mut aim = |t: Triangle, targets: &[[f64; 2]]| {
@@ -143,5 +143,5 @@ pub(super) fn cancelling_normals() -> Work {
         };
         aim(crossed, &[[0.5, 0.25], [0.5, 0.125], [0.25, 0.25]]);
     }
-    probes.work()
+    probes.of_triangles()
 }

@@ -2,9 +2,9 @@
 //! edges.
 
 use super::hits::MARGIN;
-use crate::cases::probes::{ProbeRng, Probes, at, through};
+use crate::tools::questions::probes::{ProbeRng, Probes, at, through};
 use kit::{Ray, Triangle, Vec3};
-use wire::Work;
+use wire::work::TriangleWork;
 
 fn scaled(t: &Triangle, scale: f64) -> Triangle {
     Triangle {
@@ -37,7 +37,7 @@ fn probe(rng: &mut ProbeRng, probes: &mut Probes, t: &Triangle, size: f64, count
     }
 }
 
-pub(super) fn tiny_and_huge() -> Work {
+pub(super) fn tiny_and_huge() -> TriangleWork {
     let mut rng = ProbeRng::new("tiny_and_huge", 0);
     let mut probes = Probes::default();
     for scale in [1e-30, 1e-15, 1e-9, 1e-6, 1e-4, 1e6, 1e15, 1e30] {
@@ -46,7 +46,7 @@ pub(super) fn tiny_and_huge() -> Work {
             probe(&mut rng, &mut probes, &t, scale, 8);
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
 /// A triangle of length 1 and width `width`, in a random orientation.
@@ -62,7 +62,7 @@ fn sliver(rng: &mut ProbeRng, width: f64) -> Triangle {
     rng.with_normals(flat)
 }
 
-pub(super) fn slivers() -> Work {
+pub(super) fn slivers() -> TriangleWork {
     let mut rng = ProbeRng::new("slivers", 0);
     let mut probes = Probes::default();
     for width in [1e-3, 1e-4, 1e-5, 1e-6] {
@@ -71,17 +71,17 @@ pub(super) fn slivers() -> Work {
             probe(&mut rng, &mut probes, &t, 1.0, 8);
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn far_from_the_world_origin() -> Work {
+pub(super) fn far_from_the_world_origin() -> TriangleWork {
     let mut rng = ProbeRng::new("far_from_the_world_origin", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
         let t = shifted(&rng.triangle(), 1e6 * rng.direction());
         probe(&mut rng, &mut probes, &t, 1.0, 8);
     }
-    probes.work()
+    probes.of_triangles()
 }
 
 /// A ray through the point `b` of the triangle's plane, at an angle of about `angle` radians to the
@@ -96,7 +96,7 @@ fn grazing_ray(rng: &mut ProbeRng, t: &Triangle, b: [f64; 2], angle: f64, distan
     )
 }
 
-pub(super) fn grazing() -> Work {
+pub(super) fn grazing() -> TriangleWork {
     let mut rng = ProbeRng::new("grazing", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
@@ -109,20 +109,20 @@ pub(super) fn grazing() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn a_million_away() -> Work {
+pub(super) fn a_million_away() -> TriangleWork {
     let mut rng = ProbeRng::new("a_million_away", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
         let t = rng.triangle();
         probe(&mut rng, &mut probes, &t, 1e5, 8);
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn by_a_hair() -> Work {
+pub(super) fn by_a_hair() -> TriangleWork {
     let mut rng = ProbeRng::new("by_a_hair", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
@@ -136,10 +136,10 @@ pub(super) fn by_a_hair() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_triangles()
 }
 
-pub(super) fn fresh(seed: u64) -> Work {
+pub(super) fn fresh(seed: u64) -> TriangleWork {
     let mut rng = ProbeRng::new("fresh_hard_triangles", seed);
     let mut probes = Probes::default();
     for i in 0..60 {
@@ -158,5 +158,5 @@ pub(super) fn fresh(seed: u64) -> Work {
             probes.ray(grazing_ray(&mut rng, &t, b, 1e-4, 5.0 * scale));
         }
     }
-    probes.work()
+    probes.of_triangles()
 }

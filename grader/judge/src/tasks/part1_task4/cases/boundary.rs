@@ -1,9 +1,9 @@
 //! Tangents, ends of the range and rays that start closest to the centre, with small integer
 //! coordinates, which the formula does not round.
 
-use crate::cases::probes::{Probes, within};
+use crate::tools::questions::probes::{Probes, within};
 use kit::{Ray, Sphere, Vec3};
-use wire::Work;
+use wire::work::SphereWork;
 
 /// The unit vectors along the axes, both ways.
 const ALONG_AXES: [Vec3; 6] = [
@@ -17,20 +17,20 @@ const ALONG_AXES: [Vec3; 6] = [
 
 /// Rays through the centre of spheres whose radius is a power of two: the roots are exact even
 /// after a division by the radius.
-pub(super) fn range_ends() -> Work {
+pub(super) fn range_ends() -> SphereWork {
     let mut probes = Probes::default();
     for radius in [0.5, 1.0, 8.0] {
         at_the_ends(&mut probes, radius, &[(0.0, radius)]);
     }
-    probes.work()
+    probes.of_spheres()
 }
 
 /// Rays beside the centre, with the triangle 3, 4, 5: at a distance of 3 from the centre, the roots
 /// are 4 before and behind the closest point.
-pub(super) fn range_ends_beside_the_center() -> Work {
+pub(super) fn range_ends_beside_the_center() -> SphereWork {
     let mut probes = Probes::default();
     at_the_ends(&mut probes, 5.0, &[(0.0, 5.0), (3.0, 4.0), (4.0, 3.0)]);
-    probes.work()
+    probes.of_spheres()
 }
 
 /// Adds rays with ranges that end at the roots, for each distance from the centre and the half
@@ -61,7 +61,7 @@ fn at_the_ends(probes: &mut Probes, radius: f64, distance_and_half: &[(f64, f64)
     }
 }
 
-pub(super) fn tangent() -> Work {
+pub(super) fn tangent() -> SphereWork {
     let mut probes = Probes::default();
     for radius in [1.0, 2.0, 3.0, 7.0] {
         let s = Sphere {
@@ -81,10 +81,10 @@ pub(super) fn tangent() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-pub(super) fn abreast() -> Work {
+pub(super) fn abreast() -> SphereWork {
     let mut probes = Probes::default();
     for radius in [1.0, 2.5, 10.0] {
         let s = Sphere {
@@ -102,5 +102,5 @@ pub(super) fn abreast() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }

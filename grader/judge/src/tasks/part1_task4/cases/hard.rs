@@ -1,11 +1,11 @@
 //! Cases of spheres where the quadratic formula loses its digits.
 
 use super::{boundary, case};
-use crate::cases::Spec;
-use crate::cases::probes::{ProbeRng, Probes, within};
-use crate::tally::Aspect::{HitOrMiss, Normal, Position, T};
+use crate::tools::questions::probes::{ProbeRng, Probes, within};
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{HitOrMiss, Normal, Position, T};
 use kit::{Ray, Sphere, Vec3};
-use wire::Work;
+use wire::work::SphereWork;
 
 /// The robust cases of `part1.task4`.
 pub(super) fn cases(seed: u64) -> Vec<Spec> {
@@ -82,7 +82,7 @@ pub(super) fn cases(seed: u64) -> Vec<Spec> {
     ]
 }
 
-fn far_away() -> Work {
+fn far_away() -> SphereWork {
     let mut rng = ProbeRng::new("far_away", 0);
     let mut probes = Probes::default();
     for _ in 0..12 {
@@ -94,10 +94,10 @@ fn far_away() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn ground() -> Work {
+fn ground() -> SphereWork {
     let mut rng = ProbeRng::new("ground_sphere", 0);
     let mut probes = Probes::default();
     let s = Sphere {
@@ -114,10 +114,10 @@ fn ground() -> Work {
         );
         probes.ray(Ray::new(o, (target - o).normalize()));
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn on_the_surface() -> Work {
+fn on_the_surface() -> SphereWork {
     let mut rng = ProbeRng::new("on_the_surface", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -148,10 +148,10 @@ fn on_the_surface() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn by_a_hair() -> Work {
+fn by_a_hair() -> SphereWork {
     let mut rng = ProbeRng::new("by_a_hair spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -163,10 +163,10 @@ fn by_a_hair() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn hit_point_on_the_sphere() -> Work {
+fn hit_point_on_the_sphere() -> SphereWork {
     let mut rng = ProbeRng::new("hit_point_on_the_sphere", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -179,10 +179,10 @@ fn hit_point_on_the_sphere() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn without_size() -> Work {
+fn without_size() -> SphereWork {
     let mut rng = ProbeRng::new("sphere_without_size", 0);
     let mut probes = Probes::default();
     for center in [Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO] {
@@ -202,10 +202,10 @@ fn without_size() -> Work {
             probes.ray(Ray::new(o, (target - o).normalize()));
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn tiny_and_huge() -> Work {
+fn tiny_and_huge() -> SphereWork {
     let mut rng = ProbeRng::new("tiny_and_huge spheres", 0);
     let mut probes = Probes::default();
     for scale in [1e-30, 1e-15, 1e-9, 1e-6, 1e6, 1e15, 1e30] {
@@ -222,10 +222,10 @@ fn tiny_and_huge() -> Work {
             }
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-fn not_a_number() -> Work {
+fn not_a_number() -> SphereWork {
     let mut probes = Probes::default();
     let s = Sphere {
         center: Vec3::new(1.0, 2.0, 3.0),
@@ -264,10 +264,10 @@ fn not_a_number() -> Work {
         probes.ray(within(ray, min_t, max_t));
     }
     probes.ray(ray);
-    probes.work()
+    probes.of_spheres()
 }
 
-fn fresh(seed: u64) -> Work {
+fn fresh(seed: u64) -> SphereWork {
     let mut rng = ProbeRng::new("fresh_hard_spheres", seed);
     let mut probes = Probes::default();
     for _ in 0..50 {
@@ -286,5 +286,5 @@ fn fresh(seed: u64) -> Work {
             probes.ray(Ray { d, ..ray });
         }
     }
-    probes.work()
+    probes.of_spheres()
 }

@@ -1,10 +1,10 @@
 //! Rays through spheres, beside them, from inside them and away from them.
 
-use crate::cases::probes::{ProbeRng, Probes, brute_force, through, within};
+use crate::tools::questions::probes::{ProbeRng, Probes, brute_force, through, within};
 use kit::{Ray, Sphere};
-use wire::Work;
+use wire::work::{BruteForceWork, SphereWork};
 
-pub(super) fn head_on() -> Work {
+pub(super) fn head_on() -> SphereWork {
     let mut rng = ProbeRng::new("head_on", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -15,10 +15,10 @@ pub(super) fn head_on() -> Work {
             probes.ray(rng.ray_past(&s, impact, distance));
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-pub(super) fn around_the_rim() -> Work {
+pub(super) fn around_the_rim() -> SphereWork {
     let mut rng = ProbeRng::new("around_the_rim", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -36,10 +36,10 @@ pub(super) fn around_the_rim() -> Work {
             ));
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-pub(super) fn origin_inside() -> Work {
+pub(super) fn origin_inside() -> SphereWork {
     let mut rng = ProbeRng::new("origin_inside", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -51,10 +51,10 @@ pub(super) fn origin_inside() -> Work {
         }
         probes.ray(Ray::new(s.center, rng.direction()));
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-pub(super) fn behind() -> Work {
+pub(super) fn behind() -> SphereWork {
     let mut rng = ProbeRng::new("behind_the_origin spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -68,10 +68,10 @@ pub(super) fn behind() -> Work {
         // A hit, so that a kernel which always misses does not pass.
         probes.ray(rng.ray_past(&s, 0.5, 2.0 * s.radius));
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-pub(super) fn range() -> Work {
+pub(super) fn range() -> SphereWork {
     let mut rng = ProbeRng::new("range spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..40 {
@@ -97,10 +97,10 @@ pub(super) fn range() -> Work {
         // Both roots are behind the origin, and below a negative min_t.
         probes.ray(within(Ray { d: -ray.d, ..ray }, -0.9 * near, 5.0));
     }
-    probes.work()
+    probes.of_spheres()
 }
 
-pub(super) fn length_of_direction() -> Work {
+pub(super) fn length_of_direction() -> SphereWork {
     let mut rng = ProbeRng::new("length_of_direction spheres", 0);
     let mut probes = Probes::default();
     for _ in 0..30 {
@@ -124,11 +124,11 @@ pub(super) fn length_of_direction() -> Work {
             ));
         }
     }
-    probes.work()
+    probes.of_spheres()
 }
 
 /// A heap of spheres, and rays through it from all directions.
-pub(super) fn heap(rng: &mut ProbeRng, rays: usize) -> Work {
+pub(super) fn heap(rng: &mut ProbeRng, rays: usize) -> BruteForceWork {
     let spheres: Vec<Sphere> = (0..30)
         .map(|_| Sphere {
             center: 2.0 * rng.in_cube(),
@@ -146,7 +146,7 @@ pub(super) fn heap(rng: &mut ProbeRng, rays: usize) -> Work {
     brute_force(&[], &spheres, &rays)
 }
 
-pub(super) fn fresh(seed: u64) -> Work {
+pub(super) fn fresh(seed: u64) -> SphereWork {
     let mut rng = ProbeRng::new("fresh_spheres", seed);
     let mut probes = Probes::default();
     for _ in 0..50 {
@@ -163,5 +163,5 @@ pub(super) fn fresh(seed: u64) -> Work {
             ));
         }
     }
-    probes.work()
+    probes.of_spheres()
 }

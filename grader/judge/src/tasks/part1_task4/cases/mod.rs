@@ -4,12 +4,15 @@
 mod boundary;
 mod hard;
 mod hits;
+mod picture;
 
-use crate::cases::Spec;
-use crate::cases::probes::ProbeRng;
-use crate::tally::Aspect::{GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T};
-use crate::tasks::brute_force::pictures;
-use wire::Work;
+use crate::tools::questions::probes::ProbeRng;
+use crate::tools::spec::Spec;
+use crate::tools::tally::Aspect::{
+    GeometricNormal, HitOrMiss, Normal, Position, Primitive, RayAfter, T,
+};
+use wire::kind;
+use wire::work::{BruteForceWork, SphereWork};
 
 /// The cases of `part1.task4`.
 pub(crate) fn cases(seed: u64) -> Vec<Spec> {
@@ -76,7 +79,7 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             boundary::abreast(),
         )
         .only(&[HitOrMiss, T]),
-        case(
+        heap_case(
             "nearest_of_many",
             "A ray through a heap of spheres in arbitrary order: each hit shortens max_t, and \
              nothing else changes it.",
@@ -88,11 +91,17 @@ pub(crate) fn cases(seed: u64) -> Vec<Spec> {
             "Random spheres and rays that depend on the seed.",
             hits::fresh(seed),
         ),
-        pictures::pile_of_spheres(),
+        picture::pile_of_spheres(),
     ];
     core.into_iter().chain(hard::cases(seed)).collect()
 }
 
-pub(crate) fn case(name: &'static str, about: &'static str, work: Work) -> Spec {
-    Spec::new("part1.task4", name, about, work)
+/// A case of probes at single shapes.
+fn case(name: &'static str, about: &'static str, work: SphereWork) -> Spec {
+    Spec::new::<kind::Spheres>("part1.task4", name, about, work)
+}
+
+/// A case of rays through a heap of shapes.
+fn heap_case(name: &'static str, about: &'static str, work: BruteForceWork) -> Spec {
+    Spec::new::<kind::BruteForce>("part1.task4", name, about, work)
 }

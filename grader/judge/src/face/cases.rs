@@ -1,0 +1,129 @@
+//! The cases of all tasks.
+//!
+//! `course.toml` lists the cases that count and their points; the folder of their task, in `tasks`,
+//! defines them. Every case is the same on every machine; random cases depend on a seed alone.
+
+use crate::tasks;
+
+pub use crate::tools::questions::probes;
+pub use crate::tools::recorded;
+pub use crate::tools::spec::{PITFALL, Spec, checked};
+
+/// All cases of all tasks.
+pub fn all(seed: u64) -> Vec<Spec> {
+    tasks::cases(seed, |_| true)
+}
+
+/// All cases of one task; the others are not made.
+pub fn of(task: &str, seed: u64) -> Vec<Spec> {
+    tasks::cases(seed, |key| key == task)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tools::aspects::chance::{MAX_TESTS, MIN_ESTIMATES};
+    use crate::tools::aspects::independence::MIN_PAIRS;
+    use wire::Work;
+
+    #[test]
+    fn a_seed_changes_only_the_fresh_cases_of_part_1() {
+        // As text, in which NaN equals itself.
+        let text = |spec: &Spec| format!("{:?}", spec.work);
+        let (all_0, again, all_1) = (all(0), all(0), all(1));
+        for ((a, b), other) in all_0.iter().zip(&again).zip(&all_1) {
+            let name = format!("{} {}", a.task, a.name);
+            assert!(text(a) == text(b), "{name}");
+            if a.task.starts_with("part1") {
+                assert_eq!(
+                    text(a) != text(other),
+                    a.name.starts_with("fresh"),
+                    "{name}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_cases_of_a_task_are_those_of_all_tasks_that_have_its_key() {
+        let all = all(3);
+        let tasks: std::collections::BTreeSet<&str> = all.iter().map(|spec| spec.task).collect();
+        for task in tasks {
+            let names = |specs: &[Spec]| -> Vec<String> {
+                let of_task = specs.iter().filter(|spec| spec.task == task);
+                of_task
+                    .map(|spec| format!("{} {:?}", spec.name, spec.work))
+                    .collect()
+            };
+            let own = of(task, 3);
+            assert_eq!(names(&own).len(), own.len(), "{task}");
+            assert!(names(&own) == names(&all), "{task}");
+        }
+    }
+
+    #[test]
+    fn pictures_have_an_answer_for_each_pixel() {
+        for spec in all(0) {
+            let Some([w, h]) = spec.picture else { continue };
+            let answers = spec.calls();
+            assert_eq!(answers, (w * h) as usize, "{} {}", spec.task, spec.name);
+        }
+    }
+
+    #[test]
+    fn what_is_checked_names_no_mistake() {
+        for spec in all(0) {
+            let shown = checked(spec.about);
+            let name = format!("{} {}: {shown}", spec.task, spec.name);
+            assert!(shown.len() > 10, "{name}");
+            for word in ["itfall", "whoever", "instead", "epsilon"] {
+                assert!(!shown.contains(word), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_unique_in_a_task() {
+        let mut names: Vec<_> = all(0).iter().map(|spec| (spec.task, spec.name)).collect();
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+
+    #[test]
+    fn a_run_makes_at_most_max_tests() {
+        let by_chance = |spec: &Spec| match &spec.work {
+            Work::Lambert(probes) => probes.len() >= MIN_ESTIMATES,
+            Work::Direct(work) => work.points.len() >= MIN_ESTIMATES,
+            Work::Specular(calls) => calls.len() >= MIN_ESTIMATES,
+            Work::Roulette(work) => work.numbers.len() >= MIN_ESTIMATES,
+            Work::Pixels(work) => work.ns_aa > 1 && work.calls().count() > MIN_PAIRS,
+            Work::AdaptivePixels(pixels) => pixels.len() > MIN_PAIRS,
+            _ => false,
+        };
+        let cases = all(0);
+        // No case makes more than two statistical tests.
+        let tests = 2 * cases.iter().filter(|spec| by_chance(spec)).count();
+        assert!((20..=MAX_TESTS).contains(&tests), "{tests}");
+    }
+
+    #[test]
+    fn a_single_call_is_that_call_of_the_case() {
+        let text = |work: &wire::Work| format!("{work:?}");
+        let mut cut = 0;
+        for spec in all(0) {
+            assert!(spec.only_call(spec.calls()).is_none(), "{}", spec.name);
+            let Some(alone) = spec.only_call(spec.calls() - 1) else {
+                continue;
+            };
+            cut += 1;
+            assert_eq!(alone.calls(), 1, "{} {}", spec.task, spec.name);
+            // The last call of what is left of it is itself.
+            let again = alone.only_call(0).expect("it has a call");
+            assert_eq!(text(&again.work), text(&alone.work));
+            assert!(spec.calls() == 1 || text(&spec.work) != text(&alone.work));
+        }
+        assert!(cut > 100, "{cut}");
+    }
+}

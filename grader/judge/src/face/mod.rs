@@ -1,0 +1,10 @@
+//! What other crates call: the cases, the judgement of an answer, what is written about it.
+
+pub mod cases;
+pub(crate) mod judgement;
+mod order;
+pub mod picture;
+pub mod pictures;
+pub mod repro;
+pub mod snapshot;
+pub mod whole;

@@ -1,0 +1,23 @@
+//! The picture among the cases, traced pixel by pixel.
+
+use super::heap_case;
+use crate::tools::questions::picture_shapes::{SIZE, octahedron, picture_rays, ring};
+use crate::tools::questions::probes::brute_force;
+use crate::tools::spec::Spec;
+use kit::Vec3;
+
+/// A torus with smooth normals, and an octahedron with flat faces in its hole.
+pub(super) fn torus() -> Spec {
+    let mut triangles = ring(24, 10);
+    triangles.extend(octahedron(Vec3::new(0.0, 0.35, 0.0), 0.55));
+    let rays = picture_rays(Vec3::new(1.6, 3.1, 4.2), Vec3::ZERO, 45.0);
+    Spec {
+        picture: Some(SIZE),
+        ..heap_case(
+            "picture_of_a_ring",
+            "A torus with smooth normals and an octahedron with flat faces, coloured by their \
+             normals.",
+            brute_force(&triangles, &[], &rays),
+        )
+    }
+}

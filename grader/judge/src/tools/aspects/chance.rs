@@ -1,0 +1,190 @@
+//! Statistical tests of random answers: how often would right code give such an answer?
+//!
+//! All tests of a run together have a false alarm with a probability of at most one in a million
+//! (Šidák's correction over the largest number of tests in a run). Their power is the deviation
+//! that they always detect: each finding has it, each case states it for students ("A bias of 6 %
+//! is always detected"), and a test of the goldens checks that the two agree.
+
+use crate::tools::tally::{Aspect, Class, Tally};
+use kit::{Tally as SampleTally, Vec3};
+use statistics::chi_square;
+use statistics::{detectable_bias, sidak, two_sided};
+use std::collections::HashSet;
+
+/// Probability that a whole run reports a false alarm on right code.
+const RUN_FALSE_ALARM: f64 = 1e-6;
+
+/// The largest number of statistical tests in a run.
+pub(crate) const MAX_TESTS: usize = 100;
+
+/// The smallest number of estimates that is tested: a mean of fewer is not normally distributed.
+pub(crate) const MIN_ESTIMATES: usize = 500;
+
+/// Why the distribution of a few random results is not judged.
+pub(crate) const TOO_FEW: &str =
+    "any random numbers are right, and they are too few to test their distribution";
+
+/// Probability of a false alarm of each test.
+pub(crate) fn test_false_alarm() -> f64 {
+    sidak(RUN_FALSE_ALARM, MAX_TESTS)
+}
+
+/// Tests whether the mean of `numbers` is `truth`, by its standard error (a z-test).
+pub(crate) fn mean(tally: &mut Tally, what: &str, numbers: &SampleTally, truth: f64) {
+    let z = numbers.z_against(truth);
+    let wrong = two_sided(z).is_nan() || two_sided(z) < test_false_alarm();
+    let all_equal = numbers.count() > 1 && numbers.variance() == 0.0 && numbers.mean() != 0.0;
+    let class = wrong.then(|| match all_equal {
+        true => ALWAYS_THE_SAME,
+        false => Class::of_number(numbers.mean(), truth),
+    });
+    let sure = detectable_bias(numbers.standard_error(), test_false_alarm()) / truth.abs();
+    tally.expect(Aspect::Mean);
+    tally.set_detectable(Aspect::Mean, sure);
+    tally.judge_class(Aspect::Mean, 0, class, z.abs(), || {
+        if all_equal {
+            return format!(
+                "your result: {} {what} that are all {:.5}; expected: random ones with the mean {truth:.5}. {FROM_THE_SAMPLER}",
+                numbers.count(),
+                numbers.mean()
+            );
+        }
+        format!(
+            "your result: the mean of {} {what} is {:.5} ± {:.5}; expected: {truth:.5} (off by {:.1} standard errors, allowed {:.1}; a bias of {:.1} % is always detected)",
+            numbers.count(),
+            numbers.mean(),
+            numbers.standard_error(),
+            z.abs(),
+            statistics::critical_z(test_false_alarm()),
+            100.0 * sure
+        )
+    });
+}
+
+/// Tests whether `directions` are distributed with the density `pdf` (a χ² test).
+pub(crate) fn spread(
+    tally: &mut Tally,
+    directions: &[Option<Vec3>],
+    pdf: impl Fn(Vec3) -> f64,
+    right: &str,
+) {
+    tally.expect(Aspect::Spread);
+    // Fewer directions cannot be tested, and count as wrong.
+    if directions.len() < MIN_ESTIMATES {
+        tally.judge(Aspect::Spread, 0, false, f64::INFINITY, || {
+            format!(
+                "only {} directions were sampled; too few to test their distribution",
+                directions.len()
+            )
+        });
+        return;
+    }
+    let fit = chi_square::fit(directions.iter().copied(), pdf);
+    let sure = fit.detectable_deviation(test_false_alarm());
+    tally.set_detectable(Aspect::Spread, sure);
+    let badness = -fit.p.max(1e-300).log10();
+    let different = different(directions);
+    let repeated = 2 * different < directions.len();
+    let class = (fit.p < test_false_alarm()).then(|| match repeated {
+        true => ALWAYS_THE_SAME,
+        false => mean_direction_class(directions),
+    });
+    tally.judge_class(Aspect::Spread, 0, class, badness, || {
+        if repeated {
+            return format!(
+                "only {different} of your {} directions differ. {FROM_THE_SAMPLER}",
+                directions.len()
+            );
+        }
+        format!(
+            "your {} directions are not distributed {right}: right directions deviate this much with a probability of {:.0e}, allowed is {:.0e} (a deviation of {:.0} % is always detected)",
+            directions.len(),
+            fit.p,
+            test_false_alarm(),
+            100.0 * sure
+        )
+    });
+}
+
+/// The class of random results that are the same in each call.
+const ALWAYS_THE_SAME: Class = Class::Named("the same in each call");
+
+/// The question about random results that are the same in each call.
+const FROM_THE_SAMPLER: &str =
+    "Do the random numbers come from the sampler that the function is given?";
+
+/// The number of different directions, bit for bit.
+fn different(directions: &[Option<Vec3>]) -> usize {
+    let bits = directions
+        .iter()
+        .flatten()
+        .map(|d| d.to_array().map(f64::to_bits));
+    bits.collect::<HashSet<_>>().len()
+}
+
+/// Quantisation of mean directions across the normal (x, y) and along it (z): so coarse that random
+/// variation does not change the class. Along the normal, the means of uniform and of
+/// cosine-distributed directions, 1/2 and 2/3, are whole numbers of steps.
+const MEAN_DIRECTION_STEPS: Vec3 = Vec3::new(8.0, 8.0, 24.0);
+
+/// The class of wrongly distributed directions: their mean.
+fn mean_direction_class(directions: &[Option<Vec3>]) -> Class {
+    let sum: Vec3 = directions.iter().flatten().sum();
+    let mean = MEAN_DIRECTION_STEPS * sum / directions.len() as f64;
+    if mean.is_nan() {
+        return Class::NotANumber;
+    }
+    Class::Towards(mean.to_array().map(|along| along.round() as i8))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_that_are_always_the_same_have_a_class_of_their_own() {
+        let class = |judge: &dyn Fn(&mut Tally)| {
+            let mut tally = Tally::default();
+            judge(&mut tally);
+            let findings = tally.into_findings();
+            findings[0].faults.first().map(|fault| fault.class)
+        };
+        let of_mean = |numbers: &[f64]| {
+            let numbers: SampleTally = numbers.iter().cycle().take(1000).copied().collect();
+            class(&|tally| mean(tally, "estimates", &numbers, 0.5))
+        };
+        assert_eq!(of_mean(&[0.25]), Some(ALWAYS_THE_SAME));
+        assert_eq!(of_mean(&[0.5]), None);
+        assert!(matches!(of_mean(&[0.2, 0.3]), Some(Class::Ratio(_))));
+        let of_directions = |z: &[f64]| {
+            let of = |z: &f64| Some(Vec3::new((1.0 - z * z).sqrt(), 0.0, *z));
+            // Enough for every cell of the test.
+            let directions: Vec<_> = z.iter().cycle().take(8000).map(of).collect();
+            let pdf = |d: Vec3| {
+                if d.z > 0.0 {
+                    0.5 / std::f64::consts::PI
+                } else {
+                    0.0
+                }
+            };
+            class(&|tally| spread(tally, &directions, pdf, "uniformly"))
+        };
+        assert_eq!(of_directions(&[0.3, 0.6]), Some(ALWAYS_THE_SAME));
+        let all: Vec<f64> = (0..8000).map(|i| f64::from(i) / 8000.0).collect();
+        assert!(matches!(of_directions(&all), Some(Class::Towards(_))));
+    }
+
+    #[test]
+    fn a_detectable_bias_is_detected() {
+        let numbers: SampleTally = (0..10_000).map(|i| f64::from(i % 2)).collect();
+        let sure = detectable_bias(numbers.standard_error(), test_false_alarm());
+        let wrong = |truth: f64| {
+            let mut tally = Tally::default();
+            mean(&mut tally, "numbers", &numbers, truth);
+            !tally.into_findings()[0].passed()
+        };
+        assert!(!wrong(0.5));
+        assert!(wrong(0.5 + sure) && wrong(0.5 - sure) && wrong(f64::NAN));
+        assert!(!wrong(0.5 + 0.4 * sure));
+    }
+}

@@ -1,0 +1,167 @@
+//! Checks with their types erased.
+
+use super::{CaseContext, Check};
+use crate::tools::Tier;
+use crate::tools::snapshot::Content;
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::truth::expected::Expected;
+use std::fmt::Debug;
+use std::marker::PhantomData;
+use wire::work::Xyz;
+use wire::{Answer, Work};
+
+/// The [`Check`] of some kind of work. It is called with work and answers of its own kind only;
+/// [`AnyCheck::fits`] says whether an answer is.
+pub(crate) trait AnyCheck: Debug + Sync {
+    /// As [`Check::NEEDS_ALL_STAGES`].
+    fn needs_all_stages(&self) -> bool;
+
+    /// As [`Check::LIMIT_MS`].
+    fn limit_ms(&self) -> u64;
+
+    /// As [`Check::calls`].
+    fn calls(&self, work: &Work) -> usize;
+
+    /// As [`Check::only_call`].
+    fn only_call(&self, work: &Work, call: usize) -> Option<Work>;
+
+    /// As [`Check::MAIN`].
+    fn main(&self) -> &'static [Aspect];
+
+    /// As [`Check::fits`]. An answer to another kind of work does not fit.
+    fn fits(&self, work: &Work, answer: &Answer) -> Result<(), String>;
+
+    /// As [`Check::expected`].
+    fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected>;
+
+    /// As [`Check::judge`].
+    fn judge(
+        &self,
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &Work,
+        answer: &Answer,
+    );
+
+    /// As [`Check::judge_rest`].
+    fn judge_rest(
+        &self,
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &Work,
+        answer: &Answer,
+    );
+
+    /// As [`Check::lines`].
+    fn lines(&self, work: &Work, answer: &Answer) -> Option<Content>;
+
+    /// As [`Check::repro`].
+    fn repro(&self, tier: Tier, work: &Work, call: usize) -> Option<String>;
+
+    /// As [`Check::repro_shows`].
+    fn repro_shows(&self, aspect: Aspect) -> bool;
+
+    /// As [`Check::colours`].
+    fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>>;
+}
+
+/// The check of the kind of work `K`.
+pub(crate) fn check_of_kind<K: Check>() -> &'static dyn AnyCheck {
+    &ErasedCheck::<K>(PhantomData)
+}
+
+/// The check of the kind of work `K`, without its types.
+struct ErasedCheck<K>(PhantomData<fn() -> K>);
+
+impl<K: Check> ErasedCheck<K> {
+    fn question(work: &Work) -> &K::Question {
+        K::question(work).expect("a check gets work of its own kind")
+    }
+}
+
+impl<K> Debug for ErasedCheck<K> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(std::any::type_name::<K>())
+    }
+}
+
+impl<K: Check> AnyCheck for ErasedCheck<K> {
+    fn needs_all_stages(&self) -> bool {
+        K::NEEDS_ALL_STAGES
+    }
+
+    fn limit_ms(&self) -> u64 {
+        K::LIMIT_MS
+    }
+
+    fn calls(&self, work: &Work) -> usize {
+        K::calls(Self::question(work))
+    }
+
+    fn only_call(&self, work: &Work, call: usize) -> Option<Work> {
+        K::only_call(Self::question(work), call).map(K::work)
+    }
+
+    fn main(&self) -> &'static [Aspect] {
+        K::MAIN
+    }
+
+    fn fits(&self, work: &Work, answer: &Answer) -> Result<(), String> {
+        match K::answer(answer) {
+            Some(answer) => K::fits(Self::question(work), answer),
+            None => Err(format!(
+                "it is an answer to another kind of work, {}",
+                answer.kind()
+            )),
+        }
+    }
+
+    fn expected(&self, work: &Work, tier: Tier, enclosed: bool) -> Vec<Expected> {
+        K::expected(Self::question(work), tier, enclosed)
+    }
+
+    fn judge(
+        &self,
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &Work,
+        answer: &Answer,
+    ) {
+        debug_assert_eq!(self.fits(work, answer), Ok(()), "{}", case.name);
+        if let Some(answer) = K::answer(answer) {
+            K::judge(tally, case, tier, Self::question(work), answer);
+        }
+    }
+
+    fn judge_rest(
+        &self,
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &Work,
+        answer: &Answer,
+    ) {
+        if let Some(answer) = K::answer(answer) {
+            K::judge_rest(tally, case, tier, Self::question(work), answer);
+        }
+    }
+
+    fn lines(&self, work: &Work, answer: &Answer) -> Option<Content> {
+        K::lines(Self::question(work), K::answer(answer)?)
+    }
+
+    fn repro(&self, tier: Tier, work: &Work, call: usize) -> Option<String> {
+        K::repro(tier, Self::question(work), call)
+    }
+
+    fn repro_shows(&self, aspect: Aspect) -> bool {
+        K::repro_shows(aspect)
+    }
+
+    fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>> {
+        K::colours(K::answer(answer)?)
+    }
+}

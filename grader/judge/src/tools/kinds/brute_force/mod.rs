@@ -1,0 +1,90 @@
+//! Rays traced through a list of shapes: the cases of `part1.task3` and `part1.task4` with many
+//! shapes.
+
+mod judge;
+mod repro;
+
+use crate::tools::aspects::hits;
+use crate::tools::check::{CaseContext, Check, hits_fit};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::{self, each};
+use crate::tools::tally::{Aspect, Tally};
+use crate::tools::truth::expected::Expected;
+use crate::tools::{Tier, colours, convert, truth};
+use kit::Primitive;
+use wire::answer::HitsAnswer;
+use wire::kind;
+use wire::work::{BruteForceWork, Xyz};
+
+impl Check for kind::BruteForce {
+    const MAIN: &'static [Aspect] = &[Aspect::HitOrMiss, Aspect::T];
+
+    fn calls(work: &BruteForceWork) -> usize {
+        work.rays.len()
+    }
+
+    fn only_call(work: &BruteForceWork, call: usize) -> Option<BruteForceWork> {
+        Some(BruteForceWork {
+            rays: vec![*work.rays.get(call)?],
+            ..work.clone()
+        })
+    }
+
+    fn fits(work: &BruteForceWork, answer: &HitsAnswer) -> Result<(), String> {
+        hits_fit(Self::calls(work), answer)
+    }
+
+    fn expected(work: &BruteForceWork, tier: Tier, enclosed: bool) -> Vec<Expected> {
+        let scene = convert::scene(&work.triangles, &work.spheres);
+        let shapes: Vec<Primitive<'_>> = scene.primitives().collect();
+        let rays = work.rays.iter();
+        rays.map(|ray| truth::first_of(tier, &shapes, &convert::ray(ray), enclosed))
+            .collect()
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &BruteForceWork,
+        answer: &HitsAnswer,
+    ) {
+        let function = match work.triangles.is_empty() {
+            true => "intersect_sphere",
+            false => "intersect_triangle",
+        };
+        if !tally.is_written(function, &hits::OF_A_RECORD) {
+            return;
+        }
+        tally.count_for(function);
+        let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
+        judge::brute_force(tally, &work.rays, expected, answer);
+    }
+
+    fn judge_rest(
+        tally: &mut Tally,
+        case: &CaseContext<'_>,
+        tier: Tier,
+        work: &BruteForceWork,
+        answer: &HitsAnswer,
+    ) {
+        let expected = case.expected(tier, || Self::expected(work, tier, case.enclosed));
+        judge::parameters(tally, &work.rays, expected, answer);
+    }
+
+    fn lines(work: &BruteForceWork, answer: &HitsAnswer) -> Option<Content> {
+        let lines = each(&work.rays, &answer.hits, |ray, hit| {
+            lines::hit(None, ray, hit.as_ref())
+        });
+        Some((Vec::new(), lines))
+    }
+
+    fn repro(tier: Tier, work: &BruteForceWork, call: usize) -> Option<String> {
+        repro::first_of(tier, &work.triangles, &work.spheres, work.rays.get(call)?)
+    }
+
+    fn colours(answer: &HitsAnswer) -> Option<Vec<Xyz>> {
+        let hits = answer.hits.iter().map(Option::as_ref);
+        Some(hits.map(colours::hit).collect())
+    }
+}

@@ -1,0 +1,512 @@
+//! Judges estimates of direct light, by the rays that they trace and the sum that they compute.
+//!
+//! An estimate is judged by its own rays, whatever random numbers it used: given the rays, the
+//! right sum is exact. The distribution of the rays and the mean of the estimates are tested
+//! separately.
+
+use super::lamps::{SKY_PDF, ShadingPlace, VisiblePart, environment_map, sample_of_delta_light};
+use super::shadow_targets::{Source, Target, target};
+
+use crate::tools::aspects::chance::{self, MIN_ESTIMATES};
+use crate::tools::aspects::hits::show;
+use crate::tools::aspects::numbers;
+use crate::tools::tally::{Aspect, Class, Tally};
+use kit::{Tally as SampleTally, Vec3};
+use std::collections::HashSet;
+use std::f64::consts::TAU;
+use wire::direct::{DirectAnswer, DirectWork, RecordedRay, ShadedPoint, Strategy};
+use wire::light::{Light, Material, Panel};
+
+/// Relative error allowed in a sum: thousands of roundings, or a π with ten digits.
+const SUM_BOUND: f64 = 1e-9;
+
+/// How far an origin may be off, in world units: the worlds are ten units large, and the error
+/// bound of points is 2e-12.
+const ORIGIN_BOUND: f64 = 2e-13;
+
+/// How far a direction may be off.
+pub(super) const DIRECTION_BOUND: f64 = 1e-6;
+
+/// The largest gap between the end of a shadow ray and its light, relative to the distance.
+const LONGEST_GAP: f64 = 1e-6;
+
+/// The aspects of estimates.
+const OF_AN_ESTIMATE: [Aspect; 7] = [
+    Aspect::Radiance,
+    Aspect::Mean,
+    Aspect::Rays,
+    Aspect::Origin,
+    Aspect::Direction,
+    Aspect::Range,
+    Aspect::Spread,
+];
+
+/// Judges every estimate of `work`.
+pub(crate) fn direct(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    let function = match work.strategy {
+        Strategy::ZeroBounce => "zero_bounce_radiance",
+        Strategy::Hemisphere => "estimate_direct_lighting_hemisphere",
+        Strategy::Lights => "estimate_direct_lighting_importance",
+    };
+    if !tally.is_written(function, &OF_AN_ESTIMATE) {
+        return;
+    }
+    tally.count_for(function);
+    for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
+        let one = Estimate {
+            work,
+            point,
+            place: ShadingPlace::of(point),
+            answer,
+            call,
+        };
+        match work.strategy {
+            Strategy::ZeroBounce => one.zero_bounce(tally),
+            Strategy::Hemisphere => one.hemisphere(tally),
+            Strategy::Lights => one.lights(tally),
+        }
+    }
+    if work.strategy != Strategy::ZeroBounce && answers.len() >= MIN_ESTIMATES {
+        statistics(tally, work, answers);
+    }
+}
+
+/// Why the number of shadow rays is not judged.
+const RAYS_BY_CHANCE: &str = "random numbers decide how many samples of a light can contribute, so fewer rays are right, too";
+
+/// Records what random numbers leave open: the directions of estimates that are too few to test,
+/// and the number of shadow rays.
+pub(crate) fn untested(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    for (call, (point, answer)) in work.points.iter().zip(answers).enumerate() {
+        let one = Estimate {
+            work,
+            point,
+            place: ShadingPlace::of(point),
+            answer,
+            call,
+        };
+        let (least, most) = match work.strategy {
+            Strategy::ZeroBounce | Strategy::Hemisphere => (0, 0),
+            Strategy::Lights => one.right_rays(&one.sources()),
+        };
+        if least < most {
+            tally.not_judged(Aspect::Rays, call, RAYS_BY_CHANCE);
+        }
+        let is_random = |source: &Source| !matches!(source, Source::Point(_));
+        let may_be_random = match work.strategy {
+            Strategy::ZeroBounce => false,
+            Strategy::Hemisphere => true,
+            Strategy::Lights => one.sources().iter().any(is_random),
+        };
+        let are_few = answers.len() < MIN_ESTIMATES;
+        if may_be_random && are_few && !answer.rays.is_empty() {
+            tally.not_judged(Aspect::Direction, call, chance::TOO_FEW);
+        }
+    }
+}
+
+/// Tests the statistics of many estimates; all points of `work` are the same.
+fn statistics(tally: &mut Tally, work: &DirectWork, answers: &[DirectAnswer]) {
+    let place = ShadingPlace::of(&work.points[0]);
+    if work.strategy == Strategy::Hemisphere {
+        let rays = answers.iter().flat_map(|answer| &answer.rays);
+        let directions: Vec<Option<Vec3>> = rays
+            .map(|recorded| Some(place.frame.to_local(recorded.ray.d.into())))
+            .collect();
+        let side = place.wo.z.signum();
+        let density = |w: Vec3| if w.z * side > 0.0 { 1.0 / TAU } else { 0.0 };
+        chance::spread(tally, &directions, density, "uniformly over the hemisphere");
+        super::degrees::judge(tally, work, &directions);
+    }
+    let green: SampleTally = answers.iter().map(|answer| answer.radiance[1]).collect();
+    chance::mean(tally, "estimates", &green, place.lit_by(&work.world).y);
+}
+
+struct Estimate<'a> {
+    work: &'a DirectWork,
+    point: &'a ShadedPoint,
+    place: ShadingPlace,
+    answer: &'a DirectAnswer,
+    call: usize,
+}
+
+impl Estimate<'_> {
+    fn about(&self) -> String {
+        let geometric = match self.point.ng == self.point.n {
+            true => String::new(),
+            false => format!(", the geometric normal {:?}", self.point.ng),
+        };
+        format!(
+            "Point {:?} with the normal {:?}{geometric}, {:?}, seen along wo = {:?}, {} samples",
+            self.point.p, self.point.n, self.point.material, self.point.wo, self.work.samples
+        )
+    }
+
+    /// Judges the sum. A wrong sum that equals that of a known mistake for the same rays has the
+    /// mistake's name as its class.
+    fn radiance(&self, tally: &mut Tally, right: Vec3, mistakes: &[(&'static str, Vec3)]) {
+        tally.expect(Aspect::Radiance);
+        let answered = self.answer.radiance;
+        let (aspect, call) = (Aspect::Radiance, self.call);
+        let is = |sum: Vec3| numbers::same_colour(answered, sum.into(), SUM_BOUND);
+        let named = mistakes.iter().find(|(_, sum)| !is(right) && is(*sum));
+        if let Some((name, _)) = named {
+            let class = Some(Class::Named(name));
+            tally.judge_class(aspect, call, class, 1.0, || {
+                let right = right.to_array();
+                format!(
+                    "your result: {answered:?}; expected: {right:?}. {}",
+                    self.about()
+                )
+            });
+            return;
+        }
+        numbers::colour(
+            tally,
+            aspect,
+            call,
+            answered,
+            right.into(),
+            SUM_BOUND,
+            || self.about(),
+        );
+    }
+
+    fn zero_bounce(&self, tally: &mut Tally) {
+        let emitted = self.point.material.emitted();
+        let in_front = self.place.ng.dot(self.point.wo.into()) > 0.0;
+        let right = emitted.filter(|_| in_front);
+        let right = right.map_or(Vec3::ZERO, Vec3::from);
+        self.radiance(tally, right, &[]);
+    }
+
+    fn hemisphere(&self, tally: &mut Tally) {
+        let samples = self.work.samples;
+        let is_delta = matches!(
+            self.point.material,
+            Material::Mirror(_) | Material::Glass(_)
+        );
+        let wanted = if is_delta { 0 } else { samples };
+        self.count(tally, wanted, wanted);
+        let mut sum = Vec3::ZERO;
+        let mut mistakes = super::mistakes::HemisphereMistakes::default();
+        let wrong_side = self.wrong_side();
+        for recorded in &self.answer.rays {
+            let d = Vec3::from(recorded.ray.d);
+            self.start(tally, recorded);
+            tally.expect(Aspect::Range);
+            let whole = recorded.ray.min_t == 0.0 && recorded.ray.max_t == f64::INFINITY;
+            tally.judge(Aspect::Range, self.call, whole, 1.0, || {
+                format!(
+                    "your result: a ray with the range [{:?}, {:?}]; expected: [0, inf]. {}",
+                    recorded.ray.min_t,
+                    recorded.ray.max_t,
+                    self.about()
+                )
+            });
+            tally.expect(Aspect::Direction);
+            let side = self.place.frame.to_local(d).z * self.place.wo.z;
+            let length = d.length();
+            let class = if (length - 1.0).abs() > DIRECTION_BOUND || length.is_nan() {
+                Some(Class::WrongLength)
+            } else {
+                (side < 0.0).then_some(wrong_side)
+            };
+            tally.judge_class(Aspect::Direction, self.call, class, 1.0, || {
+                format!(
+                    "your result: a ray along d = {}; expected: a unit vector on the side of wo. {}",
+                    show(d),
+                    self.about()
+                )
+            });
+            sum += self.place.scattered(d) * Vec3::from(recorded.seen);
+            mistakes.add(&self.place, recorded);
+        }
+        self.distinct(tally);
+        if self.lacks_rays(tally, wanted) {
+            return;
+        }
+        let share = TAU / f64::from(samples.max(1));
+        self.radiance(tally, sum * share, &mistakes.sums(share));
+    }
+
+    /// Judges an estimate without rays as wrong if at least `wanted` of them are necessary: the sum
+    /// over no rays says nothing about the light.
+    fn lacks_rays(&self, tally: &mut Tally, wanted: u32) -> bool {
+        let lacks = wanted > 0 && self.answer.rays.is_empty();
+        if lacks {
+            tally.expect(Aspect::Radiance);
+            let class = Some(Class::Named("without rays"));
+            tally.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
+                format!(
+                    "your result: {:?} without tracing a ray; expected: the sum over at least {wanted}. {}",
+                    self.answer.radiance,
+                    self.about()
+                )
+            });
+        }
+        lacks
+    }
+
+    /// The class of rays that go to the wrong side of the surface.
+    fn wrong_side(&self) -> Class {
+        let to_viewer = self.place.wo.z;
+        let all = |z: &dyn Fn(Vec3) -> f64| {
+            let mut rays = self.answer.rays.iter();
+            rays.all(|recorded| z(recorded.ray.d.into()) * to_viewer > 0.0)
+        };
+        if all(&|d| -self.place.frame.to_local(d).z) {
+            Class::Named("all on the other side")
+        } else if all(&|d| d.z) {
+            Class::Named("as if they were local")
+        } else {
+            Class::Negated
+        }
+    }
+
+    fn lights(&self, tally: &mut Tally) {
+        let sources = self.sources();
+        let (least, most) = self.right_rays(&sources);
+        self.count(tally, least, most);
+        let (mut sum, mut with_distance_twice) = (Vec3::ZERO, Vec3::ZERO);
+        let mut with_wrong_ends = Vec3::ZERO;
+        let mut with_geometric_cosine = Vec3::ZERO;
+        let mut first_wrong_end = None;
+        for recorded in &self.answer.rays {
+            let target = target(&sources, self.place.p, recorded);
+            self.start(tally, recorded);
+            self.shadow_ray(tally, recorded, &target);
+            let (source, far) = match target {
+                Target::Light { source, far } | Target::WrongEnd { source, far } => (source, far),
+                Target::None => continue,
+            };
+            let light = match recorded.hit {
+                true => Vec3::ZERO,
+                false => self.contribution(&sources[source], far, recorded.ray.d.into()),
+            };
+            with_wrong_ends += light;
+            if let Target::WrongEnd { .. } = target {
+                first_wrong_end.get_or_insert((recorded, far));
+                continue;
+            }
+            sum += light;
+            with_geometric_cosine += light * self.place.geometric_to_shading(recorded.ray.d.into());
+            with_distance_twice += match far.is_finite() {
+                true => light / (far * far),
+                false => light,
+            };
+        }
+        self.distinct(tally);
+        if self.lacks_rays(tally, least) {
+            return;
+        }
+        let is = |sum: Vec3| numbers::same_colour(self.answer.radiance, sum.into(), SUM_BOUND);
+        if let Some((recorded, far)) = first_wrong_end
+            && !is(sum)
+            && is(with_wrong_ends)
+        {
+            return self.ends_are_wrong(tally, recorded, far);
+        }
+        let mistakes = [
+            ("distance twice", with_distance_twice),
+            ("the cosine to the geometric normal", with_geometric_cosine),
+        ];
+        self.radiance(tally, sum, &mistakes);
+    }
+
+    /// Judges a sum as wrong that is the right one for what the shadow rays returned, because they
+    /// end elsewhere. `recorded` is the first of them, and its light is at the distance `far`.
+    fn ends_are_wrong(&self, tally: &mut Tally, recorded: &RecordedRay, far: f64) {
+        tally.expect(Aspect::Radiance);
+        let class = Some(Class::Named("wrong ends"));
+        tally.judge_class(Aspect::Radiance, self.call, class, 1.0, || {
+            format!(
+                "your result: a shadow ray with max_t = {:?}; expected: it ends just before its light, at t = {far:?}. The sum {:?} is right for these rays. {}",
+                recorded.ray.max_t,
+                self.answer.radiance,
+                self.about()
+            )
+        });
+    }
+
+    /// The lights whose light can arrive at the point.
+    fn sources(&self) -> Vec<Source> {
+        let world = &self.work.world;
+        let lights = world.lights.iter().filter_map(|light| {
+            match (sample_of_delta_light(light, self.place.p), light) {
+                (Some(sample), _) => sample.map(Source::Point),
+                (None, Light::Sky(radiance)) => Some(Source::Sky((*radiance).into())),
+                (None, _) => None,
+            }
+        });
+        let panels = world.panels.iter().filter_map(|panel| {
+            let radiance = panel.material.emitted()?;
+            let is_seen = self.place.visible_part(panel) != VisiblePart::None;
+            is_seen.then(|| Source::Lamp(*panel, radiance.into()))
+        });
+        let around = environment_map(world).map(Source::Map);
+        lights.chain(around).chain(panels).collect()
+    }
+
+    /// The smallest and the largest number of shadow rays that all lights may get.
+    fn right_rays(&self, sources: &[Source]) -> (u32, u32) {
+        if let Material::Mirror(_) | Material::Glass(_) = self.point.material {
+            return (0, 0);
+        }
+        let add = |(least, most), source: &Source| {
+            let (few, many) = self.rays_to(source);
+            (least + few, most + many)
+        };
+        let (parts, whole): (Vec<&Source>, _) = sources.iter().partition(|source| source.is_part());
+        let of_parts = if parts.is_empty() {
+            0
+        } else {
+            self.work.samples
+        };
+        whole.into_iter().fold((0, of_parts), add)
+    }
+
+    /// The area from which the samples of a lamp are taken.
+    fn sampled_area(&self, panel: &Panel) -> f64 {
+        if !panel.is_part() {
+            return panel.area();
+        }
+        let panels = self.work.world.panels.iter();
+        panels
+            .filter(|other| other.is_part())
+            .map(Panel::area)
+            .sum()
+    }
+
+    /// The smallest and the largest number of shadow rays that a light may get.
+    fn rays_to(&self, source: &Source) -> (u32, u32) {
+        let samples = self.work.samples;
+        match source {
+            Source::Point(light) => {
+                let one = u32::from(self.place.scattered(light.wi) != Vec3::ZERO);
+                (one, one)
+            }
+            Source::Lamp(panel, _) if self.place.visible_part(panel) == VisiblePart::All => {
+                (samples, samples)
+            }
+            Source::Lamp(..) | Source::Sky(_) | Source::Map(_) => (0, samples),
+        }
+    }
+
+    /// The contribution of an unblocked ray along `d` to a light at the distance `far`.
+    fn contribution(&self, source: &Source, far: f64, d: Vec3) -> Vec3 {
+        let share = 1.0 / f64::from(self.work.samples.max(1));
+        let scattered = self.place.scattered(d);
+        match source {
+            Source::Point(light) => scattered * Vec3::from(light.radiance.to_array()),
+            Source::Sky(radiance) => scattered * *radiance * (share / SKY_PDF),
+            Source::Map(picture) => {
+                let radiance = Vec3::from(picture.radiance(d).to_array());
+                scattered * radiance * (share / picture.pdf(d))
+            }
+            Source::Lamp(panel, radiance) => {
+                let facing = (-d.dot(panel.front().into())).max(0.0);
+                scattered * *radiance * (share * facing * self.sampled_area(panel) / (far * far))
+            }
+        }
+    }
+
+    /// Judges a shadow ray: it goes to a light that can contribute, and ends just before it.
+    fn shadow_ray(&self, tally: &mut Tally, recorded: &RecordedRay, target: &Target) {
+        tally.expect(Aspect::Direction);
+        tally.expect(Aspect::Range);
+        let goes_to_light = !matches!(target, Target::None);
+        tally.judge(Aspect::Direction, self.call, goes_to_light, 1.0, || {
+            format!(
+                "your result: a shadow ray with d = {:?}; expected: it goes to a light that contributes here. {}",
+                recorded.ray.d,
+                self.about()
+            )
+        });
+        let is_useless = self.place.scattered(recorded.ray.d.into()) == Vec3::ZERO;
+        tally.judge(Aspect::Rays, self.call, !is_useless, 1.0, || {
+            format!(
+                "your result: a shadow ray along d = {:?}; expected: none, since no light from there is scattered to wo. {}",
+                recorded.ray.d,
+                self.about()
+            )
+        });
+        let (Target::Light { far, .. } | Target::WrongEnd { far, .. }) = *target else {
+            return;
+        };
+        let gap = (far - recorded.ray.max_t) / far;
+        let ends_right =
+            far == f64::INFINITY && recorded.ray.max_t == far || gap > 0.0 && gap <= LONGEST_GAP;
+        let right = recorded.ray.min_t == 0.0 && ends_right;
+        tally.judge(Aspect::Range, self.call, right, 1.0, || {
+            format!(
+                "your result: a shadow ray with the range [{:?}, {:?}]; expected: from 0 to just before the light at t = {far:?}. {}",
+                recorded.ray.min_t,
+                recorded.ray.max_t,
+                self.about()
+            )
+        });
+    }
+
+    fn count(&self, tally: &mut Tally, least: u32, most: u32) {
+        tally.expect(Aspect::Rays);
+        let traced = self.answer.rays.len();
+        let right = (least as usize..=most as usize).contains(&traced);
+        let (wanted, size) = (f64::from(least), traced as f64 - f64::from(most));
+        let class = (!right).then(|| Class::of_number(traced as f64, wanted));
+        tally.judge_class(Aspect::Rays, self.call, class, size.abs(), || {
+            let right = if least == most {
+                format!("{least}")
+            } else {
+                format!("{least} to {most}")
+            };
+            format!(
+                "your result: {traced} rays; expected: {right}. {}",
+                self.about()
+            )
+        });
+    }
+
+    /// Judges the origin of a ray: the point, offset by its error bound.
+    fn start(&self, tally: &mut Tally, recorded: &RecordedRay) {
+        tally.expect(Aspect::Origin);
+        let right = self.place.start(recorded.ray.d.into());
+        let off = (Vec3::from(recorded.ray.o) - right).length();
+        let class = (off.is_nan() || off > ORIGIN_BOUND).then(|| Class::of_offset(off));
+        tally.judge_class(Aspect::Origin, self.call, class, off, || {
+            format!(
+                "your result: a ray with the origin {}; expected: {}, from Surface::leave. {}",
+                show(recorded.ray.o.into()),
+                show(right),
+                self.about()
+            )
+        });
+    }
+
+    /// Judges that no two samples use the same random numbers.
+    fn distinct(&self, tally: &mut Tally) {
+        let is_directional = |light: &Light| matches!(light, Light::Directional { .. });
+        let may_repeat = self
+            .work
+            .world
+            .lights
+            .iter()
+            .filter(|l| is_directional(l))
+            .count()
+            > 1;
+        if self.answer.rays.len() < 2 || may_repeat {
+            return;
+        }
+        tally.expect(Aspect::Spread);
+        let bits = |recorded: &RecordedRay| recorded.ray.d.map(f64::to_bits);
+        let different: HashSet<_> = self.answer.rays.iter().map(bits).collect();
+        let (all, different) = (self.answer.rays.len(), different.len());
+        let right = all == different;
+        tally.judge(Aspect::Spread, self.call, right, 1e3, || {
+            format!(
+                "only {different} of {all} rays have different directions: each sample needs its own random numbers. {}",
+                self.about()
+            )
+        });
+    }
+}

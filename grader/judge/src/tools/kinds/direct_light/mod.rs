@@ -1,0 +1,77 @@
+//! Direct light: the kind of work of `part3.task2` and `part3.task3`.
+
+mod degrees;
+mod judge;
+mod lamps;
+mod mistakes;
+mod shadow_targets;
+pub(crate) mod worlds;
+
+use crate::tools::Tier;
+use crate::tools::check::{CaseContext, Check, one_each};
+use crate::tools::snapshot::Content;
+use crate::tools::snapshot::lines::each;
+use crate::tools::snapshot::{field, forms, number, vector};
+use crate::tools::tally::{Aspect, Tally};
+use wire::direct::{DirectAnswer, DirectWork};
+use wire::kind;
+
+impl Check for kind::Direct {
+    const MAIN: &'static [Aspect] = &[Aspect::Radiance, Aspect::Mean];
+
+    fn calls(work: &DirectWork) -> usize {
+        work.points.len()
+    }
+
+    /// Random numbers are made of the number of the call.
+    fn only_call(_: &DirectWork, _: usize) -> Option<DirectWork> {
+        None
+    }
+
+    fn fits(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Result<(), String> {
+        one_each(Self::calls(work), answers)
+    }
+
+    fn judge(
+        tally: &mut Tally,
+        _: &CaseContext<'_>,
+        _: Tier,
+        work: &DirectWork,
+        answers: &Vec<DirectAnswer>,
+    ) {
+        judge::direct(tally, work, answers);
+    }
+
+    fn judge_rest(
+        tally: &mut Tally,
+        _: &CaseContext<'_>,
+        _: Tier,
+        work: &DirectWork,
+        answers: &Vec<DirectAnswer>,
+    ) {
+        judge::untested(tally, work, answers);
+    }
+
+    fn lines(work: &DirectWork, answers: &Vec<DirectAnswer>) -> Option<Content> {
+        let lines = each(&work.points, answers, |point, answer| {
+            let mut question = vec![field("p", vector(&point.p)), field("n", vector(&point.n))];
+            if point.ng != point.n {
+                question.push(field("ng", vector(&point.ng)));
+            }
+            question.push(field("wo", vector(&point.wo)));
+            let short = vec![
+                field("radiance", vector(&answer.radiance)),
+                number("rays", answer.rays.len() as f64),
+            ];
+            let mut full = short.clone();
+            full.extend(answer.rays.iter().take(2).flat_map(|recorded| {
+                [
+                    field("d", vector(&recorded.ray.d)),
+                    number("max_t", recorded.ray.max_t),
+                ]
+            }));
+            forms(question, short, full)
+        });
+        Some((Vec::new(), lines))
+    }
+}

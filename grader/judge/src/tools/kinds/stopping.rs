@@ -1,0 +1,85 @@
+//! Stopping rules: what the plain rule of `part5.task1` and the waiting rule of `part5.task2` share.
+
+use crate::tools::repro::numbers::float;
+use crate::tools::snapshot::{Fields, Forms, field, forms, number, vector};
+use crate::tools::tally::{Aspect, Class, Tally};
+use kit::Tally as SampleTally;
+use std::fmt::Write;
+use wire::adaptive::{StopAnswer, StopCall};
+
+/// A question with these samples, and what the plain rule returns.
+pub(crate) fn call(runs: Vec<(u32, f64)>, rule: bool) -> StopCall {
+    StopCall {
+        runs,
+        tolerance: 0.05,
+        rule,
+    }
+}
+
+/// The samples of a question.
+pub(crate) fn samples(call: &StopCall) -> SampleTally {
+    let runs = call.runs.iter();
+    runs.flat_map(|&(count, x)| std::iter::repeat_n(x, count as usize))
+        .collect()
+}
+
+/// Judges the result of a rule.
+pub(crate) fn verdict(
+    tally: &mut Tally,
+    i: usize,
+    call: &StopCall,
+    answer: &StopAnswer,
+    right: bool,
+) {
+    tally.expect(Aspect::Stop);
+    let class = match (answer.stop, right) {
+        (true, false) => Some(Class::FalseHit),
+        (false, true) => Some(Class::FalseMiss),
+        _ => None,
+    };
+    tally.judge_class(Aspect::Stop, i, class, 1.0, || {
+        let samples = samples(call);
+        format!(
+            "your result: {}; expected: {right}. {} samples with the mean {} and the standard error {}, tolerance {}; the plain rule returns {}",
+            answer.stop,
+            samples.count(),
+            samples.mean(),
+            samples.standard_error(),
+            call.tolerance,
+            call.rule
+        )
+    });
+}
+
+/// The result of a stopping rule, and how often the waiting rule called the plain rule.
+pub(crate) fn line(call: &StopCall, answer: &StopAnswer) -> Forms {
+    let runs = call.runs.iter().take(4);
+    let mut question: Fields = runs
+        .map(|&(count, x)| field("run", vector(&[f64::from(count), x])))
+        .collect();
+    question.push(number("tolerance", call.tolerance));
+    let answer = vec![
+        number("stop", f64::from(u8::from(answer.stop))),
+        number("asked", answer.rule_calls.len() as f64),
+    ];
+    forms(question, answer.clone(), answer)
+}
+
+/// The largest number of different samples in a readable test.
+pub(crate) const MOST_SAMPLES: usize = 40;
+
+/// Adds the lines that define `samples`; `None` if there are too many to read.
+pub(crate) fn define_samples(text: &mut String, call: &StopCall) -> Option<()> {
+    let runs = call.runs.iter();
+    let runs: Vec<String> = runs
+        .map(|(count, x)| format!("({count}, {})", float(*x)))
+        .collect();
+    let _ = writeln!(
+        text,
+        "let runs: [(usize, f64); {}] = [{}];
+let samples: Tally = runs.iter().flat_map(|&(count, x)| std::iter::repeat_n(x, count)).collect();",
+        runs.len(),
+        runs.join(", ")
+    );
+    (runs.len() <= MOST_SAMPLES).then_some(())
+}

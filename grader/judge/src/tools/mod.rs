@@ -1,0 +1,28 @@
+//! What the tasks are made of: nothing here knows a task.
+//!
+//! [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical errors.
+//! [`truth`] computes the exact results with the oracle. [`aspects`] judges hit records, numbers,
+//! statistics of many samples. [`snapshot`] writes and compares goldens, [`repro`] parts of Rust
+//! tests. [`questions`] makes the inputs of cases. [`check`] has the operations on a kind of work,
+//! [`spec`] a case, [`kinds`] what several tasks share.
+
+pub(crate) mod aspects;
+pub mod call_input;
+pub(crate) mod check;
+pub mod circumstances;
+pub(crate) mod colours;
+pub mod convert;
+pub mod errors;
+pub(crate) mod kinds;
+mod plural;
+pub(crate) mod questions;
+pub mod recorded;
+pub(crate) mod repro;
+pub(crate) mod snapshot;
+pub(crate) mod spec;
+pub mod tally;
+mod tier;
+pub mod truth;
+
+pub use plural::plural;
+pub use tier::Tier;

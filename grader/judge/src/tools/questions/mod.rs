@@ -1,0 +1,6 @@
+//! Makes the inputs of cases.
+
+pub(crate) mod crosses;
+pub(crate) mod picture_shapes;
+pub mod probes;
+pub(crate) mod tree_plan;

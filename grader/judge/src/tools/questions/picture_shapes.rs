@@ -1,0 +1,107 @@
+//! The shapes of the pictures of Part 1, and the rays of their cameras.
+
+use super::probes::through;
+use kit::{Camera, Ray, Sphere, Triangle, Vec3, math};
+use std::f64::consts::TAU;
+
+/// Width and height of the pictures.
+pub(crate) const SIZE: [u32; 2] = [160, 120];
+
+/// Ten spheres in a pyramid on a large sphere, with small spheres around them.
+pub(crate) fn spheres_in_a_pile() -> Vec<Sphere> {
+    let mut spheres = vec![Sphere {
+        center: Vec3::new(0.0, -40.0, 0.0),
+        radius: 40.0,
+    }];
+    let layers: [(f64, &[(f64, f64)]); 3] = [
+        (
+            0.48,
+            &[
+                (-1.0, -0.577),
+                (0.0, -0.577),
+                (1.0, -0.577),
+                (-0.5, 0.289),
+                (0.5, 0.289),
+                (0.0, 1.155),
+            ],
+        ),
+        (1.3, &[(-0.5, -0.289), (0.5, -0.289), (0.0, 0.577)]),
+        (2.11, &[(0.0, 0.0)]),
+    ];
+    for (y, places) in layers {
+        spheres.extend(places.iter().map(|&(x, z)| Sphere {
+            center: Vec3::new(x, y, z),
+            radius: 0.5,
+        }));
+    }
+    spheres.extend((0..9).map(|i| {
+        let (sin, cos) = math::sin_cos(TAU * f64::from(i) / 9.0 + 0.2);
+        let radius = 0.12 + 0.03 * f64::from(i % 4);
+        Sphere {
+            center: Vec3::new(2.3 * cos, radius - 0.07, 2.3 * sin),
+            radius,
+        }
+    }));
+    spheres
+}
+
+/// The rays through the pixels' centres, row by row from the bottom left, of a camera at `pos`.
+pub(crate) fn picture_rays(pos: Vec3, target: Vec3, h_fov: f64) -> Vec<Ray> {
+    let c2w = Camera::look_at(pos, target, Vec3::Y).expect("the pictures do not look along +y");
+    let half_w = math::tan(h_fov.to_radians() / 2.0);
+    let [w, h] = SIZE.map(f64::from);
+    let pixel = |x: u32, y: u32| {
+        let right = (2.0 * (f64::from(x) + 0.5) / w - 1.0) * half_w;
+        let up = (2.0 * (f64::from(y) + 0.5) / h - 1.0) * half_w * h / w;
+        through(pos, pos + c2w * Vec3::new(right, up, -1.0))
+    };
+    (0..SIZE[1])
+        .flat_map(|y| (0..SIZE[0]).map(move |x| (x, y)))
+        .map(|(x, y)| pixel(x, y))
+        .collect()
+}
+
+/// A torus around the y axis with `around` x `across` facets and its true normals at the vertices.
+pub(crate) fn ring(around: u32, across: u32) -> Vec<Triangle> {
+    let vertex = |i: u32, j: u32| {
+        let (sin, cos) = math::sin_cos(TAU * f64::from(i % around) / f64::from(around));
+        let (rise, out) = math::sin_cos(TAU * f64::from(j % across) / f64::from(across));
+        let n = Vec3::new(cos * out, rise, sin * out);
+        (Vec3::new(1.4 * cos, 0.0, 1.4 * sin) + 0.45 * n, n)
+    };
+    let triangle = |[(p0, n0), (p1, n1), (p2, n2)]: [(Vec3, Vec3); 3]| Triangle {
+        p0,
+        p1,
+        p2,
+        n0,
+        n1,
+        n2,
+    };
+    let facet = |i: u32, j: u32| {
+        let [a, b, c, d] = [
+            vertex(i, j),
+            vertex(i, j + 1),
+            vertex(i + 1, j + 1),
+            vertex(i + 1, j),
+        ];
+        [triangle([a, b, c]), triangle([a, c, d])]
+    };
+    (0..around)
+        .flat_map(|i| (0..across).flat_map(move |j| facet(i, j)))
+        .collect()
+}
+
+/// An octahedron around `center` with flat faces.
+pub(crate) fn octahedron(center: Vec3, radius: f64) -> Vec<Triangle> {
+    let signs = [1.0, -1.0];
+    let corners = signs.map(|x| signs.map(|y| signs.map(|z| (x, y, z))));
+    let face = |(x, y, z): (f64, f64, f64)| {
+        let [a, b, c] = [x * Vec3::X, y * Vec3::Y, z * Vec3::Z].map(|v| center + radius * v);
+        if x * y * z > 0.0 {
+            Triangle::flat(a, b, c)
+        } else {
+            Triangle::flat(a, c, b)
+        }
+    };
+    corners.into_iter().flatten().flatten().map(face).collect()
+}

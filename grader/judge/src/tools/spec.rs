@@ -1,0 +1,156 @@
+//! The type of a case.
+
+use crate::tools::Tier;
+use crate::tools::check::any::{AnyCheck, check_of_kind};
+use crate::tools::check::expected_cache::ExpectedCache;
+use crate::tools::check::{CaseContext, Check};
+use crate::tools::tally::Aspect;
+use crate::tools::truth::expected::Expected;
+use std::sync::Arc;
+use wire::Work;
+
+/// One case of one task.
+#[derive(Clone, Debug)]
+pub struct Spec {
+    /// Key of the task.
+    pub task: &'static str,
+    /// Name, as in `course.toml`.
+    pub name: &'static str,
+    /// What is checked, in a sentence for students; after [`PITFALL`], what a naive formula does
+    /// there. [`checked`] returns the part without the hint.
+    pub about: &'static str,
+    /// The work of the worker.
+    pub work: Work,
+    /// Width and height, if the answers are the pixels of a picture, row by row from the bottom
+    /// left.
+    pub picture: Option<[u32; 2]>,
+    /// Whether the shapes enclose the origin of every ray, so that a miss is never right.
+    pub enclosed: bool,
+    /// The aspects that the case judges; empty for all aspects of its answers. So a mistake that
+    /// shows in every case is reported only in the cases that are about it.
+    pub about_aspects: &'static [Aspect],
+    /// The main answers of the case, if they are not those of `Spec::is_main`'s rule.
+    pub main_aspects: &'static [Aspect],
+    /// The check of the kind of `work`.
+    pub(crate) check: &'static dyn AnyCheck,
+    /// The exact results, as far as they have been computed.
+    pub(crate) expected_cache: Arc<ExpectedCache>,
+}
+
+/// Separates what a case checks from the mistake that its sentence names.
+pub const PITFALL: &str = " Pitfall: ";
+
+/// The part of the sentence `about` that names no mistake.
+pub fn checked(about: &str) -> &str {
+    about
+        .split_once(PITFALL)
+        .map_or(about, |(checked, _)| checked)
+}
+
+impl Spec {
+    /// The case `name` of `task` with a question of the kind `K`, without a picture; `about` is for
+    /// students.
+    pub(crate) fn new<K: Check>(
+        task: &'static str,
+        name: &'static str,
+        about: &'static str,
+        question: K::Question,
+    ) -> Spec {
+        Spec {
+            task,
+            name,
+            about,
+            work: K::work(question),
+            check: check_of_kind::<K>(),
+            picture: None,
+            enclosed: false,
+            about_aspects: &[],
+            main_aspects: &[],
+            expected_cache: Arc::default(),
+        }
+    }
+
+    /// The same case, judged on these aspects only.
+    pub(crate) fn only(self, about_aspects: &'static [Aspect]) -> Spec {
+        Spec {
+            about_aspects,
+            ..self
+        }
+    }
+
+    /// The same case with these main answers.
+    pub(crate) fn mainly(self, main_aspects: &'static [Aspect]) -> Spec {
+        Spec {
+            main_aspects,
+            ..self
+        }
+    }
+
+    /// Whether `aspect` is a main answer: if it is wrong, the case gives no points.
+    ///
+    /// Main are those of the aspects that the case is about that are main in all work of its kind,
+    /// such as the positions of samples; if there are none, the first that the case is about.
+    /// Wherever hit or miss is judged it is main, since without it nothing else means much.
+    pub(crate) fn is_main(&self, aspect: Aspect) -> bool {
+        if aspect == Aspect::HitOrMiss || !self.main_aspects.is_empty() {
+            return aspect == Aspect::HitOrMiss || self.main_aspects.contains(&aspect);
+        }
+        let of_kind = self.check.main();
+        let about = self.about_aspects;
+        match about.first() {
+            Some(first) if about.iter().all(|aspect| !of_kind.contains(aspect)) => aspect == *first,
+            _ => of_kind.contains(&aspect),
+        }
+    }
+
+    /// Whether this is the case `name` of `task`.
+    pub fn is(&self, task: &str, name: &str) -> bool {
+        self.task == task && self.name == name
+    }
+
+    /// Whether the case traces rays through all intersection stages, not only the task's own stage.
+    pub fn needs_all_stages(&self) -> bool {
+        self.check.needs_all_stages()
+    }
+
+    /// The case in the form that the worker gets.
+    pub fn case(&self) -> wire::Case {
+        wire::Case {
+            task: self.task.into(),
+            name: self.name.into(),
+            limit_ms: self.check.limit_ms(),
+            work: self.work.clone(),
+        }
+    }
+
+    /// The number of calls of the student's functions that the case makes.
+    pub fn calls(&self) -> usize {
+        self.check.calls(&self.work)
+    }
+
+    /// The same case with its call number `call` only, as call 0; `None` where calls depend on each
+    /// other or on their number (of which random numbers are made), or where there is no such call.
+    pub fn only_call(&self, call: usize) -> Option<Spec> {
+        Some(Spec {
+            work: self.check.only_call(&self.work, call)?,
+            picture: None,
+            expected_cache: Arc::default(),
+            ..self.clone()
+        })
+    }
+
+    /// The results that score for each probe or ray of a case about single shapes or a list of
+    /// shapes; empty for other cases.
+    pub fn expected(&self, tier: Tier) -> Vec<Expected> {
+        self.check.expected(&self.work, tier, self.enclosed)
+    }
+
+    /// What the check needs to know of the case.
+    pub(crate) fn context(&self) -> CaseContext<'_> {
+        CaseContext {
+            name: self.name,
+            enclosed: self.enclosed,
+            cache: &self.expected_cache,
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! The result of judging one aspect in one case.
+
+use super::{Aspect, Class};
+use crate::tools::errors::{ErrorSpread, NumberError};
+use serde::Serialize;
+use std::fmt;
+
+/// The result of judging one aspect in one case.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// Which aspect.
+    pub aspect: Aspect,
+    /// In how many calls a right answer has the aspect.
+    pub expected: u32,
+    /// In how many calls the answer has the aspect.
+    pub judged: u32,
+    /// How many of those were wrong.
+    pub wrong: u32,
+    /// Whether it is of a main answer of the case, without which the case gives no points.
+    pub main: bool,
+    /// The counts of each function, in cases of tasks with several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub functions: Vec<FunctionCount>,
+    /// The worst wrong answer.
+    pub worst: Option<Worst>,
+    /// All wrong answers.
+    #[serde(skip)]
+    pub faults: Vec<Fault>,
+    /// In statistical tests: the smallest relative bias or deviation that is always detected.
+    #[serde(rename = "sure", skip_serializing_if = "Option::is_none")]
+    pub detectable: Option<f64>,
+    /// The distribution of numerical errors, where they are measured.
+    pub spread: Option<ErrorSpread>,
+    /// The error of each number.
+    #[serde(skip)]
+    pub errors: Vec<NumberError>,
+    /// The calls that were judged, in order.
+    #[serde(skip)]
+    pub judged_calls: Vec<u32>,
+}
+
+/// How many answers of one function were judged in an aspect.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FunctionCount {
+    /// The function.
+    pub function: &'static str,
+    /// In how many calls its answer has the aspect.
+    pub judged: u32,
+    /// How many of those were wrong.
+    pub wrong: u32,
+    #[serde(skip)]
+    last_judged: Option<u32>,
+    #[serde(skip)]
+    last_wrong: Option<u32>,
+}
+
+impl FunctionCount {
+    pub(super) fn count(&mut self, call: u32, wrong: bool) {
+        // Each call counts once.
+        self.judged += u32::from(self.last_judged.replace(call) != Some(call));
+        if wrong {
+            self.wrong += u32::from(self.last_wrong.replace(call) != Some(call));
+        }
+    }
+}
+
+/// The worst wrong answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Worst {
+    /// Which call of the case, counted from 0.
+    pub call: u32,
+    /// Rank among wrong answers; larger is worse.
+    pub badness: f64,
+    /// The student's result, the expected one and the input.
+    pub message: String,
+}
+
+impl Finding {
+    /// Whether the aspect earns its points: never wrong, and judged at least once if a right answer
+    /// has it.
+    pub fn passed(&self) -> bool {
+        self.wrong == 0 && (self.judged > 0 || self.expected == 0)
+    }
+
+    /// As [`Finding::passed`], for the answers of one function. An aspect that is judged in the
+    /// answers of no function counts for all of them; `None` if it is judged in those of others
+    /// only.
+    pub fn passed_by(&self, function: &str) -> Option<bool> {
+        if self.functions.is_empty() {
+            return Some(self.passed());
+        }
+        let own = self.functions.iter().find(|own| own.function == function)?;
+        Some(own.wrong == 0)
+    }
+
+    /// Whether `function` has the aspect right at all: on more than half of its answers, or, in an
+    /// aspect of all answers together, on all. `None` as in [`Finding::passed_by`].
+    pub fn mostly_right_by(&self, function: &str) -> Option<bool> {
+        if self.aspect.is_of_all_calls() {
+            return self.passed_by(function);
+        }
+        if self.functions.is_empty() {
+            let of = self.judged.max(self.expected);
+            return Some(of == 0 || self.judged > 0 && 2 * self.wrong < of);
+        }
+        let own = self.functions.iter().find(|own| own.function == function)?;
+        Some(own.judged == 0 || 2 * own.wrong < own.judged)
+    }
+}
+
+impl Finding {
+    pub(super) fn of_function(&mut self, function: &'static str) -> &mut FunctionCount {
+        let same = |own: &FunctionCount| own.function == function;
+        let at = self.functions.iter().position(same).unwrap_or_else(|| {
+            self.functions.push(FunctionCount {
+                function,
+                judged: 0,
+                wrong: 0,
+                last_judged: None,
+                last_wrong: None,
+            });
+            self.functions.len() - 1
+        });
+        &mut self.functions[at]
+    }
+}
+
+impl fmt::Display for Finding {
+    /// The number of wrong answers and the worst one.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of = self.judged.max(self.expected);
+        write!(f, "{} wrong on {} of {of}", self.aspect.label(), self.wrong)?;
+        match &self.worst {
+            Some(worst) => write!(f, ": {}", worst.message),
+            None => Ok(()),
+        }
+    }
+}
+/// A wrong answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Which call of the case.
+    pub call: u32,
+    /// The function that returned it, in cases that call several.
+    pub function: Option<&'static str>,
+    /// How it is wrong.
+    pub class: Class,
+}
+/// A wrong aspect of the answer to one call.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrongAnswer {
+    /// Which call of the case, counted from 0.
+    pub call: u32,
+    /// Which aspect.
+    pub aspect: Aspect,
+    /// The student's result, the expected one and the input.
+    pub message: String,
+}

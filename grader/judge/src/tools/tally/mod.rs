@@ -1,0 +1,277 @@
+//! Counts right and wrong answers, aspect by aspect.
+
+mod aspect;
+mod class;
+mod finding;
+mod not_judged;
+
+pub use aspect::Aspect;
+pub(crate) use class::SAME;
+pub use class::{BLACK_CHANNEL, Class};
+pub use finding::{Fault, Finding, FunctionCount, Worst, WrongAnswer};
+pub use not_judged::NotJudged;
+
+use crate::tools::errors::{ErrorSpread, NumberError};
+
+/// Collects the findings of a case.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    findings: Vec<Finding>,
+    /// Every wrong answer with its message, if they are kept.
+    wrong_answers: Option<Vec<WrongAnswer>>,
+    not_judged: Vec<NotJudged>,
+    function: Option<&'static str>,
+    counted_for: Option<&'static str>,
+    not_written: Vec<String>,
+}
+
+impl Tally {
+    /// The tally of a case in which some functions have holes: their answers mean nothing.
+    pub fn without(not_written: &[String]) -> Tally {
+        Tally {
+            not_written: not_written.to_vec(),
+            ..Tally::default()
+        }
+    }
+
+    /// The same tally, but it keeps the message of every wrong answer, not only that of the worst
+    /// ones.
+    pub(crate) fn with_messages(self) -> Tally {
+        Tally {
+            wrong_answers: Some(Vec::new()),
+            ..self
+        }
+    }
+
+    /// The wrong answers, in the order in which they were judged, if they are kept.
+    pub(crate) fn take_wrong_answers(&mut self) -> Vec<WrongAnswer> {
+        self.wrong_answers.take().unwrap_or_default()
+    }
+
+    /// Whether the answers of `function` are to be judged: it has no hole. If they are not, its
+    /// share of `aspects` is lost.
+    pub fn is_written(&mut self, function: &'static str, aspects: &[Aspect]) -> bool {
+        let is_written = self.not_written.iter().all(|hole| hole != function);
+        if !is_written {
+            for &aspect in aspects {
+                self.entry(aspect).of_function(function);
+            }
+        }
+        is_written
+    }
+
+    /// Sets the function that the next answers count for, in tasks with several functions.
+    pub fn count_for(&mut self, function: &'static str) {
+        self.counted_for = Some(function);
+    }
+
+    /// Sets the function whose answers are judged next, in a case that calls several.
+    pub fn answers_of(&mut self, function: &'static str) {
+        self.function = Some(function);
+    }
+
+    /// Counts a call whose right answer has `aspect`.
+    pub fn expect(&mut self, aspect: Aspect) {
+        self.entry(aspect).expected += 1;
+    }
+
+    /// Judges `aspect` of the answer to call number `call`; `badness` ranks the wrong answers.
+    pub fn judge(
+        &mut self,
+        aspect: Aspect,
+        call: usize,
+        right: bool,
+        badness: f64,
+        message: impl FnOnce() -> String,
+    ) {
+        let class = (!right).then(|| Class::of_size(badness));
+        self.judge_class(aspect, call, class, badness, message);
+    }
+
+    /// Judges `aspect` of the answer to call number `call`, with the class of a wrong answer;
+    /// `None` if it is right.
+    pub fn judge_class(
+        &mut self,
+        aspect: Aspect,
+        call: usize,
+        class: Option<Class>,
+        badness: f64,
+        message: impl FnOnce() -> String,
+    ) {
+        let call = u32::try_from(call).unwrap_or(u32::MAX);
+        let (function, counted_for) = (self.function, self.counted_for);
+        let keeps_messages = self.wrong_answers.is_some();
+        let finding = self.entry(aspect);
+        // Two functions may be judged on the same aspect in one call: it counts once.
+        if finding.judged_calls.last() != Some(&call) {
+            finding.judged += 1;
+            finding.judged_calls.push(call);
+        }
+        if let Some(function) = counted_for {
+            finding.of_function(function).count(call, class.is_some());
+        }
+        let Some(class) = class else { return };
+        let again = finding.faults.last().is_some_and(|last| last.call == call);
+        finding.wrong += u32::from(!again);
+        finding.faults.push(Fault {
+            call,
+            function,
+            class,
+        });
+        // NaN ranks as the worst.
+        let badness = if badness.is_nan() {
+            f64::INFINITY
+        } else {
+            badness
+        };
+        let is_worst = finding
+            .worst
+            .as_ref()
+            .is_none_or(|worst| badness > worst.badness);
+        if !is_worst && !keeps_messages {
+            return;
+        }
+        let message = message();
+        if is_worst {
+            finding.worst = Some(Worst {
+                call,
+                badness,
+                message: message.clone(),
+            });
+        }
+        if let Some(all) = &mut self.wrong_answers {
+            all.push(WrongAnswer {
+                call,
+                aspect,
+                message,
+            });
+        }
+    }
+
+    /// Records that `aspect` of the answer to call number `call` is not judged, because of `why`:
+    /// no answer, or none within wide limits, would count as wrong.
+    pub(crate) fn not_judged(&mut self, aspect: Aspect, call: usize, why: &'static str) {
+        let call = Some(u32::try_from(call).unwrap_or(u32::MAX));
+        self.not_judged.push(NotJudged { aspect, call, why });
+    }
+
+    /// Records that `aspect` is judged in no answer of the case, because of `why`.
+    pub(crate) fn never_judged(&mut self, aspect: Aspect, why: &'static str) {
+        let call = None;
+        self.not_judged.push(NotJudged { aspect, call, why });
+    }
+
+    /// What is not judged, in the order in which it was recorded.
+    pub(crate) fn take_not_judged(&mut self) -> Vec<NotJudged> {
+        std::mem::take(&mut self.not_judged)
+    }
+
+    /// Whether no answer so far has a wrong `aspect`.
+    pub fn is_right(&mut self, aspect: Aspect) -> bool {
+        self.entry(aspect).wrong == 0
+    }
+
+    /// Records that a statistical test of `aspect` always detects a relative deviation of `share`;
+    /// of several tests the largest value counts.
+    pub fn set_detectable(&mut self, aspect: Aspect, share: f64) {
+        let weakest = &mut self.entry(aspect).detectable;
+        *weakest = Some(weakest.map_or(share, |other| other.max(share)));
+    }
+
+    /// Records the error of a number that belongs to `aspect`, right or wrong.
+    pub fn measure(&mut self, aspect: Aspect, error: NumberError) {
+        self.entry(aspect).errors.push(error);
+    }
+
+    /// The findings, in the order in which their aspects were first judged or expected.
+    pub fn into_findings(mut self) -> Vec<Finding> {
+        for finding in &mut self.findings {
+            finding.spread = ErrorSpread::of(&finding.errors);
+        }
+        self.findings
+    }
+
+    fn entry(&mut self, aspect: Aspect) -> &mut Finding {
+        let at = self
+            .findings
+            .iter()
+            .position(|finding| finding.aspect == aspect)
+            .unwrap_or_else(|| {
+                self.findings.push(Finding {
+                    aspect,
+                    expected: 0,
+                    judged: 0,
+                    wrong: 0,
+                    main: false,
+                    functions: Vec::new(),
+                    worst: None,
+                    detectable: None,
+                    faults: Vec::new(),
+                    spread: None,
+                    errors: Vec::new(),
+                    judged_calls: Vec::new(),
+                });
+                self.findings.len() - 1
+            });
+        &mut self.findings[at]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two functions answer each of four calls; the second is wrong from `wrong_from` on.
+    fn judged(wrong_from: usize) -> Finding {
+        let mut tally = Tally::default();
+        for call in 0..4 {
+            tally.count_for("test");
+            tally.judge(Aspect::T, call, true, 0.0, String::new);
+            tally.count_for("record");
+            for _ in 0..2 {
+                tally.judge(Aspect::T, call, call < wrong_from, 1.0, String::new);
+            }
+        }
+        tally.into_findings().remove(0)
+    }
+
+    #[test]
+    fn each_function_is_counted_by_itself_and_each_call_once() {
+        let finding = judged(3);
+        assert_eq!((finding.judged, finding.wrong), (4, 1));
+        let counts = finding.functions.iter();
+        let counts: Vec<_> = counts.map(|f| (f.function, f.judged, f.wrong)).collect();
+        assert_eq!(counts, [("test", 4, 0), ("record", 4, 1)]);
+        assert_eq!(finding.passed_by("test"), Some(true));
+        assert_eq!(finding.passed_by("record"), Some(false));
+        assert_eq!(finding.passed_by("other"), None);
+    }
+
+    #[test]
+    fn half_of_the_answers_is_not_most_of_them() {
+        assert_eq!(judged(3).mostly_right_by("record"), Some(true));
+        assert_eq!(judged(2).mostly_right_by("record"), Some(false));
+        assert_eq!(judged(2).mostly_right_by("test"), Some(true));
+    }
+
+    #[test]
+    fn an_aspect_of_all_answers_together_is_right_or_wrong() {
+        let mut tally = Tally::default();
+        for call in 0..9 {
+            tally.judge(Aspect::Mean, call, call > 0, 1.0, String::new);
+        }
+        let finding = tally.into_findings().remove(0);
+        assert_eq!(finding.mostly_right_by(""), Some(false));
+    }
+
+    #[test]
+    fn a_function_with_a_hole_has_a_share_of_its_aspects() {
+        let mut tally = Tally::without(&["record".to_string()]);
+        assert!(tally.is_written("test", &[Aspect::T]));
+        assert!(!tally.is_written("record", &[Aspect::T]));
+        let findings = tally.into_findings();
+        assert_eq!(findings.len(), 1, "{findings:?}");
+        assert_eq!(findings[0].functions[0].function, "record");
+        assert_eq!(findings[0].judged, 0);
+    }
+}

@@ -3,7 +3,7 @@
 //! [`tally`] counts right and wrong answers by aspect, [`errors`] summarises numerical errors.
 //! [`truth`] computes the exact results with the oracle. [`aspects`] judges hit records, numbers,
 //! statistics of many samples. [`snapshot`] writes and compares goldens, [`repro`] parts of Rust
-//! tests. [`questions`] makes the inputs of cases. [`check`] has the operations on a kind of work,
+//! tests. [`questions`] makes the inputs of cases, [`simple`] those that a person can work on paper. [`check`] has the operations on a kind of work,
 //! [`spec`] a case, [`kinds`] what several tasks share.
 
 pub(crate) mod aspects;
@@ -18,6 +18,7 @@ mod plural;
 pub(crate) mod questions;
 pub mod recorded;
 pub(crate) mod repro;
+pub(crate) mod simple;
 pub(crate) mod snapshot;
 pub(crate) mod spec;
 pub mod tally;

@@ -139,6 +139,20 @@ impl Spec {
         })
     }
 
+    /// The simple questions of the case's kind of work (see [`crate::tools::simple`]), judged as the
+    /// case is.
+    pub fn simple(&self) -> Vec<Spec> {
+        let works = self.check.simple(&self.work).into_iter();
+        let simple = works.map(|work| Spec {
+            work,
+            picture: None,
+            enclosed: false,
+            expected_cache: Arc::default(),
+            ..self.clone()
+        });
+        simple.collect()
+    }
+
     /// The results that score for each probe or ray of a case about single shapes or a list of
     /// shapes; empty for other cases.
     pub fn expected(&self, tier: Tier) -> Vec<Expected> {

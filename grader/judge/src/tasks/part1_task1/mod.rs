@@ -5,6 +5,7 @@ pub(crate) mod judge;
 mod lines;
 mod repro;
 mod rest;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, in_range, one_each};
@@ -78,5 +79,9 @@ impl Check for kind::Pixels {
 
     fn colours(answers: &Vec<PixelAnswer>) -> Option<Vec<Xyz>> {
         Some(answers.iter().map(|pixel| pixel.radiance).collect())
+    }
+
+    fn simple(_: &PixelWork) -> Vec<PixelWork> {
+        simple::questions()
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
 mod repro;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -54,5 +55,9 @@ impl Check for kind::CameraRays {
     fn colours(answers: &Vec<Ray>) -> Option<Vec<Xyz>> {
         let rays = answers.iter();
         Some(rays.map(|ray| colours::direction(ray.d)).collect())
+    }
+
+    fn simple(_: &CameraWork) -> Vec<CameraWork> {
+        simple::questions()
     }
 }

@@ -3,6 +3,7 @@
 pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
+mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::snapshot::Content;
@@ -67,5 +68,9 @@ impl Check for kind::Triangles {
     fn colours(answers: &Vec<TriangleAnswer>) -> Option<Vec<Xyz>> {
         let hits = answers.iter().map(|answer| answer.hit.as_ref());
         Some(hits.map(colours::hit).collect())
+    }
+
+    fn simple(_: &TriangleWork) -> Vec<TriangleWork> {
+        simple::questions()
     }
 }

@@ -7,6 +7,7 @@ mod leaves;
 mod lines;
 mod repro;
 mod rest;
+mod simple;
 mod structure;
 
 use crate::tools::Tier;
@@ -78,5 +79,9 @@ impl Check for kind::Build {
     /// The test does not compute the cost of the tree.
     fn repro_shows(aspect: Aspect) -> bool {
         aspect != Aspect::Work
+    }
+
+    fn simple(_: &BuildWork) -> Vec<BuildWork> {
+        simple::questions()
     }
 }

@@ -3,6 +3,7 @@
 pub(crate) mod cases;
 mod judge;
 mod repro;
+mod simple;
 
 use crate::tools::check::{CaseContext, Check, one_each};
 use crate::tools::snapshot::Content;
@@ -62,5 +63,9 @@ impl Check for kind::Boxes {
             .iter()
             .map(|inside| inside.map(|[enters, _]| enters));
         Some(entries.map(colours::distance).collect())
+    }
+
+    fn simple(_: &BoxWork) -> Vec<BoxWork> {
+        simple::questions()
     }
 }

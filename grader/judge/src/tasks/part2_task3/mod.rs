@@ -5,6 +5,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod repro;
 pub(crate) mod rest;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -75,5 +76,9 @@ impl Check for kind::Traverse {
     /// The test does not count box and primitive tests.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Work | Aspect::Savings)
+    }
+
+    fn simple(world: &ScriptedWorld) -> Vec<ScriptedWorld> {
+        simple::questions(world.any_hit)
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
 mod repro;
+mod simple;
 mod turns;
 
 use crate::tools::Tier;
@@ -65,5 +66,9 @@ impl Check for kind::Lambert {
     /// The test makes one call, which shows nothing about statistics of many.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Spread | Aspect::Mean)
+    }
+
+    fn simple(_: &Vec<LambertProbe>) -> Vec<Vec<LambertProbe>> {
+        simple::questions()
     }
 }

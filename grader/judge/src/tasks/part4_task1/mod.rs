@@ -4,6 +4,7 @@ pub(crate) mod cases;
 pub(crate) mod judge;
 mod lines;
 mod repro;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -58,5 +59,9 @@ impl Check for kind::Specular {
     /// The test makes one call, which shows nothing about statistics of many.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Spread | Aspect::Mean)
+    }
+
+    fn simple(_: &Vec<SpecularCall>) -> Vec<Vec<SpecularCall>> {
+        simple::questions()
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod cases;
 mod draws;
 mod judge;
 mod lines;
+mod simple;
 mod throughput;
 
 use crate::tools::Tier;
@@ -48,6 +49,10 @@ impl Check for kind::Paths {
 
     fn lines(paths: &Vec<ScriptedPath>, answers: &Vec<PathAnswer>) -> Option<Content> {
         Some((Vec::new(), each(paths, answers, lines::path)))
+    }
+
+    fn simple(_: &Vec<ScriptedPath>) -> Vec<Vec<ScriptedPath>> {
+        simple::questions()
     }
 }
 

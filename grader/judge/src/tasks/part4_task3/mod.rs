@@ -3,6 +3,7 @@
 pub(crate) mod cases;
 mod judge;
 mod repro;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -65,5 +66,9 @@ impl Check for kind::Roulette {
     /// The test makes one call, which shows nothing about statistics of many.
     fn repro_shows(aspect: Aspect) -> bool {
         !matches!(aspect, Aspect::Spread | Aspect::Mean)
+    }
+
+    fn simple(_: &RouletteWork) -> Vec<RouletteWork> {
+        simple::questions()
     }
 }

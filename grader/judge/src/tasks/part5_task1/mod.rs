@@ -5,6 +5,7 @@ pub(crate) mod judge;
 pub(crate) mod lines;
 mod placement;
 pub(crate) mod repro;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -46,6 +47,10 @@ impl Check for kind::Stop {
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {
         repro::plain(questions.get(call)?)
+    }
+
+    fn simple(_: &Vec<StopCall>) -> Vec<Vec<StopCall>> {
+        simple::rules()
     }
 }
 
@@ -95,5 +100,9 @@ impl Check for kind::AdaptivePixels {
     /// The test is of one pixel.
     fn repro_shows(aspect: Aspect) -> bool {
         aspect != Aspect::Independence
+    }
+
+    fn simple(_: &Vec<AdaptivePixel>) -> Vec<Vec<AdaptivePixel>> {
+        simple::pixels()
     }
 }

@@ -3,6 +3,7 @@
 pub(crate) mod cases;
 mod judge;
 mod repro;
+mod simple;
 
 use crate::tools::Tier;
 use crate::tools::check::{CaseContext, Check, one_each};
@@ -54,5 +55,9 @@ impl Check for kind::SureStop {
 
     fn repro(_: Tier, questions: &Vec<StopCall>, call: usize) -> Option<String> {
         repro::waiting_rule(questions.get(call)?)
+    }
+
+    fn simple(_: &Vec<StopCall>) -> Vec<Vec<StopCall>> {
+        simple::questions()
     }
 }

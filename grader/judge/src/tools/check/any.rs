@@ -65,6 +65,9 @@ pub(crate) trait AnyCheck: Debug + Sync {
 
     /// As [`Check::colours`].
     fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>>;
+
+    /// As [`Check::simple`].
+    fn simple(&self, work: &Work) -> Vec<Work>;
 }
 
 /// The check of the kind of work `K`.
@@ -163,5 +166,10 @@ impl<K: Check> AnyCheck for ErasedCheck<K> {
 
     fn colours(&self, answer: &Answer) -> Option<Vec<Xyz>> {
         K::colours(K::answer(answer)?)
+    }
+
+    fn simple(&self, work: &Work) -> Vec<Work> {
+        let questions = K::simple(Self::question(work)).into_iter();
+        questions.map(K::work).collect()
     }
 }

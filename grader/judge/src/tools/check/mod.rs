@@ -100,4 +100,10 @@ pub(crate) trait Check: Kind {
     fn colours(_answer: &Self::Answer) -> Option<Vec<Xyz>> {
         None
     }
+
+    /// Simple questions that call the same function as `question`, from the simplest to the hardest
+    /// (see [`crate::tools::simple`]); none for work without simple questions.
+    fn simple(_question: &Self::Question) -> Vec<Self::Question> {
+        Vec::new()
+    }
 }

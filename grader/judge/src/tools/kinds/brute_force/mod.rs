@@ -3,6 +3,7 @@
 
 mod judge;
 mod repro;
+mod simple;
 
 use crate::tools::aspects::hits;
 use crate::tools::check::{CaseContext, Check, hits_fit};
@@ -86,5 +87,12 @@ impl Check for kind::BruteForce {
     fn colours(answer: &HitsAnswer) -> Option<Vec<Xyz>> {
         let hits = answer.hits.iter().map(Option::as_ref);
         Some(hits.map(colours::hit).collect())
+    }
+
+    fn simple(work: &BruteForceWork) -> Vec<BruteForceWork> {
+        match work.triangles.is_empty() {
+            true => simple::spheres(),
+            false => simple::triangles(),
+        }
     }
 }

@@ -5,6 +5,7 @@ mod judge;
 mod lamps;
 mod mistakes;
 mod shadow_targets;
+mod simple;
 pub(crate) mod worlds;
 
 use crate::tools::Tier;
@@ -73,5 +74,9 @@ impl Check for kind::Direct {
             forms(question, short, full)
         });
         Some((Vec::new(), lines))
+    }
+
+    fn simple(work: &DirectWork) -> Vec<DirectWork> {
+        simple::questions(work.strategy)
     }
 }

@@ -5,7 +5,7 @@ pub mod speedup;
 
 use crate::build::{BuildLimit, BuildRoot};
 use crate::course::{Course, Task, stages_of};
-use crate::diagnosis::{self, fresh_cases::FreshCases};
+use crate::diagnosis::{self, fresh_cases::FreshCases, simplest};
 use crate::report::{Report, TaskReport};
 use crate::score::regularity;
 use crate::score::{CaseResult, Status, TaskResult};
@@ -70,7 +70,7 @@ pub fn in_place(
         (run, pictures)
     });
     let run = run?;
-    let mut tasks = explain(workspace, run.results, &specs, request.seed)?;
+    let mut tasks = explain(workspace, run.results, &specs, request.seed, &workers)?;
     for (task, path) in pictures? {
         let report = tasks.iter_mut().find(|report| report.result.key == task);
         report
@@ -102,7 +102,10 @@ pub fn at(
     let workers = workers(build_root, tasks, &specs, false)?;
     let run = run(&workers, course, tasks, &specs)?;
     Ok(Graded {
-        report: Report::new(explain(workspace, run.results, &specs, seed)?, None),
+        report: Report::new(
+            explain(workspace, run.results, &specs, seed, &workers)?,
+            None,
+        ),
         printed: run.printed,
         compiler: workers.compiler,
         limit: workers.limit,
@@ -162,13 +165,14 @@ fn run(
     Ok(run)
 }
 
-/// Adds to each result the mistake that explains it and a test of its worst answer. The `specs`
-/// were made with `seed`.
+/// Adds to each result the mistake that explains it, the simplest call that shows it, and a test of
+/// this call or of the worst answer. The `specs` were made with `seed`.
 fn explain(
     workspace: &Workspace,
     results: Vec<TaskResult>,
     specs: &[Spec],
     seed: u64,
+    workers: &WorkerSet,
 ) -> Result<Vec<TaskReport>, GraderError> {
     let explained = results.into_iter().map(|result| {
         if result.status == Status::Passed {
@@ -183,16 +187,28 @@ fn explain(
         let signature = fresh.removed_from(&Signature::of(&result.cases));
         let diagnosis = diagnosis::diagnose(&known, &signature);
         let regularities = regularity::of(&result.key, &result.cases, specs);
-        let worst_as_test = repro::worst(failed_cases(&result.cases), specs, &result.key);
+        let simplest = match workers.workers(&result.stage) {
+            Some(workers) => simplest::of_task(&workers, &result, specs)?,
+            None => None,
+        };
+        let simplest_test = simplest.as_ref().and_then(|call| call.test.as_ref());
+        let worst_as_test = match simplest_test {
+            Some(test) => Some(repro::as_file(SIMPLEST, &result.key, test)),
+            None => repro::worst(failed_cases(&result.cases), specs, &result.key),
+        };
         Ok(TaskReport {
             diagnosis,
             regularities,
+            simplest,
             worst_as_test,
             ..TaskReport::from(result)
         })
     });
     explained.collect()
 }
+
+/// Begins the comment of the test of a simplest call.
+const SIMPLEST: &str = "A simple call that shows what is wrong with";
 
 /// The cases that `course.toml` lists for `tasks`, in its order.
 pub fn chosen<'a>(tasks: &[&Task], specs: &'a [Spec]) -> Result<Vec<&'a Spec>, GraderError> {

@@ -3,7 +3,6 @@
 
 mod functions;
 pub(crate) mod message;
-mod order;
 pub mod screen;
 mod speedups;
 pub mod table;
@@ -12,6 +11,7 @@ pub mod worst_test;
 pub(crate) mod wrap;
 
 use crate::diagnosis::Diagnosis;
+use crate::diagnosis::simplest::SimplestCall;
 use crate::grade::speedup::Speedups;
 use crate::score::TaskResult;
 use base::GraderError;
@@ -47,7 +47,10 @@ pub struct TaskReport {
     /// What the wrong answers have in common.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub regularities: Vec<String>,
-    /// A Rust test that reproduces the worst wrong answer.
+    /// The simplest call that shows what is wrong, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub simplest: Option<SimplestCall>,
+    /// A Rust test that reproduces this call, or else the worst wrong answer.
     pub worst_as_test: Option<String>,
     /// The file that this test was written to, below the workspace's root folder.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,6 +68,7 @@ impl From<TaskResult> for TaskReport {
             result,
             diagnosis: None,
             regularities: Vec::new(),
+            simplest: None,
             worst_as_test: None,
             test_file: None,
             picture: None,

@@ -193,7 +193,7 @@ fn state(task: &TaskResult) -> String {
         _ if task.score >= task.max_score => "complete".into(),
         Status::Failed => {
             let is_core = |case: &&CaseResult| case.tier == Tier::Core;
-            let failed = match super::table::failed(task).filter(is_core).count() {
+            let failed = match task.failed_cases().filter(is_core).count() {
                 0 => return right_so_far(task),
                 1 => "1 case fails".into(),
                 count => format!("{count} cases fail"),

@@ -2,9 +2,10 @@
 //! hint level allows.
 
 use super::terminal::{stdout_has_colours, style_of};
-use super::{HintLevel, Report, Reveal, TaskReport, order};
+use super::{HintLevel, Report, Reveal, TaskReport};
 use crate::course::chapter::{Section, section};
 use crate::diagnosis::Diagnosis;
+use crate::score::order;
 use crate::score::{CaseResult, Status, TaskResult};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
@@ -181,18 +182,6 @@ pub fn status_text(status: &Status) -> String {
     }
 }
 
-/// The cases of a task that lost points by themselves, not because something else is missing.
-/// The cases whose own answers are wrong, or that have none.
-pub(super) fn failed(task: &TaskResult) -> impl Iterator<Item = &CaseResult> {
-    task.cases.iter().filter(|case| {
-        let has_no_result = matches!(
-            case.status,
-            Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
-        );
-        !has_no_result && !case.is_only_reduced()
-    })
-}
-
 /// What the report says about one task: its failed cases in as much detail as `reveal` allows, or why
 /// it has none. Empty if every case passes.
 pub fn task_text(report: &TaskReport, reveal: Reveal) -> String {
@@ -207,7 +196,9 @@ pub fn task_text(report: &TaskReport, reveal: Reveal) -> String {
 fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Reveal) {
     let task = &report.result;
     // Core cases come first.
-    let (core, robust): (Vec<_>, Vec<_>) = failed(task).partition(|case| case.tier == Tier::Core);
+    let (core, robust): (Vec<_>, Vec<_>) = task
+        .failed_cases()
+        .partition(|case| case.tier == Tier::Core);
     if core.is_empty() && robust.is_empty() {
         return;
     }

@@ -6,6 +6,7 @@
 //! (`idea` in `course.toml`), and robust points count from two thirds of the core points on.
 
 pub mod functions;
+pub(crate) mod order;
 pub mod regularity;
 
 use crate::course::{CaseEntry, Task};
@@ -206,6 +207,18 @@ impl CaseResult {
 }
 
 impl TaskResult {
+    /// The cases whose own answers are wrong, or that have none: not those that lost points because
+    /// something else is missing.
+    pub fn failed_cases(&self) -> impl Iterator<Item = &CaseResult> {
+        self.cases.iter().filter(|case| {
+            let has_no_result = matches!(
+                case.status,
+                Status::Passed | Status::NotAttempted | Status::DoesNotCompile | Status::Needs(_)
+            );
+            !has_no_result && !case.is_only_reduced()
+        })
+    }
+
     /// Adds up the points of a task's cases.
     pub fn new(task: &Task, mut cases: Vec<CaseResult>) -> TaskResult {
         functions::require_idea(task, &mut cases);

@@ -7,6 +7,7 @@ use authoring::mutants::groups;
 use authoring::mutants::mistake_pictures;
 use authoring::mutants::run;
 use authoring::mutants::seeds::{self, Seeded};
+use authoring::mutants::simplest::{self, Simplest};
 use authoring::mutants::table::Table;
 use base::program::{Exit, path_argument, whole_number};
 use base::{GraderError, Workspace};
@@ -49,6 +50,13 @@ pub(crate) fn command() -> Command {
                 .help("Instead, grade every small slip in the variants, and in the reference if there are few of them (a comparison turned, operands swapped, a constant halved, an update forgotten …), and list groups of them that the diagnosis does not name"),
         )
         .arg(
+            Arg::new("simplest")
+                .long("simplest")
+                .action(ArgAction::SetTrue)
+                .conflicts_with_all(["seeds", "bless", "with", "families"])
+                .help("Instead, print how simple the calls are that show the mistakes to students, and test that correct versions answer all simple questions rightly"),
+        )
+        .arg(
             Arg::new("against-bless")
                 .long("against-bless")
                 .action(ArgAction::SetTrue)
@@ -89,6 +97,14 @@ pub(crate) fn run(matches: &ArgMatches) -> Result<Exit, GraderError> {
             let graded = seeds::grade(&workspace, &course, task, 0..seeds)?;
             show_seeds(&task.key, seeds, &graded);
             if !graded.marked_down.is_empty() {
+                verdict = Exit::Failed;
+            }
+            continue;
+        }
+        if matches.get_flag("simplest") {
+            let found = simplest::of_task(&workspace, &course, task)?;
+            show_simplest(&task.key, &found);
+            if !found.accused.is_empty() {
                 verdict = Exit::Failed;
             }
             continue;
@@ -314,6 +330,48 @@ fn show_seeds(task: &str, seeds: u64, graded: &Seeded) {
     for (seed, graded) in &graded.marked_down {
         show_marked_down(&format!("{} with seed {seed}", graded.name), graded);
     }
+}
+
+/// Prints the simplest calls of the mutants of a task, and their digits.
+fn show_simplest(task: &str, found: &Simplest) {
+    for shown in &found.shown {
+        let call = match &shown.call {
+            Some(call) => format!("{} -> {}", call.input, call.result),
+            None => "no simple call".into(),
+        };
+        println!("  {}: {call}", shown.mutant);
+    }
+    for accused in &found.accused {
+        println!("  ACCUSED: {accused}");
+    }
+    let count = |is: &dyn Fn(&simplest::Shown) -> bool| {
+        found.shown.iter().filter(|shown| is(shown)).count()
+    };
+    let median = |mut digits: Vec<usize>| {
+        digits.sort_unstable();
+        digits.get(digits.len() / 2).copied().unwrap_or(0)
+    };
+    println!(
+        "{task}: {} lose core points; a simple call shows {}, {} of them with integers and halves \
+         of two digits; digits shown (median): {} of the worst answer, {} of the simple call",
+        plural(found.shown.len(), "mutant", "mutants"),
+        count(&|shown| shown.call.is_some()),
+        count(&simplest::Shown::is_of_small_numbers),
+        median(
+            found
+                .shown
+                .iter()
+                .map(|shown| shown.digits_of_worst)
+                .collect()
+        ),
+        median(
+            found
+                .shown
+                .iter()
+                .filter_map(simplest::Shown::digits)
+                .collect()
+        ),
+    );
 }
 
 /// Prints where correct code lost core points.

@@ -3,14 +3,15 @@
 use super::{Block, Context};
 use crate::build::compile_errors;
 use crate::course::chapter::{Section, chapter, section};
-use crate::report::table::{failed, status_text};
+use crate::diagnosis::simplest::SimplestCall;
+use crate::report::table::status_text;
 use crate::report::terminal::Page;
 use crate::report::worst_test;
 use crate::report::wrap::{columns, numbers_to_fit, one_line, wrap_to};
-use crate::report::{HintLevel, Reveal, TaskReport, order};
+use crate::report::{HintLevel, Reveal, TaskReport};
 use crate::report::{functions, message};
 use crate::score::regularity::FEW_DIGITS;
-use crate::score::{CaseResult, Status, TaskResult};
+use crate::score::{CaseResult, Status, TaskResult, order};
 use crate::workers::printed;
 use judge::Tier;
 use judge::cases::checked;
@@ -123,12 +124,9 @@ fn does_not_compile(out: &mut Lines, task: &TaskResult, context: &Context) {
 /// The failed cases that count: the core cases, or with `extra` the robust ones if no core case
 /// failed.
 fn counted(task: &TaskResult, extra: bool) -> Vec<&CaseResult> {
-    let of = |tier: Tier| failed(task).filter(|case| case.tier == tier).collect();
-    let core: Vec<&CaseResult> = of(Tier::Core);
-    match core.is_empty() && extra {
-        true => order::new_faults_first(&of(Tier::Robust)),
-        false => order::new_faults_first(&core),
-    }
+    let mut cases = order::failed_cases_that_count(task);
+    cases.retain(|case| extra || case.tier == Tier::Core);
+    cases
 }
 
 /// The failed case that is shown first.
@@ -172,26 +170,9 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     if let Status::Crashed(how) = &first.status {
         out.add(0, SENTENCES, &format!("  {}: {how}", first.name));
     }
-    let all_findings = cases
-        .iter()
-        .filter_map(|case| worst(case).map(|found| (case, found)));
-    if let Some((case, (finding, worst))) = all_findings.into_iter().next() {
-        let label = finding.aspect.label();
-        let (wrong, judged) = (finding.wrong, finding.judged);
-        let text = format!(
-            "  {}: {label} wrong on {wrong} of {judged} calls",
-            case.name
-        );
-        out.add(0, 2, &text);
-        // The message ends with the question; both have a line of their own.
-        let (found, question) = message::parts(&worst.message);
-        let found = message::with_telling_digits(found);
-        out.add(0, RESULT, &format!("    {found}"));
-        if let Some(question) = question {
-            let line = format!("    Ray: {question}");
-            let lines = vec![numbers_to_fit(&line, out.page.width)];
-            out.blocks.push(Block { rank: 0, lines });
-        }
+    match &report.simplest {
+        Some(call) => simplest(out, task, call),
+        None => worst_answer(out, &cases),
     }
     for reduction in first.reductions.iter().take(1) {
         out.add(1, 2, &format!("  {}: {reduction}", first.name));
@@ -207,6 +188,49 @@ fn wrong(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
             rank: 2,
             lines: lines.into(),
         });
+    }
+}
+
+/// The simplest call that shows what is wrong, and on how many calls of its case it is.
+fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
+    let case = task.cases.iter().find(|case| case.name == call.case);
+    let mut findings = case.iter().flat_map(|case| &case.findings);
+    if let Some(finding) = findings.find(|finding| Some(finding.aspect) == call.aspect) {
+        wrong_calls(out, &call.case, finding);
+    }
+    out.add(0, RESULT, &format!("  Simplest: {}", call.input));
+    let (found, _) = message::parts(&call.result);
+    out.add(
+        0,
+        RESULT,
+        &format!("    {}", message::with_telling_digits(found)),
+    );
+}
+
+fn wrong_calls(out: &mut Lines, case: &str, finding: &Finding) {
+    let label = finding.aspect.label();
+    let (wrong, judged) = (finding.wrong, finding.judged);
+    let text = format!("  {case}: {label} wrong on {wrong} of {judged} calls");
+    out.add(0, 2, &text);
+}
+
+/// The worst answer of the first case that has one, where no simple call shows what is wrong.
+fn worst_answer(out: &mut Lines, cases: &[&CaseResult]) {
+    let mut found = cases
+        .iter()
+        .filter_map(|case| worst(case).map(|found| (case, found)));
+    let Some((case, (finding, worst))) = found.next() else {
+        return;
+    };
+    wrong_calls(out, &case.name, finding);
+    // The message ends with the question; both have a line of their own.
+    let (found, question) = message::parts(&worst.message);
+    let found = message::with_telling_digits(found);
+    out.add(0, RESULT, &format!("    {found}"));
+    if let Some(question) = question {
+        let line = format!("    Ray: {question}");
+        let lines = vec![numbers_to_fit(&line, out.page.width)];
+        out.blocks.push(Block { rank: 0, lines });
     }
 }
 
@@ -236,7 +260,10 @@ fn worst(case: &CaseResult) -> Option<(&Finding, &Worst)> {
 /// The likely mistake at the levels that show it, else what the wrong answers have in common.
 fn explanation(out: &mut Lines, report: &TaskReport, reveal: Reveal) {
     let lost_core = report.result.score < report.result.max_score;
-    let has_crashed = failed(&report.result).any(|case| matches!(case.status, Status::Crashed(_)));
+    let has_crashed = report
+        .result
+        .failed_cases()
+        .any(|case| matches!(case.status, Status::Crashed(_)));
     match &report.diagnosis {
         Some(found) if reveal.hint >= HintLevel::Mistake => {
             let label = found.certainty.label();

@@ -1,6 +1,7 @@
 //! Orders failed cases: those that show a fault of a new kind come first.
 
-use crate::score::{CaseResult, Status};
+use crate::score::{CaseResult, Status, TaskResult};
+use judge::Tier;
 use judge::tally::{Aspect, Class, Fault};
 use std::collections::BTreeSet;
 
@@ -13,10 +14,23 @@ enum Kind<'a> {
     Wrong(Aspect, Option<&'static str>, Option<Class>),
 }
 
+/// The failed core cases of a task, or, if none failed, its robust ones; those that show a new kind
+/// of fault come first.
+pub(crate) fn failed_cases_that_count(task: &TaskResult) -> Vec<&CaseResult> {
+    let of = |tier: Tier| {
+        let failed = task.failed_cases().filter(|case| case.tier == tier);
+        new_faults_first(&failed.collect::<Vec<_>>())
+    };
+    match of(Tier::Core) {
+        core if core.is_empty() => of(Tier::Robust),
+        core => core,
+    }
+}
+
 /// Puts the cases first that show a kind of fault that no case before them shows. The others repeat
 /// what is known. Otherwise the order stays as it is: the course goes from simple cases to hard
 /// ones.
-pub(super) fn new_faults_first<'a>(cases: &[&'a CaseResult]) -> Vec<&'a CaseResult> {
+pub(crate) fn new_faults_first<'a>(cases: &[&'a CaseResult]) -> Vec<&'a CaseResult> {
     let mut known = BTreeSet::new();
     let (mut ordered, repeating): (Vec<&CaseResult>, Vec<&CaseResult>) =
         cases.iter().partition(|case| {

@@ -199,6 +199,12 @@ fn call(case: &CaseResult, spec: &Spec, call: u32) -> SimplestCall {
         aspect: None,
         input: call_input::of(&spec.work, call as usize).unwrap_or_default(),
         result: String::new(),
-        test: repro::test(spec, Tier::Core, call as usize),
+        test: repro::of_work(
+            &spec.work,
+            Tier::Core,
+            call as usize,
+            "On this call the code was wrong as in a failed case of the grader.",
+            "simple_call",
+        ),
     }
 }

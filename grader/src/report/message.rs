@@ -1,6 +1,7 @@
 //! The parts of the message about a wrong answer.
 
 use super::wrap::{columns, shorten_numbers};
+use crate::diagnosis::simplest::SimplestCall;
 
 /// The result and the question: what stands before and after ". Ray: ". Not every message has a
 /// question.
@@ -9,6 +10,12 @@ pub(crate) fn parts(message: &str) -> (&str, Option<&str>) {
         Some((result, ray)) => (result, Some(ray)),
         None => (message, None),
     }
+}
+
+/// What was found at the simplest call, without the question, in as few digits as show the
+/// difference.
+pub(super) fn found(call: &SimplestCall) -> String {
+    with_telling_digits(parts(&call.result).0)
 }
 
 /// The result, without the reason at its end if it does not fit in `width` columns.

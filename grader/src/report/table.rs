@@ -1,12 +1,12 @@
 //! Formats the report for people: a table of scores, then the failed cases in as much detail as the
 //! hint level allows.
 
+use super::message;
 use super::terminal::{stdout_has_colours, style_of};
 use super::{HintLevel, Report, Reveal, TaskReport};
 use crate::course::chapter::{Section, section};
 use crate::diagnosis::Diagnosis;
-use crate::score::order;
-use crate::score::{CaseResult, Status, TaskResult};
+use crate::score::{CaseResult, Status, TaskResult, order};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use judge::Tier;
 use judge::cases::checked;
@@ -210,6 +210,15 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
     if !core.is_empty() || extra {
         explanation(text, report, hint, !core.is_empty());
     }
+    let simplest = report.simplest.as_ref();
+    if let Some(call) = simplest.filter(|_| hint >= HintLevel::Findings) {
+        let _ = writeln!(
+            text,
+            "  Simplest: {}\n    {}",
+            call.input,
+            message::found(call)
+        );
+    }
     failed_cases(text, &core, hint);
     if task.score < task.max_score && !robust.is_empty() {
         // These cases often fail for the same reason as the core cases.
@@ -234,9 +243,13 @@ fn details(text: &mut String, report: &TaskReport, Reveal { hint, extra }: Revea
     if hint >= HintLevel::Findings
         && let Some(test) = &report.worst_as_test
     {
+        let what = match simplest {
+            Some(_) => "The simplest call",
+            None => "The worst answer",
+        };
         let _ = writeln!(
             text,
-            "\n  The worst answer as a test. Save it as stages/{0}/tests/worst.rs (create the folder if necessary), \
+            "\n  {what} as a test. Save it as stages/{0}/tests/worst.rs (create the folder if necessary), \
              then run `cargo test -p {0} --test worst`:\n",
             task.stage
         );

@@ -199,12 +199,7 @@ fn simplest(out: &mut Lines, task: &TaskResult, call: &SimplestCall) {
         wrong_calls(out, &call.case, finding);
     }
     out.add(0, RESULT, &format!("  Simplest: {}", call.input));
-    let (found, _) = message::parts(&call.result);
-    out.add(
-        0,
-        RESULT,
-        &format!("    {}", message::with_telling_digits(found)),
-    );
+    out.add(0, RESULT, &format!("    {}", message::found(call)));
 }
 
 fn wrong_calls(out: &mut Lines, case: &str, finding: &Finding) {

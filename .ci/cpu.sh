@@ -1,4 +1,4 @@
-# Sourced by .ci/run and .ci/nightly.
+# Sourced by .ci/run and .ci/nightly: CPU seconds, and what they may be.
 
 # Sets `cpu` to the seconds of CPU, user and system, that the commands run by this shell have taken so far, with all
 # that they waited for. `times` has to run in this shell: a pipe would make a new one, whose count begins at 0.
@@ -8,4 +8,34 @@ count_cpu() {
     times > "$file"
     cpu=$(awk -F '[ms ]+' 'NR == 2 { printf "%d", 60 * $1 + $2 + 60 * $3 + $4 }' "$file")
     rm "$file"
+}
+
+# A budget in seconds means little on another machine, or on one that others use: both make the same work take more CPU
+# seconds. So a loop of the shell is measured beside the work, and budgets grow with it. It took this many milliseconds
+# on the machine with two cores that the budgets were measured on, while the work was.
+reference_loop_ms=720
+loops=0
+loops_ms=0
+measure_machine() {
+    local file ms
+    file=$(mktemp)
+    (
+        for ((i = 0, x = 1; i < 300000; i++)); do ((x = (x * 1103515245 + 12345) & 2147483647)); done
+        times > "$file"
+    )
+    ms=$(awk -F '[ms ]+' 'NR == 1 { printf "%d", 1000 * (60 * $1 + $2 + 60 * $3 + $4) }' "$file")
+    rm "$file"
+    loops=$((loops + 1)) loops_ms=$((loops_ms + ms))
+}
+
+# within_budget WHAT SECONDS BUDGET: prints what was used of a budget, and fails if it was more. On a machine that is
+# slower than the reference, the budget is longer in proportion; on a faster one it stays.
+within_budget() {
+    local mean=$((loops_ms / loops)) budget=$3
+    if [ $mean -gt $reference_loop_ms ]; then budget=$((budget * mean / reference_loop_ms)); fi
+    echo "CPU: $1 took $2 s of $budget s (budget $3 s; this machine takes $mean ms for a loop of $reference_loop_ms ms)"
+    [ "$2" -le "$budget" ] || {
+        echo "$1 is over its budget: see CONTRIBUTING.md, \"What tests may cost\"" >&2
+        return 1
+    }
 }

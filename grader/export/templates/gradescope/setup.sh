@@ -21,11 +21,17 @@ fi
 cd "$course"
 # The container has little memory: one compiler at a time.
 export CARGO_BUILD_JOBS=1
-cargo build --release --locked {packages}
+# All that is ever compiled here is downloaded now: the worker's libraries, too, which only grading builds.
+cargo fetch --locked
 export CARGO_NET_OFFLINE=true
+cargo build --release --locked {packages}
 check="$(mktemp -d)"
-if ! ./target/release/formats {what} --submission "$course"{unsandboxed} --write "gradescope=$check/results.json"; then
-    echo "setup.sh: the reference solution does not get every core point of {what} here" >&2
-    exit 1
-fi
+code=0
+./target/release/formats {what} --submission "$course"{unsandboxed} --write "gradescope=$check/results.json" || code=$?
+case "$code" in
+    0) ;;
+    1) echo "setup.sh: the reference solution does not get every core point of {what} here: the report is above" >&2 ;;
+    *) echo "setup.sh: the grader does not run here (exit code $code): its error is above" >&2 ;;
+esac
 rm -r "$check"
+exit "$code"
